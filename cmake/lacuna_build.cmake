@@ -1,0 +1,50 @@
+# Settings that every target shares, and the three ways to add one.
+
+option(LACUNA_TESTS "Build tests, benchmarks and generators" ON)
+option(LACUNA_FUZZ "Build the fuzz targets (clang)" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+include(GNUInstallDirs)
+set(LACUNA_PLUGIN_DIRECTORY lib/lacuna/plugins)
+
+add_compile_options(-Wall -Wextra -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-Wno-restrict)  # false alarms on std::string in GCC 12 (its bug 105651)
+endif()
+# The same numbers from every build of one source: no contraction that depends on inlining.
+add_compile_options(-ffp-contract=off)
+
+# A folder of platform/: a static library that sees platform/ as its include root.
+function(lacuna_add_room name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(lacuna_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
+  target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
+endfunction()
+
+# A plugin library: hidden symbols, the interface and nothing else.
+function(lacuna_add_plugin name)
+  add_library(${name} MODULE ${ARGN})
+  target_link_libraries(${name} PRIVATE lacuna_interface)
+  target_compile_definitions(${name} PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
+  set_target_properties(${name} PROPERTIES
+    PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${LACUNA_PLUGIN_DIRECTORY})
+  install(TARGETS ${name} LIBRARY DESTINATION ${LACUNA_PLUGIN_DIRECTORY})
+endfunction()
+
+# A test program of GoogleTest; each TEST is a test of ctest.
+function(lacuna_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE
+    LACUNA_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" LACUNA_BINARY_DIRECTORY="${CMAKE_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
+endfunction()

@@ -1,0 +1,47 @@
+#include "app/commands.h"
+
+#include "foundation/interrupt.h"
+#include "foundation/problem.h"
+
+#include <cstdio>
+
+namespace lacuna {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+constexpr int kInterrupted = 75;
+
+int complain(const std::exception& error, int code) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "%s\n", error.what());
+  return code;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Finds what a robot model is missing.", "lacuna");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", std::string(LACUNA_VERSION));
+  add_check_command(program);
+
+  watch_for_interrupts();
+  try {
+    program.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& help_or_version) {
+    return program.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    program.exit(error);
+    return kBadInput;
+  } catch (const BadInput& error) {
+    return complain(error, kBadInput);
+  } catch (const Interrupted& error) {
+    return complain(error, kInterrupted);
+  } catch (const std::exception& error) {
+    return complain(error, kFailed);
+  }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Options that mean the same in every command.
+struct CommonOptions {
+  std::filesystem::path experiment;    ///< the experiment file
+  std::vector<std::string> overrides;  ///< --set key=value
+  std::vector<std::filesystem::path> plugin_paths;
+  std::filesystem::path database;  ///< --db; empty: the experiment's name with .db in the working folder
+  int threads = 0;                 ///< 0: all
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> json;  ///< --json[=FILE]; "" is standard output
+  bool quiet = false;
+};
+
+/// Adds the experiment argument, --set and --plugin-path.
+void add_experiment_options(CLI::App& command, CommonOptions& options);
+void add_plugin_path_option(CLI::App& command, CommonOptions& options);
+/// Adds --db, --threads, --seed, --json and --quiet.
+void add_work_options(CLI::App& command, CommonOptions& options);
+
+}  // namespace lacuna

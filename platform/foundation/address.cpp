@@ -1,0 +1,275 @@
+#include "foundation/address.h"
+
+#include "foundation/problem.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr double kSmallest = 1e-12;  // of quantities that must be positive
+
+/// Lists the values of one element under its address.
+class Collector {
+ public:
+  explicit Collector(std::vector<AddressedValue>& values) : values_(values) {}
+  void element(const std::string& prefix) { prefix_ = prefix + "."; }
+  void add(const std::string& name, const std::string& unit, double& value, double lower = -kInfinity,
+           double upper = kInfinity) {
+    values_.push_back({prefix_ + name, unit, &value, lower, upper});
+  }
+  void add_vector(const std::string& name, const std::string& unit, Eigen::Vector3d& vector) {
+    add(name + ".x", unit, vector.x());
+    add(name + ".y", unit, vector.y());
+    add(name + ".z", unit, vector.z());
+  }
+
+ private:
+  std::vector<AddressedValue>& values_;
+  std::string prefix_;
+};
+
+struct JointUnits {
+  std::string position, force;
+  std::string per_velocity() const { return position == "m" ? "N*s/m" : "N*m*s/rad"; }
+  std::string per_position() const { return position == "m" ? "N/m" : "N*m/rad"; }
+  std::string inertia() const { return position == "m" ? "kg" : "kg*m^2"; }
+};
+
+JointUnits units_of(JointKind kind) {
+  return kind == JointKind::slider ? JointUnits{"m", "N"} : JointUnits{"rad", "N*m"};
+}
+
+std::string command_unit(ActuatorKind kind, const JointUnits& units) {
+  if (kind == ActuatorKind::force) return units.force;
+  return kind == ActuatorKind::velocity_servo ? units.position + "/s" : units.position;
+}
+
+void collect_body(Collector& collector, BodySpec& body) {
+  collector.add("mass", "kg", body.mass, kSmallest);
+  collector.add_vector("com", "m", body.com);
+  collector.add("inertia.xx", "kg*m^2", body.inertia.xx, kSmallest);
+  collector.add("inertia.yy", "kg*m^2", body.inertia.yy, kSmallest);
+  collector.add("inertia.zz", "kg*m^2", body.inertia.zz, kSmallest);
+  collector.add("inertia.xy", "kg*m^2", body.inertia.xy);
+  collector.add("inertia.xz", "kg*m^2", body.inertia.xz);
+  collector.add("inertia.yz", "kg*m^2", body.inertia.yz);
+}
+
+void collect_joint(Collector& collector, JointSpec& joint) {
+  const JointUnits units = units_of(joint.kind);
+  collector.add("damping", units.per_velocity(), joint.damping, 0.0);
+  collector.add("dry_friction", units.force, joint.dry_friction, 0.0);
+  collector.add("stiffness", units.per_position(), joint.stiffness, 0.0);
+  collector.add("rest", units.position, joint.rest);
+  collector.add("armature", units.inertia(), joint.armature, 0.0);
+  collector.add("force", units.force, joint.force);
+  collector.add("lower", units.position, joint.lower);
+  collector.add("upper", units.position, joint.upper);
+}
+
+void collect_actuator(Collector& collector, ActuatorSpec& actuator, const JointUnits& units) {
+  const std::string command = command_unit(actuator.kind, units);
+  collector.add("gain", "1", actuator.gain);
+  collector.add("offset", command, actuator.offset);
+  collector.add("delay", "s", actuator.delay, 0.0);
+  collector.add("kp", units.per_position(), actuator.kp, 0.0);
+  collector.add("ki", units.position == "m" ? "N/(m*s)" : "N*m/(rad*s)", actuator.ki, 0.0);
+  collector.add("kd", units.per_velocity(), actuator.kd, 0.0);
+  collector.add("force_limit", units.force, actuator.force_limit, 0.0);
+  collector.add("command_lower", command, actuator.command_lower);
+  collector.add("command_upper", command, actuator.command_upper);
+  collector.add("transmission.ratio", "1", actuator.transmission.ratio);
+  collector.add("transmission.rotor_inertia", units.inertia(), actuator.transmission.rotor_inertia, 0.0);
+  collector.add("transmission.stiffness", units.per_position(), actuator.transmission.stiffness, kSmallest);
+  collector.add("transmission.damping", units.per_velocity(), actuator.transmission.damping, 0.0);
+  collector.add("transmission.gap", units.position, actuator.transmission.gap, 0.0);
+}
+
+void collect_sensor(Collector& collector, SensorSpec& sensor, const std::string& unit) {
+  collector.add("delay", "s", sensor.delay, 0.0);
+  collector.add("scale", "1", sensor.scale);
+  collector.add("offset", unit, sensor.offset);
+  collector.add("noise", unit, sensor.noise, 0.0);
+  collector.add("quantum", unit, sensor.quantum, 0.0);
+  if (sensor.kind == SensorKind::beacon_range) collector.add_vector("beacon", "m", sensor.beacon);
+}
+
+const JointSpec* find_joint(const RobotSpec& robot, const std::string& name) {
+  const auto found =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const JointSpec& j) { return j.name == name; });
+  return found == robot.joints.end() ? nullptr : &*found;
+}
+
+std::string channel_unit(SensorKind kind, JointKind joint) {
+  const JointUnits units = units_of(joint);
+  switch (kind) {
+    case SensorKind::joint_position: return units.position;
+    case SensorKind::joint_velocity: return units.position + "/s";
+    case SensorKind::joint_force: return units.force;
+    case SensorKind::touch: return "1";
+    case SensorKind::body_position: return "m";
+    case SensorKind::body_velocity: return "m/s";
+    case SensorKind::body_orientation: return "1";
+    case SensorKind::body_angular_velocity: return "rad/s";
+    case SensorKind::beacon_range: return "m";
+    case SensorKind::contact_force: return "N";
+  }
+  return "1";
+}
+
+struct NamedElement {
+  ElementKind kind;
+  int index;
+  std::string address;
+};
+
+template <class Spec>
+void name_elements(const std::vector<Spec>& specs, ElementKind kind, std::vector<NamedElement>& elements) {
+  for (std::size_t i = 0; i < specs.size(); ++i)
+    elements.push_back({kind, static_cast<int>(i), std::string(to_string(kind)) + "." + specs[i].name});
+}
+
+std::vector<NamedElement> named_elements(const RobotSpec& robot) {
+  std::vector<NamedElement> elements;
+  name_elements(robot.joints, ElementKind::joint, elements);
+  name_elements(robot.bodies, ElementKind::body, elements);
+  name_elements(robot.actuators, ElementKind::actuator, elements);
+  name_elements(robot.sensors, ElementKind::sensor, elements);
+  elements.push_back({ElementKind::world, 0, "world"});
+  return elements;
+}
+
+std::string nothing_matches(const std::string& pattern, const std::vector<NamedElement>& elements) {
+  std::vector<std::string> addresses;
+  for (const NamedElement& element : elements) addresses.push_back(element.address);
+  std::string known;
+  for (const std::string& address : addresses) known += (known.empty() ? "" : ", ") + address;
+  return "\"" + pattern + "\" matches nothing of the robot" + did_you_mean(pattern, addresses) + "; it has " + known;
+}
+
+}  // namespace
+
+std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor) {
+  const JointSpec* joint = find_joint(robot, sensor.element);
+  const JointKind joint_kind = joint ? joint->kind : JointKind::hinge;
+  const std::string unit = channel_unit(sensor.kind, joint_kind);
+  std::vector<std::string> suffixes;
+  switch (sensor.kind) {
+    case SensorKind::body_position:
+    case SensorKind::body_velocity:
+    case SensorKind::body_angular_velocity:
+    case SensorKind::contact_force: suffixes = {".x", ".y", ".z"}; break;
+    case SensorKind::body_orientation: suffixes = {".w", ".x", ".y", ".z"}; break;
+    case SensorKind::joint_position:
+    case SensorKind::joint_velocity:
+    case SensorKind::joint_force:
+      if (joint_kind == JointKind::universal)
+        suffixes = {".1", ".2"};
+      else if (joint_kind == JointKind::ball)
+        suffixes = {".1", ".2", ".3"};
+      else
+        suffixes = {""};
+      break;
+    case SensorKind::touch:
+    case SensorKind::beacon_range: suffixes = {""}; break;
+  }
+  std::vector<Channel> channels;
+  for (const std::string& suffix : suffixes) channels.push_back({sensor.name + suffix, unit});
+  return channels;
+}
+
+std::vector<Channel> sensor_channels(const RobotSpec& robot) {
+  std::vector<Channel> channels;
+  for (const SensorSpec& sensor : robot.sensors)
+    for (Channel& channel : sensor_channels(robot, sensor)) channels.push_back(std::move(channel));
+  return channels;
+}
+
+std::vector<Channel> command_channels(const RobotSpec& robot) {
+  std::vector<Channel> channels;
+  for (const ActuatorSpec& actuator : robot.actuators) {
+    const JointSpec* joint = find_joint(robot, actuator.joint);
+    channels.push_back({actuator.name, command_unit(actuator.kind, units_of(joint ? joint->kind : JointKind::hinge))});
+  }
+  return channels;
+}
+
+std::vector<AddressedValue> addressed_values(RobotSpec& robot) {
+  std::vector<AddressedValue> values;
+  Collector collector(values);
+  for (BodySpec& body : robot.bodies) {
+    collector.element("body." + body.name);
+    collect_body(collector, body);
+  }
+  for (JointSpec& joint : robot.joints) {
+    collector.element("joint." + joint.name);
+    collect_joint(collector, joint);
+  }
+  for (ActuatorSpec& actuator : robot.actuators) {
+    const JointSpec* joint = find_joint(robot, actuator.joint);
+    collector.element("actuator." + actuator.name);
+    collect_actuator(collector, actuator, units_of(joint ? joint->kind : JointKind::hinge));
+  }
+  for (SensorSpec& sensor : robot.sensors) {
+    collector.element("sensor." + sensor.name);
+    collect_sensor(collector, sensor, sensor_channels(robot, sensor).front().unit);
+  }
+  collector.element("contact");
+  collector.add("stiffness", "N/m", robot.contact.stiffness, kSmallest);
+  collector.add("damping", "N*s/m", robot.contact.damping, 0.0);
+  collector.add("friction", "1", robot.contact.friction, 0.0);
+  collector.add("slope", "rad", robot.contact.slope, -1.5, 1.5);
+  collector.element("world");
+  collector.add_vector("gravity", "m/s^2", robot.gravity);
+  return values;
+}
+
+bool matches(std::string_view pattern, std::string_view address) {
+  if (pattern.empty()) return address.empty();
+  if (pattern.front() == '*') {
+    for (std::size_t length = 0;; ++length) {
+      if (matches(pattern.substr(1), address.substr(length))) return true;
+      if (length == address.size() || address[length] == '.') return false;
+    }
+  }
+  return !address.empty() && pattern.front() == address.front() && matches(pattern.substr(1), address.substr(1));
+}
+
+ElementMatch match_elements(const RobotSpec& robot, const std::vector<std::string>& patterns) {
+  const std::vector<NamedElement> elements = named_elements(robot);
+  ElementMatch match;
+  bool first = true;
+  for (const std::string& pattern : patterns) {
+    bool found = false;
+    for (const NamedElement& element : elements) {
+      if (!matches(pattern, element.address)) continue;
+      if (!first && element.kind != match.kind)
+        throw Error("\"" + pattern + "\" names a " + std::string(to_string(element.kind)) + " beside a " +
+                    std::string(to_string(match.kind)) + "; place an effect on elements of one kind");
+      match.kind = element.kind;
+      first = false;
+      found = true;
+      if (element.kind != ElementKind::world) match.elements.push_back(element.index);
+    }
+    if (!found) throw Error(nothing_matches(pattern, elements));
+  }
+  std::sort(match.elements.begin(), match.elements.end());
+  match.elements.erase(std::unique(match.elements.begin(), match.elements.end()), match.elements.end());
+  return match;
+}
+
+std::string_view to_string(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::joint: return "joint";
+    case ElementKind::body: return "body";
+    case ElementKind::actuator: return "actuator";
+    case ElementKind::sensor: return "sensor";
+    case ElementKind::world: return "world";
+  }
+  return "world";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,72 @@
+#include "foundation/problem.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace lacuna {
+namespace {
+
+std::string one_line_each(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) {
+    if (!text.empty()) text += '\n';
+    const std::string where = to_string(problem.location);
+    text += where.empty() ? problem.message : where + ": " + problem.message;
+  }
+  return text;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string to_string(const SourceLocation& location) {
+  std::string text = location.file;
+  if (location.line > 0) text += ":" + std::to_string(location.line);
+  if (location.line > 0 && location.column > 0) text += ":" + std::to_string(location.column);
+  return text;
+}
+
+BadInput::BadInput(std::vector<Problem> problems) : Error(one_line_each(problems)), problems_(std::move(problems)) {}
+
+void ProblemList::add(SourceLocation location, std::string message) {
+  problems_.push_back({std::move(location), std::move(message)});
+}
+
+void ProblemList::throw_if_any() const {
+  if (problems_.empty()) return;
+  std::vector<Problem> sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Problem& a, const Problem& b) {
+    return std::tie(a.location.file, a.location.line, a.location.column) <
+           std::tie(b.location.file, b.location.line, b.location.column);
+  });
+  throw BadInput(std::move(sorted));
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string* nearest = nullptr;
+  std::size_t smallest = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= smallest) continue;
+    smallest = distance;
+    nearest = &candidate;
+  }
+  return nearest ? " (did you mean \"" + *nearest + "\"?)" : "";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <lacuna/error.h>
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A place in a file a user wrote. Lines and columns count from 1; 0: not known.
+struct SourceLocation {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+/// `file:line:column`, without the parts that are not known.
+std::string to_string(const SourceLocation& location);
+
+/// One complaint about a user's input: where, what, and what to do.
+struct Problem {
+  SourceLocation location;
+  std::string message;
+};
+
+/// Thrown for bad input (exit code 2). Its text has one line a problem.
+class BadInput : public Error {
+ public:
+  explicit BadInput(std::vector<Problem> problems);
+  const std::vector<Problem>& problems() const { return problems_; }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// Collects problems, so that the user sees all of them at once.
+class ProblemList {
+ public:
+  void add(SourceLocation location, std::string message);
+  bool empty() const { return problems_.empty(); }
+  const std::vector<Problem>& all() const { return problems_; }
+  /// Throws `BadInput` with everything collected so far, in file and line order, if there is anything.
+  void throw_if_any() const;
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// " (did you mean \"x\"?)" for the nearest of `candidates`, or nothing if none is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+}  // namespace lacuna

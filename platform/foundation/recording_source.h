@@ -1,0 +1,57 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "foundation/problem.h"
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// How measured files are to be read: what `[target]` of kind "recorded" says.
+
+/// A column of a file and what it means. SI value = column × unit × gain + offset.
+struct ColumnMapping {
+  std::string channel;  ///< the sensor's channel or the actuator it stands for
+  std::string column;   ///< header name
+  std::string unit = "1";
+  double gain = 1.0;      ///< channel unit (SI) per column's SI unit
+  std::string gain_unit;  ///< unit of `gain` as written, e.g. "N/V"; empty: none given
+  double offset = 0.0;    ///< channel unit, added after the gain
+  double noise = std::numeric_limits<double>::quiet_NaN();  ///< declared standard deviation, channel unit
+  SourceLocation location;
+};
+
+struct TimeRange {
+  double start = 0.0;  ///< s, inclusive, in the file's own time
+  double end = 0.0;    ///< s, inclusive
+};
+
+struct MeasuredFile {
+  std::filesystem::path path;  ///< resolved: relative to the experiment file, variables replaced
+  bool held_out = false;
+  SourceLocation location;  ///< where the experiment names it
+};
+
+struct RecordingSource {
+  std::vector<MeasuredFile> files;
+  std::string time_column = "t";
+  std::string time_unit = "s";
+  std::string trial_column;                 ///< non-empty: tells several trials in a file apart
+  std::vector<std::string> holdout_trials;  ///< values of `trial_column` that are held out
+  char delimiter = '\0';                    ///< '\0': found out
+  bool decimal_comma = false;               ///< also found out where the delimiter is not a comma
+  std::vector<ColumnMapping> sensors;
+  std::vector<ColumnMapping> commands;
+  Hold hold = Hold::zero_order;
+  std::vector<TimeRange> use;   ///< empty: everything
+  std::vector<TimeRange> mask;  ///< not compared
+  double max_gap = 0.0;         ///< s; a longer pause between samples is a problem; 0: ten times the median interval
+  std::map<std::string, InitialValue> initial;  ///< by joint name
+};
+
+}  // namespace lacuna

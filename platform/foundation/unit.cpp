@@ -1,0 +1,160 @@
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace lacuna {
+namespace {
+
+struct NamedUnit {
+  std::string_view symbol;
+  double to_si;
+  std::array<int, 4> exponents;  // m, kg, s, A
+  bool takes_prefix;
+};
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr NamedUnit kUnits[] = {
+    {"1", 1.0, {0, 0, 0, 0}, false},
+    {"%", 0.01, {0, 0, 0, 0}, false},
+    {"rad", 1.0, {0, 0, 0, 0}, true},
+    {"deg", kDegree, {0, 0, 0, 0}, false},
+    {"rev", 2.0 * std::numbers::pi, {0, 0, 0, 0}, false},
+    {"rpm", 2.0 * std::numbers::pi / 60.0, {0, 0, -1, 0}, false},
+    {"min", 60.0, {0, 0, 1, 0}, false},
+    {"h", 3600.0, {0, 0, 1, 0}, false},
+    {"kg", 1.0, {0, 1, 0, 0}, false},
+    {"g", 1e-3, {0, 1, 0, 0}, true},
+    {"m", 1.0, {1, 0, 0, 0}, true},
+    {"s", 1.0, {0, 0, 1, 0}, true},
+    {"A", 1.0, {0, 0, 0, 1}, true},
+    {"N", 1.0, {1, 1, -2, 0}, true},
+    {"V", 1.0, {2, 1, -3, -1}, true},
+    {"W", 1.0, {2, 1, -3, 0}, true},
+    {"J", 1.0, {2, 1, -2, 0}, true},
+    {"Pa", 1.0, {-1, 1, -2, 0}, true},
+    {"Hz", 1.0, {0, 0, -1, 0}, true},
+    {"Ohm", 1.0, {2, 1, -3, -2}, true},
+};
+
+struct Prefix {
+  std::string_view symbol;
+  double factor;
+};
+constexpr Prefix kPrefixes[] = {{"k", 1e3},  {"M", 1e6},       {"c", 1e-2}, {"m", 1e-3},
+                                {"u", 1e-6}, {"\u00b5", 1e-6}, {"n", 1e-9}};
+
+std::optional<Unit> parse_symbol(std::string_view symbol) {
+  for (const NamedUnit& unit : kUnits)
+    if (symbol == unit.symbol) return Unit{unit.to_si, unit.exponents};
+  for (const Prefix& prefix : kPrefixes)
+    for (const NamedUnit& unit : kUnits)
+      if (unit.takes_prefix && symbol.starts_with(prefix.symbol) && symbol.substr(prefix.symbol.size()) == unit.symbol)
+        return Unit{unit.to_si * prefix.factor, unit.exponents};
+  return std::nullopt;
+}
+
+/// product := factor (('*' | '/') factor)*, factor := (symbol | '(' product ')') ('^' integer)?
+class UnitParser {
+ public:
+  explicit UnitParser(std::string_view text) : rest_(text) {}
+
+  std::optional<Unit> parse() {
+    std::optional<Unit> unit = product(0);
+    return rest_.empty() ? unit : std::nullopt;
+  }
+
+ private:
+  static constexpr int kDeepest = 8;
+
+  std::optional<Unit> product(int depth) {
+    std::optional<Unit> total = factor(depth);
+    while (total && !rest_.empty() && (rest_.front() == '*' || rest_.front() == '/')) {
+      const int sign = rest_.front() == '*' ? 1 : -1;
+      rest_.remove_prefix(1);
+      const std::optional<Unit> next = factor(depth);
+      if (!next) return std::nullopt;
+      total = combined(*total, *next, sign);
+    }
+    return total;
+  }
+
+  std::optional<Unit> factor(int depth) {
+    std::optional<Unit> base;
+    if (!rest_.empty() && rest_.front() == '(') {
+      if (depth >= kDeepest) return std::nullopt;
+      rest_.remove_prefix(1);
+      base = product(depth + 1);
+      if (!base || rest_.empty() || rest_.front() != ')') return std::nullopt;
+      rest_.remove_prefix(1);
+    } else {
+      const std::size_t length = std::min(rest_.find_first_of("*/^()"), rest_.size());
+      base = parse_symbol(rest_.substr(0, length));
+      rest_.remove_prefix(length);
+    }
+    if (!base || rest_.empty() || rest_.front() != '^') return base;
+    rest_.remove_prefix(1);
+    return raised(*base);
+  }
+
+  std::optional<Unit> raised(const Unit& base) {
+    const bool negative = rest_.starts_with('-');
+    if (negative) rest_.remove_prefix(1);
+    if (rest_.empty() || !std::isdigit(static_cast<unsigned char>(rest_.front()))) return std::nullopt;
+    const int exponent = rest_.front() - '0';
+    rest_.remove_prefix(1);
+    Unit power;
+    for (int i = 0; i < exponent; ++i) power = combined(power, base, negative ? -1 : 1);
+    return power;
+  }
+
+  static Unit combined(Unit a, const Unit& b, int sign) {
+    a.to_si *= sign > 0 ? b.to_si : 1.0 / b.to_si;
+    for (std::size_t i = 0; i < a.exponents.size(); ++i) a.exponents[i] += sign * b.exponents[i];
+    return a;
+  }
+
+  std::string_view rest_;
+};
+
+bool takes_prefix(const std::string& unit) {
+  // A prefix stands before the first symbol; squares and grams would need care, so they go without.
+  static constexpr std::string_view kLeading[] = {"rad", "m", "s", "N", "V", "A", "W", "J"};
+  const std::string first = unit.substr(0, unit.find_first_of("*/^"));
+  const bool raised = unit.size() > first.size() && unit[first.size()] == '^';
+  return !raised && std::find(std::begin(kLeading), std::end(kLeading), first) != std::end(kLeading);
+}
+
+}  // namespace
+
+std::optional<Unit> parse_unit(std::string_view text) { return UnitParser(text).parse(); }
+
+std::string known_units() {
+  return "m, mm, cm, rad, mrad, deg, rev, s, ms, min, kg, g, N, mN, V, mV, A, mA, Hz, rpm, 1, % and products such as "
+         "N*m, kg*m^2, N*m*s/rad";
+}
+
+std::string format_quantity(double si_value, const std::string& unit, int digits) {
+  const auto text = [&](double value, const char* prefix) {
+    const double magnitude = std::abs(value);
+    const int before = magnitude > 0.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
+    const std::string number = before > digits + 3 || before < -3
+                                   ? fmt::format("{:.{}g}", value, digits)
+                                   : fmt::format("{:.{}f}", value, std::max(digits - before, 0));
+    return unit == "1" ? number : number + " " + prefix + unit;
+  };
+  const double magnitude = std::abs(si_value);
+  if (!takes_prefix(unit) || magnitude == 0.0 || !std::isfinite(si_value)) return text(si_value, "");
+  if (magnitude < 1e-6) return text(si_value * 1e9, "n");
+  if (magnitude < 1e-3) return text(si_value * 1e6, "\u00b5");
+  if (magnitude < 0.1) return text(si_value * 1e3, "m");
+  if (magnitude >= 1e4) return text(si_value * 1e-3, "k");
+  return text(si_value, "");
+}
+
+}  // namespace lacuna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lacuna {
+
+/// A unit of measurement: its factor to SI and its dimension.
+struct Unit {
+  double to_si = 1.0;              ///< value in SI = value in this unit × to_si
+  std::array<int, 4> exponents{};  ///< of m, kg, s, A; angles have no dimension
+  bool same_dimension(const Unit& other) const { return exponents == other.exponents; }
+};
+
+/// Reads units such as `rad`, `deg`, `mm`, `N*m`, `kg*m^2`, `N*m*s/rad`, `m/s^2`, `ms`, `V`, `N/V`, `1`, `%`.
+/// Nothing if the text is not a unit.
+std::optional<Unit> parse_unit(std::string_view text);
+
+/// Units that stand for themselves in messages of the kind "known units are ...".
+std::string known_units();
+
+/// A number with its unit and an SI prefix that suits its size: 0.0091 rad → "9.10 mrad".
+/// `digits`: significant digits.
+std::string format_quantity(double si_value, const std::string& unit, int digits = 3);
+
+}  // namespace lacuna

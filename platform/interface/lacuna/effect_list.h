@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// One effect of a model, as the experiment file states it.
+struct EffectEntry {
+  std::string id;                  ///< unique within the list; its parameters are `effect.<id>.<parameter>`
+  std::string effect;              ///< the plugin's name
+  std::vector<std::string> where;  ///< element addresses such as `joint.hinge`, with `*` for all; several share one set
+                                   ///< of values; empty: the world
+  std::map<std::string, double> start;  ///< values that differ from the declared defaults, SI
+  std::vector<std::string> fixed;       ///< parameters that are not free
+};
+
+using EffectList = std::vector<EffectEntry>;
+
+}  // namespace lacuna

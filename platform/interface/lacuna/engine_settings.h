@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace lacuna {
+
+/// Whether delays act as they are or are rounded to whole integration steps (as the seed's lags).
+enum class DelayRounding { none, step };
+
+/// How a model is integrated; part of a revision's digest.
+struct EngineSettings {
+  std::string engine = "ode";
+  double step = 0.001;          ///< s; sensors, effects and commands are seen once a step
+  int substeps = 1;             ///< integration steps in a step: h = step/substeps
+  double control_period = 0.0;  ///< s, how often a controller acts; 0: every step
+  double joint_erp = 0.2;       ///< share of a joint's error that is corrected in one integration step, 1
+  DelayRounding delay_rounding = DelayRounding::none;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <lacuna/fitness_metric.h>
+#include <lacuna/physical_effect.h>
+#include <lacuna/robot_definition.h>
+#include <lacuna/target_system.h>
+
+#include <cstddef>
+#include <cstdint>
+
+/// The border between host and plugin. A plugin library exports one C symbol,
+/// `lacuna_plugin`, that returns a `PluginTable`: plain data that the host checks before it
+/// calls any C++ of the library. `LACUNA_PLUGIN` writes both.
+namespace lacuna {
+
+/// Raised by every change of this folder that a built plugin would notice.
+inline constexpr std::uint32_t kInterfaceVersion = 1;
+inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
+inline constexpr const char* kPluginSymbol = "lacuna_plugin";
+
+struct TypeLayout {
+  const char* type;
+  std::uint64_t size;
+  std::uint64_t alignment;
+};
+
+/// `kind` is the interface class's name in lower_snake: "physical_effect", "robot_definition",
+/// "target_system", "fitness_metric". `create` returns a `new` object as a pointer to that
+/// class, cast to void*; the host owns it until the process ends.
+struct ComponentEntry {
+  const char* kind;
+  const char* name;
+  void* (*create)();
+};
+
+struct PluginTable {
+  char magic[8];
+  std::uint32_t interface_version;
+  std::uint32_t table_size;      ///< sizeof(PluginTable)
+  const char* compiler;          ///< as in "g++ 12"
+  const char* standard_library;  ///< as in "libstdc++ cxx11-abi 1"
+  const TypeLayout* layouts;
+  std::uint64_t layout_count;
+  const char* build_id;  ///< free text: version or commit the plugin was built from
+  const ComponentEntry* components;
+  std::uint64_t component_count;
+};
+
+#define LACUNA_TEXT_(x) #x
+#define LACUNA_TEXT(x) LACUNA_TEXT_(x)
+#if defined(__clang__)
+#define LACUNA_COMPILER "clang++ " LACUNA_TEXT(__clang_major__)
+#else
+#define LACUNA_COMPILER "g++ " LACUNA_TEXT(__GNUC__)
+#endif
+#if defined(_LIBCPP_VERSION)
+#define LACUNA_STANDARD_LIBRARY "libc++ " LACUNA_TEXT(_LIBCPP_ABI_VERSION)
+#else
+#define LACUNA_STANDARD_LIBRARY "libstdc++ cxx11-abi " LACUNA_TEXT(_GLIBCXX_USE_CXX11_ABI)
+#endif
+#ifndef LACUNA_BUILD_ID
+#define LACUNA_BUILD_ID "unknown"
+#endif
+
+#define LACUNA_LAYOUT_(type) \
+  TypeLayout { #type, sizeof(type), alignof(type) }
+/// Size and alignment of every type that crosses the border.
+inline constexpr TypeLayout kInterfaceLayouts[] = {
+    LACUNA_LAYOUT_(std::string),
+    LACUNA_LAYOUT_(Eigen::Vector3d),
+    LACUNA_LAYOUT_(Eigen::Quaterniond),
+    LACUNA_LAYOUT_(TimeSeries),
+    LACUNA_LAYOUT_(ParameterDeclaration),
+    LACUNA_LAYOUT_(ShapeSpec),
+    LACUNA_LAYOUT_(BodySpec),
+    LACUNA_LAYOUT_(JointSpec),
+    LACUNA_LAYOUT_(TransmissionSpec),
+    LACUNA_LAYOUT_(ActuatorSpec),
+    LACUNA_LAYOUT_(SensorSpec),
+    LACUNA_LAYOUT_(ContactSpec),
+    LACUNA_LAYOUT_(RobotSpec),
+    LACUNA_LAYOUT_(RobotRequest),
+    LACUNA_LAYOUT_(EffectDescription),
+    LACUNA_LAYOUT_(EffectHooks),
+    LACUNA_LAYOUT_(EffectContext),
+    LACUNA_LAYOUT_(StepView),
+    LACUNA_LAYOUT_(JointLoad),
+    LACUNA_LAYOUT_(BodyLoad),
+    LACUNA_LAYOUT_(StepLoads),
+    LACUNA_LAYOUT_(Test),
+    LACUNA_LAYOUT_(Trial),
+    LACUNA_LAYOUT_(TargetServices),
+    LACUNA_LAYOUT_(ComparisonShape),
+};
+#undef LACUNA_LAYOUT_
+
+/// The interface class that a component's kind stands for.
+template <class Interface>
+struct ComponentKind;
+template <>
+struct ComponentKind<PhysicalEffect> {
+  static constexpr const char* name = "physical_effect";
+};
+template <>
+struct ComponentKind<RobotDefinition> {
+  static constexpr const char* name = "robot_definition";
+};
+template <>
+struct ComponentKind<TargetSystem> {
+  static constexpr const char* name = "target_system";
+};
+template <>
+struct ComponentKind<FitnessMetric> {
+  static constexpr const char* name = "fitness_metric";
+};
+
+/// An entry of the component list: `component<PhysicalEffect, ViscousFriction>("viscous_friction")`.
+template <class Interface, class Component>
+constexpr ComponentEntry component(const char* name) {
+  return {ComponentKind<Interface>::name, name, []() -> void* { return static_cast<Interface*>(new Component()); }};
+}
+
+}  // namespace lacuna
+
+/// Stands once in a plugin library, outside any namespace, with its components as arguments.
+#define LACUNA_PLUGIN(...)                                                                                        \
+  extern "C" __attribute__((visibility("default"))) const lacuna::PluginTable* lacuna_plugin() {                  \
+    static constexpr lacuna::ComponentEntry components[] = {__VA_ARGS__};                                         \
+    static constexpr lacuna::PluginTable table = {{'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'},                      \
+                                                  lacuna::kInterfaceVersion,                                      \
+                                                  sizeof(lacuna::PluginTable),                                    \
+                                                  LACUNA_COMPILER,                                                \
+                                                  LACUNA_STANDARD_LIBRARY,                                        \
+                                                  lacuna::kInterfaceLayouts,                                      \
+                                                  sizeof(lacuna::kInterfaceLayouts) / sizeof(lacuna::TypeLayout), \
+                                                  LACUNA_BUILD_ID,                                                \
+                                                  components,                                                     \
+                                                  sizeof(components) / sizeof(lacuna::ComponentEntry)};           \
+    return &table;                                                                                                \
+  }

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A robot as plain data: what a `RobotDefinition` makes and an engine compiles.
+/// SI units, radians; world frame z up, x forward, y left. All poses and anchors are
+/// those of the zero configuration, in which every joint position is zero.
+
+/// The parent's name of a joint that holds its child to the world.
+inline constexpr const char* kWorld = "world";
+
+enum class ShapeKind { box, sphere, capsule, cylinder };
+
+/// A collision shape fixed to a body. Capsules and cylinders lie along their own z.
+struct ShapeSpec {
+  ShapeKind kind = ShapeKind::box;
+  Eigen::Vector3d size{
+      0.0, 0.0,
+      0.0};  ///< box: edge lengths; sphere: radius; capsule, cylinder: radius, length (a capsule's without its caps); m
+  Eigen::Vector3d position{0.0, 0.0, 0.0};                          ///< in the body frame, m
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< shape to body
+};
+
+/// Moments of inertia about the centre of mass, along the body's axes, kg·m².
+struct InertiaSpec {
+  double xx = 1.0, yy = 1.0, zz = 1.0;
+  double xy = 0.0, xz = 0.0, yz = 0.0;
+};
+
+struct BodySpec {
+  std::string name;
+  double mass = 1.0;                   ///< kg
+  Eigen::Vector3d com{0.0, 0.0, 0.0};  ///< centre of mass in the body frame, m
+  InertiaSpec inertia;
+  bool inertia_scales_with_mass = true;                             ///< setting the mass alone scales `inertia` with it
+  Eigen::Vector3d position{0.0, 0.0, 0.0};                          ///< origin of the body frame in the world, m
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
+  std::vector<ShapeSpec> shapes;                                    ///< empty: touches nothing
+};
+
+enum class JointKind { hinge, slider, fixed, ball, universal };
+
+/// A joint between `parent` and `child`. Hinge and slider have one coordinate (rad, m),
+/// a universal joint two, a ball joint three (rotation vector of child relative to parent,
+/// in the parent frame); positive is right-handed about, or along, the axis, child relative
+/// to parent. The laws below act on each coordinate of a hinge, slider or universal joint.
+struct JointSpec {
+  std::string name;
+  JointKind kind = JointKind::hinge;
+  std::string parent = kWorld;
+  std::string child;
+  Eigen::Vector3d anchor{0.0, 0.0, 0.0};  ///< in the world, m
+  Eigen::Vector3d axis{0.0, 1.0, 0.0};    ///< unit vector in the world
+  Eigen::Vector3d axis2{1.0, 0.0, 0.0};   ///< universal joints: the child's axis, perpendicular to `axis`
+  double lower = -kInfinity;              ///< stop, rad or m
+  double upper = kInfinity;
+  double damping = 0.0;       ///< −b·v, N·m·s/rad or N·s/m
+  double dry_friction = 0.0;  ///< −Fc·sgn v with stiction, N·m or N
+  double stiffness = 0.0;     ///< −k·(q − rest), N·m/rad or N/m
+  double rest = 0.0;          ///< rad or m
+  double armature = 0.0;      ///< inertia added to the joint's own coordinate, kg·m² or kg
+  double force = 0.0;         ///< constant generalised force, N·m or N
+};
+
+/// What lies between a motor and its joint. A rigid one (infinite stiffness) reflects
+/// `rotor_inertia`·ratio² to the joint; with finite stiffness the rotor is a state of its own.
+struct TransmissionSpec {
+  double ratio = 1.0;            ///< motor turns per joint turn
+  double rotor_inertia = 0.0;    ///< at the motor shaft, kg·m² (kg on a slider)
+  double stiffness = kInfinity;  ///< joint side, N·m/rad or N/m
+  double damping = 0.0;          ///< joint side, N·m·s/rad or N·s/m
+  double gap = 0.0;              ///< full backlash width at the joint, rad or m
+};
+
+enum class ActuatorKind {
+  force,           ///< command is the force or torque
+  velocity_servo,  ///< command is a velocity; torque = kd·(command − v)
+  position_servo,  ///< command is a position; torque = kp·(command − q) − kd·v
+  pid              ///< command is a position; adds ki·∫(command − q)dt; kd acts on the error
+};
+
+struct ActuatorSpec {
+  std::string name;
+  std::string joint;
+  ActuatorKind kind = ActuatorKind::force;
+  double gain = 1.0;                  ///< multiplies the command before anything else
+  double offset = 0.0;                ///< added to the command after the gain, in its unit
+  double delay = 0.0;                 ///< s
+  double kp = 0.0;                    ///< N·m/rad or N/m
+  double ki = 0.0;                    ///< N·m/(rad·s) or N/(m·s)
+  double kd = 0.0;                    ///< N·m·s/rad or N·s/m
+  double force_limit = kInfinity;     ///< joint side, N·m or N
+  double command_lower = -kInfinity;  ///< commands are clipped to this range
+  double command_upper = kInfinity;
+  TransmissionSpec transmission;
+};
+
+enum class SensorKind {
+  joint_position,         ///< rad or m, turns counted
+  joint_velocity,         ///< rad/s or m/s
+  joint_force,            ///< what actuators and joint laws exert along the coordinate, N·m or N
+  touch,                  ///< +1 while the body touches the ground, −1 otherwise
+  body_position,          ///< of the body frame's origin, world, m: x, y, z
+  body_velocity,          ///< of that origin, world, m/s: x, y, z
+  body_orientation,       ///< body to world, quaternion w, x, y, z with w ≥ 0
+  body_angular_velocity,  ///< world, rad/s: x, y, z
+  beacon_range,           ///< distance of the body frame's origin to `beacon`, m
+  contact_force           ///< force of the ground on the body, world, N: x, y, z
+};
+
+/// A sensor reads `element` (a joint's or a body's name). Its channels are called by its
+/// name, or `name.x`, `name.y` ... where it has several. Order of stages: true value, delay,
+/// effects, scale, offset, noise, quantisation.
+struct SensorSpec {
+  std::string name;
+  SensorKind kind = SensorKind::joint_position;
+  std::string element;
+  Eigen::Vector3d beacon{0.0, 0.0, 0.0};  ///< world, m
+  double delay = 0.0;                     ///< s; before the start the initial value is read
+  double scale = 1.0;
+  double offset = 0.0;   ///< in the channel's unit
+  double noise = 0.0;    ///< standard deviation of white noise, channel's unit
+  double quantum = 0.0;  ///< step of the quantiser, channel's unit; 0: none
+};
+
+/// Contact of bodies with the ground, a spring–damper of the given constants with a
+/// Coulomb friction cone.
+struct ContactSpec {
+  bool ground = false;           ///< is there a ground plane z = 0 (tilted by `slope`)?
+  double stiffness = kInfinity;  ///< N/m, infinite: rigid
+  double damping = 0.0;          ///< N·s/m
+  double friction = kInfinity;   ///< Coulomb's μ, 1
+  double slope = 0.0;            ///< ground rotated about y, rad; positive descends along +x
+};
+
+struct RobotSpec {
+  std::string name;
+  std::vector<BodySpec> bodies;
+  std::vector<JointSpec> joints;  ///< a forest: each body is the child of at most one joint; none: it floats
+  std::vector<ActuatorSpec> actuators;
+  std::vector<SensorSpec> sensors;
+  ContactSpec contact;
+  Eigen::Vector3d gravity{0.0, 0.0, -9.81};  ///< m/s²
+};
+
+}  // namespace lacuna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <lacuna/time_series.h>
+
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace lacuna {
+
+/// What a command does between two samples.
+enum class Hold { zero_order, first_order };
+
+/// Commands as functions of time; channels are named like the actuators they drive.
+struct CommandSeries {
+  TimeSeries series;  ///< before its first and after its last sample, the nearest one counts
+  Hold hold = Hold::zero_order;
+};
+
+/// Turns sensor readings into commands, once a control period. Const and shared by threads;
+/// memory lies in `state`.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  virtual int state_size() const { return 0; }
+  /// `sensors`: one value a sensor channel; `commands`: one an actuator, to be written; time in s.
+  virtual void act(double time, std::span<const double> sensors, std::span<double> state,
+                   std::span<double> commands) const = 0;
+};
+
+/// Joint coordinates at the start, in joint order, rad or m; empty: zero. Bodies that float
+/// start at their pose in the spec, at rest.
+struct StartState {
+  std::vector<double> positions;
+  std::vector<double> velocities;
+};
+
+/// What is done to the target.
+struct Test {
+  std::variant<CommandSeries, std::shared_ptr<const Controller>>
+      drive;              ///< shared: a controller outlives the genome it came from and is used by several trials
+  double duration = 0.0;  ///< s
+  StartState start;
+};
+
+}  // namespace lacuna

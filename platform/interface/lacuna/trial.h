@@ -1,0 +1,34 @@
+#pragma once
+
+#include <lacuna/test.h>
+
+#include <string>
+
+namespace lacuna {
+
+/// What is known of a coordinate at the start of a trial.
+enum class InitialKnowledge {
+  given,      ///< the value is exact
+  from_data,  ///< estimated from the first 50 ms, which are then not scored
+  free        ///< fitted together with the parameters
+};
+
+/// One joint coordinate at the start: what is known, and the value or first guess.
+struct InitialValue {
+  InitialKnowledge knowledge = InitialKnowledge::from_data;
+  double position = 0.0;  ///< rad or m
+  double velocity = 0.0;  ///< rad/s or m/s
+};
+
+/// One test carried out on the target.
+struct Trial {
+  std::string name;
+  CommandSeries commands;  ///< as applied, channels named like the actuators
+  TimeSeries measured;     ///< channels named like the sensors'; NaN: not measured or masked; time starts near 0 s
+  std::vector<InitialValue> initial;  ///< per joint coordinate; empty: all `from_data`
+  std::vector<double> sensor_noise;   ///< declared standard deviation per measured channel, NaN where none is declared
+  std::vector<double> command_noise;  ///< declared standard deviation per command channel, NaN where none is declared
+  bool held_out = false;              ///< kept from every fit
+};
+
+}  // namespace lacuna

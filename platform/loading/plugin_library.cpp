@@ -1,0 +1,1 @@
+#include "loading/plugin_library.h"

@@ -1,0 +1,1 @@
+#include "simulation/compiled_model.h"

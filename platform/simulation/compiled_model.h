@@ -1,0 +1,105 @@
+#pragma once
+
+#include <lacuna/engine_settings.h>
+#include <lacuna/test.h>
+#include <lacuna/time_series.h>
+
+#include "simulation/model_structure.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The engine seam: nothing outside `simulation/<engine>/` knows an engine. A model structure is
+/// compiled once; simulations of it take numbers only.
+namespace lacuna {
+
+/// Everything a simulation needs to go on: one flat vector, whose sections `StateLayout` names.
+/// Saving, restoring and continuing is bit-identical to not having stopped.
+struct State {
+  std::vector<double> values;
+  bool operator==(const State&) const = default;
+};
+
+struct StateSection {
+  std::string
+      name;  ///< "clock", "positions", "velocities", "bodies", "actuators", "effects", "delay_lines", "controller" ...
+  std::size_t offset = 0;
+  std::size_t size = 0;
+};
+using StateLayout = std::vector<StateSection>;
+
+/// A joint coordinate: `joint.hinge`, or `joint.wrist.1`, `joint.wrist.2` where a joint has several.
+struct Coordinate {
+  std::string name;
+  std::string unit;  ///< "rad" or "m"
+};
+
+/// White noise and quantisation of the sensors of a simulated target; `seed` keys a counter-based
+/// generator, so that the same seed gives the same readings.
+struct SensorImperfections {
+  std::uint64_t seed = 0;
+};
+
+struct SimulationOptions {
+  /// Where to start: a saved state, or else joint coordinates at `start_time`.
+  const State* from = nullptr;
+  StartState start;
+  double start_time = 0.0;  ///< s; commands are functions of the same clock
+  double end_time = 0.0;    ///< s; the last step begins before it
+  std::span<const double>
+      output_times;  ///< s, ascending, within [start_time, end_time]; readings between steps are interpolated linearly
+  /// Asked after each output sample with its readings; true abandons the simulation. Must not allocate.
+  std::function<bool(std::size_t sample, std::span<const double> readings)> stop_when;
+  std::optional<SensorImperfections>
+      imperfections;             ///< none: ideal readings (delay, effects, scale and offset still apply)
+  bool record_commands = false;  ///< also return the commands as the actuators received them, one row an output sample
+  bool save_final_state = false;
+};
+
+enum class Ending { completed, stopped, invalid };
+
+struct SimulationResult {
+  Ending ending = Ending::completed;
+  std::string reason;       ///< why it is invalid, a sentence
+  TimeSeries readings;      ///< output times × sensor channels; rows after an early end are NaN
+  TimeSeries commands;      ///< if asked for
+  State final_state;        ///< if asked for
+  std::uint64_t steps = 0;  ///< integration steps taken
+};
+
+/// Memory that one thread simulates in. Belongs to the model that made it.
+class Workspace {
+ public:
+  virtual ~Workspace() = default;
+};
+
+/// Const and shared by threads, each with a workspace of its own. The same arguments give the
+/// same bits, whatever the workspace did before.
+class CompiledModel {
+ public:
+  virtual ~CompiledModel() = default;
+
+  virtual const std::vector<Channel>& channels() const = 0;        ///< sensor channels, spec order
+  virtual const std::vector<Coordinate>& coordinates() const = 0;  ///< joint coordinates
+  virtual const StateLayout& state_layout() const = 0;             ///< without the controller's section
+  virtual std::unique_ptr<Workspace> make_workspace() const = 0;
+
+  /// Carries `test.drive` out for the given parameter values. Throws `Error` for arguments that
+  /// do not fit the model (wrong counts, unknown actuator names); what happens inside the
+  /// simulation (explosion, NaN, an engine error, an exception of an effect) makes the result
+  /// `invalid` and leaves the workspace usable. `result` is overwritten and its memory reused.
+  virtual void simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
+                        Workspace& workspace, SimulationResult& result) const = 0;
+};
+
+/// Compiles for the engine that the settings name. Throws `Error`: unknown engine, addresses that
+/// match nothing, a robot that is not a forest, values out of bounds.
+std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings);
+
+}  // namespace lacuna

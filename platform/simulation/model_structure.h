@@ -1,0 +1,36 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+#include <lacuna/robot_spec.h>
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// An effect on its elements, ready for an engine. The catalog owns the component.
+struct PlacedEffect {
+  std::string id;
+  std::string name;  ///< the plugin's
+  const PhysicalEffect* effect = nullptr;
+  ElementKind kind = ElementKind::world;
+  std::vector<int> elements;   ///< indices into the robot's list of that kind
+  std::vector<double> values;  ///< one a declared parameter
+};
+
+/// A number that comes anew with each simulation. Its address is one of `addressed_values`
+/// (foundation/address.h) or `effect.<id>.<parameter>`.
+struct VariableParameter {
+  std::string address;
+  double lower = 0.0;  ///< bounds the size of delay lines and effect states
+  double upper = 0.0;
+};
+
+/// What an engine compiles. All strings are resolved then; none is looked at afterwards.
+struct ModelStructure {
+  RobotSpec robot;
+  std::vector<PlacedEffect> effects;          ///< any order; the engine sorts them
+  std::vector<VariableParameter> parameters;  ///< defines the order of the values given to `simulate`
+};
+
+}  // namespace lacuna

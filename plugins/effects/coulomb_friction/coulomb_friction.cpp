@@ -1,0 +1,25 @@
+#include "coulomb_friction.h"
+
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription CoulombFriction::describe() const {
+  return {.summary = "Dry friction of constant size in a joint, with stiction",
+          .equation = "tau = -torque*sgn(v); at rest whatever holds the joint still, up to torque",
+          .literature =
+              "C. A. Coulomb, Theorie des machines simples, 1785; Armstrong-Helouvry et al., Automatica 30 (1994) 1083",
+          .regime = "slow motion and reversals",
+          .look_alikes = {"stribeck_friction", "lugre_friction", "hysteresis"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"torque", "N*m", 0.0, 0.0, 1e4, Scale::linear, "Friction torque (force on a slider, N)"}}};
+}
+
+void CoulombFriction::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements)
+    robot.joints[static_cast<std::size_t>(joint)].dry_friction += context.parameters[0];
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::CoulombFriction>("coulomb_friction"))

@@ -1,0 +1,30 @@
+#include "foundation/problem.h"
+
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+TEST(ProblemList, ThrowsAllProblemsInFileOrder) {
+  ProblemList problems;
+  problems.add({"rig.toml", 7, 3}, "second");
+  problems.add({"rig.toml", 2, 1}, "first");
+  try {
+    problems.throw_if_any();
+    FAIL() << "nothing was thrown";
+  } catch (const BadInput& error) {
+    EXPECT_STREQ(error.what(), "rig.toml:2:1: first\nrig.toml:7:3: second");
+  }
+}
+
+TEST(ProblemList, IsSilentWhenEmpty) { EXPECT_NO_THROW(ProblemList().throw_if_any()); }
+
+TEST(DidYouMean, NamesTheNearestCandidate) {
+  EXPECT_EQ(did_you_mean("viscos_friction", {"coulomb_friction", "viscous_friction"}),
+            " (did you mean \"viscous_friction\"?)");
+}
+
+TEST(DidYouMean, SaysNothingWhenNothingIsNear) { EXPECT_EQ(did_you_mean("banana", {"coulomb_friction"}), ""); }
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,30 @@
+#include "foundation/unit.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace lacuna {
+namespace {
+
+TEST(ParseUnit, ReadsProductsPowersAndPrefixes) {
+  EXPECT_DOUBLE_EQ(parse_unit("mm")->to_si, 1e-3);
+  EXPECT_DOUBLE_EQ(parse_unit("deg/s")->to_si, std::numbers::pi / 180.0);
+  EXPECT_DOUBLE_EQ(parse_unit("g*cm^2")->to_si, 1e-7);
+  EXPECT_TRUE(parse_unit("N*m*s/rad")->same_dimension(*parse_unit("kg*m^2/s")));
+  EXPECT_TRUE(parse_unit("N/V")->same_dimension(*parse_unit("A*s/m")));
+}
+
+TEST(ParseUnit, RefusesWhatIsNoUnit) {
+  for (const char* text : {"", "furlong", "N*", "N//m", "m^", "m^x", "(m", "m)", "Nm "})
+    EXPECT_FALSE(parse_unit(text)) << text;
+}
+
+TEST(FormatQuantity, ChoosesAPrefixThatSuitsTheSize) {
+  EXPECT_EQ(format_quantity(0.0091, "rad"), "9.10 mrad");
+  EXPECT_EQ(format_quantity(95.1, "kg"), "95.1 kg");
+  EXPECT_EQ(format_quantity(0.131, "N*m"), "0.131 N*m");
+}
+
+}  // namespace
+}  // namespace lacuna
