@@ -53,6 +53,7 @@ struct StepView {
   std::span<const double> velocities;       ///< rad/s or m/s
   std::span<const double> actuator_forces;  ///< per actuator, joint side, N·m or N; of a servo, that of the step before
   std::span<const int> first_coordinate;    ///< per joint
+  std::span<const int> actuator_coordinate;                  ///< per actuator, the coordinate that it drives
   std::span<const Eigen::Vector3d> body_positions;           ///< centres of mass, world, m
   std::span<const Eigen::Vector3d> body_velocities;          ///< of the centres of mass, world, m/s
   std::span<const Eigen::Quaterniond> body_orientations;     ///< body to world
