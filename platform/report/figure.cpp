@@ -1,0 +1,172 @@
+#include "report/figure.h"
+
+#include "report/thinning.h"
+
+#include <lacuna/error.h>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kPixelColumns = 1000;
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN"; }
+
+/// Data blocks are named by panel and series, and stand before the plot commands.
+std::string block_name(std::size_t panel, std::size_t series) { return fmt::format("$p{}s{}", panel, series); }
+
+std::string data_block(const Series& series, const std::string& name) {
+  std::string text = name + " << EOD\n";
+  const auto row = [&](std::size_t i) {
+    if (series.mark == Mark::line && !std::isfinite(series.y[i])) {  // a blank line interrupts the curve
+      text += '\n';
+      return;
+    }
+    text += number(series.x[i]) + ' ' + number(series.y[i]);
+    if (series.mark == Mark::band) text += ' ' + number(series.y2[i]);
+    text += '\n';
+  };
+  if (series.mark == Mark::line)
+    for (const std::size_t i : thinned(series.y, kPixelColumns)) row(i);
+  else
+    for (std::size_t i = 0; i < series.y.size(); ++i) row(i);
+  return text + "EOD\n";
+}
+
+std::string plot_clause(const Series& series, const std::string& block) {
+  const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
+  const std::string colour = "lc rgb " + quoted(series.colour.empty() ? kBlue : series.colour);
+  switch (series.mark) {
+    case Mark::line: return fmt::format("{} using 1:2 with lines lw 1.4 {} {}", block, colour, title);
+    case Mark::points: return fmt::format("{} using 1:2 with points pt 7 ps 0.4 {} {}", block, colour, title);
+    case Mark::line_points:
+      return fmt::format("{} using 1:2 with linespoints pt 7 ps 0.8 lw 1.6 {} {}", block, colour, title);
+    case Mark::band:
+      return fmt::format("{} using 1:2:3 with filledcurves fs solid 0.2 noborder {} {}", block, colour, title);
+    case Mark::level: return fmt::format("{} with lines dt 2 lw 1.2 {} {}", number(series.y.at(0)), colour, title);
+  }
+  return {};
+}
+
+std::string tick_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} {}", i ? ", " : "", quoted(names[i]), i);
+  return fmt::format("set xtics ({}) rotate by -20\nset xrange [-0.5:{}]\n", text,
+                     static_cast<double>(names.size()) - 0.5);
+}
+
+std::string panel_commands(const Figure& figure, std::size_t index, double top, double bottom) {
+  const Panel& panel = figure.panels[index];
+  const bool last = index + 1 == figure.panels.size();
+  std::string text = fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", top, bottom);
+  text += fmt::format("set key at screen 0.98, screen {:.4f} right bottom horizontal\n", top + 0.005);
+  text += "set ylabel " + quoted(panel.y_label) + "\n";
+  text +=
+      last ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n" : "unset xlabel\nset format x \"\"\n";
+  if (!panel.x_names.empty()) text += tick_names(panel.x_names);
+  std::string clauses;
+  for (std::size_t s = 0; s < panel.series.size(); ++s)
+    clauses += (s ? ", \\\n  " : "") + plot_clause(panel.series[s], block_name(index, s));
+  return text + "plot " + clauses + "\nunset label 1\n";
+}
+
+std::string script(const Figure& figure, const std::filesystem::path& file) {
+  std::string text;
+  for (std::size_t p = 0; p < figure.panels.size(); ++p)
+    for (std::size_t s = 0; s < figure.panels[p].series.size(); ++s)
+      if (figure.panels[p].series[s].mark != Mark::level)
+        text += data_block(figure.panels[p].series[s], block_name(p, s));
+  text += fmt::format("set terminal svg size {},{} font \"sans-serif,13\" background \"white\" noenhanced\n",
+                      figure.width, figure.height);
+  text += "set output " + quoted(file.string()) + "\n";
+  text +=
+      "set datafile missing \"NaN\"\nset grid lc rgb \"#E4E4E4\" lt 1\nset border 3 lc rgb \"#7A7A7A\"\nset tics "
+      "nomirror\n";
+  text += "set lmargin at screen 0.09\nset rmargin at screen 0.98\n";
+  text += "set label 1 " + quoted(figure.title) + " at screen 0.09, screen 0.965 left font \",15\"\nset multiplot\n";
+  double total = 0.0;
+  for (const Panel& panel : figure.panels) total += panel.share;
+  constexpr double kTop = 0.88, kBottom = 0.12, kSpace = 0.075;
+  const double height = kTop - kBottom - kSpace * (static_cast<double>(figure.panels.size()) - 1.0);
+  double top = kTop;
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    const double bottom = top - height * figure.panels[p].share / total;
+    text += panel_commands(figure, p, top, bottom);
+    top = bottom - kSpace;
+  }
+  return text + "unset multiplot\nunset output\n";
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs gnuplot on a script file; its complaints go to `log`. Returns its exit code, 127 where it is missing.
+int run_gnuplot(const std::filesystem::path& script_file, const std::filesystem::path& log) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  std::string program = "gnuplot", argument = script_file.string();
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) return 127;
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+void check(const Figure& figure) {
+  for (const Panel& panel : figure.panels)
+    for (const Series& series : panel.series) {
+      const bool sized = series.mark == Mark::level
+                             ? series.y.size() == 1
+                             : series.x.size() == series.y.size() &&
+                                   (series.mark != Mark::band || series.y2.size() == series.y.size());
+      if (!sized)
+        throw Error("figure \"" + figure.title + "\": series \"" + series.label + "\" has columns of different length");
+    }
+}
+
+}  // namespace
+
+void write_svg(const Figure& figure, const std::filesystem::path& file) {
+  check(figure);
+  if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
+  const auto beside = [&](const char* ending) { return std::filesystem::path(file.string() + ending); };
+  const std::filesystem::path draft = beside(".draft"), commands = beside(".gnuplot"), log = beside(".log");
+  if (!(std::ofstream(commands) << script(figure, draft)))
+    throw Error(file.string() + ": cannot be written; check that its folder is writable and the disk not full");
+  const int code = run_gnuplot(commands, log);
+  const std::string complaints = content_of(log);
+  std::filesystem::remove(commands);
+  std::filesystem::remove(log);
+  if (code == 127)
+    throw Error("pictures are drawn by gnuplot, which is not installed; install the package gnuplot-nox");
+  if (code != 0 || !std::filesystem::exists(draft))
+    throw Error(file.string() + ": gnuplot could not draw it: " + complaints);
+  std::filesystem::rename(draft, file);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A picture as data, drawn by gnuplot. Values are in the unit that the axis label names.
+
+enum class Mark {
+  line,
+  points,
+  line_points,
+  band,  ///< filled between `y` and `y2`
+  level  ///< a horizontal line at `y[0]`
+};
+
+struct Series {
+  std::string label;  ///< in the legend; empty: not listed
+  Mark mark = Mark::line;
+  std::string colour;  ///< as "#0072B2"
+  std::vector<double> x;
+  std::vector<double> y;   ///< NaN leaves a gap
+  std::vector<double> y2;  ///< for bands
+};
+
+/// One pair of axes. Panels of a figure stand below each other and share the x axis's range.
+struct Panel {
+  std::string y_label;
+  std::vector<Series> series;
+  double share = 1.0;                ///< of the figure's height, relative to the other panels
+  std::vector<std::string> x_names;  ///< non-empty: x counts from 0 and these are written at 0, 1, ...
+};
+
+struct Figure {
+  std::string title;
+  std::string x_label;
+  std::vector<Panel> panels;
+  int width = 1000;  ///< px
+  int height = 640;
+};
+
+/// Colours that people with any colour vision can tell apart (Okabe and Ito 2008).
+inline constexpr const char* kInk = "#3A3A3A";
+inline constexpr const char* kBlue = "#0072B2";
+inline constexpr const char* kOrange = "#D55E00";
+inline constexpr const char* kGreen = "#009E73";
+inline constexpr const char* kGrey = "#9A9A9A";
+
+/// Draws the figure into an SVG file, replacing it at once. Long lines are thinned to their
+/// extremes per pixel column. Throws `Error` where gnuplot is missing or fails, or the file
+/// cannot be written.
+void write_svg(const Figure& figure, const std::filesystem::path& file);
+
+}  // namespace lacuna

@@ -1,0 +1,70 @@
+#include "report/figure.h"
+
+#include <lacuna/error.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+std::filesystem::path scratch(const std::string& name) { return std::filesystem::path(testing::TempDir()) / name; }
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Figure measured_and_residual() {
+  Series measured{"measured", Mark::line, kInk, {}, {}, {}}, residual{"resid_ual", Mark::line, kOrange, {}, {}, {}};
+  for (int i = 0; i < 5000; ++i) {
+    const double t = 1e-3 * i;
+    measured.x.push_back(t);
+    residual.x.push_back(t);
+    measured.y.push_back(i > 2000 && i < 2500 ? std::numeric_limits<double>::quiet_NaN() : std::sin(3.0 * t));
+    residual.y.push_back(0.1 * std::cos(3.0 * t));
+  }
+  Series floor{"noise floor", Mark::band, kGrey, {0.0, 5.0}, {-0.05, -0.05}, {0.05, 0.05}};
+  return {"sine.csv \"1\"",
+          "time [s]",
+          {{"angle [rad]", {measured}, 2.0, {}}, {"residual [rad]", {floor, residual}, 1.0, {}}}};
+}
+
+TEST(WriteSvg, DrawsEverySeriesWithItsLabels) {
+  const auto file = scratch("figure.svg");
+  write_svg(measured_and_residual(), file);
+  const std::string svg = content(file);
+  for (const char* text :
+       {"<svg", "measured", "resid_ual", "noise floor", "angle [rad]", "time [s]", "sine.csv", "rgb(213,  94,   0)"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".draft"));
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".gnuplot"));
+}
+
+TEST(WriteSvg, DrawsNamedTicks) {
+  Figure figure{"error by revision",
+                "",
+                {{"RMSE [mrad]",
+                  {{"fit", Mark::line_points, kBlue, {0, 1}, {9.1, 0.9}, {}}},
+                  1.0,
+                  {"rigid", "coulomb_friction"}}}};
+  const auto file = scratch("revisions.svg");
+  write_svg(figure, file);
+  EXPECT_NE(content(file).find("coulomb_friction"), std::string::npos);
+}
+
+TEST(WriteSvg, RefusesColumnsOfDifferentLength) {
+  Figure figure{"t", "x", {{"y", {{"s", Mark::line, kBlue, {0, 1}, {1}, {}}}, 1.0, {}}}};
+  EXPECT_THROW(write_svg(figure, scratch("bad.svg")), Error);
+}
+
+TEST(WriteSvg, SaysWhenTheFolderCannotBeWritten) {
+  EXPECT_THROW(write_svg(measured_and_residual(), "/proc/no/figure.svg"), std::exception);
+}
+
+}  // namespace
+}  // namespace lacuna
