@@ -1,0 +1,92 @@
+#include "evaluation/trial_predictor.h"
+
+#include <lacuna/error.h>
+
+#include "foundation/problem.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Channel>& channels) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+std::vector<Eigen::Index> match_channels(const Trial& trial, const std::vector<Channel>& model_channels) {
+  std::vector<Eigen::Index> map;
+  for (const Channel& channel : trial.measured.channels) {
+    const auto found = std::find_if(model_channels.begin(), model_channels.end(),
+                                    [&](const Channel& candidate) { return candidate.name == channel.name; });
+    if (found == model_channels.end())
+      throw Error("trial " + trial.name + " measures \"" + channel.name +
+                  "\", but the model has no sensor channel of that name" +
+                  did_you_mean(channel.name, names_of(model_channels)) +
+                  "; map the column to one of the robot's sensors");
+    if (found->unit != channel.unit)
+      throw Error("trial " + trial.name + " measures \"" + channel.name + "\" in " + channel.unit +
+                  ", the model's sensor reads " + found->unit +
+                  "; correct the unit of the column or the kind of the sensor");
+    map.push_back(found - model_channels.begin());
+  }
+  return map;
+}
+
+void check_shape(const Trial& trial, const CompiledModel& model) {
+  const TimeSeries& measured = trial.measured;
+  if (measured.samples.rows() != measured.times.size() ||
+      measured.samples.cols() != static_cast<Eigen::Index>(measured.channels.size()))
+    throw Error("trial " + trial.name + ": its samples do not fit its times and channels");
+  if (measured.times.size() == 0) throw Error("trial " + trial.name + " has no samples; leave its file out");
+  if (!trial.initial.empty() && trial.initial.size() != model.coordinates().size())
+    throw Error("trial " + trial.name + " says where " + std::to_string(trial.initial.size()) +
+                " joint coordinates start, but the model has " + std::to_string(model.coordinates().size()));
+}
+
+}  // namespace
+
+TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers)
+    : model_(model), trials_(std::move(trials)) {
+  for (const Trial& trial : trials_) {
+    check_shape(trial, model_);
+    map_.push_back(match_channels(trial, model_.channels()));
+    tests_.push_back({trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}});
+  }
+  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+    desks_.push_back(std::make_unique<Desk>());
+    desks_.back()->workspace = model_.make_workspace();
+  }
+}
+
+void TrialPredictor::predict(const Stretch& stretch, std::span<const double> values, const StartState& start,
+                             int worker, Prediction& prediction) const {
+  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  const Eigen::VectorXd& times = trials_[stretch.trial].measured.times;
+  SimulationOptions& options = desk.options;
+  options.start = start;
+  options.start_time = times(stretch.first);
+  options.end_time = times(stretch.last - 1);
+  options.output_times = {times.data() + stretch.first, static_cast<std::size_t>(stretch.size())};
+  model_.simulate(values, tests_[stretch.trial], options, *desk.workspace, desk.result);
+
+  prediction.valid = desk.result.ending == Ending::completed;
+  prediction.reason = desk.result.reason;
+  const std::vector<Eigen::Index>& map = map_[stretch.trial];
+  prediction.samples.resize(stretch.size(), static_cast<Eigen::Index>(map.size()));
+  if (!prediction.valid) return;
+  for (std::size_t channel = 0; channel < map.size(); ++channel)
+    prediction.samples.col(static_cast<Eigen::Index>(channel)) = desk.result.readings.samples.col(map[channel]);
+  if (!prediction.samples.allFinite()) {
+    prediction.valid = false;
+    prediction.reason = "the model reads values that are not finite";
+  }
+}
+
+void TrialPredictor::residuals(const Stretch& stretch, const Prediction& prediction,
+                               TimeSeries::Samples& residuals) const {
+  residuals = trials_[stretch.trial].measured.samples.middleRows(stretch.first, stretch.size()) - prediction.samples;
+}
+
+}  // namespace lacuna

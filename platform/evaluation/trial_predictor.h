@@ -1,0 +1,72 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "simulation/compiled_model.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A stretch of a trial: its samples `first` ... `last − 1`.
+struct Stretch {
+  std::size_t trial = 0;
+  Eigen::Index first = 0;
+  Eigen::Index last = 0;
+  Eigen::Index size() const { return last - first; }
+  bool operator==(const Stretch&) const = default;
+};
+
+/// What a model says about a stretch. Reused from call to call, so that nothing is allocated anew.
+struct Prediction {
+  bool valid = false;
+  std::string reason;  ///< why it is not valid, a sentence
+  TimeSeries::Samples
+      samples;  ///< stretch size × measured channels of the trial, in their order; SI; of no meaning if not valid
+};
+
+/// Predicts stretches of trials with one compiled model, for any values of its parameters. Measured
+/// channels are matched to the model's by name once. Deterministic: a prediction depends on its
+/// arguments alone. The model must outlive the predictor; trials are copied.
+class TrialPredictor {
+ public:
+  /// Makes a workspace for each of `workers` threads. Throws `Error` when a trial measures a channel
+  /// that the model does not have, in another unit, or when its initial values do not fit the joints.
+  TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers);
+
+  const CompiledModel& model() const { return model_; }
+  const std::vector<Trial>& trials() const { return trials_; }
+  int workers() const { return static_cast<int>(desks_.size()); }
+  /// All samples of a trial.
+  Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
+
+  /// Simulates from joint coordinates `start` at the time of the stretch's first sample, the trial's
+  /// commands replayed by the trial's own clock, so that command delays see what was commanded before.
+  /// `worker` names the workspace, one a thread. A simulation that fails makes the prediction invalid;
+  /// arguments that do not fit throw `Error`.
+  void predict(const Stretch& stretch, std::span<const double> values, const StartState& start, int worker,
+               Prediction& prediction) const;
+
+  /// Measured minus predicted, in the shape of the prediction; NaN where nothing was measured.
+  void residuals(const Stretch& stretch, const Prediction& prediction, TimeSeries::Samples& residuals) const;
+
+ private:
+  /// What one thread works with.
+  struct Desk {
+    std::unique_ptr<Workspace> workspace;
+    SimulationOptions options;
+    SimulationResult result;
+  };
+
+  const CompiledModel& model_;
+  std::vector<Trial> trials_;
+  std::vector<Test> tests_;                     ///< one a trial: its commands
+  std::vector<std::vector<Eigen::Index>> map_;  ///< per trial: measured channel → model channel
+  std::vector<std::unique_ptr<Desk>> desks_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "fitting/noise_floor.h"
+#include "fitting/progress.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What is compared with what. Everything referred to must live until `compare` returns.
+struct ComparisonTask {
+  const ModelDefinition& definition;
+  const CompiledModel& model;        ///< compiled from `definition`
+  const std::vector<Trial>& trials;  ///< fit and held out
+  const NoiseSection& noise;
+  std::vector<double> values;  ///< fitted values, in the order of `ModelDefinition::free`
+  /// The same model with twice the substeps (`compile_finer`); null: the numerical share is not computed.
+  const CompiledModel* finer = nullptr;
+  std::vector<double> horizons = {0.1, 0.5};  ///< s, scored beside the free run
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ProgressCallback progress = {};
+};
+
+/// How well one channel is predicted, over the scored samples. Residual = measured − predicted.
+struct ChannelScore {
+  std::string channel;
+  std::string unit;
+  std::size_t samples = 0;          ///< that were scored; 0: all figures are NaN
+  double rmse = 0.0;                ///< channel unit
+  double floor = 0.0;               ///< channel unit
+  double times_floor = 0.0;         ///< rmse/floor
+  double normalised_rmse = 0.0;     ///< rmse over the standard deviation of what was measured
+  double bias = 0.0;                ///< mean residual, channel unit
+  double max_error = 0.0;           ///< largest |residual|, channel unit
+  double max_error_time = 0.0;      ///< s, in the trial's time
+  double rmse_as_written = 0.0;     ///< the same free run with the start values of the file
+  std::optional<double> numerical;  ///< RMS change of the prediction by twice the substeps
+};
+
+/// The error of predictions over a horizon: the trial is cut into stretches, each starts from a state
+/// estimated on its own first 50 ms, and the time after these is scored.
+struct HorizonScore {
+  double horizon = 0.0;      ///< s
+  bool automatic = false;    ///< the longest on which the start's uncertainty stays below twice the floor
+  std::vector<double> rmse;  ///< a channel; NaN where nothing could be scored
+};
+
+/// One trial: a free run from a start that was estimated on the first 50 ms, which are not scored
+/// (given starts are taken as they are and everything is scored).
+struct TrialComparison {
+  std::string trial;
+  bool held_out = false;
+  bool valid = true;
+  std::string reason;  ///< why the simulation failed, if it did
+  std::vector<ChannelScore> channels;
+  std::vector<HorizonScore> horizons;
+  StartState start;               ///< at the first sample
+  Eigen::Index first_scored = 0;  ///< sample
+  /// For pictures; samples × channels of the trial. NaN where there is no value.
+  Eigen::VectorXd times;
+  TimeSeries::Samples measured, predicted, residuals;
+};
+
+/// A channel over all fit trials, or over all held-out trials.
+struct PooledScore {
+  std::string channel;
+  std::string unit;
+  bool held_out = false;
+  std::size_t samples = 0;
+  double rmse = 0.0;
+  double floor = 0.0;
+  double times_floor = 0.0;
+  double rmse_as_written = 0.0;
+  std::optional<double> numerical;
+  std::string worst_trial;
+  double worst_time = 0.0;  ///< s
+  std::string floor_origin;
+};
+
+struct Comparison {
+  std::vector<TrialComparison> trials;  ///< in the order of the task
+  std::vector<PooledScore> pooled;      ///< by channel, fit before held out
+  std::vector<TrialFloor> floors;       ///< one a trial
+  std::vector<std::string> notes;
+  double seconds = 0.0;
+};
+
+/// Compares the model, with the values given, with every trial. Nothing is fitted but start states.
+/// Held-out trials are read here: the caller counts the look. Throws `Error` where the trials do not
+/// fit the model, and `Interrupted`.
+Comparison compare(const ComparisonTask& task);
+
+/// The definition compiled with twice the substeps, for the numerical share.
+std::unique_ptr<CompiledModel> compile_finer(const ModelDefinition& definition);
+
+}  // namespace lacuna

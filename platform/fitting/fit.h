@@ -1,0 +1,87 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "evaluation/model_definition.h"
+#include "fitting/noise_floor.h"
+#include "fitting/progress.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What is fitted to what. Everything referred to must live until `fit` returns.
+struct FitTask {
+  const ModelDefinition& definition;
+  const CompiledModel& model;        ///< compiled from `definition`
+  const std::vector<Trial>& trials;  ///< held-out ones are not looked at
+  FitSection options;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ProgressCallback progress = {};
+};
+
+/// A free value after the fit. Intervals take into account that residuals are correlated in time.
+struct FittedValue {
+  std::string address;
+  std::string unit;
+  double start = 0.0;
+  double value = 0.0;
+  double standard_error = 0.0;  ///< infinite where the data cannot tell, NaN at a bound
+  double lower_95 = 0.0;        ///< NaN at a bound, the bound where the data cannot tell
+  double upper_95 = 0.0;
+  bool at_lower_bound = false;
+  bool at_upper_bound = false;
+  bool identified = true;  ///< false: see `FitResult::cannot_tell`
+};
+
+/// One round of the fit: all data cut into segments of one length. Whether an effect's size survives
+/// the change of length is read off `values`.
+struct FitStage {
+  std::string name;            ///< "segments of 0.1 s", "free run"
+  double segment = 0.0;        ///< s; 0: whole trials
+  int segments = 0;            ///< how many
+  int starts = 0;              ///< starting points that were refined in it
+  int agreeing = 0;            ///< of these, how many reached the same error as the best
+  int iterations = 0;          ///< of the best
+  bool converged = false;      ///< the best one's
+  double residual = 0.0;       ///< RMS of residual over sensor noise, the best one's
+  std::vector<double> values;  ///< the best one's, in the order of `ModelDefinition::free`
+};
+
+struct FitResult {
+  std::vector<FittedValue> values;  ///< in the order of `ModelDefinition::free`
+  Eigen::MatrixXd covariance;       ///< of the values; rows and columns of values at a bound or not identified are NaN
+  std::vector<FitStage> stages;     ///< in their order; the last one's values are the result
+  int starts = 0;                   ///< starting points tried
+  int agreeing = 0;                 ///< of these, how many reached the same error in the first stage
+  std::vector<std::string> cannot_tell;   ///< one sentence a combination that the data do not determine
+  std::vector<std::string> notes;         ///< what the fit had to decide by itself, sentences
+  std::vector<ChannelNoise> noise;        ///< the sensor noise that residuals were weighed with
+  std::uint64_t simulations = 0;          ///< stretches simulated
+  std::uint64_t invalid_simulations = 0;  ///< of these, how many failed
+  std::size_t samples = 0;                ///< measured values that counted in the last stage
+  double correlation_time = 0.0;          ///< of the residual, s
+  double seconds = 0.0;                   ///< wall clock
+
+  /// The fitted values alone.
+  std::vector<double> parameters() const;
+};
+
+/// Finds the free values under which the model predicts the trials best, by METHOD's step 4: stages of
+/// growing segments, whose start states are fitted with them and are not counted as fit, then the last
+/// horizon; from several starts; with Huber's loss. A model without free values gives a result without
+/// values. The same digits whatever the number of threads. Throws `Error` if there is nothing to fit to
+/// or no starting point can be simulated, and `Interrupted`.
+///
+/// Literature: H. G. Bock, "Recent advances in parameter identification techniques for O.D.E.", 1983
+/// (multiple shooting); D. W. Marquardt, 1963; P. J. Huber, 1964; H. White, 1982, and A. C. Cameron and
+/// D. L. Miller, 2015 (covariance by blocks).
+FitResult fit(const FitTask& task);
+
+/// The result of not fitting (`--as-is`): values as they stand, no intervals.
+FitResult as_written(const ModelDefinition& definition);
+
+}  // namespace lacuna

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+#include <lacuna/trial.h>
+
+#include "config/experiment.h"
+#include "evaluation/model_definition.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// The noise of a sensor channel, pooled over trials, and where that figure comes from.
+struct ChannelNoise {
+  std::string channel;
+  std::string unit;
+  double deviation = 0.0;  ///< standard deviation, channel unit; never 0
+  std::string origin;      ///< "declared", "encoder step 2.90 mrad/√12; rest agrees", ...
+};
+
+/// Sensor noise of every channel that `trials` measure, in the order of the first trial that has it.
+/// In order of trust: what the columns declare; what the robot's sensor declares (noise and quantiser
+/// step/√12); noise while the rig rests; the high-frequency part of the recording (second differences),
+/// which takes fast motion for noise. Where nothing varies at all, the resolution of a double.
+std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials);
+
+/// What remains of a free run's error in one channel when the model is right; channel unit, RMS over
+/// the scored time. The three parts add as squares.
+struct FloorValue {
+  std::string channel;
+  std::string unit;
+  double sensor = 0.0;   ///< the sensor's own noise
+  double input = 0.0;    ///< noise of the recorded commands, passed through the model
+  double process = 0.0;  ///< unmodelled random force, passed through the model
+  double total = 0.0;
+  std::string origin;  ///< one sentence about all three
+};
+
+/// The floor of one trial, a value a measured channel.
+struct TrialFloor {
+  std::string trial;
+  std::vector<FloorValue> channels;
+};
+
+/// Everything the floor is computed from.
+struct NoiseFloorTask {
+  const ModelDefinition& definition;
+  const CompiledModel& model;
+  const std::vector<Trial>& trials;
+  const NoiseSection& noise;
+  const std::vector<double>& values;  ///< the model's free values
+  /// Start of each trial, as compared; one a trial.
+  const std::vector<StartState>& starts;
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+/// The noise floor of every trial. Declared command noise and declared random forces are passed
+/// through the model by `kNoiseDraws` disturbed simulations a trial; random forces act through extra
+/// force actuators on a second compiled copy of the model. "For now": sizes are declared or measured
+/// channel by channel, not estimated together (METHOD step 1). Throws `Error` for patterns that match no
+/// joint.
+std::vector<TrialFloor> noise_floor(const NoiseFloorTask& task);
+
+inline constexpr int kNoiseDraws = 24;  ///< an RMS of independent draws is then good to about 15 %
+
+}  // namespace lacuna
