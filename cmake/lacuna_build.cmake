@@ -19,6 +19,9 @@ endif()
 # The same numbers from every build of one source: no contraction that depends on inlining.
 add_compile_options(-ffp-contract=off)
 
+# What the label `short` promises runs in seconds, sanitizers included: built by itself for them.
+add_custom_target(short_tests)
+
 # A folder of platform/: a static library that sees platform/ as its include root.
 function(lacuna_add_room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
@@ -30,6 +33,7 @@ endfunction()
 # A plugin library: hidden symbols, the interface and nothing else.
 function(lacuna_add_plugin name)
   add_library(${name} MODULE ${ARGN})
+  add_dependencies(short_tests ${name})
   target_link_libraries(${name} PRIVATE lacuna_interface)
   target_compile_definitions(${name} PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
   set_target_properties(${name} PROPERTIES
@@ -46,5 +50,8 @@ function(lacuna_add_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE
     LACUNA_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" LACUNA_BINARY_DIRECTORY="${CMAKE_BINARY_DIR}")
+  if("short" IN_LIST ARG_LABELS)
+    add_dependencies(short_tests ${name})
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
 endfunction()
