@@ -7,6 +7,7 @@ namespace lacuna {
 /// Each adds one subcommand, whose callback does the work and throws `BadInput`, `Interrupted` or
 /// `Error` where it fails. One file a command.
 void add_check_command(CLI::App& program);
+void add_plugins_command(CLI::App& program);
 
 /// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be resumed.
 int run_program(int argc, char** argv);

@@ -1,11 +1,187 @@
 #include "loading/plugin_catalog.h"
 
+#include "loading/plugin_table.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+#include <span>
+#include <tuple>
+
 namespace lacuna {
 
-struct PluginCatalog::Entry {};
-PluginCatalog::PluginCatalog(const std::vector<std::filesystem::path>&) {}
-std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::filesystem::path>& folders) {
-  return folders;
+/// A component of a file, made when it is first asked for.
+struct PluginCatalog::Entry {
+  std::string kind;
+  ComponentOrigin origin;
+  std::string sha256;
+  std::string build_id;
+  void* (*create)() = nullptr;
+  std::string duplicate_of;  // the sentence, if another file has the same component
+  std::mutex making;
+  void* made = nullptr;
+
+  void* make() const {
+    void* component = guarded_call(origin, "its factory", [this] { return create(); });
+    if (component == nullptr)
+      throw Error(to_string(origin) + ": its factory returned nothing; that is a fault of the plugin: repair it");
+    return component;
+  }
+};
+
+namespace {
+
+std::vector<std::filesystem::path> plugin_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+    if (entry.path().extension() == ".so") files.push_back(std::filesystem::absolute(entry.path()).lexically_normal());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The files of all folders, each once however many spellings or links lead to it.
+std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::filesystem::path> files;
+  std::set<std::pair<dev_t, ino_t>> seen;
+  for (const std::filesystem::path& folder : folders)
+    for (const std::filesystem::path& file : plugin_files(folder)) {
+      struct stat identity {};
+      if (stat(file.c_str(), &identity) == 0 && !seen.emplace(identity.st_dev, identity.st_ino).second) continue;
+      files.push_back(file);
+    }
+  return files;
+}
+
+std::string summary_of(std::string_view kind, const void* component) {
+  if (kind == "physical_effect") return static_cast<const PhysicalEffect*>(component)->describe().summary;
+  if (kind == "robot_definition") return static_cast<const RobotDefinition*>(component)->summary();
+  if (kind == "fitness_metric") return static_cast<const FitnessMetric*>(component)->summary();
+  return static_cast<const TargetSystem*>(component)->summary();
+}
+
+}  // namespace
+
+PluginCatalog::PluginCatalog(const std::vector<std::filesystem::path>& folders) : folders_(folders) {
+  for (const PluginLoad& load : PluginLibrary::load_all(distinct_plugin_files(folders))) {
+    if (load.library)
+      add(*load.library);
+    else
+      problems_.push_back(load.problem);
+  }
+  std::stable_sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
+    return std::tie(a->origin.kind, a->origin.name) < std::tie(b->origin.kind, b->origin.name);
+  });
+  find_duplicates();
+}
+
+void PluginCatalog::add(const PluginLibrary& library) {
+  const PluginTable& table = library.table();
+  for (const ComponentEntry& component : std::span(table.components, table.component_count)) {
+    auto entry = std::make_shared<Entry>();
+    entry->kind = component.kind;
+    entry->origin = {component_noun(component.kind), component.name, library.file()};
+    entry->sha256 = library.sha256();
+    entry->build_id = table.build_id == nullptr ? "unknown" : table.build_id;
+    entry->create = component.create;
+    entries_.push_back(std::move(entry));
+  }
+}
+
+void PluginCatalog::find_duplicates() {
+  for (std::size_t i = 1; i < entries_.size(); ++i) {
+    Entry& first = *entries_[i - 1];
+    Entry& second = *entries_[i];
+    if (first.kind != second.kind || first.origin.name != second.origin.name) continue;
+    second.duplicate_of = "two plugins have the " + second.origin.kind + " \"" + second.origin.name +
+                          "\": " + first.origin.file.string() + " and " + second.origin.file.string() +
+                          "; take one of them out of the search path";
+    first.duplicate_of = second.duplicate_of;
+    problems_.push_back(second.duplicate_of);
+  }
+}
+
+ComponentOrigin PluginCatalog::origin(std::string_view kind, const std::string& name) const {
+  for (const auto& entry : entries_)
+    if (entry->kind == kind && entry->origin.name == name) return entry->origin;
+  return {component_noun(kind), name, {}};
+}
+
+std::string PluginCatalog::missing(std::string_view kind, const std::string& name) const {
+  const std::string noun = component_noun(kind);
+  std::vector<std::string> names;
+  std::string known;
+  for (const auto& entry : entries_) {
+    if (entry->kind != kind) continue;
+    names.push_back(entry->origin.name);
+    known += (known.empty() ? "" : ", ") + entry->origin.name;
+  }
+  std::string text = "there is no " + noun + " \"" + name + "\"" + did_you_mean(name, names);
+  text += known.empty() ? "; there is no plugin with a " + noun : "; there is " + known;
+  text += "; searched in";
+  for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();
+  if (folders_.empty()) text += " no folder (name one with --plugin-path)";
+  for (const std::string& problem : problems_) text += "; " + problem;
+  return text;
+}
+
+const std::shared_ptr<PluginCatalog::Entry>& PluginCatalog::find(std::string_view kind, const std::string& name) const {
+  for (const auto& entry : entries_) {
+    if (entry->kind != kind || entry->origin.name != name) continue;
+    if (!entry->duplicate_of.empty()) throw Error(entry->duplicate_of);
+    return entry;
+  }
+  throw Error(missing(kind, name));
+}
+
+void* PluginCatalog::shared_component(const std::shared_ptr<Entry>& entry) {
+  static std::mutex keeping;
+  static auto* const kept = new std::vector<std::shared_ptr<Entry>>;  // until the process ends
+  const std::scoped_lock lock(entry->making);
+  if (entry->made == nullptr) {
+    entry->made = entry->make();
+    const std::scoped_lock keep(keeping);
+    kept->push_back(entry);
+  }
+  return entry->made;
+}
+
+const PhysicalEffect& PluginCatalog::effect(const std::string& name) const {
+  return *static_cast<const PhysicalEffect*>(shared_component(find("physical_effect", name)));
+}
+
+const RobotDefinition& PluginCatalog::robot(const std::string& name) const {
+  return *static_cast<const RobotDefinition*>(shared_component(find("robot_definition", name)));
+}
+
+const FitnessMetric& PluginCatalog::metric(const std::string& name) const {
+  return *static_cast<const FitnessMetric*>(shared_component(find("fitness_metric", name)));
+}
+
+std::unique_ptr<TargetSystem> PluginCatalog::make_target(const std::string& name) const {
+  return std::unique_ptr<TargetSystem>(static_cast<TargetSystem*>(find("target_system", name)->make()));
+}
+
+std::vector<PluginListing> PluginCatalog::list() const {
+  std::vector<PluginListing> listings;
+  for (const auto& entry : entries_) {
+    PluginListing& listing = listings.emplace_back();
+    listing.kind = entry->origin.kind;
+    listing.name = entry->origin.name;
+    listing.file = entry->origin.file;
+    listing.sha256 = entry->sha256;
+    listing.build_id = entry->build_id;
+    listing.problem = entry->duplicate_of;
+    try {
+      listing.summary =
+          guarded_call(entry->origin, "its summary", [&] { return summary_of(entry->kind, shared_component(entry)); });
+    } catch (const Error& error) {
+      listing.problem = error.what();
+    }
+  }
+  return listings;
 }
 
 }  // namespace lacuna

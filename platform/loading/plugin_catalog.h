@@ -2,53 +2,73 @@
 
 #include <lacuna/plugin.h>
 
+#include "foundation/guarded_call.h"
 #include "loading/plugin_library.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lacuna {
 
 /// What `plugins list` shows of a component.
 struct PluginListing {
-  std::string kind;  ///< "physical_effect" ...
+  std::string kind;  ///< "effect", "robot", "metric", "target"
   std::string name;
   std::string summary;
   std::filesystem::path file;
   std::string sha256;
   std::string build_id;
+  std::string problem;  ///< why it cannot be used; empty: it can
 };
 
 /// Every component of every plugin found on the search path, by kind and name. Components are
-/// made at first use, live as long as the process, and are shared by threads.
+/// made at first use, live as long as the process, and are shared by threads. Calls to them that may
+/// throw go through `guarded_call` with their `origin`.
 class PluginCatalog {
  public:
-  /// Loads all `*.so` files of the folders, in order. A folder that does not exist is passed over
-  ///. Broken files do not hide the good ones: they are kept as
-  /// `problems()`, and asking for a component that is missing names them.
+  /// Loads all `*.so` files of the folders, in order of folder and name; a file that two of them lead
+  /// to is loaded once. A folder that does not exist is passed over. Broken files do not hide the
+  /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
+  /// Each throws `Error` for a name that no plugin has, or that two have, and where making the component fails.
   const PhysicalEffect& effect(const std::string& name) const;
   const RobotDefinition& robot(const std::string& name) const;
   const FitnessMetric& metric(const std::string& name) const;
   /// Targets have a state of their own: a new one each time.
   std::unique_ptr<TargetSystem> make_target(const std::string& name) const;
 
+  /// How messages name the component of that kind and name, whether it exists or not.
+  ComponentOrigin effect_origin(const std::string& name) const { return origin("physical_effect", name); }
+  ComponentOrigin robot_origin(const std::string& name) const { return origin("robot_definition", name); }
+  ComponentOrigin metric_origin(const std::string& name) const { return origin("fitness_metric", name); }
+  ComponentOrigin target_origin(const std::string& name) const { return origin("target_system", name); }
+
+  /// Every component, by kind and name, with its summary.
   std::vector<PluginListing> list() const;
-  /// Sentences about files that could not be used (broken, other version, duplicate names).
+  /// Sentences about files that could not be used (broken, other version) and names that two plugins have.
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:
   struct Entry;
-  std::vector<std::shared_ptr<Entry>> entries_;
+
+  void add(const PluginLibrary& library);
+  void find_duplicates();
+  ComponentOrigin origin(std::string_view kind, const std::string& name) const;
+  const std::shared_ptr<Entry>& find(std::string_view kind, const std::string& name) const;
+  std::string missing(std::string_view kind, const std::string& name) const;
+  static void* shared_component(const std::shared_ptr<Entry>& entry);
+
+  std::vector<std::filesystem::path> folders_;
+  std::vector<std::shared_ptr<Entry>> entries_;  // shared: a component that was made outlives its catalog
   std::vector<std::string> problems_;
 };
 
-/// `--plugin-path` folders, then LACUNA_PLUGIN_PATH (colon-separated), then the installed folder,
-/// then the build folder beside the program.
+/// `--plugin-path` folders, then LACUNA_PLUGIN_PATH (colon-separated), then `../lib/lacuna/plugins`
+/// beside the program's folder, which serves the installed tree and the build tree.
 std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::filesystem::path>& from_command_line);
 
 }  // namespace lacuna

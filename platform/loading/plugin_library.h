@@ -3,19 +3,24 @@
 #include <lacuna/plugin.h>
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace lacuna {
+
+struct PluginLoad;
 
 /// A loaded plugin file. It stays in the process until the end: unloading code that may have
 /// thrown or may still be called is not survivable.
 class PluginLibrary {
  public:
-  /// Probes the file in a child process (a truncated one would end ours), loads it with all
-  /// symbols bound, and checks its table before any C++ of it runs. Throws `Error`: file, what is
-  /// wrong, what to do.
+  /// Checks that the file is a complete library (elf_file.h), tries it in a child process (a damaged
+  /// one would end ours), loads it with all symbols bound, and checks its table before any C++ of it
+  /// is called. Throws `Error`: file, what is wrong, what to do.
   static PluginLibrary load(const std::filesystem::path& file);
+  /// The same for many files with one child process for all of them; throws nothing of theirs.
+  static std::vector<PluginLoad> load_all(const std::vector<std::filesystem::path>& files);
 
   const std::filesystem::path& file() const { return file_; }
   const std::string& sha256() const { return sha256_; }
@@ -23,9 +28,17 @@ class PluginLibrary {
 
  private:
   PluginLibrary() = default;
+  static PluginLibrary open(const std::filesystem::path& file);
+
   std::filesystem::path file_;
   std::string sha256_;
   const PluginTable* table_ = nullptr;
+};
+
+/// What became of a file: a library, or the sentence that says why not.
+struct PluginLoad {
+  std::optional<PluginLibrary> library;
+  std::string problem;
 };
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_spec.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,12 @@ namespace lacuna {
 /// An effect on its elements, ready for an engine. The catalog owns the component.
 struct PlacedEffect {
   std::string id;
-  std::string name;  ///< the plugin's
+  std::string name;            ///< the plugin's
   const PhysicalEffect* effect = nullptr;
   ElementKind kind = ElementKind::world;
   std::vector<int> elements;   ///< indices into the robot's list of that kind
   std::vector<double> values;  ///< one a declared parameter
+  std::filesystem::path file;  ///< the plugin's, for messages (foundation/guarded_call.h); empty: part of the program
 };
 
 /// A number that comes anew with each simulation. Its address is one of `addressed_values`

@@ -1,0 +1,83 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "loading/plugin_catalog.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PluginsOptions {
+  CommonOptions common;
+  std::string name;
+};
+
+void add_plugins_options(CLI::App& command, CommonOptions& options) {
+  add_plugin_path_option(command, options);
+  command.add_option("--json", options.json, "Results as JSON, to standard output or FILE")
+      ->expected(0, 1)
+      ->default_str("");
+}
+
+void write_json(const Json& json, const std::string& file) {
+  const std::string text = json.dump(2) + "\n";
+  if (file.empty()) {
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  std::ofstream stream(file);
+  stream << text;
+  if (!stream.flush()) throw Error(file + ": cannot be written; check the folder and its permissions");
+}
+
+Json listing_json(const PluginListing& listing) {
+  Json json = {{"kind", listing.kind},          {"name", listing.name},     {"summary", listing.summary},
+               {"file", listing.file.string()}, {"sha256", listing.sha256}, {"build", listing.build_id}};
+  if (!listing.problem.empty()) json["problem"] = listing.problem;
+  return json;
+}
+
+void print_listings(const std::vector<PluginListing>& listings) {
+  std::size_t width = 0;
+  for (const PluginListing& listing : listings) width = std::max(width, listing.name.size());
+  for (const PluginListing& listing : listings) {
+    const std::string text = listing.problem.empty() ? listing.summary : "cannot be used: " + listing.problem;
+    fmt::print("{:<7} {:<{}}  {}\n{:<8}{:<{}}  {}\n", listing.kind, listing.name, width, text, "", "", width,
+               listing.file.string());
+  }
+}
+
+void list_plugins(const PluginsOptions& options) {
+  const PluginCatalog catalog(plugin_search_path(options.common.plugin_paths));
+  const std::vector<PluginListing> listings = catalog.list();
+  if (options.common.json) {
+    Json json = {{"components", Json::array()}, {"problems", catalog.problems()}};
+    for (const PluginListing& listing : listings) json["components"].push_back(listing_json(listing));
+    write_json(json, *options.common.json);
+    return;
+  }
+  print_listings(listings);
+  std::fflush(stdout);
+  for (const std::string& problem : catalog.problems()) std::fprintf(stderr, "%s\n", problem.c_str());
+}
+
+}  // namespace
+
+void add_plugins_command(CLI::App& program) {
+  CLI::App* plugins = program.add_subcommand("plugins", "What can be used in experiment files");
+  plugins->require_subcommand(1);
+  auto options = std::make_shared<PluginsOptions>();  // shared: CLI11 keeps the callbacks, which must own the options
+  CLI::App* list = plugins->add_subcommand("list", "List every effect, robot, metric and target with its file");
+  add_plugins_options(*list, options->common);
+  list->callback([options] { list_plugins(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <lacuna/plugin.h>
+
+#include <string>
+
+namespace lacuna {
+
+/// The handshake: what is wrong with the table that a plugin returned, and what to do; empty: nothing.
+/// Looks at plain data only and calls nothing of the plugin. A table of another interface version is
+/// read no further than its version.
+std::string table_problem(const PluginTable* table);
+
+/// What users call a component of this kind: "effect" for "physical_effect"; empty: no such kind.
+std::string component_noun(std::string_view kind);
+
+}  // namespace lacuna
