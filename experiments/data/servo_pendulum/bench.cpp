@@ -1,0 +1,131 @@
+#include "bench.h"
+
+#include "stick_slip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace servo_pendulum {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kKnotsASample = 4;  ///< the disturbance is linear between knots 0.5 ms apart
+constexpr int kStepsAKnot = 50;   ///< integration steps of 10 µs
+constexpr double kKnotInterval = kSampleInterval / kKnotsASample;
+
+/// Normal numbers that are the same with every standard library (whose own distributions are not): Box and Muller.
+class Normal {
+ public:
+  explicit Normal(std::uint64_t seed) : bits_(seed) {}
+  double operator()() {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    return radius * std::cos(2.0 * pi * uniform());
+  }
+
+ private:
+  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1.0p-53; }
+  std::mt19937_64 bits_;
+};
+
+/// Stationary Ornstein–Uhlenbeck process, sampled exactly at the knots.
+class Disturbance {
+ public:
+  Disturbance(const Truth& truth, std::uint64_t seed)
+      : deviation_(truth.disturbance),
+        memory_(std::exp(-kKnotInterval / truth.disturbance_time)),
+        normal_(seed),
+        value_(deviation_ * normal_()) {}
+  double value() const { return value_; }
+  void next() { value_ = memory_ * value_ + deviation_ * std::sqrt(1.0 - memory_ * memory_) * normal_(); }
+
+ private:
+  double deviation_, memory_;
+  Normal normal_;
+  double value_;
+};
+
+double rounded(double value, double quantum) { return quantum * std::round(value / quantum) + 0.0; }  // no −0
+
+/// Rises smoothly from 0 to 1 within `rise` seconds of `time` = 0.
+double ramp(double time, double rise) {
+  return time <= 0.0 ? 0.0 : time >= rise ? 1.0 : 0.5 - 0.5 * std::cos(pi * time / rise);
+}
+
+double sine(double time) { return 0.42 * ramp(time, 1.0) * std::sin(2.0 * pi * 0.4 * time); }
+
+/// Levels held for 0.7 s, each reached within 50 ms.
+double steps(double time) {
+  constexpr std::array kLevels = {0.0, 0.25, -0.15, 0.35, 0.1, -0.3, -0.05, 0.2, -0.25, 0.05, 0.3, 0.0};
+  constexpr double kHeld = 0.7;
+  const std::size_t level = std::min(static_cast<std::size_t>(time / kHeld), kLevels.size() - 2);
+  const double since = time - kHeld * static_cast<double>(level);
+  return std::lerp(kLevels[level], kLevels[level + 1], ramp(since, 0.05));
+}
+
+double multisine(double time) {
+  struct Tone {
+    double amplitude, frequency, phase;  // N·m, Hz, rad
+  };
+  constexpr std::array kTones = {Tone{0.16, 0.15, 0.4}, Tone{0.14, 0.35, 2.1}, Tone{0.09, 0.65, 4.0},
+                                 Tone{0.08, 1.2, 1.3},  Tone{0.14, 1.7, 5.2},  Tone{0.16, 2.3, 3.1}};
+  double sum = 0.0;
+  for (const Tone& tone : kTones) sum += tone.amplitude * std::sin(2.0 * pi * tone.frequency * time + tone.phase);
+  return ramp(time, 0.8) * sum;
+}
+
+/// From 0.1 Hz to 2.2 Hz, weaker around the arm's natural frequency of about 0.9 Hz.
+double chirp(double time) {
+  constexpr double kFirst = 0.1, kLast = 2.2, kLength = kDuration - kRest;
+  const double frequency = kFirst + (kLast - kFirst) * time / kLength;
+  const double phase = 2.0 * pi * (kFirst * time + 0.5 * (kLast - kFirst) * time * time / kLength);
+  const double notch = 1.0 - 0.6 * std::exp(-std::pow((frequency - 0.9) / 0.35, 2));
+  return 0.45 * ramp(time, 0.5) * notch * std::sin(phase);
+}
+
+}  // namespace
+
+std::vector<double> excitation(const std::string& trial, const Truth& truth) {
+  double (*torque)(double) = trial == "sine"        ? sine
+                             : trial == "steps"     ? steps
+                             : trial == "multisine" ? multisine
+                             : trial == "chirp"     ? chirp
+                                                    : nullptr;
+  if (torque == nullptr) throw std::invalid_argument("no trial is called " + trial);
+  std::vector<double> commands(static_cast<std::size_t>(std::lround(kDuration / kSampleInterval)) + 1, 0.0);
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    const double time = static_cast<double>(k) * kSampleInterval - kRest;
+    if (time > 0.0) commands[k] = rounded(torque(time), truth.command_quantum);
+  }
+  return commands;
+}
+
+std::vector<Row> record(const std::vector<double>& commands, const Truth& truth, std::uint64_t seed) {
+  const Pendulum pendulum{truth.inertia, truth.gravity_torque, truth.damping, truth.friction};
+  const double encoder_step = 2.0 * pi / truth.encoder_counts;
+  Disturbance disturbance(truth, 2 * seed);
+  Normal sensor(2 * seed + 1);
+  Motion motion;
+  std::vector<Row> rows;
+  rows.reserve(commands.size());
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    const double reading = motion.angle + truth.sensor_noise * sensor();
+    rows.push_back({static_cast<double>(k) * kSampleInterval, commands[k], rounded(reading, encoder_step)});
+    for (int knot = 0; knot < kKnotsASample; ++knot) {
+      const double before = disturbance.value();
+      disturbance.next();
+      const double slope = (disturbance.value() - before) / kKnotInterval;
+      for (int i = 0; i < kStepsAKnot; ++i) {
+        const double since = kKnotInterval * i / kStepsAKnot;
+        motion = advance(pendulum, motion, {commands[k] + before + slope * since, slope}, kKnotInterval / kStepsAKnot);
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace servo_pendulum
