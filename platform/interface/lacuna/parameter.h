@@ -12,7 +12,8 @@ enum class Scale { linear, logarithmic };
 /// document, fit and store it without knowing the component.
 struct ParameterDeclaration {
   std::string name;  ///< lower_snake, unique within its component; a promise once released
-  std::string unit;  ///< SI, as in "N*m*s/rad"; "1" where it has none
+  std::string unit;  ///< SI, as in "N*m*s/rad"; "1" where it has none; an effect's may hold words such as
+                     ///< {force}, see physical_effect.h
   double default_value = 0.0;
   double lower = 0.0;  ///< smallest value that makes sense, inclusive
   double upper = 0.0;  ///< largest value that makes sense, inclusive

@@ -10,6 +10,17 @@
 namespace lacuna {
 
 /// The kinds of element that an effect can be placed on.
+///
+/// Units of an effect's parameters often depend on the element. A declared unit may therefore hold the
+/// words below, which the host replaces by the element's own unit wherever a user reads it; for an
+/// actuator or a sensor the joint is the one that it drives or reads.
+///   {position}  the joint's coordinate: rad, on a slider m
+///   {force}     its generalised force: N*m, on a slider N
+///   {inertia}   kg*m^2, on a slider kg
+///   {command}   the actuator's command
+///   {channel}   the sensor's channels
+/// `{force}*s/{position}` is N*m*s/rad on a hinge and N*s/m on a slider. One placed effect has one unit
+/// for each parameter: a hinge and a slider that would need two take an entry each in the effect list.
 enum class ElementKind { joint, body, actuator, sensor, world };
 
 /// What a user reads of an effect, and what the host checks its use against.

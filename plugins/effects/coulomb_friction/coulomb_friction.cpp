@@ -12,7 +12,8 @@ EffectDescription CoulombFriction::describe() const {
           .regime = "slow motion and reversals",
           .look_alikes = {"stribeck_friction", "lugre_friction", "hysteresis"},
           .placements = {ElementKind::joint},
-          .parameters = {{"torque", "N*m", 0.0, 0.0, 1e4, Scale::linear, "Friction torque (force on a slider, N)"}}};
+          .parameters = {
+              {"torque", "{force}", 0.0, 0.0, 1e4, Scale::linear, "Friction torque, on a slider friction force"}}};
 }
 
 void CoulombFriction::amend(RobotSpec& robot, const EffectContext& context) const {

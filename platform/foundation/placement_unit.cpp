@@ -1,0 +1,69 @@
+#include "foundation/placement_unit.h"
+
+#include "foundation/address.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+namespace lacuna {
+namespace {
+
+using Words = std::map<std::string, std::string>;
+
+Words joint_words(bool slider) {
+  return slider ? Words{{"{position}", "m"}, {"{force}", "N"}, {"{inertia}", "kg"}}
+                : Words{{"{position}", "rad"}, {"{force}", "N*m"}, {"{inertia}", "kg*m^2"}};
+}
+
+bool is_slider(const RobotSpec& robot, const std::string& joint) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const JointSpec& candidate) {
+    return candidate.name == joint && candidate.kind == JointKind::slider;
+  });
+}
+
+/// A product that stands behind a division keeps together.
+std::string in_place(const std::string& unit, char before) {
+  return before == '/' && unit.find_first_of("*/") != unit.npos ? "(" + unit + ")" : unit;
+}
+
+std::string replaced(std::string text, const Words& words) {
+  for (const auto& [word, unit] : words)
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word))
+      text.replace(at, word.size(), in_place(unit, at > 0 ? text[at - 1] : ' '));
+  return text;
+}
+
+}  // namespace
+
+std::string unit_at(const std::string& declared, const RobotSpec& robot, ElementKind kind, int element) {
+  const auto index = static_cast<std::size_t>(element);
+  switch (kind) {
+    case ElementKind::joint: return replaced(declared, joint_words(robot.joints[index].kind == JointKind::slider));
+    case ElementKind::actuator: {
+      Words words = joint_words(is_slider(robot, robot.actuators[index].joint));
+      words["{command}"] = command_channels(robot)[index].unit;
+      return replaced(declared, words);
+    }
+    case ElementKind::sensor: {
+      const SensorSpec& sensor = robot.sensors[index];
+      Words words = joint_words(is_slider(robot, sensor.element));
+      words["{channel}"] = sensor_channels(robot, sensor).front().unit;
+      return replaced(declared, words);
+    }
+    case ElementKind::body:
+    case ElementKind::world: break;
+  }
+  return declared;
+}
+
+std::string unit_in_words(const std::string& declared) {
+  const Words elsewhere = {{"{command}", "[command]"}, {"{channel}", "[channel]"}};
+  const std::string rotation = replaced(replaced(declared, joint_words(false)), elsewhere);
+  const std::string translation = replaced(replaced(declared, joint_words(true)), elsewhere);
+  if (declared == "{command}") return "the command's unit";
+  if (declared == "{channel}") return "the channel's unit";
+  return rotation == translation ? rotation : rotation + " (" + translation + " on a slider)";
+}
+
+}  // namespace lacuna
