@@ -1,1 +1,141 @@
-namespace lacuna {}
+#include "storage/database.h"
+
+#include "storage/migrate.h"
+#include "storage/storage_error.h"
+
+#include <lacuna/error.h>
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+#include <sqlite3.h>
+
+namespace lacuna {
+namespace {
+
+constexpr int kBusyTimeoutMs = 5000;  ///< another writer's transaction takes milliseconds
+
+std::unique_ptr<SQLite::Database> connect(const std::filesystem::path& file, const std::string& name, int flags) {
+  if (std::filesystem::is_directory(file)) {
+    throw Error(file.string() + ": is a folder; name a database file");
+  }
+  try {
+    auto connection = std::make_unique<SQLite::Database>(name, flags | SQLITE_OPEN_EXRESCODE, kBusyTimeoutMs);
+    connection->exec("PRAGMA foreign_keys = ON");
+    return connection;
+  } catch (const SQLite::Exception& error) {
+    throw_storage_error(file, error);
+  }
+}
+
+bool has_content(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+  return !ignored && size > 0;
+}
+
+/// A URI that SQLite takes for this file, whatever characters its name has.
+std::string uri_of(const std::filesystem::path& file) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(file).string()) {
+    if (c == '?' || c == '#' || c == '%') {
+      static constexpr char kDigits[] = "0123456789ABCDEF";
+      uri += {'%', kDigits[static_cast<unsigned char>(c) >> 4U], kDigits[static_cast<unsigned char>(c) & 15U]};
+    } else {
+      uri += c;
+    }
+  }
+  return uri;
+}
+
+}  // namespace
+
+Database::Database(std::filesystem::path file) : file_(std::move(file)) {}
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+Database Database::open(const std::filesystem::path& file, const std::vector<Migration>& migrations) {
+  Database database(file);
+  database.connection_ = connect(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  if (sqlite3_db_readonly(database.handle(), "main") == 1) throw_storage_error(file, SQLITE_READONLY, "");
+  check_header(database, migrations);
+  // Only now may anything be written to it: it is ours, or empty.
+  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  migrate(database, migrations);
+  return database;
+}
+
+Database Database::open(const std::filesystem::path& file) {
+  Database database = open(file, schema_migrations());
+  refresh_views(database, schema_views());
+  return database;
+}
+
+Database Database::open_read_only(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    throw Error(file.string() + ": no such database; `lacuna compare` makes one from an experiment file");
+  }
+  Database database(file);
+  database.connection_ = connect(file, file.string(), SQLITE_OPEN_READONLY);
+  try {
+    check_header(database, schema_migrations());
+  } catch (const Error&) {
+    // On read-only media the write-ahead log's index cannot be made. Without a log none is needed.
+    const bool cannot_open = (sqlite3_errcode(database.handle()) & 0xff) == SQLITE_CANTOPEN ||
+                             (sqlite3_errcode(database.handle()) & 0xff) == SQLITE_READONLY;
+    if (!cannot_open) throw;
+    if (has_content(file.string() + "-wal")) {
+      throw Error(file.string() +
+                  ": has changes in its -wal file, which cannot be read in a read-only folder; copy both files to a "
+                  "folder that can be written, and read them there");
+    }
+    database.connection_ = connect(file, uri_of(file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    check_header(database, schema_migrations());
+  }
+  database.execute("PRAGMA query_only = ON");
+  return database;
+}
+
+sqlite3* Database::handle() const { return connection_->getHandle(); }
+
+bool Database::in_transaction() const { return sqlite3_get_autocommit(handle()) == 0; }
+
+void Database::execute(const std::string& statements) try {
+  connection_->exec(statements);
+} catch (const SQLite::Exception& error) {
+  throw_storage_error(file_, error);
+}
+
+void Database::check_not_moved() const {
+  int moved = 0;
+  sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  if (moved != 0) {
+    throw Error(file_.string() +
+                ": was moved or deleted while it was open; nothing more is written. Put it back, or run again");
+  }
+}
+
+Transaction::Transaction(Database& database) : database_(database), outermost_(!database.in_transaction()) {
+  if (outermost_) database_.execute("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  if (!open_ || !outermost_ || !database_.in_transaction()) return;
+  try {
+    database_.execute("ROLLBACK");
+  } catch (const Error&) {
+    // SQLite rolls back by itself when the connection is closed or the file is opened next.
+  }
+}
+
+void Transaction::commit() {
+  if (!outermost_) {
+    open_ = false;
+    return;
+  }
+  database_.check_not_moved();
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct sqlite3;
+namespace SQLite {
+class Database;
+}
+
+namespace lacuna {
+
+/// One numbered step of the schema.
+struct Migration {
+  int number = 0;  ///< the `user_version` after it
+  std::string sql;
+};
+
+/// The migrations that this program has built in (schema/NNNN_*.sql), ascending.
+const std::vector<Migration>& schema_migrations();
+/// schema/views.sql
+const std::string& schema_views();
+
+/// Set in the header of each of our files: "Lacn".
+inline constexpr int kApplicationId = 0x4C61636E;
+
+/// A connection to a database file. Foreign keys are enforced; writing goes through a
+/// write-ahead log that survives a crash and a power cut once `commit` has returned.
+/// One thread at a time. Everything throws `Error` with a sentence that names the file: not a
+/// database, not ours, newer than this program, damaged, locked by another writer, read-only,
+/// disk full, moved or deleted while open.
+class Database {
+ public:
+  /// Opens for writing; creates the file or brings it up to date, keeping a copy
+  /// (`FILE.before-version-N`) of one that has to be migrated.
+  static Database open(const std::filesystem::path& file);
+  /// The same with other migrations, for tests of migrating itself; no views.
+  static Database open(const std::filesystem::path& file, const std::vector<Migration>& migrations);
+  /// Opens for reading what exists. Nothing can be written through it.
+  static Database open_read_only(const std::filesystem::path& file);
+
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
+  const std::filesystem::path& file() const { return file_; }
+  /// For storage/ alone.
+  SQLite::Database& connection() const { return *connection_; }
+  sqlite3* handle() const;
+  bool in_transaction() const;
+  void execute(const std::string& statements);
+  /// Throws `Error` if the file is no longer where it was opened: what is written would be lost.
+  void check_not_moved() const;
+
+ private:
+  explicit Database(std::filesystem::path file);
+  std::filesystem::path file_;
+  std::unique_ptr<SQLite::Database> connection_;
+};
+
+/// A transaction: what is not committed when it ends is rolled back. Begun inside another, it is
+/// part of that one.
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool outermost_;
+  bool open_ = true;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,91 @@
+#include "storage/migrate.h"
+
+#include "foundation/digest.h"
+#include "storage/statement.h"
+#include "storage/storage_error.h"
+
+#include <lacuna/error.h>
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+
+namespace lacuna {
+namespace {
+
+int version_of(const Database& database) {
+  Statement statement(database, "PRAGMA user_version");
+  statement.step();
+  return statement.number(0);
+}
+
+int application_of(const Database& database) {
+  Statement statement(database, "PRAGMA application_id");
+  statement.step();
+  return statement.number(0);
+}
+
+bool is_empty(const Database& database) {
+  Statement statement(database, "SELECT count(*) FROM sqlite_master");
+  statement.step();
+  return statement.integer(0) == 0;
+}
+
+void copy_before(const Database& database, int newest) {
+  const std::string copy = database.file().string() + ".before-version-" + std::to_string(newest);
+  std::error_code ignored;
+  std::filesystem::remove(copy, ignored);
+  try {
+    Statement(database, "VACUUM INTO ?").run_with(copy);
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + "; it was about to be copied to " + copy +
+                " before being brought up to date");
+  }
+}
+
+}  // namespace
+
+void check_header(const Database& database, const std::vector<Migration>& migrations) {
+  const int application = application_of(database);
+  if (application != kApplicationId && !(application == 0 && is_empty(database))) {
+    throw Error(database.file().string() +
+                ": is a database of another program, not of Lacuna; name another file with --db");
+  }
+  const int version = version_of(database);
+  if (version > migrations.back().number) {
+    throw Error(database.file().string() + ": was written by a newer Lacuna (schema " + std::to_string(version) +
+                ", this program knows " + std::to_string(migrations.back().number) + "); use that one");
+  }
+}
+
+void migrate(Database& database, const std::vector<Migration>& migrations) {
+  const int newest = migrations.back().number;
+  if (version_of(database) == newest) return;
+  if (version_of(database) > 0) copy_before(database, newest);
+  Transaction transaction(database);
+  const int version = version_of(database);  // another process may have been faster
+  for (const Migration& migration : migrations) {
+    if (migration.number <= version) continue;
+    database.execute(migration.sql);
+    database.execute("PRAGMA user_version = " + std::to_string(migration.number));
+  }
+  transaction.commit();
+}
+
+void refresh_views(Database& database, const std::string& views) {
+  const std::string digest = sha256(views);
+  const auto current = [&] {
+    Statement stored(database, "SELECT sha256 FROM schema_text WHERE name = 'views'");
+    return stored.step() && stored.text(0) == digest;
+  };
+  if (current()) return;
+  Transaction transaction(database);
+  std::vector<std::string> old;
+  Statement names(database, "SELECT name FROM sqlite_master WHERE type = 'view'");
+  while (names.step()) old.push_back(names.text(0));
+  for (const std::string& name : old) database.execute("DROP VIEW \"" + name + "\"");
+  database.execute(views);
+  Statement(database, "INSERT OR REPLACE INTO schema_text (name, sha256) VALUES ('views', ?)").run_with(digest);
+  transaction.commit();
+}
+
+}  // namespace lacuna

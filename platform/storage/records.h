@@ -1,0 +1,223 @@
+#pragma once
+
+#include <lacuna/effect_list.h>
+#include <lacuna/engine_settings.h>
+#include <lacuna/time_series.h>
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is stored, as plain data. Values are SI; a NaN means "not known" and is stored as NULL.
+/// `schema/database.md` describes the tables that these become.
+namespace lacuna {
+
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+/// A row's key: the run's number × 2^40 + a counter. Each table has a type of its own.
+template <class Table>
+struct Id {
+  std::int64_t value = 0;
+  auto operator<=>(const Id&) const = default;
+};
+using RunId = Id<struct RunTable>;  ///< the run's small number in its file
+using ExperimentId = Id<struct ExperimentTable>;
+using RevisionId = Id<struct RevisionTable>;
+using TrialId = Id<struct TrialTable>;
+using TraceId = Id<struct TraceTable>;
+using FitId = Id<struct FitTable>;
+using ComparisonId = Id<struct ComparisonTable>;
+
+/// One call of the program that writes.
+struct RunRecord {
+  std::string command;  ///< the command line as given
+  std::uint64_t seed = 0;
+  int threads = 1;
+};
+
+enum class RunEnding { done, failed, interrupted };
+
+struct PluginFileRecord {
+  std::string file;
+  std::string sha256;
+  std::string build_id;
+};
+
+/// An experiment as it was resolved: the file's text and the overrides of the command line.
+struct ExperimentRecord {
+  std::string name;
+  std::string file;  ///< as the user named it
+  std::string text;
+  std::vector<std::string> overrides;
+};
+
+struct FreeValueRecord {
+  std::string address;
+  std::string unit;
+  double lower = 0.0;
+  double upper = 0.0;
+  double start = 0.0;
+};
+
+/// What makes a revision; its digest covers everything here, the order of `effects` aside.
+struct RevisionRecord {
+  std::string robot;       ///< the robot's name
+  std::string robot_text;  ///< canonical description, see `canonical_text(const RobotSpec&)` in canonical_text.h
+  std::vector<FreeValueRecord> free;
+  EffectList effects;
+  EngineSettings engine;
+  std::string fit_data_digest;  ///< see `digest_of_trials` in canonical_text.h
+};
+
+/// A revision as it stands in the database.
+struct StoredRevision {
+  RevisionId id;
+  int number = 0;  ///< within the experiment, from 1
+  std::optional<int> parent;
+  std::string digest;
+  std::string change;  ///< relative to the parent: "rigid", "coulomb_friction", "without payload", "engine changed"
+  bool found = false;  ///< it was there before
+};
+
+struct TrialRecord {
+  std::string name;
+  std::string file;    ///< as the experiment names it
+  std::string digest;  ///< of its data: `digest_of(const Trial&)` in canonical_text.h
+  bool held_out = false;
+  double duration = 0.0;  ///< s
+  std::int64_t samples = 0;
+};
+
+enum class TraceKind { measured, commands, predicted };
+enum class TracePrecision { float32, float64 };
+
+enum class AtBound { neither, lower, upper };
+
+struct FittedValueRecord {
+  std::string address;
+  std::string unit;
+  double start = kNotKnown;
+  double value = kNotKnown;
+  double standard_error = kNotKnown;  ///< infinite where the data cannot tell
+  double lower = kNotKnown;           ///< 95 % interval
+  double upper = kNotKnown;
+  AtBound at_bound = AtBound::neither;
+  bool identifiable = true;
+};
+
+/// One round of a fit: all data cut into segments of one length.
+struct FitStageRecord {
+  std::string name;      ///< "segments of 0.1 s", "free run"
+  double segment = 0.0;  ///< s; 0: whole trials
+  std::int64_t segments = 0;
+  std::int64_t starts = 0;    ///< starting points refined in it
+  std::int64_t agreeing = 0;  ///< of these, how many reached the same error as the best
+  std::int64_t iterations = 0;
+  bool converged = false;
+  double residual = kNotKnown;  ///< RMS of residual over sensor noise
+  std::vector<double> values;   ///< in the order of the revision's free values
+};
+
+struct FitRecord {
+  std::string settings;  ///< everything besides the revision that the result depends on: method, segments, starts,
+                         ///< loss, seed, digests of the plugin files used; compared as text by `last_fit_of`
+  std::string method;  ///< "multiple_shooting", "free_run"
+  std::string loss;    ///< "huber", "squared"
+  double loss_scale = kNotKnown;
+  bool converged = false;        ///< in the last stage
+  double residual = kNotKnown;   ///< RMS of residual over sensor noise, last stage
+  std::int64_t samples = 0;      ///< measured values that counted in the last stage
+  std::int64_t simulations = 0;  ///< of all starts and stages
+  std::int64_t invalid_simulations = 0;
+  std::int64_t starts = 1;
+  std::int64_t agreeing = 1;              ///< starts that reached the same error
+  double correlation_time = kNotKnown;    ///< s, of the residual
+  std::vector<FittedValueRecord> values;  ///< in the order of the revision's free values
+  std::vector<FitStageRecord> stages;
+  Eigen::MatrixXd covariance;            ///< of the values, SI; empty: not computed
+  std::vector<std::string> cannot_tell;  ///< sentences: which combinations the data do not determine
+  std::vector<std::string> notes;        ///< sentences
+  double seconds = kNotKnown;            ///< work time; kept outside the content
+};
+
+/// Errors of one free run (or of restarts every `horizon` seconds) on one channel of one trial.
+struct ScoreRecord {
+  TrialId trial;
+  std::string channel;
+  std::string unit;
+  double horizon = 0.0;  ///< s; 0: one free run of the whole trial
+  std::int64_t samples = 0;
+  double rmse = kNotKnown;
+  double normalised_rmse = kNotKnown;  ///< rmse / standard deviation of the measured channel
+  double theil_u = kNotKnown;
+  double bias = kNotKnown;        ///< mean of measured − predicted
+  double bias_share = kNotKnown;  ///< of the mean squared error: Theil's three parts, which add up to 1
+  double magnitude_share = kNotKnown;
+  double phase_share = kNotKnown;
+  double max_error = kNotKnown;        ///< largest |measured − predicted|
+  double max_error_time = kNotKnown;   ///< s
+  double floor = kNotKnown;            ///< noise floor of this trial and channel
+  double numerical_error = kNotKnown;  ///< RMSE of the integration, channel's unit
+  double as_written_rmse = kNotKnown;  ///< with the file's start values, unfitted
+};
+
+/// What remains of a free run's error in one channel when the model is right. The parts add as squares.
+struct NoiseFloorRecord {
+  TrialId trial;
+  std::string channel;
+  std::string unit;
+  double floor = kNotKnown;   ///< RMSE, all parts together
+  double sensor = kNotKnown;  ///< parts
+  double input = kNotKnown;
+  double process = kNotKnown;
+  std::string origin;  ///< "encoder step 2.9/√12; rest agrees"
+};
+
+enum class ComparisonKind { refitted, as_written };
+
+struct ComparisonRecord {
+  ComparisonKind kind = ComparisonKind::refitted;
+  std::optional<FitId> fit;
+  std::optional<int> look;  ///< number of the look at held-out data; none: not looked at
+  double step = kNotKnown;  ///< s, integration step used
+  std::vector<ScoreRecord> scores;
+  std::vector<NoiseFloorRecord> floors;
+  std::vector<std::string> findings;  ///< sentences, the largest first
+  double seconds = kNotKnown;         ///< work time; kept outside the content
+};
+
+struct StoredTrial {
+  TrialId id;
+  TrialRecord record;
+};
+
+struct StoredComparison {
+  ComparisonId id;
+  RevisionId revision;
+  ComparisonRecord record;
+};
+
+struct StoredFit {
+  FitId id;
+  FitRecord record;
+};
+
+/// One channel of one revision, pooled over trials, from its latest refitted comparisons.
+struct HistoryRow {
+  RevisionId revision;
+  int number = 0;
+  std::optional<int> parent;
+  std::string change;
+  bool current = false;  ///< the revision that the experiment used last
+  std::string channel;
+  std::string unit;
+  double fit_rmse = kNotKnown;
+  double held_out_rmse = kNotKnown;
+  double floor = kNotKnown;
+  double times_floor = kNotKnown;  ///< held-out RMSE (without one, fit RMSE) / floor
+};
+
+}  // namespace lacuna

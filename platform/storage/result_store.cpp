@@ -1,0 +1,125 @@
+#include "storage/result_store.h"
+
+#include "foundation/digest.h"
+#include "storage/clock.h"
+#include "storage/json_text.h"
+#include "storage/names.h"
+#include "storage/statement.h"
+
+#include <lacuna/error.h>
+
+#include <cstdio>
+#include <random>
+
+namespace lacuna {
+namespace {
+
+constexpr int kCounterBits = 40;
+
+std::string random_identity() {
+  std::random_device device;
+  std::string hex;
+  for (int word = 0; word < 4; ++word) {
+    char digits[9];
+    std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(device()));
+    hex += digits;
+  }
+  return hex;
+}
+
+}  // namespace
+
+ResultStore::ResultStore(Database& database) : database_(database) {}
+
+ResultStore::~ResultStore() {
+  if (!run_ || ended_ || database_.in_transaction()) return;
+  try {
+    end_run(RunEnding::failed);
+  } catch (const Error&) {
+    // Whatever ended the run has been reported; a run without an ending reads as "not ended".
+  }
+}
+
+RunId ResultStore::run() const {
+  if (!run_) throw Error("ResultStore: begin_run comes before anything is recorded");
+  return *run_;
+}
+
+std::int64_t ResultStore::next_id(const char* table) {
+  const std::int64_t first = run().value << kCounterBits;
+  const std::string sql = std::string("SELECT coalesce(max(id), ?1) + 1 FROM ") + table + " WHERE id BETWEEN ?1 AND ?2";
+  Statement statement(database_, sql.c_str());
+  statement.with(first, first + (std::int64_t{1} << kCounterBits) - 1).step();
+  return statement.integer(0);
+}
+
+RunId ResultStore::begin_run(const RunRecord& record, const Provenance& p) {
+  Transaction transaction(database_);
+  Statement number(database_, "SELECT coalesce(max(number), 0) + 1 FROM run");
+  number.step();
+  const RunId run{number.integer(0)};
+  Statement(database_, "INSERT INTO run (number, identity, command, seed, threads, started) VALUES (?, ?, ?, ?, ?, ?)")
+      .run_with(run, random_identity(), record.command, static_cast<std::int64_t>(record.seed), record.threads,
+                utc_now());
+  Statement(
+      database_,
+      "INSERT INTO provenance (run, program, source_revision, compiler, build_type, ode, sqlite, eigen, processor,"
+      " system) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run_with(run, p.program, p.source_revision, p.compiler, p.build_type, p.ode, p.sqlite, p.eigen, p.processor,
+                p.system);
+  transaction.commit();
+  run_ = run;
+  ended_ = false;
+  return run;
+}
+
+void ResultStore::end_run(RunEnding ending) {
+  Transaction transaction(database_);
+  Statement(database_, "UPDATE run SET ended = ?, ending = ? WHERE number = ?")
+      .run_with(utc_now(), to_string(ending), run());
+  transaction.commit();
+  ended_ = true;
+}
+
+void ResultStore::record_plugins(const std::vector<PluginFileRecord>& files) {
+  Transaction transaction(database_);
+  Statement insert(database_, "INSERT OR REPLACE INTO plugin_file (run, file, sha256, build_id) VALUES (?, ?, ?, ?)");
+  for (const PluginFileRecord& file : files) insert.run_with(run(), file.file, file.sha256, file.build_id);
+  transaction.commit();
+}
+
+ExperimentId ResultStore::record_experiment(const ExperimentRecord& record) {
+  Transaction transaction(database_);
+  std::optional<ExperimentId> experiment = find_experiment(record.name);
+  if (!experiment) {
+    experiment = ExperimentId{next_id("experiment")};
+    Statement(database_, "INSERT INTO experiment (id, name) VALUES (?, ?)").run_with(*experiment, record.name);
+  }
+  const std::string overrides = sentences_text(record.overrides);
+  const std::string digest = sha256(record.text + '\n' + overrides);
+  Statement(database_,
+            "INSERT INTO experiment_text (id, experiment, digest, file, text, overrides) VALUES (?, ?, ?, ?, ?, ?)"
+            " ON CONFLICT (experiment, digest) DO NOTHING")
+      .run_with(next_id("experiment_text"), *experiment, digest, record.file, record.text, overrides);
+  Statement(database_,
+            "UPDATE run SET experiment_text = (SELECT id FROM experiment_text WHERE experiment = ? AND digest = ?)"
+            " WHERE number = ?")
+      .run_with(*experiment, digest, run());
+  transaction.commit();
+  return *experiment;
+}
+
+std::optional<ExperimentId> ResultStore::find_experiment(const std::string& name) const {
+  Statement row(database_, "SELECT id FROM experiment WHERE name = ?");
+  if (!row.with(name).step()) return std::nullopt;
+  return ExperimentId{row.integer(0)};
+}
+
+std::vector<std::string> ResultStore::experiment_names() const {
+  Statement row(database_, "SELECT name FROM experiment ORDER BY name");
+  std::vector<std::string> names;
+  while (row.step()) names.push_back(row.text(0));
+  return names;
+}
+
+}  // namespace lacuna

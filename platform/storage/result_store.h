@@ -1,0 +1,94 @@
+#pragma once
+
+#include "storage/database.h"
+#include "storage/provenance.h"
+#include "storage/records.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// The results of experiments as typed records. Nothing outside storage/ writes SQL.
+///
+/// A store that writes belongs to one run: `begin_run` comes first, and each `record_...` is one
+/// transaction unless the caller has begun a wider one on the database:
+///
+///     Database database = Database::open("rig.db");
+///     ResultStore store(database);
+///     store.begin_run({...}, provenance_of_this_program());
+///     const ExperimentId experiment = store.record_experiment({...});
+///     Transaction transaction(database);
+///     ...
+///     transaction.commit();
+///     store.end_run(RunEnding::done);
+///
+/// A run that is not ended (an exception) is stored as failed. One thread at a time. Throws
+/// `Error` with a sentence for whatever keeps the database from being read or written.
+class ResultStore {
+ public:
+  /// The database outlives the store.
+  explicit ResultStore(Database& database);
+  ~ResultStore();
+  ResultStore(const ResultStore&) = delete;
+  ResultStore& operator=(const ResultStore&) = delete;
+
+  RunId begin_run(const RunRecord& run, const Provenance& provenance);
+  void end_run(RunEnding ending);
+  void record_plugins(const std::vector<PluginFileRecord>& files);
+
+  /// Finds the experiment by name and stores this text of it if it is new.
+  ExperimentId record_experiment(const ExperimentRecord& experiment);
+
+  /// Finds the revision by its digest, or adds it with the next number; its parent is the
+  /// revision that the experiment used last. From now on this one is.
+  StoredRevision find_or_add_revision(ExperimentId experiment, const RevisionRecord& revision);
+  TrialId find_or_add_trial(ExperimentId experiment, const TrialRecord& trial);
+
+  FitId record_fit(RevisionId revision, const FitRecord& fit);
+  /// A converged or unconverged fit of this revision made with the same settings, the latest one.
+  std::optional<StoredFit> last_fit_of(RevisionId revision, const std::string& settings) const;
+
+  /// Counts a look at the held-out trials and returns its number, from 1, over all revisions of
+  /// the experiment. To be called before anything of them is shown; it is never taken back.
+  int count_holdout_look(RevisionId revision, const std::string& command);
+  int holdout_looks(ExperimentId experiment) const;
+
+  ComparisonId record_comparison(RevisionId revision, const ComparisonRecord& comparison);
+  /// The latest comparison of that kind; with `held_out` the latest that scored held-out trials.
+  std::optional<StoredComparison> latest_comparison(RevisionId revision, ComparisonKind kind,
+                                                    bool held_out = false) const;
+
+  /// Stores samples; a prediction belongs to a comparison, what was measured to its trial alone.
+  /// Recording the same measured trace again returns the one that is there.
+  TraceId record_trace(TrialId trial, TraceKind kind, const TimeSeries& series,
+                       TracePrecision precision = TracePrecision::float32,
+                       std::optional<ComparisonId> comparison = std::nullopt);
+  /// Throws `Error` if the stored bytes are not those that were written.
+  TimeSeries trace(TraceId trace) const;
+  std::optional<TraceId> find_trace(TrialId trial, TraceKind kind,
+                                    std::optional<ComparisonId> comparison = std::nullopt) const;
+
+  /// Nothing where the database does not know the name.
+  std::optional<ExperimentId> find_experiment(const std::string& name) const;
+  std::vector<std::string> experiment_names() const;
+  std::vector<StoredTrial> trials(ExperimentId experiment) const;
+  std::optional<StoredRevision> current_revision(ExperimentId experiment) const;
+  std::optional<StoredRevision> revision(ExperimentId experiment, int number) const;
+  RevisionRecord revision_record(RevisionId revision) const;
+  /// By revision number, then channel. A revision that was never compared has one row without errors.
+  std::vector<HistoryRow> history(ExperimentId experiment) const;
+
+ private:
+  std::int64_t next_id(const char* table);
+  std::optional<StoredRevision> find_revision(ExperimentId experiment, const std::string& digest) const;
+  void add_revision(ExperimentId experiment, const RevisionRecord& record, const std::string& digest);
+  RunId run() const;
+
+  Database& database_;
+  std::optional<RunId> run_;
+  bool ended_ = false;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,45 @@
+#include "storage/storage_error.h"
+
+#include <lacuna/error.h>
+
+#include <SQLiteCpp/Exception.h>
+#include <sqlite3.h>
+
+namespace lacuna {
+namespace {
+
+/// What the primary code means and what to do, without the file's name in front.
+std::string sentence(int code, const std::string& message) {
+  switch (code & 0xff) {
+    case SQLITE_NOTADB: return "is not a database; name another file with --db, or move this one away";
+    case SQLITE_CORRUPT:
+      return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
+    case SQLITE_FULL:
+      return "cannot grow: the disk or the quota is full; make room and run again, what was finished is kept";
+    case SQLITE_READONLY: return "is read-only; check the permissions of the file and of its folder, or copy it";
+    case SQLITE_CANTOPEN: return "cannot be opened; check that its folder exists and its permissions";
+    case SQLITE_PERM:
+    case SQLITE_AUTH: return "may not be accessed (" + message + "); check its permissions";
+    case SQLITE_IOERR:
+      return "cannot be read or written (" + message +
+             "); check the disk, its quota and its connection, then run again";
+    case SQLITE_CONSTRAINT:
+      return "refused a record (" + message + "), which is a fault of this program; please report it";
+    default: return "cannot be used (" + message + ")";
+  }
+}
+
+}  // namespace
+
+void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message) {
+  throw Error(file.string() + ": " + sentence(extended_code, message));
+}
+
+void throw_storage_error(const std::filesystem::path& file, const SQLite::Exception& error) {
+  throw_storage_error(file, error.getExtendedErrorCode() > 0 ? error.getExtendedErrorCode() : error.getErrorCode(),
+                      error.what());
+}
+
+}  // namespace lacuna

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+struct sqlite3;
+namespace SQLite {
+class Exception;
+}
+
+namespace lacuna {
+
+/// Throws the `Error` whose sentence says what an error code of SQLite means for this file and
+/// what to do about it.
+[[noreturn]] void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message);
+[[noreturn]] void throw_storage_error(const std::filesystem::path& file, const SQLite::Exception& error);
+
+}  // namespace lacuna

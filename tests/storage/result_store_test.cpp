@@ -1,0 +1,233 @@
+#include "storage/small_database.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using test::fill_small_database;
+using test::friction;
+using test::revision_with;
+using test::SmallDatabase;
+using testing::ElementsAre;
+
+class ResultStoreTest : public testing::Test {
+ protected:
+  void begin() { store_.begin_run({.command = "lacuna fit", .seed = 7, .threads = 1}, provenance_of_this_program()); }
+  ExperimentId experiment() { return store_.record_experiment({"rig", "rig.toml", "text", {}}); }
+
+  test::TemporaryFolder folder_;
+  Database database_ = Database::open(folder_ / "rig.db");
+  ResultStore store_{database_};
+};
+
+TEST_F(ResultStoreTest, NothingIsRecordedBeforeARunBegins) {
+  EXPECT_THROW(store_.record_experiment({"rig", "rig.toml", "text", {}}), Error);
+}
+
+TEST_F(ResultStoreTest, KeysCarryTheRunInTheirUpperBits) {
+  begin();
+  const ExperimentId first = experiment();
+  EXPECT_EQ(first.value, (std::int64_t{1} << 40) + 1);
+  begin();
+  const ExperimentId second = store_.record_experiment({"other", "other.toml", "text", {}});
+  EXPECT_EQ(second.value, (std::int64_t{2} << 40) + 1);
+}
+
+TEST_F(ResultStoreTest, AnExperimentIsFoundByNameWhenItsTextChanges) {
+  begin();
+  const ExperimentId first = experiment();
+  EXPECT_EQ(store_.record_experiment({"rig", "rig.toml", "another text", {}}), first);
+  EXPECT_EQ(store_.find_experiment("rig"), first);
+  EXPECT_EQ(store_.find_experiment("unheard of"), std::nullopt);
+}
+
+TEST_F(ResultStoreTest, TheSameModelIsTheSameRevisionWhateverTheOrderOfItsEffects) {
+  begin();
+  const ExperimentId rig = experiment();
+  const StoredRevision one = store_.find_or_add_revision(rig, revision_with({friction("a"), friction("b")}));
+  const StoredRevision two = store_.find_or_add_revision(rig, revision_with({friction("b"), friction("a")}));
+  EXPECT_FALSE(one.found);
+  EXPECT_TRUE(two.found);
+  EXPECT_EQ(one.id, two.id);
+}
+
+TEST_F(ResultStoreTest, ARevisionKnowsItsParentAndWhatChanged) {
+  begin();
+  const ExperimentId rig = experiment();
+  const StoredRevision rigid = store_.find_or_add_revision(rig, revision_with({}));
+  EXPECT_EQ(rigid.number, 1);
+  EXPECT_EQ(rigid.parent, std::nullopt);
+  EXPECT_EQ(rigid.change, "rigid");
+
+  const StoredRevision added = store_.find_or_add_revision(rig, revision_with({friction("viscous_friction")}));
+  EXPECT_EQ(added.number, 2);
+  EXPECT_EQ(added.parent, 1);
+  EXPECT_EQ(added.change, "viscous_friction");
+
+  RevisionRecord finer = revision_with({friction("viscous_friction")});
+  finer.engine.step = 0.0005;
+  EXPECT_EQ(store_.find_or_add_revision(rig, finer).change, "other engine");
+  EXPECT_EQ(store_.find_or_add_revision(rig, revision_with({})).number, 1) << "found again after an undo";
+
+  const StoredRevision other = store_.find_or_add_revision(rig, revision_with({friction("coulomb_friction")}));
+  EXPECT_EQ(other.parent, 1) << "the parent is the one used last, not the one with the largest number";
+  const StoredRevision swapped = store_.find_or_add_revision(rig, revision_with({friction("stribeck_friction")}));
+  EXPECT_EQ(swapped.change, "stribeck_friction, without coulomb_friction");
+}
+
+TEST_F(ResultStoreTest, ARevisionReadsBackAsItWasWritten) {
+  begin();
+  const ExperimentId rig = experiment();
+  RevisionRecord record = revision_with({friction("a")});
+  record.effects[0].start = {{"torque", 0.1}};
+  record.effects[0].fixed = {"torque"};
+  record.free[0].upper = kInfinity;
+  const StoredRevision stored = store_.find_or_add_revision(rig, record);
+  EXPECT_EQ(digest_of(store_.revision_record(stored.id)), digest_of(record));
+  EXPECT_EQ(store_.revision_record(stored.id).free[0].upper, kInfinity);
+}
+
+TEST_F(ResultStoreTest, AFitReadsBackWithItsValuesAndNaNAsUnknown) {
+  begin();
+  const RevisionId revision = store_.find_or_add_revision(experiment(), revision_with({})).id;
+  FitRecord fit;
+  fit.settings = "s";
+  fit.method = "free_run";
+  fit.loss = "huber";
+  fit.residual = 12.5;
+  fit.stages = {{"free run", 0.0, 1, 4, 3, 12, true, 1.1, {0.3, kNotKnown}}};
+  fit.values = {{"body.arm.mass", "kg", 0.5, 0.1 + 0.2, kNotKnown, kNotKnown, kNotKnown, AtBound::upper, false}};
+  fit.covariance = (Eigen::MatrixXd(2, 2) << 1.0, 0.25, 0.25, kNotKnown).finished();
+  fit.notes = {"a note"};
+  const FitId id = store_.record_fit(revision, fit);
+
+  const std::optional<StoredFit> stored = store_.last_fit_of(revision, "s");
+  ASSERT_TRUE(stored.has_value());
+  EXPECT_EQ(stored->id, id);
+  EXPECT_EQ(stored->record.residual, 12.5);
+  ASSERT_EQ(stored->record.stages.size(), 1U);
+  EXPECT_EQ(stored->record.stages[0].agreeing, 3);
+  EXPECT_EQ(stored->record.stages[0].values[0], 0.3);
+  ASSERT_EQ(stored->record.values.size(), 1U);
+  EXPECT_EQ(stored->record.values[0].value, 0.1 + 0.2) << "bit for bit";
+  EXPECT_TRUE(std::isnan(stored->record.values[0].standard_error));
+  EXPECT_EQ(stored->record.values[0].at_bound, AtBound::upper);
+  EXPECT_FALSE(stored->record.values[0].identifiable);
+  EXPECT_EQ(stored->record.covariance(0, 1), 0.25);
+  EXPECT_TRUE(std::isnan(stored->record.covariance(1, 1)));
+  EXPECT_THAT(stored->record.notes, ElementsAre("a note"));
+  EXPECT_FALSE(store_.last_fit_of(revision, "other settings").has_value());
+}
+
+TEST_F(ResultStoreTest, LooksAreCountedOverAllRevisionsAndNeverTakenBack) {
+  begin();
+  const ExperimentId rig = experiment();
+  const RevisionId first = store_.find_or_add_revision(rig, revision_with({})).id;
+  const RevisionId second = store_.find_or_add_revision(rig, revision_with({friction("a")})).id;
+  EXPECT_EQ(store_.holdout_looks(rig), 0);
+  EXPECT_EQ(store_.count_holdout_look(first, "compare"), 1);
+  EXPECT_EQ(store_.count_holdout_look(second, "compare"), 2);
+  EXPECT_EQ(store_.count_holdout_look(first, "history"), 3);
+  EXPECT_EQ(store_.holdout_looks(rig), 3);
+}
+
+TEST_F(ResultStoreTest, AComparisonReadsBack) {
+  const SmallDatabase small = fill_small_database(store_);
+  const std::optional<StoredComparison> stored = store_.latest_comparison(small.rigid, ComparisonKind::refitted);
+  ASSERT_TRUE(stored.has_value());
+  EXPECT_EQ(stored->id, small.first_comparison);
+  EXPECT_EQ(stored->record.look, 1);
+  ASSERT_EQ(stored->record.scores.size(), 2U);
+  EXPECT_EQ(stored->record.scores[0].trial, small.fit_trial);
+  EXPECT_EQ(stored->record.scores[0].rmse, 0.009);
+  EXPECT_EQ(stored->record.scores[0].numerical_error, 2e-5);
+  ASSERT_EQ(stored->record.floors.size(), 1U);
+  EXPECT_TRUE(std::isnan(stored->record.floors[0].input));
+  EXPECT_EQ(stored->record.floors[0].origin, "encoder step 2.9/√12");
+  EXPECT_EQ(stored->record.seconds, 1.2);
+  EXPECT_FALSE(store_.latest_comparison(small.rigid, ComparisonKind::as_written).has_value());
+}
+
+TEST_F(ResultStoreTest, HistoryShowsTheErrorByRevisionInUnitsAndMultiplesOfTheFloor) {
+  const SmallDatabase small = fill_small_database(store_);
+  const std::vector<HistoryRow> rows = store_.history(small.experiment);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].change, "rigid");
+  EXPECT_NEAR(rows[0].fit_rmse, 0.009, 1e-15);
+  EXPECT_NEAR(rows[0].held_out_rmse, 0.012, 1e-15);
+  EXPECT_NEAR(rows[0].times_floor, 12.0, 1e-12);
+  EXPECT_FALSE(rows[0].current);
+  EXPECT_EQ(rows[1].change, "coulomb_friction");
+  EXPECT_EQ(rows[1].parent, 1);
+  EXPECT_NEAR(rows[1].times_floor, 1.2, 1e-12);
+  EXPECT_TRUE(rows[1].current);
+}
+
+TEST_F(ResultStoreTest, AComparisonWithoutHeldOutTrialsKeepsTheEarlierLook) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  ComparisonRecord fit_only = test::comparison_of(small, {}, 0, 0.5);
+  fit_only.fit = std::nullopt;
+  fit_only.look = std::nullopt;
+  fit_only.scores.pop_back();
+  store_.record_comparison(small.rigid, fit_only);
+  const std::vector<HistoryRow> rows = store_.history(small.experiment);
+  EXPECT_NEAR(rows[0].fit_rmse, 0.0045, 1e-15);
+  EXPECT_NEAR(rows[0].held_out_rmse, 0.012, 1e-15);
+  EXPECT_EQ(store_.latest_comparison(small.rigid, ComparisonKind::refitted, true)->id, small.first_comparison);
+}
+
+TEST_F(ResultStoreTest, ARevisionThatWasNeverComparedStandsInHistoryWithoutErrors) {
+  begin();
+  const ExperimentId rig = experiment();
+  store_.find_or_add_revision(rig, revision_with({}));
+  const std::vector<HistoryRow> rows = store_.history(rig);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_TRUE(std::isnan(rows[0].fit_rmse));
+  EXPECT_TRUE(rows[0].channel.empty());
+}
+
+TEST_F(ResultStoreTest, TracesOfTrialsAreStoredOnce) {
+  begin();
+  const TrialId trial =
+      store_.find_or_add_trial(experiment(), {"sine", "sine.csv", test::kSomeDigest, false, 1.0, 100});
+  const TraceId first = store_.record_trace(trial, TraceKind::measured, test::sine(100), TracePrecision::float64);
+  EXPECT_EQ(store_.record_trace(trial, TraceKind::measured, test::sine(100), TracePrecision::float64), first);
+  EXPECT_EQ(store_.find_trace(trial, TraceKind::measured), first);
+  EXPECT_EQ(store_.find_trace(trial, TraceKind::commands), std::nullopt);
+  EXPECT_TRUE(store_.trace(first).samples == test::sine(100).samples);
+}
+
+TEST_F(ResultStoreTest, AFlippedBitInATraceIsNoticed) {
+  begin();
+  const TrialId trial =
+      store_.find_or_add_trial(experiment(), {"sine", "sine.csv", test::kSomeDigest, false, 1.0, 100});
+  const TraceId trace = store_.record_trace(trial, TraceKind::measured, test::sine(100));
+  database_.execute("UPDATE trace SET samples = CAST(x'01' || substr(samples, 2) AS BLOB)");
+  EXPECT_THROW(store_.trace(trace), Error);
+}
+
+TEST_F(ResultStoreTest, WhatIsNotCommittedIsNotThere) {
+  begin();
+  {
+    Transaction transaction(database_);
+    experiment();
+  }
+  EXPECT_EQ(store_.find_experiment("rig"), std::nullopt);
+}
+
+TEST_F(ResultStoreTest, ARunThatIsNotEndedIsStoredAsFailed) {
+  {
+    ResultStore abandoned(database_);
+    abandoned.begin_run({.command = "lacuna fit", .seed = 1, .threads = 1}, provenance_of_this_program());
+  }
+  begin();
+  EXPECT_NO_THROW(
+      database_.execute("CREATE TEMP TABLE expect (failed INTEGER CHECK (failed = 1)); INSERT INTO expect "
+                        "SELECT count(*) FROM run WHERE ending = 'failed'"));
+}
+
+}  // namespace
+}  // namespace lacuna
