@@ -1,1 +1,223 @@
 #include "measurement/recording.h"
+
+#include "foundation/address.h"
+#include "foundation/unit.h"
+#include "measurement/clock_check.h"
+#include "measurement/csv_format.h"
+#include "measurement/csv_table.h"
+#include "measurement/text_file.h"
+#include "measurement/trial_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+struct WholeSource {
+  const RecordingSource& source;
+  const RecordingPlan& plan;
+  std::vector<std::string> file_names;  ///< how trials are called: the file's name, or its path where two have one name
+  std::set<std::string> trials_seen;    ///< values of the trial column in all files
+};
+
+CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
+  CsvQuery query{source.time_column, source.trial_column, {}};
+  for (const auto* planned : {&plan.sensors, &plan.commands})
+    for (const PlannedColumn& column : *planned) query.columns.push_back({column.mapping->column});
+  return query;
+}
+
+/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
+bool has_columns(const CsvFormat& format, const CsvQuery& query, FileReport& report) {
+  std::vector<std::string> wanted{query.time_column};
+  if (!query.trial_column.empty()) wanted.push_back(query.trial_column);
+  for (const WantedColumn& column : query.columns) wanted.push_back(column.name);
+  std::set<std::string> told;
+  for (const std::string& name : wanted) {
+    const auto found = std::count(format.names.begin(), format.names.end(), name);
+    if (found == 1 || !told.insert(name).second) continue;
+    report.problem("column " + name, format.header_line, [&] {
+      if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
+      return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, format.names),
+                         listed(format.names));
+    });
+  }
+  return !report.has_problems();
+}
+
+/// Row numbers of each trial in a table.
+std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
+  std::vector<std::vector<std::size_t>> rows(std::max<std::size_t>(table.trial_names.size(), 1));
+  for (std::size_t row = 0; row < table.times.size(); ++row)
+    rows[table.trials.empty() ? 0 : static_cast<std::size_t>(table.trials[row])].push_back(row);
+  return rows;
+}
+
+void note_start(const TrialClock& clock, const CsvTable& table, FileReport& report) {
+  if (clock.origin == 0.0) return;
+  report.note("start", table.lines[clock.rows.front()], [&] {
+    return fmt::format("time starts at {:.9g} s in the file; shifted to start at 0 s", clock.origin);
+  });
+}
+
+/// The trials of one clock: one, or one a range to be used.
+void add_trials(const WholeSource& whole, const CsvTable& table, const TrialClock& clock, const Trial& prototype,
+                FileReport& report, std::vector<Trial>& trials) {
+  const std::vector<TrialClock> pieces = cut_to_ranges(clock, whole.source.use);
+  for (const TrialClock& piece : pieces) {
+    if (piece.times.size() < 2) {
+      report.problem("few samples", table.lines[piece.rows.front()], [&] {
+        return fmt::format("trial {} has one sample only; a trial needs at least two", prototype.name);
+      });
+      continue;
+    }
+    check_intervals(piece, table, whole.source, report);
+    note_start(piece, table, report);
+    Trial trial = build_trial(whole.plan, whole.source, table, piece, report);
+    trial.name = prototype.name;
+    if (pieces.size() > 1)
+      trial.name += fmt::format(" from {:.4g} s to {:.4g} s", piece.origin, piece.origin + piece.times.back());
+    trial.held_out = prototype.held_out;
+    trials.push_back(std::move(trial));
+  }
+  if (pieces.empty())
+    report.problem("use", 0, [&] {
+      return fmt::format("target.use leaves no sample of trial {}, which runs from {:.9g} s to {:.9g} s",
+                         prototype.name, clock.origin, clock.origin + clock.times.back());
+    });
+}
+
+void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file_index, FileReport& report,
+                     std::vector<Trial>& trials) {
+  if (table.times.empty()) {
+    report.problem("no samples", 0, [] { return std::string("has a header but no samples"); });
+    return;
+  }
+  const std::vector<std::vector<std::size_t>> rows = rows_by_trial(table);
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    Trial prototype;
+    prototype.name = whole.file_names[file_index];
+    prototype.held_out = whole.source.files[file_index].held_out;
+    if (!table.trial_names.empty()) {
+      const std::string& value = table.trial_names[t];
+      prototype.name += "[" + value + "]";
+      const auto& holdout = whole.source.holdout_trials;
+      prototype.held_out |= std::find(holdout.begin(), holdout.end(), value) != holdout.end();
+      whole.trials_seen.insert(value);
+    }
+    const TrialClock clock = read_clock(table, rows[t], whole.plan.seconds_per_time_unit, report);
+    if (!report.has_problems()) add_trials(whole, table, clock, prototype, report, trials);
+  }
+}
+
+void read_file(WholeSource& whole, std::size_t file_index, FileReport& report, std::vector<Trial>& trials) {
+  const RecordingSource& source = whole.source;
+  const std::string text = read_text_file(source.files[file_index].path, report);
+  if (report.has_problems()) return;
+  const CsvFormat format = find_csv_format(text, {source.time_column, source.delimiter, source.decimal_comma}, report);
+  if (report.has_problems()) return;
+  const CsvQuery query = query_for(source, whole.plan);
+  if (!has_columns(format, query, report)) return;
+  const CsvTable table = read_csv_table(text, format, query, report);
+  if (!report.has_problems()) read_table_into(table, whole, file_index, report, trials);
+}
+
+std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) {
+  std::map<std::string, int> uses;
+  for (const MeasuredFile& file : files) ++uses[file.path.filename().string()];
+  std::vector<std::string> names;
+  for (const MeasuredFile& file : files) {
+    const std::string name = file.path.filename().string();
+    names.push_back(uses[name] == 1 ? name : file.path.string());
+  }
+  return names;
+}
+
+std::vector<InitialValue> initial_values(const RecordingSource& source, const std::vector<std::string>& coordinates,
+                                         const SourceLocation& location, ProblemList& problems) {
+  if (source.initial.empty()) return {};
+  std::vector<InitialValue> values(coordinates.size());
+  for (const auto& [joint, value] : source.initial) {
+    bool found = false;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      const std::string& name = coordinates[i];
+      if (name != joint && name != "joint." + joint && !name.starts_with("joint." + joint + ".")) continue;
+      values[i] = value;
+      found = true;
+    }
+    if (!found)
+      problems.add(location, fmt::format("target.initial names `{}`{}, but the robot's joint coordinates are {}", joint,
+                                         did_you_mean("joint." + joint, coordinates), listed(coordinates)));
+  }
+  return values;
+}
+
+void check_holdout(const WholeSource& whole, const std::vector<Trial>& trials, const SourceLocation& location,
+                   ProblemList& problems) {
+  if (!problems.empty()) return;
+  const std::vector<std::string> seen(whole.trials_seen.begin(), whole.trials_seen.end());
+  for (const std::string& name : whole.source.holdout_trials)
+    if (!whole.trials_seen.contains(name))
+      problems.add(location, fmt::format("held-out trial `{}` is in no file{}; the trials are {}", name,
+                                         did_you_mean(name, seen), listed(seen)));
+  if (std::all_of(trials.begin(), trials.end(), [](const Trial& trial) { return trial.held_out; }))
+    problems.add(location, "every trial is held out; leave at least one for the fit");
+}
+
+}  // namespace
+
+Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
+                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates) {
+  ProblemList problems;
+  const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
+  if (source.files.empty()) problems.add(location, "no measured files; name at least one in target.files");
+  if (source.sensors.empty()) problems.add(location, "no column is measured; map at least one in target.sensors");
+  RecordingPlan plan;
+  plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
+  plan.commands = plan_columns(source.commands, actuators, "actuator", problems);
+  plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
+  plan.initial = initial_values(source, coordinates, location, problems);
+
+  WholeSource whole{source, plan, names_of_files(source.files), {}};
+  Recording recording;
+  for (std::size_t i = 0; i < source.files.size(); ++i) {
+    FileReport report(source.files[i].path.string());
+    read_file(whole, i, report, recording.trials);
+    report.move_to(problems, recording.notes);
+  }
+  check_holdout(whole, recording.trials, location, problems);
+  problems.throw_if_any();
+  std::stable_partition(recording.trials.begin(), recording.trials.end(),
+                        [](const Trial& trial) { return !trial.held_out; });
+  return recording;
+}
+
+Recording read_recording(const RecordingSource& source, const RobotSpec& robot) {
+  std::vector<std::string> coordinates;
+  for (const JointSpec& joint : robot.joints) {
+    const int count = joint.kind == JointKind::fixed       ? 0
+                      : joint.kind == JointKind::ball      ? 3
+                      : joint.kind == JointKind::universal ? 2
+                                                           : 1;
+    for (int i = 1; i <= count; ++i)
+      coordinates.push_back("joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""));
+  }
+  return read_recording(source, sensor_channels(robot), command_channels(robot), coordinates);
+}
+
+RecordingReader::RecordingReader(RecordingSource source, RobotSpec robot,
+                                 std::function<void(const ReadingNote&)> on_note)
+    : source_(std::move(source)), robot_(std::move(robot)), on_note_(std::move(on_note)) {}
+
+std::vector<Trial> RecordingReader::read() const {
+  Recording recording = read_recording(source_, robot_);
+  if (on_note_)
+    for (const ReadingNote& note : recording.notes) on_note_(note);
+  return std::move(recording.trials);
+}
+
+}  // namespace lacuna

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <lacuna/robot_spec.h>
 #include <lacuna/target_system.h>
 #include <lacuna/time_series.h>
 
 #include "foundation/recording_source.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,30 @@ struct Recording {
 };
 
 /// Reads the files of a recorded target into trials. `channels` and `actuators` are those of the
-/// model's robot with their SI units; mappings to anything else are problems. Throws `BadInput`
-/// with every problem of every file.
+/// model's robot with their SI units; mappings to anything else are problems. `coordinates` names
+/// the robot's joint coordinates, `joint.hinge` or `joint.wrist.1`, and is only needed where the
+/// source gives initial values. Throws `BadInput` with every problem of every file.
+///
+/// Channels of a trial stand in the robot's order, whatever the order of the mappings; channels
+/// without a mapping are left out. Commands and measured channels share the file's own time stamps,
+/// shifted so that a trial starts at 0 s. docs/reference/measurements.md says what is accepted.
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
-                         const std::vector<Channel>& actuators);
+                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates = {});
+
+/// The same for a robot.
+Recording read_recording(const RecordingSource& source, const RobotSpec& robot);
+
+/// The service that the host hands to targets: reads the source anew at each call.
+class RecordingReader : public TrialReader {
+ public:
+  /// `on_note` hears every reading note; it may be empty.
+  RecordingReader(RecordingSource source, RobotSpec robot, std::function<void(const ReadingNote&)> on_note = {});
+  std::vector<Trial> read() const override;
+
+ private:
+  RecordingSource source_;
+  RobotSpec robot_;
+  std::function<void(const ReadingNote&)> on_note_;
+};
 
 }  // namespace lacuna

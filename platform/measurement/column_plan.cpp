@@ -1,0 +1,84 @@
+#include "measurement/column_plan.h"
+
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+std::string column_and_unit(const ColumnMapping& mapping) {
+  std::string text = fmt::format("column `{}` in {}", mapping.column, mapping.unit);
+  if (!mapping.gain_unit.empty()) text += fmt::format(" times a gain in {}", mapping.gain_unit);
+  return text;
+}
+
+std::string wrong_dimension(const ColumnMapping& mapping, const Channel& channel) {
+  if (!mapping.gain_unit.empty())
+    return fmt::format("{} does not give {}, the unit of {}; the gain must be in {}/({})", column_and_unit(mapping),
+                       channel.unit, channel.name, channel.unit, mapping.unit);
+  return fmt::format("{} cannot stand for {}, which is in {}; correct the unit, or give a gain with its unit, {}/({})",
+                     column_and_unit(mapping), channel.name, channel.unit, channel.unit, mapping.unit);
+}
+
+/// The factor from the column to the channel; 1 where the units do not allow one.
+double conversion(const ColumnMapping& mapping, const Channel& channel, ProblemList& problems) {
+  const std::optional<Unit> column = parse_unit(mapping.unit);
+  const std::optional<Unit> gain = parse_unit(mapping.gain_unit.empty() ? "1" : mapping.gain_unit);
+  const std::optional<Unit> wanted = parse_unit(channel.unit);
+  for (const auto& [unit, text] : {std::pair(&column, &mapping.unit), std::pair(&gain, &mapping.gain_unit)})
+    if (!*unit) problems.add(mapping.location, fmt::format("`{}` is not a unit; known are {}", *text, known_units()));
+  if (!column || !gain || !wanted) return 1.0;
+  Unit product = *column;
+  for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += gain->exponents[i];
+  if (!product.same_dimension(*wanted)) problems.add(mapping.location, wrong_dimension(mapping, channel));
+  return column->to_si * mapping.gain;
+}
+
+std::vector<std::string> names_of(const std::vector<Channel>& channels) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+std::string all_names(const std::vector<Channel>& channels) {
+  std::string text;
+  for (const Channel& channel : channels) text += (text.empty() ? "" : ", ") + channel.name;
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+std::vector<PlannedColumn> plan_columns(const std::vector<ColumnMapping>& mappings,
+                                        const std::vector<Channel>& channels, std::string_view what,
+                                        ProblemList& problems) {
+  std::vector<PlannedColumn> planned;
+  for (const Channel& channel : channels) {
+    const ColumnMapping* first = nullptr;
+    for (const ColumnMapping& mapping : mappings) {
+      if (mapping.channel != channel.name) continue;
+      if (first) problems.add(mapping.location, fmt::format("{} {} has two columns; keep one", what, channel.name));
+      if (!first) planned.push_back({channel, &mapping, conversion(mapping, channel, problems)});
+      first = &mapping;
+    }
+  }
+  const std::vector<std::string> names = names_of(channels);
+  for (const ColumnMapping& mapping : mappings)
+    if (std::find(names.begin(), names.end(), mapping.channel) == names.end())
+      problems.add(mapping.location, fmt::format("the robot has no {} `{}`{}; it has {}", what, mapping.channel,
+                                                 did_you_mean(mapping.channel, names), all_names(channels)));
+  return planned;
+}
+
+double seconds_per_time_unit(const RecordingSource& source, ProblemList& problems) {
+  const std::optional<Unit> unit = parse_unit(source.time_unit);
+  if (unit && unit->same_dimension(*parse_unit("s"))) return unit->to_si;
+  const SourceLocation location = source.files.empty() ? SourceLocation{} : source.files.front().location;
+  problems.add({location.file, 0, 0},
+               fmt::format("the time column's unit `{}` is not one of time; use s, ms, us or min", source.time_unit));
+  return 1.0;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "measurement/csv_format.h"
+#include "measurement/file_report.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+/// A column of numbers that is wanted from a file.
+struct WantedColumn {
+  std::string name;
+  bool may_be_missing = true;  ///< whether empty cells and NaN are missing samples, or a problem
+};
+
+struct CsvQuery {
+  std::string time_column;
+  std::string trial_column;  ///< empty: the file is one trial
+  std::vector<WantedColumn> columns;
+};
+
+/// Numbers of the wanted columns, as written (no units applied), row by row.
+struct CsvTable {
+  double time_origin = 0.0;                  ///< to be added to `times`; see `TimeStampReader`
+  std::vector<double> times;                 ///< column's unit
+  std::vector<std::vector<double>> columns;  ///< as in the query; NaN where the file has no value
+  std::vector<int> lines;                    ///< line of each row in the file
+  std::vector<int> trials;                   ///< index into `trial_names` of each row; empty without a trial column
+  std::vector<std::string> trial_names;      ///< values of the trial column, in the order of their first rows
+};
+
+/// Reads the rows below the header in one pass. Rows with the wrong number of cells, text where
+/// a number should be, infinities, and time stamps that are missing are problems; a last line that
+/// breaks off is left out with a note. The columns must be in `format.names`.
+CsvTable read_csv_table(std::string_view text, const CsvFormat& format, const CsvQuery& query, FileReport& report);
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace lacuna {
+
+/// What a cell of a measured file holds.
+enum class CellKind {
+  number,
+  missing,   ///< empty, NaN, NA, null, none, "-": nothing was measured
+  infinite,  ///< inf, or a number that no double holds
+  text
+};
+
+struct NumberCell {
+  CellKind kind = CellKind::text;
+  double value = 0.0;  ///< NaN unless it is a number
+};
+
+std::string_view trimmed(std::string_view text);
+
+/// Reads a cell; spaces around it do not count. With `decimal_comma`, `0,5` is one half and `0.5` text.
+NumberCell read_number(std::string_view cell, bool decimal_comma);
+
+/// Reads time stamps without loss where they count from far away (seconds or microseconds since
+/// 1970): whole units are subtracted from each stamp as integers before it becomes a double.
+class TimeStampReader {
+ public:
+  explicit TimeStampReader(bool decimal_comma) : decimal_comma_(decimal_comma) {}
+
+  /// The stamp minus `origin()`, which the first stamp read determines: 0 unless it is beyond 10^6.
+  NumberCell read(std::string_view cell);
+  double origin() const { return static_cast<double>(origin_); }
+
+ private:
+  bool decimal_comma_;
+  bool has_origin_ = false;
+  std::int64_t origin_ = 0;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,103 @@
+#include "measurement/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string without_access(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the CSV files in it one by one";
+  if (!std::filesystem::exists(path, ignored)) return "there is no such file; paths count from the experiment file";
+  return {};
+}
+
+/// Everything in the file, or a sentence about why it cannot be read.
+std::string read_bytes(const std::filesystem::path& path, std::string& complaint) {
+  complaint = without_access(path);
+  if (!complaint.empty()) return {};
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
+  if (!file) {
+    complaint = fmt::format("cannot be opened: {}", std::strerror(errno));
+    return {};
+  }
+  std::error_code no_size;  // a pipe has none and is read piece by piece
+  const auto size = std::filesystem::file_size(path, no_size);
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string bytes;
+  bytes.resize(no_size ? kPiece : static_cast<std::size_t>(size) + 1);
+  std::size_t filled = 0;
+  while (const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, file.get())) {
+    filled += got;
+    if (filled == bytes.size()) bytes.resize(bytes.size() + kPiece);
+  }
+  if (std::ferror(file.get())) complaint = fmt::format("cannot be read to its end: {}", std::strerror(errno));
+  bytes.resize(filled);
+  return bytes;
+}
+
+struct BinaryFormat {
+  std::string_view first_bytes;
+  std::string_view complaint;
+};
+using namespace std::string_view_literals;
+constexpr BinaryFormat kBinaryFormats[] = {
+    {"PK\x03\x04"sv, "is a spreadsheet or a ZIP archive, not CSV; export the sheet as CSV (UTF-8)"},
+    {"\xd0\xcf\x11\xe0"sv, "is an old Excel workbook, not CSV; export the sheet as CSV (UTF-8)"},
+    {"\x1f\x8b"sv, "is compressed with gzip; unpack it with gunzip"},
+    {"\x28\xb5\x2f\xfd"sv, "is compressed with zstd; unpack it with unzstd"},
+    {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write its signals as CSV, in MATLAB with writetable"},
+    {"\x89HDF\r\n\x1a\n"sv, "is an HDF5 or MATLAB 7.3 file; write its signals as CSV, in MATLAB with writetable"},
+    {"PAR1"sv, "is a Parquet file; write it as CSV"},
+    {"SQLite format 3"sv, "is an SQLite database; write the recording as CSV"},
+    {"#ROSBAG"sv, "is a ROS bag; write its topics as CSV"},
+    {"\xff\xfe"sv, "is UTF-16 text; save it as UTF-8"},
+    {"\xfe\xff"sv, "is UTF-16 text; save it as UTF-8"},
+};
+
+std::string not_text(const std::string& bytes) {
+  if (bytes.empty()) return "is empty; it needs a header line with column names and one line a sample";
+  for (const BinaryFormat& format : kBinaryFormats)
+    if (bytes.starts_with(format.first_bytes)) return std::string(format.complaint);
+  const std::string_view head = std::string_view(bytes).substr(0, 4096);
+  const auto zeros = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\0'));
+  if (head.size() >= 8 && zeros * 5 >= head.size() * 2 && zeros * 5 <= head.size() * 3)
+    return "is UTF-16 text; save it as UTF-8";
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r';
+  };
+  const auto controls = static_cast<std::size_t>(std::count_if(head.begin(), head.end(), is_control));
+  if (controls * 50 > head.size()) return "is a binary file, not CSV; export the recording as text";
+  return {};
+}
+
+}  // namespace
+
+std::string read_text_file(const std::filesystem::path& path, FileReport& report) {
+  std::string complaint;
+  std::string text = read_bytes(path, complaint);
+  if (complaint.empty()) complaint = not_text(text);
+  if (!complaint.empty()) {
+    report.problem("file", 0, [&] { return complaint; });
+    return {};
+  }
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  if (text.find('\n') == std::string::npos && text.find('\r') != std::string::npos) {
+    std::replace(text.begin(), text.end(), '\r', '\n');
+    report.note("file", 0, [] { return std::string("lines end in \\r alone; read as line ends"); });
+  }
+  return text;
+}
+
+}  // namespace lacuna

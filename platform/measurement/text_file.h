@@ -1,0 +1,16 @@
+#pragma once
+
+#include "measurement/file_report.h"
+
+#include <filesystem>
+#include <string>
+
+namespace lacuna {
+
+/// Reads a text file as UTF-8 with lines that end in \n or \r\n (those of old Macintosh programs,
+/// \r alone, are turned into \n, with a note; a byte order mark is taken off). What is not a text
+/// file becomes a problem that says what it is and what to do: a folder, a file without permission,
+/// an empty one, UTF-16, a spreadsheet, a MATLAB or other binary file. Then the result is empty.
+std::string read_text_file(const std::filesystem::path& path, FileReport& report);
+
+}  // namespace lacuna

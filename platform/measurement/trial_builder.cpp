@@ -1,0 +1,88 @@
+#include "measurement/trial_builder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+TimeSeries take_columns(const std::vector<PlannedColumn>& planned, std::size_t first_column, const CsvTable& table,
+                        const TrialClock& clock) {
+  TimeSeries series;
+  const auto rows = static_cast<Eigen::Index>(clock.rows.size());
+  series.times = Eigen::Map<const Eigen::VectorXd>(clock.times.data(), rows);
+  series.samples.resize(rows, static_cast<Eigen::Index>(planned.size()));
+  for (std::size_t c = 0; c < planned.size(); ++c) {
+    series.channels.push_back(planned[c].channel);
+    const std::vector<double>& column = table.columns[first_column + c];
+    for (Eigen::Index i = 0; i < rows; ++i)
+      series.samples(i, static_cast<Eigen::Index>(c)) =
+          column[clock.rows[static_cast<std::size_t>(i)]] * planned[c].factor + planned[c].mapping->offset;
+  }
+  return series;
+}
+
+std::vector<double> declared_noise(const std::vector<PlannedColumn>& planned) {
+  std::vector<double> noise;
+  for (const PlannedColumn& column : planned) noise.push_back(column.mapping->noise);
+  return noise;
+}
+
+void mask_readings(TimeSeries& measured, const std::vector<TimeRange>& mask, double origin) {
+  if (mask.empty()) return;
+  for (Eigen::Index i = 0; i < measured.times.size(); ++i)
+    if (is_in(mask, origin + measured.times[i])) measured.samples.row(i).setConstant(std::nan(""));
+}
+
+/// Values between two known samples, or after the last one.
+void fill_between(TimeSeries& series, Eigen::Index channel, Eigen::Index from, Eigen::Index to, Hold hold) {
+  const double before = series.samples(from, channel);
+  const bool open = to == series.times.size();
+  for (Eigen::Index i = from + 1; i < to; ++i) {
+    const double share = hold == Hold::first_order && !open
+                             ? (series.times[i] - series.times[from]) / (series.times[to] - series.times[from])
+                             : 0.0;
+    series.samples(i, channel) = share == 0.0 ? before : before + share * (series.samples(to, channel) - before);
+  }
+}
+
+void fill_commands(CommandSeries& commands, const std::vector<PlannedColumn>& planned, const CsvTable& table,
+                   const TrialClock& clock, FileReport& report) {
+  TimeSeries& series = commands.series;
+  for (Eigen::Index c = 0; c < series.samples.cols(); ++c) {
+    if (std::isnan(series.samples(0, c))) {
+      report.problem("first command", table.lines[clock.rows.front()], [&] {
+        return fmt::format(
+            "command column `{}` has no value in the trial's first row, so the command is not known; "
+            "start later with target.use",
+            planned[static_cast<std::size_t>(c)].mapping->column);
+      });
+      continue;
+    }
+    Eigen::Index known = 0;
+    for (Eigen::Index i = 1; i <= series.times.size(); ++i) {
+      if (i < series.times.size() && std::isnan(series.samples(i, c))) continue;
+      fill_between(series, c, known, i, commands.hold);
+      known = i;
+    }
+  }
+}
+
+}  // namespace
+
+Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
+                  const TrialClock& clock, FileReport& report) {
+  Trial trial;
+  trial.measured = take_columns(plan.sensors, 0, table, clock);
+  mask_readings(trial.measured, source.mask, clock.origin);
+  trial.commands.series = take_columns(plan.commands, plan.sensors.size(), table, clock);
+  trial.commands.hold = source.hold;
+  fill_commands(trial.commands, plan.commands, table, clock, report);
+  trial.initial = plan.initial;
+  trial.sensor_noise = declared_noise(plan.sensors);
+  trial.command_noise = declared_noise(plan.commands);
+  return trial;
+}
+
+}  // namespace lacuna

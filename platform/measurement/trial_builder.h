@@ -1,0 +1,23 @@
+#pragma once
+
+#include "measurement/clock_check.h"
+#include "measurement/column_plan.h"
+#include "measurement/csv_table.h"
+
+namespace lacuna {
+
+/// Columns of a table in the order sensors, commands.
+struct RecordingPlan {
+  std::vector<PlannedColumn> sensors;
+  std::vector<PlannedColumn> commands;
+  double seconds_per_time_unit = 1.0;
+  std::vector<InitialValue> initial;  ///< per joint coordinate
+};
+
+/// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in as
+/// the hold convention says (the value before; the line between its neighbours). A command without
+/// a first value is a problem.
+Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
+                  const TrialClock& clock, FileReport& report);
+
+}  // namespace lacuna

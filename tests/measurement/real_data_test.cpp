@@ -1,0 +1,67 @@
+#include "measurement/recording.h"
+
+#include "measurement_fixture.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace lacuna {
+namespace {
+
+/// Recordings that are not part of the project; LACUNA_DATA says where they are.
+class RealData : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* folder = std::getenv("LACUNA_DATA");
+    if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
+    data_ = folder;
+  }
+
+  static ColumnMapping column(const std::string& channel, const std::string& name, const std::string& unit) {
+    ColumnMapping mapping;
+    mapping.channel = channel;
+    mapping.column = name;
+    mapping.unit = unit;
+    return mapping;
+  }
+
+  std::filesystem::path data_;
+};
+
+TEST_F(RealData, ReadsEmps) {
+  RecordingSource source;
+  source.time_column = "t_s";
+  source.files = {{data_ / "emps/test_pulses.csv", true, {}}, {data_ / "emps/train.csv", false, {}}};
+  source.sensors = {column("position", "qm_m", "m")};
+  source.commands = {column("drive", "vir_V", "V")};
+  source.commands[0].gain = 35.15065;
+  source.commands[0].gain_unit = "N/V";
+  const Recording recording = read_recording(source, {{"position", "m"}}, {{"drive", "N"}});
+  ASSERT_EQ(recording.trials.size(), 2u);
+  const Trial& train = recording.trials[0];
+  EXPECT_EQ(train.name, "train.csv");
+  EXPECT_EQ(train.measured.times.size(), 24841);
+  EXPECT_EQ(train.measured.samples(1, 0), 1.43e-5);
+  EXPECT_DOUBLE_EQ(train.commands.series.samples(0, 0), 2.53862809 * 35.15065);
+  EXPECT_FALSE(train.measured.samples.hasNaN());
+  EXPECT_TRUE(recording.trials[1].held_out);
+  EXPECT_EQ(recording.notes.size(), 0u) << notes_of(recording);
+}
+
+TEST_F(RealData, ReadsThePendulum) {
+  RecordingSource source;
+  source.time_column = "t_s";
+  source.files = {{data_ / "dfki_pendulum/ddp.csv", false, {}},
+                  {data_ / "dfki_pendulum/direct_collocation.csv", true, {}}};
+  source.sensors = {column("angle", "theta_rad", "rad"), column("rate", "theta_dot_rad_s", "rad/s")};
+  source.commands = {column("motor", "tau_Nm", "N*m")};
+  const Recording recording = read_recording(source, kPendulumChannels, kPendulumActuators);
+  ASSERT_EQ(recording.trials.size(), 2u);
+  EXPECT_EQ(recording.trials[0].measured.times.size(), 3000);
+  EXPECT_EQ(recording.trials[1].measured.times.size(), 1170);
+  EXPECT_EQ(recording.trials[0].measured.samples(1, 1), -0.0769231);
+  EXPECT_EQ(recording.notes.size(), 0u) << notes_of(recording);
+}
+
+}  // namespace
+}  // namespace lacuna

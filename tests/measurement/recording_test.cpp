@@ -1,0 +1,175 @@
+#include "measurement/recording.h"
+
+#include "measurement_fixture.h"
+
+#include <numbers>
+
+namespace lacuna {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+class ReadRecording : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReadRecording, GivesSiUnitsUnderTheRobotsNames) {
+  RecordingSource source =
+      pendulum_source(folder_.write("run.csv", "time_ms,volt,angle_deg,rate\n0,1,0,0.5\n2,2,90,1.5\n4,3,-180,2.5\n"));
+  source.time_column = "time_ms";
+  source.time_unit = "ms";
+  source.sensors[0].column = "angle_deg";
+  source.sensors[0].unit = "deg";
+  source.sensors[0].offset = 0.25;
+  source.sensors.insert(source.sensors.begin(), source.sensors[0]);
+  source.sensors[0].channel = "rate";
+  source.sensors[0].column = "rate";
+  source.sensors[0].unit = "rad/s";
+  source.sensors[0].offset = 0.0;
+  source.sensors[0].noise = 0.01;
+  source.commands[0].column = "volt";
+  source.commands[0].unit = "V";
+  source.commands[0].gain = 0.5;
+  source.commands[0].gain_unit = "N*m/V";
+
+  const Recording recording = read_pendulum(source);
+  ASSERT_EQ(recording.trials.size(), 1u);
+  const Trial& trial = recording.trials.front();
+  EXPECT_EQ(trial.name, "run.csv");
+  EXPECT_EQ(trial.measured.channels, kPendulumChannels);  // the robot's order, not the file's
+  EXPECT_EQ(trial.commands.series.channels, kPendulumActuators);
+  EXPECT_THAT(std::vector<double>(trial.measured.times.begin(), trial.measured.times.end()),
+              ElementsAre(0.0, 0.002, 0.004));
+  EXPECT_DOUBLE_EQ(trial.measured.samples(1, 0), 90.0 * kDegree + 0.25);
+  EXPECT_DOUBLE_EQ(trial.measured.samples(2, 1), 2.5);
+  EXPECT_DOUBLE_EQ(trial.commands.series.samples(2, 0), 1.5);
+  EXPECT_TRUE(std::isnan(trial.sensor_noise[0]));
+  EXPECT_EQ(trial.sensor_noise[1], 0.01);
+  EXPECT_EQ(recording.notes.size(), 0u) << notes_of(recording);
+}
+
+TEST_F(ReadRecording, KeepsMicrosecondsSince1970Exactly) {
+  RecordingSource source = pendulum_source(
+      folder_.write("run.csv", "t,q,u\n1700000000000001,1,0\n1700000000001001,2,0\n1700000000002003,3,0\n"));
+  source.time_unit = "us";
+  const Recording recording = read_pendulum(source);
+  EXPECT_DOUBLE_EQ(recording.trials[0].measured.times[1], 1000e-6);
+  EXPECT_DOUBLE_EQ(recording.trials[0].measured.times[2], 2002e-6);
+  EXPECT_THAT(notes_of(recording), HasSubstr("shifted to start at 0 s"));
+}
+
+TEST_F(ReadRecording, KeepsFractionsOfSecondsSince1970) {
+  const Recording recording = read_pendulum(pendulum_source(
+      folder_.write("run.csv", "t,q,u\n1700000000.000001,1,0\n1700000000.001001,2,0\n1700000001.000003,3,0\n")));
+  EXPECT_NEAR(recording.trials[0].measured.times[1], 1000e-6, 1e-12);
+  EXPECT_NEAR(recording.trials[0].measured.times[2], 1.000002, 1e-12);
+}
+
+TEST_F(ReadRecording, TellsTrialsApartByAColumnAndHoldsSomeOut) {
+  RecordingSource source = pendulum_source(
+      folder_.write("runs.csv", "t,run,q,u\n0,sine,1,0\n0.1,sine,2,0\n5,step,3,0\n5.1,step,4,0\n0.2,sine,5,0\n"));
+  source.trial_column = "run";
+  source.holdout_trials = {"sine"};
+  const Recording recording = read_pendulum(source);
+  ASSERT_EQ(recording.trials.size(), 2u);
+  EXPECT_EQ(recording.trials[0].name, "runs.csv[step]");
+  EXPECT_FALSE(recording.trials[0].held_out);
+  EXPECT_EQ(recording.trials[0].measured.times[0], 0.0);
+  EXPECT_EQ(recording.trials[1].name, "runs.csv[sine]");
+  EXPECT_TRUE(recording.trials[1].held_out);
+  EXPECT_EQ(recording.trials[1].measured.samples(2, 0), 5.0);
+}
+
+TEST_F(ReadRecording, PutsFitFilesFirst) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,0\n1,2,0\n"));
+  source.files[0].held_out = true;
+  source.files.push_back({folder_.write("b.csv", "t,q,u\n0,1,0\n1,2,0\n"), false, {}});
+  const Recording recording = read_pendulum(source);
+  EXPECT_EQ(recording.trials[0].name, "b.csv");
+  EXPECT_EQ(recording.trials[1].name, "a.csv");
+}
+
+TEST_F(ReadRecording, MasksReadingsAndKeepsCommands) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n10,1,4\n11,2,5\n12,3,6\n"));
+  source.mask = {{11.0, 11.5}};
+  const Trial trial = read_pendulum(source).trials[0];
+  EXPECT_EQ(trial.measured.samples(0, 0), 1.0);
+  EXPECT_TRUE(std::isnan(trial.measured.samples(1, 0)));
+  EXPECT_EQ(trial.measured.samples(2, 0), 3.0);
+  EXPECT_EQ(trial.commands.series.samples(1, 0), 5.0);
+}
+
+TEST_F(ReadRecording, MakesATrialOfEachRangeToBeUsed) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,0\n1,2,0\n2,3,0\n3,4,0\n4,5,0\n5,6,0\n"));
+  source.use = {{0.0, 1.0}, {3.0, 5.0}};
+  const Recording recording = read_pendulum(source);
+  ASSERT_EQ(recording.trials.size(), 2u);
+  EXPECT_EQ(recording.trials[1].name, "a.csv from 3 s to 5 s");
+  EXPECT_EQ(recording.trials[1].measured.times[0], 0.0);
+  EXPECT_EQ(recording.trials[1].measured.samples(0, 0), 4.0);
+}
+
+TEST_F(ReadRecording, FillsMissingCommandsAsTheHoldSays) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,\n2,1,nan\n4,1,10\n5,1,\n"));
+  const auto commands = [&] {
+    const Trial trial = read_pendulum(source).trials[0];
+    return std::vector<double>(trial.commands.series.samples.data(), trial.commands.series.samples.data() + 5);
+  };
+  EXPECT_THAT(commands(), ElementsAre(2.0, 2.0, 2.0, 10.0, 10.0));
+  source.hold = Hold::first_order;
+  EXPECT_THAT(commands(), ElementsAre(2.0, 4.0, 6.0, 10.0, 10.0));
+}
+
+TEST_F(ReadRecording, PutsInitialValuesInCoordinateOrder) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,2\n"));
+  source.initial["elbow"] = {InitialKnowledge::given, 0.5, -1.0};
+  const Recording recording =
+      read_recording(source, kPendulumChannels, kPendulumActuators, {"joint.shoulder", "joint.elbow"});
+  const std::vector<InitialValue>& initial = recording.trials[0].initial;
+  ASSERT_EQ(initial.size(), 2u);
+  EXPECT_EQ(initial[0].knowledge, InitialKnowledge::from_data);
+  EXPECT_EQ(initial[1].knowledge, InitialKnowledge::given);
+  EXPECT_EQ(initial[1].position, 0.5);
+  source.initial["elbw"] = {};
+  EXPECT_THROW(read_pendulum(source), BadInput);
+}
+
+TEST_F(ReadRecording, NamesEveryProblemOfEveryFileAtOnce) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,x,2\n1,1,2\n"));
+  source.files.push_back({folder_.path() / "none.csv", false, {}});
+  source.files.push_back({folder_.write("c.csv", "t,q\n0,1\n"), false, {}});
+  const std::string complaint = complaint_of(source);
+  EXPECT_THAT(complaint, HasSubstr("a.csv:2: column `q` has `x`"));
+  EXPECT_THAT(complaint, HasSubstr("none.csv: there is no such file"));
+  EXPECT_THAT(complaint, HasSubstr("c.csv:1: no column `u`"));
+}
+
+TEST_F(ReadRecording, ReaderHandsTrialsAndNotesToTargets) {
+  RobotSpec robot;
+  robot.bodies.resize(1);
+  robot.bodies[0].name = "arm";
+  robot.joints.resize(1);
+  robot.joints[0].name = "hinge";
+  robot.joints[0].child = "arm";
+  robot.actuators.resize(1);
+  robot.actuators[0].name = "motor";
+  robot.actuators[0].joint = "hinge";
+  robot.sensors.resize(1);
+  robot.sensors[0].name = "angle";
+  robot.sensors[0].element = "hinge";
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n3,1,2\n4,1,2\n"));
+  source.initial["hinge"] = {InitialKnowledge::free, 0.1, 0.0};
+  int notes = 0;
+  const RecordingReader reader(source, robot, [&](const ReadingNote&) { ++notes; });
+  const std::vector<Trial> trials = reader.read();
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_EQ(trials[0].initial[0].position, 0.1);
+  EXPECT_GT(notes, 0);
+}
+
+}  // namespace
+}  // namespace lacuna
