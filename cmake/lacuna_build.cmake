@@ -19,8 +19,11 @@ endif()
 # The same numbers from every build of one source: no contraction that depends on inlining.
 add_compile_options(-ffp-contract=off)
 
+# All plugin libraries of this project: what runs the program depends on them.
+add_custom_target(all_plugins)
 # What the label `short` promises runs in seconds, sanitizers included: built by itself for them.
 add_custom_target(short_tests)
+add_dependencies(short_tests all_plugins)
 
 # A folder of platform/: a static library that sees platform/ as its include root.
 function(lacuna_add_room name)
@@ -33,7 +36,7 @@ endfunction()
 # A plugin library: hidden symbols, the interface and nothing else.
 function(lacuna_add_plugin name)
   add_library(${name} MODULE ${ARGN})
-  add_dependencies(short_tests ${name})
+  add_dependencies(all_plugins ${name})
   target_link_libraries(${name} PRIVATE lacuna_interface)
   target_compile_definitions(${name} PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
   set_target_properties(${name} PROPERTIES
