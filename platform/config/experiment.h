@@ -73,8 +73,14 @@ struct Experiment {
   FitSection fit;
   NoiseSection noise;
 
+  /// Units as written, by key, of numbers whose dimension only the model can judge: "model.set.body.arm.mass" → "g".
+  /// The numbers themselves are SI already.
+  std::map<std::string, std::string> written_units;
+
   /// Where `key` stands; for a key that the file does not have, the nearest table around it, else the file.
   SourceLocation where(const std::string& key) const;
+  /// Adds a problem where the number at `key` was written with a unit of another dimension than `unit`.
+  void check_unit(const std::string& key, const std::string& unit, ProblemList& problems) const;
 };
 
 }  // namespace lacuna

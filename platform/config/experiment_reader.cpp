@@ -1,9 +1,74 @@
 #include "config/experiment_reader.h"
 
-namespace lacuna {
+#include "config/experiment_schema.h"
+#include "config/locations.h"
+#include "config/overrides.h"
+#include "config/path_variables.h"
+#include "config/robot_reader.h"
+#include "config/text_file.h"
+#include "config/toml_parser.h"
 
-Experiment read_experiment(const std::filesystem::path& file, const std::vector<std::string>&) {
-  throw Error(file.string() + ": reading experiments is not built yet");
+namespace lacuna {
+namespace {
+
+void append(const BadInput& bad, ProblemList& problems) {
+  for (const Problem& problem : bad.problems()) problems.add(problem.location, problem.message);
+}
+
+/// The robot is read even where the rest has problems, so that its own are reported with them.
+std::optional<RobotSpec> read_declared_robot(const TomlNode& tree, const std::filesystem::path& directory,
+                                             ProblemList& problems) {
+  const TomlNode* model = tree.find("model");
+  const TomlNode* file = model ? model->find("file") : nullptr;
+  if (!file || file->kind != TomlNode::Kind::text || file->text.empty()) return std::nullopt;
+  std::filesystem::path path;
+  try {
+    path = resolve_existing_file(file->text, directory);
+  } catch (const Error&) {
+    return std::nullopt;  // reported with the key
+  }
+  try {
+    return read_robot(path);
+  } catch (const BadInput& bad) {
+    append(bad, problems);
+    return std::nullopt;
+  }
+}
+
+/// `engine.contact.friction` stands for `model.set.contact.friction`, and is found under either.
+template <class Entries>
+void alias_contact(Entries& entries) {
+  const std::string prefix = "engine.contact.";
+  Entries aliases;
+  for (const auto& [key, entry] : entries)
+    if (key.starts_with(prefix)) aliases["model.set.contact." + key.substr(prefix.size())] = entry;
+  entries.merge(aliases);
+}
+
+}  // namespace
+
+Experiment read_experiment_text(const std::string& text, const std::filesystem::path& file,
+                                const std::vector<std::string>& overrides) {
+  TomlNode tree = parse_toml(text, file.string());
+  ProblemList problems;
+  apply_overrides(tree, overrides, problems);
+  Reading reading(problems, file.parent_path());
+  Experiment experiment;
+  experiment.file = file;
+  experiment.text = text;
+  experiment.overrides = overrides;
+  experiment_keys().value().read(tree, reading, experiment);
+  experiment.model.declared = read_declared_robot(tree, file.parent_path(), problems);
+  problems.throw_if_any();
+  experiment.locations = locations_of(tree);
+  experiment.written_units = reading.written_units();
+  alias_contact(experiment.locations);
+  alias_contact(experiment.written_units);
+  return experiment;
+}
+
+Experiment read_experiment(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return read_experiment_text(read_text_file(file), file, overrides);
 }
 
 }  // namespace lacuna

@@ -1,0 +1,138 @@
+#include "config/experiment_schema.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+constexpr auto kLargest = std::numeric_limits<std::int64_t>::max();
+
+/// A horizon in seconds is kept as text, as `FitSection` wants it.
+Value<std::string> horizon() {
+  const Value<std::string> words = text_of({"whole", "auto"});
+  const NumberValue seconds = number("s").above(0.0);
+  Value<std::string> value;
+  value.shape.kind = Shape::Kind::either;
+  value.shape.parts = {words.shape, seconds.shape};
+  value.read = [words, seconds](const TomlNode& node, Reading& reading, std::string& result) {
+    const bool is_quantity = node.is_number() || (!node.text.empty() && node.text.find_first_of("0123456789") == 0);
+    if (!is_quantity) return words.read(node, reading, result);
+    double read = 0.0;
+    if (!seconds.read(node, reading, read)) return false;
+    result = toml_number(read);
+    return true;
+  };
+  value.write = words.write;
+  return value;
+}
+
+bool check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
+  if (std::is_sorted(fit.segments.begin(), fit.segments.end())) return true;
+  reading.problem(*node.find("segments"), "segments: shorter ones come first");
+  return false;
+}
+
+/// Contact values stand with the engine for the user's sake; they are values of the robot.
+using ContactValues = std::map<std::string, double>;
+
+Table<ContactValues> contact_keys() {
+  const auto keep = [](const std::string& name) {
+    return [name](ContactValues& values, double&& value) { values["contact." + name] = value; };
+  };
+  return Table<ContactValues>()
+      .key<double>("stiffness", number("N/m").above(0.0).or_infinite(), kUnset, keep("stiffness"),
+                   "of the ground's spring, instead of the robot's own; inf: rigid")
+      .key<double>("damping", number("N*s/m").at_least(0.0), kUnset, keep("damping"), "of the ground's damper")
+      .key<double>("friction", number("1").at_least(0.0).or_infinite(), kUnset, keep("friction"),
+                   "Coulomb's coefficient");
+}
+
+struct EngineSection {
+  EngineSettings settings;
+  ContactValues contact;
+};
+
+Table<EngineSection> engine_section_keys() {
+  return Table<EngineSection>()
+      .merged(&EngineSection::settings, engine_keys())
+      .key("contact", &EngineSection::contact, contact_keys().value(),
+           "Contact with the ground; the same as contact.* under model.set.");
+}
+
+bool check_contact(const TomlNode& node, Reading& reading, Experiment&) {
+  const TomlNode* engine = node.find("engine");
+  const TomlNode* contact = engine ? engine->find("contact") : nullptr;
+  const TomlNode* set = node.find("model")->find("set");
+  if (!contact || !set) return true;
+  bool good = true;
+  for (const TomlMember& member : contact->members) {
+    if (!set->find("contact." + member.name)) continue;
+    good = false;
+    reading.problem(member.location, "engine.contact." + member.name + ": model.set has it too; keep one of them");
+  }
+  return good;
+}
+
+}  // namespace
+
+Table<EngineSettings> engine_keys() {
+  return Table<EngineSettings>()
+      .key("engine", &EngineSettings::engine, text_of({"ode"}), "who integrates")
+      .key("step", &EngineSettings::step, number("s").above(0.0), "sensors, effects and commands are seen once a step")
+      .key("substeps", &EngineSettings::substeps, whole_number<int>(1, 100000), "integration steps in a step")
+      .key("control_period", &EngineSettings::control_period, number("s").at_least(0.0),
+           "how often a controller acts; 0: every step")
+      .key("joint_erp", &EngineSettings::joint_erp, number("1").between(0.0, 1.0),
+           "share of a joint's error that is corrected in one integration step")
+      .key("delay_rounding", &EngineSettings::delay_rounding,
+           choice<DelayRounding>({{"none", DelayRounding::none}, {"step", DelayRounding::step}}),
+           "delays act as they are (none) or rounded to whole integration steps (step)");
+}
+
+Table<FitSection> fit_keys() {
+  return Table<FitSection>()
+      .key("method", &FitSection::method, text_of({"multiple_shooting", "free_run"}), "how values are fitted")
+      .key("segments", &FitSection::segments, list_of<double>(number("s").above(0.0)),
+           "lengths for multiple shooting, shorter ones first; each stage starts from the one before")
+      .key("horizon", &FitSection::horizon, horizon(),
+           "the last stage: the whole trial, the longest that the start's uncertainty allows, or seconds")
+      .key("starts", &FitSection::starts, whole_number<int>(1, 10000), "starting points; the first is the model's own")
+      .key("loss", &FitSection::loss, text_of({"huber", "squared"}), "how residuals count")
+      .key("loss_scale", &FitSection::loss_scale, number("1").above(0.0),
+           "residuals beyond this many standard deviations count linearly (huber)")
+      .key("max_iterations", &FitSection::max_iterations, whole_number<int>(1, 100000), "of one stage of one start")
+      .check(check_segments);
+}
+
+Table<NoiseSection> noise_keys() {
+  return Table<NoiseSection>()
+      .key("process", &NoiseSection::process, map_of("ELEMENT", number("N*m or N").at_least(0.0)),
+           "standard deviation of an unmodelled random force or torque, as in \"joint.hinge\" = 0.004")
+      .key("process_correlation_time", &NoiseSection::process_correlation_time, number("s").at_least(0.0),
+           "how long that force keeps its value; 0: white from step to step");
+}
+
+Table<Experiment> experiment_keys() {
+  const Table<Experiment> head =
+      Table<Experiment>()
+          .required("name", &Experiment::name, element_name(), "of the experiment; its database is NAME.db")
+          .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "of everything random");
+  return Table<Experiment>()
+      .section("experiment", head, "What this file is called.", true)
+      .required("target", &Experiment::target, target_keys().value(), "The system to be identified.")
+      .required("model", &Experiment::model, model_keys().value(), "What is believed of it.")
+      .key<EngineSection>(
+          "engine", engine_section_keys().value(), {},
+          [](Experiment& experiment, EngineSection&& read) {
+            experiment.engine = read.settings;
+            experiment.model.set.merge(read.contact);
+          },
+          "How the model is integrated.")
+      .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
+      .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
+      .check(check_contact);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "config/table.h"
+
+namespace lacuna {
+
+/// The keys of each section of an experiment file, each declared once.
+Table<TargetSection> target_keys();
+Table<ModelSection> model_keys();
+Table<EffectEntry> effect_keys();
+Table<EngineSettings> engine_keys();
+Table<FitSection> fit_keys();
+Table<NoiseSection> noise_keys();
+/// The whole file.
+Table<Experiment> experiment_keys();
+
+}  // namespace lacuna

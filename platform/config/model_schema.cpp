@@ -1,0 +1,97 @@
+#include "config/experiment_schema.h"
+
+namespace lacuna {
+namespace {
+
+Value<FreeRange> free_range() {
+  using Bounds = std::pair<double, double>;
+  const Value<FreeRange> bounds = mapped<FreeRange, Bounds>(range_of(number("")), [](Bounds&& range) {
+    return FreeRange{"", range.first, range.second, std::nullopt};
+  });
+  const Value<FreeRange> with_start =
+      Table<FreeRange>()
+          .required<Bounds>(
+              "range", range_of(number("")),
+              [](FreeRange& range, Bounds&& read) {
+                range.lower = read.first;
+                range.upper = read.second;
+              },
+              "lower and upper bound")
+          .key("start", &FreeRange::start, number(""), "where the search begins; else the robot's own value")
+          .check([](const TomlNode& node, Reading& reading, FreeRange& range) {
+            if (!range.start || (*range.start >= range.lower && *range.start <= range.upper)) return true;
+            reading.problem(*node.find("start"), "start: lies outside the range");
+            return false;
+          })
+          .value();
+  return either(bounds, with_start);
+}
+
+Value<std::vector<FreeRange>> free_ranges() {
+  return named<std::vector<FreeRange>, FreeRange>(
+      "ADDRESS", free_range(), [](std::vector<FreeRange>& ranges, const TomlMember& member, FreeRange&& range) {
+        range.pattern = member.name;
+        ranges.push_back(std::move(range));
+      });
+}
+
+bool complete_effect(const TomlNode&, Reading&, EffectEntry& effect) {
+  if (effect.id.empty()) effect.id = effect.effect;
+  return true;
+}
+
+bool check_ids(const TomlNode& node, Reading& reading, ModelSection& model) {
+  bool good = true;
+  for (std::size_t i = 0; i < model.effects.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (model.effects[i].id != model.effects[j].id) continue;
+      good = false;
+      reading.problem(node.find("effects")->items[i], "effects[" + std::to_string(i) + "]: the id " +
+                                                          toml_text(model.effects[i].id) + " is taken by effects[" +
+                                                          std::to_string(j) + "]; give it an id of its own");
+      break;
+    }
+  return good;
+}
+
+bool check_robot(const TomlNode& node, Reading& reading, ModelSection& model) {
+  if (model.robot.empty() && !model.file.empty()) model.robot = "declared";
+  if (model.robot.empty()) {
+    reading.problem(node, "robot is missing: a robot plugin's name, or file = \"robot.toml\"");
+    return false;
+  }
+  if (model.robot != "declared" || !model.file.empty()) return true;
+  reading.problem(node, "file is missing: the robot \"declared\" is read from the file that this key names");
+  return false;
+}
+
+}  // namespace
+
+Table<EffectEntry> effect_keys() {
+  return Table<EffectEntry>()
+      .key("id", &EffectEntry::id, element_name(),
+           "name within this list; the parameters are effect.ID.PARAMETER; without it the effect's name")
+      .required("effect", &EffectEntry::effect, element_name(), "an effect plugin's name")
+      .key("where", &EffectEntry::where, one_or_list_of(text()),
+           "elements such as \"joint.hinge\", * for all; they share one set of values; none: the world")
+      .key("start", &EffectEntry::start, map_of("PARAMETER", number("")),
+           "values where they differ from the effect's defaults")
+      .key("fixed", &EffectEntry::fixed, list_of(text()), "parameters that a fit leaves alone")
+      .check(complete_effect);
+}
+
+Table<ModelSection> model_keys() {
+  return Table<ModelSection>()
+      .key("robot", &ModelSection::robot, element_name(), "a robot plugin's name; \"declared\" where file is given")
+      .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")), "of the robot plugin")
+      .key("file", &ModelSection::file, existing_file(), "of a declared robot")
+      .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
+           "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
+      .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, within these bounds")
+      .key("effects", &ModelSection::effects, list_of(effect_keys().value()),
+           "physical effects that the model includes; lacuna add and undo edit this list and nothing else")
+      .check(check_ids)
+      .check(check_robot);
+}
+
+}  // namespace lacuna

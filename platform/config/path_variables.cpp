@@ -1,0 +1,38 @@
+#include "config/path_variables.h"
+
+#include <lacuna/error.h>
+
+#include <cstdlib>
+#include <system_error>
+
+namespace lacuna {
+
+std::string replace_variables(const std::string& written) {
+  std::string text;
+  std::size_t at = 0;
+  for (std::size_t open = written.find("${"); open != std::string::npos; open = written.find("${", at)) {
+    const std::size_t close = written.find('}', open);
+    if (close == std::string::npos) throw Error("\"" + written + "\": the \"${\" has no closing brace");
+    const std::string name = written.substr(open + 2, close - open - 2);
+    const char* value = std::getenv(name.c_str());
+    if (value == nullptr)
+      throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written +
+                  "\"");
+    text += written.substr(at, open - at) + value;
+    at = close + 1;
+  }
+  return text + written.substr(at);
+}
+
+std::filesystem::path resolve_existing_file(const std::string& written, const std::filesystem::path& directory) {
+  std::filesystem::path path = replace_variables(written);
+  if (path.is_relative()) path = directory / path;
+  path = path.lexically_normal();
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (!std::filesystem::exists(status)) throw Error("no such file: " + path.string());
+  if (!std::filesystem::is_regular_file(status)) throw Error("not a file: " + path.string());
+  return path;
+}
+
+}  // namespace lacuna

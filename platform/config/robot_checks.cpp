@@ -1,0 +1,155 @@
+#include "config/robot_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kRightAngle = 1e-6;  // largest cosine between a universal joint's axes
+
+class RobotChecker {
+ public:
+  RobotChecker(const RobotInFile& file, const Locations& locations, ProblemList& problems)
+      : file_(file), locations_(locations), problems_(problems) {
+    for (const BodyInFile& body : file.bodies) bodies_.push_back(body.spec.name);
+    for (const JointInFile& joint : file.joints) joints_.push_back(joint.spec.name);
+  }
+
+  void check() {
+    if (file_.bodies.empty()) problem("body", "a robot needs at least one body");
+    for (const std::string& name : bodies_) check_name("body", name);
+    for (const JointInFile& joint : file_.joints) check_joint(joint);
+    check_forest();
+    for (const ActuatorSpec& actuator : file_.actuators) check_actuator(actuator);
+    for (const SensorInFile& sensor : file_.sensors) check_sensor(sensor);
+  }
+
+ private:
+  void problem(const std::string& key, const std::string& message) {
+    problems_.add(nearest_location(locations_, key, ""), key + ": " + message);
+  }
+
+  void check_name(const std::string& kind, const std::string& name) {
+    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    });
+    if (!plain) problem(kind, toml_text(name) + " cannot be a name; use letters, digits, _ and -");
+    if (kind == "body" && name == kWorld)
+      problem("body.world", "\"world\" is what surrounds the robot; choose another name");
+  }
+
+  void expect_name(const std::string& key, const std::string& what, const std::string& name,
+                   const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    std::string known;
+    for (const std::string& candidate : names) known += (known.empty() ? "; there are " : ", ") + candidate;
+    problem(key, "there is no " + what + " " + toml_text(name) + did_you_mean(name, names) + known);
+  }
+
+  void check_joint(const JointInFile& joint) {
+    const JointSpec& spec = joint.spec;
+    const std::string path = "joint." + spec.name;
+    check_name("joint", spec.name);
+    if (spec.parent != kWorld) expect_name(path + ".parent", "body", spec.parent, bodies_);
+    expect_name(path + ".child", "body", spec.child, bodies_);
+    if (!(spec.lower < spec.upper)) problem(path + ".lower", "the lower stop must lie below the upper one");
+    const bool universal = spec.kind == JointKind::universal;
+    if (joint.axis2 && !universal) problem(path + ".axis2", "only a universal joint has a second axis");
+    if (!joint.axis2 && universal) problem(path, "axis2 is missing: a universal joint has two axes");
+    if (joint.axis2 && universal && std::abs(joint.axis2->dot(spec.axis)) > kRightAngle)
+      problem(path + ".axis2", "must be at right angles to axis");
+  }
+
+  /// Each body is the child of at most one joint, and going from child to parent ends at the world or at a floating
+  /// body.
+  void check_forest() {
+    std::map<std::string, const JointSpec*> joint_of;
+    for (const JointInFile& joint : file_.joints) {
+      const auto [entry, is_new] = joint_of.emplace(joint.spec.child, &joint.spec);
+      if (!is_new)
+        problem("joint." + joint.spec.name + ".child", toml_text(joint.spec.child) + " already hangs on joint." +
+                                                           entry->second->name +
+                                                           "; a body is the child of one joint at most");
+    }
+    for (const JointInFile& joint : file_.joints)
+      if (is_in_loop(joint.spec, joint_of))
+        problem("joint." + joint.spec.name + ".parent", "the joints form a loop; a robot is a tree of bodies");
+  }
+
+  bool is_in_loop(const JointSpec& start, const std::map<std::string, const JointSpec*>& joint_of) const {
+    std::string body = start.parent;
+    for (std::size_t i = 0; i <= file_.joints.size(); ++i) {
+      if (body == start.child) return true;
+      const auto above = joint_of.find(body);
+      if (above == joint_of.end()) return false;
+      body = above->second->parent;
+    }
+    return false;
+  }
+
+  void check_actuator(const ActuatorSpec& actuator) {
+    const std::string path = "actuator." + actuator.name;
+    check_name("actuator", actuator.name);
+    expect_name(path + ".joint", "joint", actuator.joint, joints_);
+    const JointSpec* joint = find_joint(actuator.joint);
+    if (joint && joint->kind != JointKind::hinge && joint->kind != JointKind::slider)
+      problem(path + ".joint", "an actuator drives a hinge or a slider, and " + actuator.joint + " is neither");
+    if (!(actuator.command_lower < actuator.command_upper))
+      problem(path + ".command_lower", "the lower bound must lie below the upper one");
+    if (actuator.transmission.ratio == 0.0) problem(path + ".transmission.ratio", "must not be 0");
+    check_gains(actuator, path);
+  }
+
+  void check_gains(const ActuatorSpec& actuator, const std::string& path) {
+    const bool by_position = actuator.kind == ActuatorKind::position_servo || actuator.kind == ActuatorKind::pid;
+    const bool is_force = actuator.kind == ActuatorKind::force;
+    if (by_position && actuator.kp == 0.0 && actuator.ki == 0.0)
+      problem(path, "kp is missing: without it a servo of this kind does nothing");
+    if (actuator.kind == ActuatorKind::velocity_servo && actuator.kd == 0.0)
+      problem(path, "kd is missing: without it a velocity servo does nothing");
+    if (!by_position && actuator.kp != 0.0) problem(path + ".kp", "means nothing for an actuator of this kind");
+    if (actuator.kind != ActuatorKind::pid && actuator.ki != 0.0)
+      problem(path + ".ki", "means nothing for an actuator of this kind; a pid has it");
+    if (is_force && actuator.kd != 0.0) problem(path + ".kd", "means nothing for an actuator of this kind");
+  }
+
+  void check_sensor(const SensorInFile& sensor) {
+    const std::string path = "sensor." + sensor.spec.name;
+    check_name("sensor", sensor.spec.name);
+    const bool of_joint = sensor.spec.kind == SensorKind::joint_position ||
+                          sensor.spec.kind == SensorKind::joint_velocity || sensor.spec.kind == SensorKind::joint_force;
+    const std::string wanted = of_joint ? "joint" : "body";
+    const std::string& name = of_joint ? sensor.joint : sensor.body;
+    const std::string& other = of_joint ? sensor.body : sensor.joint;
+    if (!other.empty())
+      problem(path + "." + (of_joint ? "body" : "joint"),
+              "a sensor of this kind reads a " + wanted + "; write " + wanted);
+    if (name.empty())
+      problem(path, wanted + " is missing: the " + wanted + " that it reads");
+    else
+      expect_name(path + "." + wanted, wanted, name, of_joint ? joints_ : bodies_);
+    if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
+      problem(path, "beacon is missing: the place from which distance is measured, [x, y, z] in m");
+  }
+
+  const JointSpec* find_joint(const std::string& name) const {
+    for (const JointInFile& joint : file_.joints)
+      if (joint.spec.name == name) return &joint.spec;
+    return nullptr;
+  }
+
+  const RobotInFile& file_;
+  const Locations& locations_;
+  ProblemList& problems_;
+  std::vector<std::string> bodies_;
+  std::vector<std::string> joints_;
+};
+
+}  // namespace
+
+void check_robot(const RobotInFile& file, const Locations& locations, ProblemList& problems) {
+  RobotChecker(file, locations, problems).check();
+}
+
+}  // namespace lacuna

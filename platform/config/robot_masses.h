@@ -1,0 +1,12 @@
+#pragma once
+
+#include "config/locations.h"
+#include "config/robot_file.h"
+
+namespace lacuna {
+
+/// The body with sizes of its shapes, mass, centre of mass and inertia resolved: as given, else
+/// from its shapes. What is missing, given twice or impossible is added to `problems`.
+BodySpec resolve_body(const BodyInFile& body, const Locations& locations, ProblemList& problems);
+
+}  // namespace lacuna

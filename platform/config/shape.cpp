@@ -1,0 +1,71 @@
+#include "config/shape.h"
+
+#include "config/toml_node.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+std::string bounds(const Shape& shape) {
+  const bool below = std::isfinite(shape.upper);
+  if (std::isfinite(shape.lower) && below && !shape.above) return fmt::format(", {} to {}", shape.lower, shape.upper);
+  std::string text;
+  if (std::isfinite(shape.lower)) text += fmt::format(", {} {}", shape.above ? "above" : "at least", shape.lower);
+  if (below) text += fmt::format(", at most {}", shape.upper);
+  return text;
+}
+
+std::string number(const Shape& shape) {
+  if (shape.unit.empty()) return "a number or a text with its unit" + bounds(shape);
+  return (shape.unit == "1" ? "a number" : "a number in " + shape.unit) + bounds(shape);
+}
+
+std::string list(const Shape& shape) {
+  std::string count = "a list";
+  if (shape.fewest == shape.most)
+    count += fmt::format(" of {}", shape.fewest);
+  else if (shape.fewest > 0)
+    count += fmt::format(" of at least {}", shape.fewest);
+  return count + ", each " + described(shape.parts.front());
+}
+
+std::string text(const Shape& shape) {
+  if (shape.choices.empty()) return "a text";
+  std::vector<std::string> quoted;
+  for (const std::string& choice : shape.choices) quoted.push_back(toml_text(choice));
+  return one_of(quoted);
+}
+
+std::string kind_in_words(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::boolean: return "true or false";
+    case Shape::Kind::integer: return "a whole number" + bounds(shape);
+    case Shape::Kind::number: return number(shape);
+    case Shape::Kind::text: return text(shape);
+    case Shape::Kind::list: return list(shape);
+    case Shape::Kind::table: return "a table";
+    case Shape::Kind::named: return "a table of " + shape.name_hint + " = " + described(shape.parts.front());
+    case Shape::Kind::either: break;
+  }
+  std::vector<std::string> alternatives;
+  for (const Shape& part : shape.parts) alternatives.push_back(described(part));
+  return one_of(alternatives);
+}
+
+}  // namespace
+
+std::string described(const Shape& shape) {
+  return shape.meaning.empty() ? kind_in_words(shape) : kind_in_words(shape) + " (" + shape.meaning + ")";
+}
+
+std::string one_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+}  // namespace lacuna

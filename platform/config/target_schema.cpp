@@ -1,0 +1,163 @@
+#include "config/experiment_schema.h"
+#include "foundation/unit.h"
+
+namespace lacuna {
+namespace {
+
+Value<std::vector<MeasuredFile>> measured_files(bool held_out, std::size_t fewest) {
+  const Value<std::filesystem::path> path = existing_file();
+  Value<MeasuredFile> file;
+  file.shape = path.shape;
+  file.read = [path, held_out](const TomlNode& node, Reading& reading, MeasuredFile& result) {
+    result.held_out = held_out;
+    result.location = node.location;
+    return path.read(node, reading, result.path);
+  };
+  file.write = [path](const MeasuredFile& shown) { return path.write(shown.path); };
+  return list_of(file, fewest);
+}
+
+void append_files(RecordingSource& source, std::vector<MeasuredFile>&& files) {
+  source.files.insert(source.files.end(), files.begin(), files.end());
+}
+
+Value<std::vector<TimeRange>> time_ranges() {
+  return list_of(
+      mapped<TimeRange, std::pair<double, double>>(range_of(number("s")), [](std::pair<double, double>&& range) {
+        return TimeRange{range.first, range.second};
+      }));
+}
+
+/// The unit of a column as written; what it is converted to is the reader's business.
+Value<std::string> unit_name() {
+  Value<std::string> value = text();
+  value.shape.meaning = "a unit such as deg, mm, N*m";
+  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
+    if (!plain.read(node, reading, result)) return false;
+    if (parse_unit(result)) return true;
+    reading.problem(node, toml_text(result) + " is no unit; known are " + known_units());
+    return false;
+  };
+  return value;
+}
+
+Value<std::string> time_unit() {
+  Value<std::string> value = unit_name();
+  value.shape.meaning = "a unit of time such as s, ms";
+  value.read = [unit = unit_name()](const TomlNode& node, Reading& reading, std::string& result) {
+    if (!unit.read(node, reading, result)) return false;
+    if (parse_unit(result)->same_dimension(*parse_unit("s"))) return true;
+    reading.problem(node, toml_text(result) + " is no unit of time; write s, ms, us or min");
+    return false;
+  };
+  return value;
+}
+
+/// A factor from column to channel, which remembers the unit it was written with.
+struct Gain {
+  double value = 1.0;
+  std::string unit;
+};
+
+Value<Gain> gain() {
+  const NumberValue plain = number("");
+  Value<Gain> value;
+  value.shape = plain.shape;
+  value.read = [plain](const TomlNode& node, Reading& reading, Gain& result) {
+    if (!plain.read(node, reading, result.value)) return false;
+    const auto written = reading.written_units().find(reading.path());
+    if (node.kind == TomlNode::Kind::text && written != reading.written_units().end()) result.unit = written->second;
+    if (result.value != 0.0) return true;
+    reading.problem(node, "a gain of zero leaves nothing of the column");
+    return false;
+  };
+  value.write = [](const Gain& shown) { return toml_number(shown.value); };
+  return value;
+}
+
+Table<ColumnMapping> column_keys() {
+  return Table<ColumnMapping>()
+      .required("column", &ColumnMapping::column, text(), "the column's name in the file's header")
+      .required("unit", &ColumnMapping::unit, unit_name(), "what the column is measured in; \"1\" for a plain number")
+      .key<Gain>(
+          "gain", gain(), {},
+          [](ColumnMapping& mapping, Gain&& read) {
+            mapping.gain = read.value;
+            mapping.gain_unit = read.unit;
+          },
+          "the channel is the column times this, as in \"35.15065 N/V\"")
+      .key("offset", &ColumnMapping::offset, number(""), "added after the gain, in the channel's unit")
+      .key("noise", &ColumnMapping::noise, number("").at_least(0.0),
+           "standard deviation of the measurement, in the channel's unit")
+      .located(&ColumnMapping::location);
+}
+
+Value<std::vector<ColumnMapping>> columns(const std::string& name_hint) {
+  return named<std::vector<ColumnMapping>, ColumnMapping>(
+      name_hint, column_keys().value(),
+      [](std::vector<ColumnMapping>& mappings, const TomlMember& member, ColumnMapping&& mapping) {
+        mapping.channel = member.name;
+        mappings.push_back(std::move(mapping));
+      });
+}
+
+Table<RecordingSource> time_keys() {
+  return Table<RecordingSource>()
+      .key("column", &RecordingSource::time_column, text(), "the column of time stamps")
+      .key("unit", &RecordingSource::time_unit, time_unit(), "their unit")
+      .key("max_gap", &RecordingSource::max_gap, number("s").at_least(0.0),
+           "a longer pause between samples is a problem; 0: ten times the median interval")
+      .key("use", &RecordingSource::use, time_ranges(), "only these times, [start, end]; empty: all")
+      .key("mask", &RecordingSource::mask, time_ranges(), "times that are not compared");
+}
+
+Table<InitialValue> initial_keys() {
+  return Table<InitialValue>()
+      .key("position", &InitialValue::position, number("rad or m"),
+           "position of the joint at the start, or first guess")
+      .key("velocity", &InitialValue::velocity, number("rad/s or m/s"), "velocity at the start, or first guess")
+      .key("knowledge", &InitialValue::knowledge,
+           choice<InitialKnowledge>({{"given", InitialKnowledge::given},
+                                     {"from_data", InitialKnowledge::from_data},
+                                     {"free", InitialKnowledge::free}}),
+           "exact, estimated from the first 50 ms (which are then not scored), or fitted with the parameters");
+}
+
+Value<char> delimiter() { return choice<char>({{"auto", '\0'}, {",", ','}, {";", ';'}, {"\t", '\t'}, {" ", ' '}}); }
+
+Table<RecordingSource> recording_keys() {
+  return Table<RecordingSource>()
+      .required<std::vector<MeasuredFile>>("files", measured_files(false, 1), append_files, "measured files to fit to")
+      .key<std::vector<MeasuredFile>>("holdout", measured_files(true, 0), {}, append_files,
+                                      "files kept from every fit; only compare and history read them")
+      .key("delimiter", &RecordingSource::delimiter, delimiter(), "between columns; \"auto\": found out")
+      .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written as 3,14")
+      .key("trial_column", &RecordingSource::trial_column, text(0), "column that tells several trials in a file apart")
+      .key("holdout_trials", &RecordingSource::holdout_trials, list_of(text()),
+           "values of trial_column that are kept from every fit")
+      .key("hold", &RecordingSource::hold, choice<Hold>({{"zero", Hold::zero_order}, {"first", Hold::first_order}}),
+           "between two samples a command stays (zero) or goes on a straight line (first)")
+      .section("time", time_keys(), "Time stamps.")
+      .key("sensors", &RecordingSource::sensors, columns("SENSOR"),
+           "What was measured: each table is named like the robot's sensor (its channel) that reads the same.")
+      .key("commands", &RecordingSource::commands, columns("ACTUATOR"),
+           "What was applied: each table is named like the robot's actuator that gets the command.")
+      .key("initial", &RecordingSource::initial, map_of("JOINT", initial_keys().value()),
+           "What is known of a joint at the start of each trial; joints not named here are taken from the data.");
+}
+
+bool check_trials(const TomlNode& node, Reading& reading, RecordingSource& source) {
+  if (source.holdout_trials.empty() || !source.trial_column.empty()) return true;
+  reading.problem(*node.find("holdout_trials"), "holdout_trials: needs trial_column, which tells the trials apart");
+  return false;
+}
+
+}  // namespace
+
+Table<TargetSection> target_keys() {
+  return Table<TargetSection>()
+      .key("kind", &TargetSection::kind, text_of({"recorded"}), "what the target is: measured files")
+      .merged(&TargetSection::recording, recording_keys().check(check_trials));
+}
+
+}  // namespace lacuna

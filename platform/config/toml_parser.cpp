@@ -1,0 +1,101 @@
+#include "config/toml_parser.h"
+
+#include "config/toml_scanner.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+// Debian's toml++ asserts things that some malformed inputs (`[|x]`) do not keep, and without
+// assertions it tells the compiler to assume them. Here a broken assertion throws instead.
+namespace {
+struct BrokenAssertion : std::logic_error {
+  using std::logic_error::logic_error;
+};
+[[noreturn]] void report_broken_assertion(const char* text) { throw BrokenAssertion(text); }
+}  // namespace
+#undef NDEBUG
+#define TOML_ASSERT(expression) static_cast<void>((expression) || (report_broken_assertion(#expression), false))
+#undef TOML_HEADER_ONLY
+#define TOML_HEADER_ONLY 1
+#define TOML_MAX_NESTED_VALUES 32
+#include <toml++/toml.h>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kLargestText = 4 * 1024 * 1024;
+constexpr std::size_t kLongestKey = 16;  // dotted parts; with the limit on nested values this bounds the depth
+
+SourceLocation located(const std::string& file, const toml::source_position& position) {
+  return {file, static_cast<int>(position.line), static_cast<int>(position.column)};
+}
+
+bool stands_before(const TomlMember& a, const TomlMember& b) {
+  return std::tie(a.location.line, a.location.column) < std::tie(b.location.line, b.location.column);
+}
+
+TomlNode converted(const toml::node& source, const std::string& file);
+
+void convert_table(const toml::table& source, const std::string& file, TomlNode& node) {
+  node.kind = TomlNode::Kind::table;
+  for (const auto& [key, value] : source) {
+    TomlMember member{std::string(key.str()), located(file, key.source().begin), converted(value, file)};
+    if (member.value.location.line == 0) member.value.location = member.location;
+    node.members.push_back(std::move(member));
+  }
+  std::stable_sort(node.members.begin(), node.members.end(), stands_before);
+}
+
+void convert_scalar(const toml::node& source, TomlNode& node) {
+  if (const auto* boolean = source.as_boolean()) {
+    node.kind = TomlNode::Kind::boolean;
+    node.boolean = boolean->get();
+  } else if (const auto* integer = source.as_integer()) {
+    node.kind = TomlNode::Kind::integer;
+    node.integer = integer->get();
+  } else if (const auto* real = source.as_floating_point()) {
+    node.kind = TomlNode::Kind::real;
+    node.real = real->get();
+  } else if (const auto* text = source.as_string()) {
+    node.kind = TomlNode::Kind::text;
+    node.text = text->get();
+  } else {
+    node.kind = TomlNode::Kind::date;
+  }
+}
+
+TomlNode converted(const toml::node& source, const std::string& file) {
+  TomlNode node;
+  node.location = located(file, source.source().begin);
+  node.end = located(file, source.source().end);
+  if (const auto* table = source.as_table()) {
+    convert_table(*table, file, node);
+  } else if (const auto* array = source.as_array()) {
+    node.kind = TomlNode::Kind::list;
+    for (const toml::node& item : *array) node.items.push_back(converted(item, file));
+  } else {
+    convert_scalar(source, node);
+  }
+  return node;
+}
+
+[[noreturn]] void refuse(SourceLocation location, const std::string& message) {
+  throw BadInput({{std::move(location), message}});
+}
+
+}  // namespace
+
+TomlNode parse_toml(const std::string& text, const std::string& file) {
+  if (text.size() > kLargestText)
+    refuse({file, 0, 0}, "longer than 4 MiB; measured data belongs into files of its own");
+  if (longest_dotted_key(text) > kLongestKey) refuse({file, 0, 0}, "a dotted key has more than 16 parts");
+  try {
+    return converted(toml::parse(text, file), file);
+  } catch (const toml::parse_error& error) {
+    refuse(located(file, error.source().begin), "not TOML: " + std::string(error.description()));
+  } catch (const BrokenAssertion&) {
+    refuse({file, 0, 0}, "not TOML: a key or value starts with a character that cannot stand there");
+  }
+}
+
+}  // namespace lacuna

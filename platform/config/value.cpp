@@ -1,0 +1,271 @@
+#include "config/value.h"
+
+#include "config/path_variables.h"
+#include "config/quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> alternatives(const std::string& units) {
+  const std::size_t split = units.find(" or ");
+  if (split == std::string::npos) return {units};
+  return {units.substr(0, split), units.substr(split + 4)};
+}
+
+bool dimension_fits(const Quantity& quantity, const std::string& units) {
+  const std::vector<std::string> wanted = alternatives(units);
+  return std::any_of(wanted.begin(), wanted.end(),
+                     [&](const std::string& unit) { return parse_unit(unit)->same_dimension(quantity.parsed); });
+}
+
+bool read_quantity(const Shape& shape, const TomlNode& node, Reading& reading, double& result) {
+  try {
+    const Quantity quantity = parse_quantity(node.text);
+    if (!shape.unit.empty() && !dimension_fits(quantity, shape.unit)) {
+      reading.problem(node, shape.unit == "1"
+                                ? toml_text(node.text) + " has a unit, but this is a plain number"
+                                : toml_text(node.text) + " is not in " + shape.unit + " or a multiple of it");
+      return false;
+    }
+    if (shape.unit.empty() || shape.unit.find(" or ") != std::string::npos) reading.written_unit(quantity.unit);
+    result = quantity.si_value;
+    return true;
+  } catch (const Error& error) {
+    reading.problem(node, error.what());
+    return false;
+  }
+}
+
+bool within(const Shape& shape, double value) {
+  if (std::isnan(value) || (std::isinf(value) && !shape.may_be_infinite)) return false;
+  return (shape.above ? value > shape.lower : value >= shape.lower) && value <= shape.upper;
+}
+
+bool read_number(const Shape& shape, const TomlNode& node, Reading& reading, double& result) {
+  if (node.kind == TomlNode::Kind::text) {
+    if (!read_quantity(shape, node, reading, result)) return false;
+  } else if (node.is_number()) {
+    result = node.kind == TomlNode::Kind::real ? node.real : static_cast<double>(node.integer);
+  } else {
+    report_mismatch(shape, node, reading);
+    return false;
+  }
+  if (within(shape, result)) return true;
+  const std::string finite = std::isfinite(result) ? "" : "finite, ";
+  reading.problem(node, fmt::format("must be {}{}, but is {}", finite, described(shape), result));
+  return false;
+}
+
+std::string nearest_words(const Shape& shape, const std::string& word) { return did_you_mean(word, shape.choices); }
+
+bool is_name(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+  });
+}
+
+}  // namespace
+
+NumberValue::NumberValue(const std::string& unit) {
+  shape.kind = Shape::Kind::number;
+  shape.unit = unit;
+  read = [inner = shape](const TomlNode& node, Reading& reading, double& result) {
+    return read_number(inner, node, reading, result);
+  };
+  write = [](const double& shown) { return std::isnan(shown) ? std::string() : toml_number(shown); };
+}
+
+NumberValue NumberValue::bounded(double lower, double upper, bool above) const {
+  NumberValue value = *this;
+  value.shape.lower = lower;
+  value.shape.upper = upper;
+  value.shape.above = above;
+  value.read = [inner = value.shape](const TomlNode& node, Reading& reading, double& result) {
+    return read_number(inner, node, reading, result);
+  };
+  return value;
+}
+
+NumberValue NumberValue::or_infinite() const {
+  NumberValue value = *this;
+  value.shape.may_be_infinite = true;
+  return value.bounded(shape.lower, shape.upper, shape.above);
+}
+
+NumberValue number(const std::string& unit) { return NumberValue(unit); }
+
+Value<bool> boolean() {
+  Value<bool> value;
+  value.shape.kind = Shape::Kind::boolean;
+  value.read = [shape = value.shape](const TomlNode& node, Reading& reading, bool& result) {
+    result = node.boolean;
+    if (node.kind == TomlNode::Kind::boolean) return true;
+    report_mismatch(shape, node, reading);
+    return false;
+  };
+  value.write = [](const bool& shown) { return std::string(shown ? "true" : "false"); };
+  return value;
+}
+
+Value<std::int64_t> integer(std::int64_t lower, std::int64_t upper) {
+  Value<std::int64_t> value;
+  value.shape.kind = Shape::Kind::integer;
+  value.shape.lower = static_cast<double>(lower);
+  value.shape.upper =
+      upper == std::numeric_limits<std::int64_t>::max() ? value.shape.upper : static_cast<double>(upper);
+  value.read = [shape = value.shape, lower, upper](const TomlNode& node, Reading& reading, std::int64_t& result) {
+    result = node.integer;
+    if (node.kind != TomlNode::Kind::integer) {
+      report_mismatch(shape, node, reading);
+      return false;
+    }
+    if (result >= lower && result <= upper) return true;
+    reading.problem(node, fmt::format("must be {}, but is {}", described(shape), result));
+    return false;
+  };
+  value.write = [](const std::int64_t& shown) { return fmt::format("{}", shown); };
+  return value;
+}
+
+Value<std::string> text(std::size_t fewest) {
+  Value<std::string> value;
+  value.shape.kind = Shape::Kind::text;
+  value.shape.fewest = fewest;
+  value.read = [shape = value.shape](const TomlNode& node, Reading& reading, std::string& result) {
+    result = node.text;
+    if (node.kind != TomlNode::Kind::text) {
+      report_mismatch(shape, node, reading);
+      return false;
+    }
+    if (result.size() >= shape.fewest) return true;
+    reading.problem(node, "must not be empty");
+    return false;
+  };
+  value.write = [](const std::string& shown) { return toml_text(shown); };
+  return value;
+}
+
+Value<std::string> text_of(const std::vector<std::string>& choices) {
+  Value<std::string> value = text();
+  value.shape.choices = choices;
+  value.read = [shape = value.shape](const TomlNode& node, Reading& reading, std::string& result) {
+    result = node.text;
+    const bool known = std::find(shape.choices.begin(), shape.choices.end(), result) != shape.choices.end();
+    if (node.kind == TomlNode::Kind::text && known) return true;
+    if (node.kind == TomlNode::Kind::text)
+      reading.problem(node,
+                      "must be " + described(shape) + ", but is " + toml_text(result) + nearest_words(shape, result));
+    else
+      report_mismatch(shape, node, reading);
+    return false;
+  };
+  return value;
+}
+
+Value<std::string> element_name() {
+  Value<std::string> value = text();
+  value.shape.meaning = "a name of letters, digits, _ and -";
+  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
+    if (!plain.read(node, reading, result)) return false;
+    if (is_name(result)) return true;
+    reading.problem(node, toml_text(result) + " cannot be a name; use letters, digits, _ and -");
+    return false;
+  };
+  return value;
+}
+
+Value<std::filesystem::path> existing_file() {
+  Value<std::filesystem::path> value;
+  value.shape.kind = Shape::Kind::text;
+  value.shape.meaning = "a file, relative to this one; ${NAME} stands for an environment variable";
+  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::filesystem::path& result) {
+    std::string written;
+    if (!plain.read(node, reading, written)) return false;
+    try {
+      result = resolve_existing_file(written, reading.directory());
+      return true;
+    } catch (const Error& error) {
+      reading.problem(node, error.what());
+      return false;
+    }
+  };
+  value.write = [](const std::filesystem::path& shown) { return shown.empty() ? "" : toml_text(shown.string()); };
+  return value;
+}
+
+Value<Eigen::Vector3d> vector3(const std::string& unit) {
+  Value<std::vector<double>> list = list_of<double>(number(unit), 3);
+  list.shape.most = 3;
+  Value<Eigen::Vector3d> value;
+  value.shape = list.shape;
+  value.read = [list](const TomlNode& node, Reading& reading, Eigen::Vector3d& result) {
+    std::vector<double> numbers;
+    if (!fits_list(list.shape, node, reading) || !list.read(node, reading, numbers)) return false;
+    result = {numbers[0], numbers[1], numbers[2]};
+    return true;
+  };
+  value.write = [list](const Eigen::Vector3d& shown) { return list.write({shown.x(), shown.y(), shown.z()}); };
+  return value;
+}
+
+Value<std::pair<double, double>> range_of(const NumberValue& number_value) {
+  Value<std::vector<double>> list = list_of<double>(number_value, 2);
+  list.shape.most = 2;
+  Value<std::pair<double, double>> value;
+  value.shape = list.shape;
+  value.shape.meaning = "lower and upper bound";
+  value.read = [list](const TomlNode& node, Reading& reading, std::pair<double, double>& result) {
+    std::vector<double> numbers;
+    if (!fits_list(list.shape, node, reading) || !list.read(node, reading, numbers)) return false;
+    result = {numbers[0], numbers[1]};
+    if (result.first < result.second) return true;
+    reading.problem(node, fmt::format("the bounds stand the wrong way round or are equal: {} is not below {}",
+                                      result.first, result.second));
+    return false;
+  };
+  value.write = [list](const std::pair<double, double>& shown) { return list.write({shown.first, shown.second}); };
+  return value;
+}
+
+bool may_be(const Shape& shape, const TomlNode& node) {
+  switch (shape.kind) {
+    case Shape::Kind::boolean: return node.kind == TomlNode::Kind::boolean;
+    case Shape::Kind::integer: return node.kind == TomlNode::Kind::integer;
+    case Shape::Kind::number: return node.is_number() || node.kind == TomlNode::Kind::text;
+    case Shape::Kind::text: return node.kind == TomlNode::Kind::text;
+    case Shape::Kind::list: return node.kind == TomlNode::Kind::list;
+    case Shape::Kind::table:
+    case Shape::Kind::named: return node.kind == TomlNode::Kind::table;
+    case Shape::Kind::either: break;
+  }
+  return std::any_of(shape.parts.begin(), shape.parts.end(), [&](const Shape& part) { return may_be(part, node); });
+}
+
+void report_mismatch(const Shape& shape, const TomlNode& node, Reading& reading) {
+  reading.problem(node, "must be " + described(shape) + ", but is " + std::string(described(node.kind)));
+}
+
+bool fits_list(const Shape& shape, const TomlNode& node, Reading& reading) {
+  if (node.kind != TomlNode::Kind::list) {
+    report_mismatch(shape, node, reading);
+    return false;
+  }
+  const std::size_t count = node.items.size();
+  if (count >= shape.fewest && count <= shape.most) return true;
+  reading.problem(node, fmt::format("must be {}, but has {} item{}", described(shape), count, count == 1 ? "" : "s"));
+  return false;
+}
+
+bool fits_table(const Shape& shape, const TomlNode& node, Reading& reading) {
+  if (node.kind == TomlNode::Kind::table) return true;
+  report_mismatch(shape, node, reading);
+  return false;
+}
+
+}  // namespace lacuna
