@@ -1,5 +1,6 @@
 #include "coulomb_friction.h"
 
+#include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
 
 namespace lacuna {
@@ -8,7 +9,8 @@ EffectDescription CoulombFriction::describe() const {
   return {.summary = "Dry friction of constant size in a joint, with stiction",
           .equation = "tau = -torque*sgn(v); at rest whatever holds the joint still, up to torque",
           .literature =
-              "C. A. Coulomb, Theorie des machines simples, 1785; Armstrong-Helouvry et al., Automatica 30 (1994) 1083",
+              "C. A. Coulomb, Théorie des machines simples, 1785; B. Armstrong-Hélouvry, P. Dupont, "
+              "C. Canudas de Wit, Automatica 30 (1994) 1083-1138",
           .regime = "slow motion and reversals",
           .look_alikes = {"stribeck_friction", "lugre_friction", "hysteresis"},
           .placements = {ElementKind::joint},
@@ -17,8 +19,7 @@ EffectDescription CoulombFriction::describe() const {
 }
 
 void CoulombFriction::amend(RobotSpec& robot, const EffectContext& context) const {
-  for (const int joint : context.elements)
-    robot.joints[static_cast<std::size_t>(joint)].dry_friction += context.parameters[0];
+  for (const int joint : context.elements) joint_with_laws(robot, joint).dry_friction += context.parameters[0];
 }
 
 }  // namespace lacuna

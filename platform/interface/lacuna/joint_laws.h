@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lacuna/error.h>
+#include <lacuna/robot_spec.h>
+
+#include <cstddef>
+
+namespace lacuna {
+
+/// For effects that amend a joint's laws (damping, dry friction, stiffness, force): the joint, if it has
+/// such laws. Throws `Error` for a fixed and a ball joint, whose laws no engine looks at.
+inline JointSpec& joint_with_laws(RobotSpec& robot, int joint) {
+  JointSpec& spec = robot.joints[static_cast<std::size_t>(joint)];
+  if (spec.kind == JointKind::fixed || spec.kind == JointKind::ball)
+    throw Error("joint." + spec.name + " is a " + (spec.kind == JointKind::fixed ? "fixed" : "ball") +
+                " joint; place the effect on hinges, sliders and universal joints");
+  return spec;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+#include "joint_offset_torque.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription JointOffsetTorque::describe() const {
+  return {.summary = "A constant torque in a joint, in its positive direction",
+          .equation = "tau = torque",
+          .literature =
+              "A. Janot, P.-O. Vandanjon, M. Gautier, IEEE Trans. Control Systems Technology 22 (2014) "
+              "132-145 (the offset term of the joint dynamics)",
+          .regime = "drift to one side; a rest position that is shifted whatever the direction of motion",
+          .look_alikes = {"command_offset", "directional_friction", "cable_pull", "mount_tilt"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"torque", "{force}", 0.0, -1e4, 1e4, Scale::linear,
+                          "Torque in the joint's positive direction, on a slider force"}}};
+}
+
+void JointOffsetTorque::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_laws(robot, joint).force += context.parameters[0];
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::JointOffsetTorque>("joint_offset_torque"))

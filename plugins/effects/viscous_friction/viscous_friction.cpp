@@ -1,0 +1,25 @@
+#include "viscous_friction.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription ViscousFriction::describe() const {
+  return {.summary = "Friction in a joint that grows with its velocity",
+          .equation = "tau = -damping*v",
+          .literature = "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083-1138",
+          .regime = "fast motion; a free swing that dies away by the same share in every period",
+          .look_alikes = {"linear_drag", "torque_speed_line"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"damping", "{force}*s/{position}", 0.0, 0.0, 1e4, Scale::linear,
+                          "Friction torque per angular velocity, on a slider force per velocity"}}};
+}
+
+void ViscousFriction::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_laws(robot, joint).damping += context.parameters[0];
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::ViscousFriction>("viscous_friction"))

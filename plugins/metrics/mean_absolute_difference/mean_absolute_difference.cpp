@@ -1,0 +1,67 @@
+#include "mean_absolute_difference.h"
+
+#include <lacuna/error.h>
+#include <lacuna/plugin.h>
+
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kWorst = std::numeric_limits<double>::infinity();
+
+class Accumulator : public ScoreAccumulator {
+ public:
+  explicit Accumulator(const ComparisonShape& shape)
+      : channels_(shape.channels), values_(shape.samples * shape.channels) {}
+
+  void add(std::span<const double> predicted, std::span<const double> measured) override {
+    if (predicted.size() != channels_ || measured.size() != channels_)
+      throw Error("a sample has " + std::to_string(predicted.size()) + " predicted and " +
+                  std::to_string(measured.size()) + " measured values instead of " + std::to_string(channels_));
+    for (std::size_t i = 0; i < channels_; ++i) add_value(predicted[i], measured[i]);
+  }
+
+  /// What is still to come may agree exactly, and be compared in full.
+  double bound() const override { return values_ > skipped_ ? sum_ / static_cast<double>(values_ - skipped_) : sum_; }
+
+  double score() const override { return compared_ > 0 ? sum_ / static_cast<double>(compared_) : kWorst; }
+
+  void reset() override {
+    sum_ = 0.0;
+    compared_ = 0;
+    skipped_ = 0;
+  }
+
+ private:
+  void add_value(double predicted, double measured) {
+    if (std::isnan(measured)) {
+      ++skipped_;
+      return;
+    }
+    ++compared_;
+    sum_ += std::isfinite(predicted) ? std::abs(predicted - measured) : kWorst;
+  }
+
+  std::size_t channels_;
+  std::size_t values_;
+  std::size_t compared_ = 0;
+  std::size_t skipped_ = 0;
+  double sum_ = 0.0;
+};
+
+}  // namespace
+
+std::string MeanAbsoluteDifference::summary() const {
+  return "Mean of |predicted - measured| over all samples and channels";
+}
+
+std::unique_ptr<ScoreAccumulator> MeanAbsoluteDifference::accumulator(const ComparisonShape& shape,
+                                                                      std::span<const double>) const {
+  return std::make_unique<Accumulator>(shape);
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::FitnessMetric, lacuna::MeanAbsoluteDifference>("mean_absolute_difference"))
