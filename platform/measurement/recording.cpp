@@ -5,6 +5,7 @@
 #include "measurement/clock_check.h"
 #include "measurement/csv_format.h"
 #include "measurement/csv_table.h"
+#include "measurement/plausibility.h"
 #include "measurement/text_file.h"
 #include "measurement/trial_builder.h"
 
@@ -82,6 +83,7 @@ void add_trials(const WholeSource& whole, const CsvTable& table, const TrialCloc
     if (pieces.size() > 1)
       trial.name += fmt::format(" from {:.4g} s to {:.4g} s", piece.origin, piece.origin + piece.times.back());
     trial.held_out = prototype.held_out;
+    check_values(trial, whole.plan, table.lines[piece.rows.front()], report);
     trials.push_back(std::move(trial));
   }
   if (pieces.empty())
@@ -122,6 +124,7 @@ void read_file(WholeSource& whole, std::size_t file_index, FileReport& report, s
   if (report.has_problems()) return;
   const CsvQuery query = query_for(source, whole.plan);
   if (!has_columns(format, query, report)) return;
+  check_units(whole.plan, format, report);
   const CsvTable table = read_csv_table(text, format, query, report);
   if (!report.has_problems()) read_table_into(table, whole, file_index, report, trials);
 }
