@@ -24,7 +24,7 @@ struct FreeValue {
 struct ModelDefinition {
   ModelStructure structure;     ///< its `parameters` are `free`, in this order
   std::vector<FreeValue> free;  ///< the robot's first, then the effects' in canonical order
-  EffectList effects;           ///< canonical: sorted by effect, where, id; start values complete
+  EffectList effects;  ///< canonical: sorted by effect, where, id; elements named singly, start values complete
   EngineSettings engine;
 
   std::vector<double> start_values() const;

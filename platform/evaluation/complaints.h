@@ -1,0 +1,29 @@
+#pragma once
+
+#include "config/experiment.h"
+
+#include <cstddef>
+#include <string>
+
+namespace lacuna {
+
+/// Collects problems of an experiment at the place of the key that causes them.
+class Complaints {
+ public:
+  explicit Complaints(const Experiment& experiment) : experiment_(experiment) {}
+
+  /// `key` as in "model.effects[0].where[1]".
+  void add(const std::string& key, const std::string& message) {
+    problems_.add(experiment_.where(key), key + ": " + message);
+  }
+  /// Complains where the number at `key` was written in a unit of another dimension.
+  void check_unit(const std::string& key, const std::string& unit) { experiment_.check_unit(key, unit, problems_); }
+  std::size_t count() const { return problems_.all().size(); }
+  void throw_if_any() const { problems_.throw_if_any(); }
+
+ private:
+  const Experiment& experiment_;
+  ProblemList problems_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,124 @@
+#include "evaluation/robot_values.h"
+
+#include "foundation/address.h"
+#include "foundation/unit.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+/// `body.torso.mass` → `body.*.mass`; `contact.friction` stays.
+std::string with_star(const std::string& address) {
+  const std::size_t first = address.find('.');
+  const std::size_t second = address.find('.', first + 1);
+  return second == std::string::npos || address.starts_with("world.")
+             ? address
+             : address.substr(0, first) + ".*" + address.substr(second);
+}
+
+std::string matches_nothing(const std::string& pattern, const std::vector<AddressedValue>& values) {
+  std::set<std::string> shapes;
+  std::vector<std::string> candidates;
+  for (const AddressedValue& value : values) {
+    candidates.push_back(value.address);
+    shapes.insert(with_star(value.address));
+  }
+  candidates.insert(candidates.end(), shapes.begin(), shapes.end());
+  const std::string kind = pattern.substr(0, pattern.find('.') + 1);
+  std::string alike;
+  for (const std::string& shape : shapes)
+    if (!kind.empty() && shape.starts_with(kind)) alike += (alike.empty() ? "; there is " : ", ") + shape;
+  return "matches no value of the robot" + did_you_mean(pattern, candidates) + alike;
+}
+
+/// For each value the pattern that means it most closely, if one does.
+std::vector<std::optional<std::size_t>> closest_patterns(const std::vector<AddressedValue>& values,
+                                                         const std::vector<std::string>& patterns,
+                                                         const std::string& table, Complaints& complaints) {
+  const auto stars = [&](std::size_t i) { return std::count(patterns[i].begin(), patterns[i].end(), '*'); };
+  std::vector<std::optional<std::size_t>> closest(values.size());
+  for (std::size_t pattern = 0; pattern < patterns.size(); ++pattern) {
+    bool found = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!matches(patterns[pattern], values[i].address)) continue;
+      found = true;
+      if (closest[i] && stars(*closest[i]) == stars(pattern))
+        complaints.add(table + patterns[pattern],
+                       "and \"" + patterns[*closest[i]] + "\" both mean " + values[i].address + "; keep one of them");
+      if (!closest[i] || stars(pattern) < stars(*closest[i])) closest[i] = pattern;
+    }
+    if (!found) complaints.add(table + patterns[pattern], matches_nothing(patterns[pattern], values));
+  }
+  return closest;
+}
+
+std::string bounds_text(const AddressedValue& value) {
+  return format_quantity(value.lower, value.unit) + " to " + format_quantity(value.upper, value.unit);
+}
+
+void scale_inertia(InertiaSpec& inertia, double factor) {
+  for (double* moment : {&inertia.xx, &inertia.yy, &inertia.zz, &inertia.xy, &inertia.xz, &inertia.yz})
+    *moment *= factor;
+}
+
+void assign(RobotSpec& robot, const AddressedValue& target, double value) {
+  for (BodySpec& body : robot.bodies)
+    if (target.value == &body.mass && body.inertia_scales_with_mass) scale_inertia(body.inertia, value / body.mass);
+  *target.value = value;
+}
+
+FreeValue free_value(const AddressedValue& value, const FreeRange& range) {
+  return {.address = value.address,
+          .unit = value.unit,
+          .lower = range.lower,
+          .upper = range.upper,
+          .start = std::clamp(range.start.value_or(*value.value), range.lower, range.upper),
+          .scale = Scale::linear,
+          .description = ""};
+}
+
+}  // namespace
+
+void set_robot_values(RobotSpec& robot, const Experiment& experiment, Complaints& complaints) {
+  const std::vector<AddressedValue> values = addressed_values(robot);
+  std::vector<std::string> patterns;
+  for (const auto& [pattern, value] : experiment.model.set) patterns.push_back(pattern);
+  const auto closest = closest_patterns(values, patterns, "model.set.", complaints);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!closest[i]) continue;
+    const std::string& pattern = patterns[*closest[i]];
+    const double value = experiment.model.set.at(pattern);
+    complaints.check_unit("model.set." + pattern, values[i].unit);
+    if (value >= values[i].lower && value <= values[i].upper)
+      assign(robot, values[i], value);
+    else
+      complaints.add("model.set." + pattern, format_quantity(value, values[i].unit) + " is no possible value of " +
+                                                 values[i].address + " (" + bounds_text(values[i]) + ")");
+  }
+}
+
+std::vector<FreeValue> free_robot_values(RobotSpec& robot, const Experiment& experiment, Complaints& complaints) {
+  const std::vector<AddressedValue> values = addressed_values(robot);
+  const std::vector<FreeRange>& ranges = experiment.model.free;
+  std::vector<std::string> patterns;
+  for (const FreeRange& range : ranges) patterns.push_back(range.pattern);
+  const auto closest = closest_patterns(values, patterns, "model.free.", complaints);
+  std::vector<FreeValue> free;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!closest[i]) continue;
+    const FreeRange& range = ranges[*closest[i]];
+    for (const char* number : {"[0]", "[1]", ".range[0]", ".range[1]", ".start"})
+      complaints.check_unit("model.free." + range.pattern + number, values[i].unit);
+    if (range.lower >= values[i].lower && range.lower <= range.upper && range.upper <= values[i].upper)
+      free.push_back(free_value(values[i], range));
+    else
+      complaints.add("model.free." + range.pattern, "the range goes beyond the possible values of " +
+                                                        values[i].address + " (" + bounds_text(values[i]) + ")");
+  }
+  return free;
+}
+
+}  // namespace lacuna
