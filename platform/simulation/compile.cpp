@@ -1,1 +1,14 @@
 #include "simulation/compiled_model.h"
+
+#include "foundation/problem.h"
+#include "simulation/ode/ode_engine.h"
+
+namespace lacuna {
+
+std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings) {
+  if (settings.engine == "ode") return ode::compile(structure, settings);
+  throw Error("there is no engine \"" + settings.engine + "\"" + did_you_mean(settings.engine, {"ode"}) +
+              "; engines are: ode");
+}
+
+}  // namespace lacuna

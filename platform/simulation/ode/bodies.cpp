@@ -1,0 +1,121 @@
+#include "simulation/ode/bodies.h"
+
+#include <array>
+#include <cmath>
+
+namespace lacuna::ode {
+namespace {
+
+constexpr double kFarthest = 1e6;  // m
+constexpr double kFastest = 1e6;   // m/s and rad/s
+
+constexpr std::array<double, 4> kZero{};
+constexpr std::array<double, 12> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+void set_mass(dBodyID body, const BodySpec& spec) {
+  dMass mass;
+  const InertiaSpec& inertia = spec.inertia;
+  dMassSetParameters(&mass, spec.mass, 0, 0, 0, inertia.xx, inertia.yy, inertia.zz, inertia.xy, inertia.xz, inertia.yz);
+  dBodySetMass(body, &mass);
+}
+
+void set_pose(dBodyID body, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
+  dBodySetPosition(body, position.x(), position.y(), position.z());
+  dBodySetQuaternion(body, q);
+}
+
+double largest(const double* vector) {
+  // A sum, unlike a maximum, keeps a NaN.
+  return std::abs(vector[0]) + std::abs(vector[1]) + std::abs(vector[2]);
+}
+
+}  // namespace
+
+void Bodies::create(dWorldID world, const RobotSpec& robot) {
+  for (const BodySpec& spec : robot.bodies) {
+    const dBodyID body = dBodyCreate(world);
+    ids_.push_back(body);
+    poses_.push_back(
+        {dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body)});
+    set_mass(body, spec);
+    const Eigen::Quaterniond orientation = spec.orientation.normalized();
+    set_pose(body, spec.position + orientation * spec.com, orientation);
+  }
+}
+
+void Bodies::destroy() {
+  for (const dBodyID body : ids_) dBodyDestroy(body);
+  ids_.clear();
+  poses_.clear();
+}
+
+void Bodies::place(std::span<const simulation::BodyMotion> motions) {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    const simulation::BodyMotion& motion = motions[i];
+    set_pose(ids_[i], motion.position, motion.orientation);
+    dBodySetLinearVel(ids_[i], motion.velocity.x(), motion.velocity.y(), motion.velocity.z());
+    dBodySetAngularVel(ids_[i], motion.angular_velocity.x(), motion.angular_velocity.y(), motion.angular_velocity.z());
+  }
+}
+
+void Bodies::save(simulation::StateWriter& writer) const {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    writer.put(std::span(poses_[i].position, 3));
+    writer.put(std::span(dBodyGetQuaternion(ids_[i]), 4));
+    writer.put(std::span(poses_[i].velocity, 3));
+    writer.put(std::span(poses_[i].angular_velocity, 3));
+  }
+}
+
+void Bodies::load(simulation::StateReader& reader) {
+  for (const dBodyID body : ids_) {
+    std::array<double, kDoublesPerBody> s{};
+    reader.get(s);
+    // dBodySetQuaternion normalises, which changes the last bits of what ODE itself had
+    // normalised. So the quaternion goes where ODE keeps it, with the rotation ODE makes of it.
+    auto* quaternion = const_cast<dReal*>(dBodyGetQuaternion(body));
+    std::copy_n(s.begin() + 3, 4, quaternion);
+    dQtoR(quaternion, const_cast<dReal*>(dBodyGetRotation(body)));
+    dBodySetPosition(body, s[0], s[1], s[2]);  // also tells the body's shapes that it has moved
+    dBodySetLinearVel(body, s[7], s[8], s[9]);
+    dBodySetAngularVel(body, s[10], s[11], s[12]);
+  }
+}
+
+void Bodies::read(std::span<Eigen::Vector3d> positions, std::span<Eigen::Vector3d> velocities,
+                  std::span<Eigen::Quaterniond> orientations, std::span<Eigen::Vector3d> angular_velocities) const {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    positions[i] = poses_[i].x();
+    velocities[i] = poses_[i].v();
+    const dReal* q = dBodyGetQuaternion(ids_[i]);
+    orientations[i] = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+    angular_velocities[i] = poses_[i].w();
+  }
+}
+
+int Bodies::exploded() const {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const Pose& pose = poses_[i];
+    const bool sane = largest(pose.position) < kFarthest && largest(pose.velocity) < kFastest &&
+                      largest(pose.angular_velocity) < kFastest;
+    if (!sane) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::string Bodies::describe(int body) const {
+  const Pose& pose = poses_[static_cast<std::size_t>(body)];
+  if (!(largest(pose.position) < kFarthest))
+    return "is more than " + std::to_string(static_cast<int>(kFarthest)) + " m away";
+  if (!(largest(pose.velocity) < kFastest))
+    return "moves faster than " + std::to_string(static_cast<int>(kFastest)) + " m/s";
+  return "turns faster than " + std::to_string(static_cast<int>(kFastest)) + " rad/s";
+}
+
+Pose Bodies::pose(int body) const {
+  if (body >= 0) return poses_[static_cast<std::size_t>(body)];
+  return {kZero.data(), kIdentity.data(), kZero.data(), kZero.data()};
+}
+
+}  // namespace lacuna::ode

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+#include <lacuna/robot_spec.h>
+
+#include "simulation/shared/body_motion.h"
+#include "simulation/shared/state_archive.h"
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna::ode {
+
+/// Reads and writes ODE's own arrays in place.
+using MapVector = Eigen::Map<const Eigen::Vector3d>;
+using MapRotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<4>>;
+
+/// Where ODE keeps a body's motion, or constants that stand for the world.
+struct Pose {
+  const double* position;
+  const double* rotation;
+  const double* velocity;
+  const double* angular_velocity;
+  MapVector x() const { return MapVector(position); }
+  MapRotation R() const { return MapRotation(rotation); }
+  MapVector v() const { return MapVector(velocity); }
+  MapVector w() const { return MapVector(angular_velocity); }
+};
+
+/// A robot's bodies in an ODE world. ODE's body frame is the spec's, moved to the centre of mass.
+class Bodies {
+ public:
+  static constexpr std::size_t kDoublesPerBody = 13;
+
+  /// Creates the bodies at their zero poses; those of before must be gone.
+  void create(dWorldID world, const RobotSpec& robot);
+  void destroy();
+
+  void place(std::span<const simulation::BodyMotion> motions);
+  void save(simulation::StateWriter& writer) const;
+  void load(simulation::StateReader& reader);
+
+  /// Fills the spans of a `StepView`.
+  void read(std::span<Eigen::Vector3d> positions, std::span<Eigen::Vector3d> velocities,
+            std::span<Eigen::Quaterniond> orientations, std::span<Eigen::Vector3d> angular_velocities) const;
+
+  /// Index of a body that is not finite or beyond sane bounds, or −1.
+  int exploded() const;
+  /// What is wrong with an exploded body, without a subject: "moves at ...".
+  std::string describe(int body) const;
+
+  std::size_t size() const { return ids_.size(); }
+  dBodyID id(int body) const { return body < 0 ? nullptr : ids_[static_cast<std::size_t>(body)]; }
+  Pose pose(int body) const;
+
+ private:
+  std::vector<dBodyID> ids_;
+  std::vector<Pose> poses_;
+};
+
+}  // namespace lacuna::ode

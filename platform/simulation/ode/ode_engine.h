@@ -1,0 +1,10 @@
+#pragma once
+
+#include "simulation/compiled_model.h"
+
+namespace lacuna::ode {
+
+/// Compiles a structure for ODE 0.16 in maximal coordinates. Throws `Error` as `lacuna::compile` does.
+std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings);
+
+}  // namespace lacuna::ode

@@ -1,0 +1,105 @@
+#include "simulation/ode/ode_model.h"
+
+#include "foundation/address.h"
+#include "simulation/ode/ode_engine.h"
+#include "simulation/ode/ode_workspace.h"
+#include "simulation/ode/run.h"
+#include "simulation/shared/effect_runner.h"
+#include "simulation/shared/robot_checks.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace lacuna::ode {
+namespace {
+
+using simulation::Delay;
+
+ModelStructure checked(const ModelStructure& structure, const EngineSettings& settings) {
+  simulation::check_settings(settings);
+  simulation::check_robot(structure.robot);
+  ModelStructure copy = structure;
+  copy.effects = simulation::canonical(std::move(copy.effects));
+  return copy;
+}
+
+bool shorter(const Delay& a, const Delay& b) {
+  return a.whole != b.whole ? a.whole < b.whole : a.fraction < b.fraction;
+}
+
+void lengthen(Delay& longest, double seconds, const EngineSettings& settings) {
+  if (!(seconds >= 0.0 && seconds < kInfinity))
+    throw Error("a delay may become " + std::to_string(seconds) + " s; give its parameter a finite upper bound");
+  const Delay delay = simulation::make_delay(seconds, settings);
+  if (shorter(longest, delay)) longest = delay;
+}
+
+}  // namespace
+
+OdeModel::OdeModel(const ModelStructure& structure, const EngineSettings& settings)
+    : structure_(checked(structure, settings)),
+      settings_(settings),
+      tree_(simulation::make_joint_tree(structure_.robot)),
+      slots_(structure_),
+      effects_(structure_.effects, structure_.robot, step()),
+      channels_(sensor_channels(structure_.robot)),
+      coordinates_(simulation::name_coordinates(structure_.robot)),
+      longest_sensor_delays_(structure_.robot.sensors.size()),
+      longest_command_delays_(structure_.robot.actuators.size()) {
+  size_memory();
+  lay_out_state();
+}
+
+void OdeModel::size_memory() {
+  std::vector<double> lower, upper;
+  for (const VariableParameter& parameter : structure_.parameters) {
+    lower.push_back(parameter.lower);
+    upper.push_back(parameter.upper);
+  }
+  simulation::ModelInstance instance(structure_, slots_);
+  instance.set(upper);
+  std::vector<std::vector<double>> largest;
+  for (std::size_t i = 0; i < structure_.effects.size(); ++i) {
+    const auto values = instance.effect_values(i);
+    largest.emplace_back(values.begin(), values.end());
+  }
+  effects_.size_states(largest);
+
+  simulation::EffectRunner runner(effects_, instance);
+  for (const std::vector<double>* values : {&upper, &lower}) {
+    instance.set(*values);
+    runner.amend(instance.robot());
+    const RobotSpec& robot = instance.robot();
+    for (std::size_t i = 0; i < robot.sensors.size(); ++i)
+      lengthen(longest_sensor_delays_[i], robot.sensors[i].delay, settings_);
+    for (std::size_t i = 0; i < robot.actuators.size(); ++i)
+      lengthen(longest_command_delays_[i], robot.actuators[i].delay, settings_);
+  }
+}
+
+void OdeModel::lay_out_state() {
+  const OdeWorkspace example(*this);
+  std::size_t offset = 0;
+  for (const auto& [name, size] : example.sections()) {
+    layout_.push_back({name, offset, size});
+    offset += size;
+  }
+}
+
+std::unique_ptr<Workspace> OdeModel::make_workspace() const { return std::make_unique<OdeWorkspace>(*this); }
+
+void OdeModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
+                        Workspace& workspace, SimulationResult& result) const {
+  auto* own = dynamic_cast<OdeWorkspace*>(&workspace);
+  if (!own || &own->model() != this)
+    throw Error("the workspace belongs to another model; use one that this model made");
+  Run(*this, *own, options, result).carry_out(parameters, test);
+}
+
+std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings) {
+  return std::make_unique<OdeModel>(structure, settings);
+}
+
+}  // namespace lacuna::ode

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "simulation/compiled_model.h"
+#include "simulation/ode/ode_workspace.h"
+
+namespace lacuna::ode {
+
+/// One simulation: prepares the workspace, steps, and fills the result.
+class Run {
+ public:
+  Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions& options, SimulationResult& result);
+
+  /// Throws `Error` for arguments that do not fit; whatever goes wrong inside the simulation
+  /// makes the result invalid.
+  void carry_out(std::span<const double> parameters, const Test& test);
+
+ private:
+  void check_arguments(std::span<const double> parameters) const;
+  void check_saved_state() const;
+  void prepare_result();
+
+  void begin();
+  void begin_at_coordinates();
+  void begin_at_saved_state();
+  void advance();
+  void take_commands();
+  void take_command(std::size_t actuator);
+  void ask_effects();
+  void apply_actuator(std::size_t actuator);
+  void settle_actuators();
+  void sense(double now);
+  bool readings_wanted(double now) const;
+
+  /// Writes the outputs up to `now`; false: the caller wants no more.
+  bool write_outputs(double before, double now);
+  void write_commands(double until);
+  /// Adds noise and quantisation to the output row where they are asked for.
+  void impair(double now);
+  void finish();
+  void fail(const std::string& what);
+
+  double time(std::uint64_t step) const { return origin_ + static_cast<double>(step) * h_; }
+
+  const OdeModel& model_;
+  OdeWorkspace& ws_;
+  const SimulationOptions& options_;
+  SimulationResult& result_;
+  const double h_;
+  const double tolerance_;  // s, below which two times are the same
+  const bool look_at_bodies_;
+  double origin_ = 0.0;
+  std::uint64_t step_ = 0, last_step_ = 0;  // counted from origin_
+  std::size_t next_output_ = 0, next_command_output_ = 0;
+  ContactSpec contact_;
+  Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
+};
+
+}  // namespace lacuna::ode

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <lacuna/error.h>
+
+#include <string>
+
+namespace lacuna::ode {
+
+/// What ODE's own error and debug handlers throw out of a step. The world it happened in has
+/// stale jobs and must be dropped together with its threading.
+class EngineFailure : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Makes ODE ready for the calling thread: initialises the library once a process, installs
+/// handlers that throw instead of ending the process, and gives the thread its own data, which
+/// is released when the thread ends.
+void join_session();
+
+/// Forgets what ODE has complained about in this thread.
+void clear_complaint();
+/// ODE reports some failures by a message only (two motors on one coordinate without
+/// regularisation: all forces zero). The first since `clear_complaint`, or empty.
+const char* complaint();
+
+}  // namespace lacuna::ode

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <lacuna/engine_settings.h>
+#include <lacuna/test.h>
+
+#include "simulation/shared/delay_line.h"
+#include "simulation/shared/recorded_commands.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lacuna::simulation {
+
+/// Where the commands of one simulation come from: a recorded series or a controller. Gives each
+/// actuator the mean of its delayed command over the coming step. Belongs to a workspace.
+class Drive {
+ public:
+  /// `longest`: per actuator, the longest delay that a simulation may ask for.
+  Drive(std::span<const Delay> longest, const EngineSettings& settings);
+
+  /// Takes over a test, which must outlive the simulation. Throws `Error` where it does not fit.
+  void open_source(const Test& test, const RobotSpec& robot);
+  /// Takes over a simulation's delays. Throws `Error` for one that is longer than declared.
+  void open_delays(const RobotSpec& robot);
+  bool closed_loop() const { return controller_ != nullptr; }
+  std::size_t controller_state_size() const { return controller_state_.size(); }
+
+  /// Does the controller act before step `step`?
+  bool acts(std::uint64_t step) const;
+  void act(double time, std::span<const double> sensors);
+  /// Prepares the commands of step `step`, which begins at `time`; `first`: there was none before.
+  void begin_step(double time, bool first);
+  /// Mean over the step that has begun, delayed.
+  double command(std::size_t actuator);
+  /// As it was sent, at `time` within the step that has begun.
+  double sent(std::size_t actuator, double time);
+
+  void save_lines(StateWriter& writer) const;
+  void load_lines(StateReader& reader);
+  void save_controller(StateWriter& writer) const { writer.put(controller_state_); }
+  void load_controller(StateReader& reader) { reader.get(controller_state_); }
+  std::size_t lines_size() const;
+
+ private:
+  EngineSettings settings_;
+  double h_;
+  const Controller* controller_ = nullptr;
+  RecordedCommands recorded_, sent_;  // two, since each is asked with ascending times
+  double step_begin_ = 0.0;
+  std::vector<Delay> delays_;
+  std::vector<DelayLine> lines_;
+  std::vector<double> held_;  // per actuator, of the controller
+  std::vector<double> controller_state_;
+};
+
+}  // namespace lacuna::simulation

@@ -1,0 +1,106 @@
+#include "simulation/shared/effect_runner.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::simulation {
+namespace {
+
+bool sound(const JointLoad& load) {
+  return std::isfinite(load.force) && std::isfinite(load.spring_force) && load.friction_lower <= 0.0 &&
+         load.friction_upper >= 0.0 && load.damping >= 0.0 && load.stiffness >= 0.0 && std::isfinite(load.damping) &&
+         std::isfinite(load.stiffness);
+}
+
+bool sound(const ContactSpec& contact) {
+  return contact.stiffness > 0.0 && contact.damping >= 0.0 && std::isfinite(contact.damping) &&
+         contact.friction >= 0.0 && std::isfinite(contact.slope);
+}
+
+bool sound(const StepLoads& loads) {
+  return std::all_of(loads.joints.begin(), loads.joints.end(), [](const JointLoad& load) { return sound(load); }) &&
+         std::all_of(loads.bodies.begin(), loads.bodies.end(),
+                     [](const BodyLoad& load) { return load.force.allFinite() && load.torque.allFinite(); }) &&
+         sound(loads.contact) && loads.gravity.allFinite();
+}
+
+}  // namespace
+
+void EffectRunner::amend(RobotSpec& robot) {
+  const std::size_t sizes[] = {robot.bodies.size(), robot.joints.size(), robot.actuators.size(), robot.sensors.size()};
+  for (const std::size_t effect : schedule_.amending()) {
+    running_ = effect;
+    schedule_.effects()[effect].effect->amend(robot, context(effect));
+    if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
+        sizes[3] != robot.sensors.size())
+      throw Error("it added or removed elements of the robot, which an effect may not");
+  }
+  running_ = kNone;
+}
+
+void EffectRunner::start(const StepView& view) {
+  std::fill(states_.begin(), states_.end(), 0.0);
+  for (std::size_t effect = 0; effect < schedule_.effects().size(); ++effect) {
+    running_ = effect;
+    schedule_.effects()[effect].effect->start(view, context(effect), state(effect));
+  }
+  running_ = kNone;
+}
+
+void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
+  for (const std::size_t effect : schedule_.before_step()) {
+    running_ = effect;
+    schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
+  }
+  running_ = kNone;
+  if (!sound(loads)) throw_culprit(view, loads);
+}
+
+void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
+  const ContactSpec contact = instance_.robot().contact;
+  for (const std::size_t effect : schedule_.before_step()) {
+    std::fill(loads.joints.begin(), loads.joints.end(), JointLoad{});
+    std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
+    loads.contact = contact;
+    loads.gravity = instance_.robot().gravity;
+    schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
+    if (!sound(loads)) throw Error(name(effect) + " wrote a load that is not finite or has the wrong sign");
+  }
+  throw Error("the effects together wrote a load that is not finite or has the wrong sign");
+}
+
+void EffectRunner::after_step(const StepView& view) {
+  for (const std::size_t effect : schedule_.after_step()) {
+    running_ = effect;
+    schedule_.effects()[effect].effect->after_step(view, context(effect), state(effect));
+  }
+  running_ = kNone;
+}
+
+double EffectRunner::command(std::size_t actuator, double value, const StepView& view) {
+  for (const auto& [effect, which] : schedule_.commands(actuator)) {
+    running_ = effect;
+    value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
+  }
+  running_ = kNone;
+  return value;
+}
+
+void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const StepView& view) {
+  for (const auto& [effect, which] : schedule_.senses(sensor)) {
+    running_ = effect;
+    schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
+  }
+  running_ = kNone;
+}
+
+std::string EffectRunner::name(std::size_t effect) const {
+  const PlacedEffect& placed = schedule_.effects()[effect];
+  return "effect \"" + placed.id + "\" (" + placed.name + ")";
+}
+
+std::string EffectRunner::running() const { return running_ == kNone ? std::string() : name(running_); }
+
+}  // namespace lacuna::simulation

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "simulation/shared/effect_schedule.h"
+#include "simulation/shared/model_instance.h"
+#include "simulation/shared/state_archive.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna::simulation {
+
+/// Calls the effects of one simulation and holds their state. Belongs to a workspace; nothing
+/// here allocates once it is constructed.
+class EffectRunner {
+ public:
+  EffectRunner(const EffectSchedule& schedule, const ModelInstance& instance)
+      : schedule_(schedule), instance_(instance), states_(schedule.state_size(), 0.0) {}
+
+  void amend(RobotSpec& robot);
+  void start(const StepView& view);
+  /// Throws `Error` that names the effect if what was added is not finite.
+  void before_step(const StepView& view, StepLoads& loads);
+  void after_step(const StepView& view);
+  double command(std::size_t actuator, double value, const StepView& view);
+  void sense(std::size_t sensor, std::span<double> channels, const StepView& view);
+
+  void save(StateWriter& writer) const { writer.put(states_); }
+  void load(StateReader& reader) { reader.get(states_); }
+
+  /// `effect "friction" (coulomb_friction)` while one of its hooks runs, else empty: names the
+  /// one that threw.
+  std::string running() const;
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  EffectContext context(std::size_t effect) const { return schedule_.context(effect, instance_.effect_values(effect)); }
+  std::span<double> state(std::size_t effect) { return schedule_.state_of(effect, states_); }
+  std::string name(std::size_t effect) const;
+  [[noreturn]] void throw_culprit(const StepView& view, StepLoads& loads);
+
+  const EffectSchedule& schedule_;
+  const ModelInstance& instance_;
+  std::vector<double> states_;
+  std::size_t running_ = kNone;
+};
+
+}  // namespace lacuna::simulation

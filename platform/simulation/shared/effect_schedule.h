@@ -1,0 +1,56 @@
+#pragma once
+
+#include "simulation/model_structure.h"
+
+#include <span>
+#include <vector>
+
+namespace lacuna::simulation {
+
+/// The effects of a structure in their canonical order: by name, placement, id. Everything that
+/// follows from an effect's place in the list follows from this order, never from the file's.
+std::vector<PlacedEffect> canonical(std::vector<PlacedEffect> effects);
+
+/// Which effects are called when. Const, part of the compiled model.
+class EffectSchedule {
+ public:
+  /// `effects` in canonical order, must outlive the schedule. Throws `BadInput` for effects whose
+  /// values or elements do not fit and for hooks that their placement cannot serve.
+  EffectSchedule(const std::vector<PlacedEffect>& effects, const RobotSpec& robot, double step);
+
+  /// A command or sense hook for one element of its placement.
+  struct Call {
+    std::size_t effect = 0;
+    int which = 0;  ///< index into the placement's elements
+  };
+
+  /// Asks each effect for the size of its state; `largest_values`: per effect, one a parameter.
+  void size_states(const std::vector<std::vector<double>>& largest_values);
+
+  const std::vector<PlacedEffect>& effects() const { return effects_; }
+  EffectContext context(std::size_t effect, std::span<const double> values) const;
+  std::span<double> state_of(std::size_t effect, std::span<double> states) const;
+  std::size_t state_size() const { return state_offsets_.back(); }
+
+  const std::vector<std::size_t>& amending() const { return amending_; }
+  const std::vector<std::size_t>& before_step() const { return before_step_; }
+  const std::vector<std::size_t>& after_step() const { return after_step_; }
+  const std::vector<Call>& commands(std::size_t actuator) const { return commands_[actuator]; }  ///< by stage
+  const std::vector<Call>& senses(std::size_t sensor) const { return senses_[sensor]; }          ///< by stage
+  bool any_sense() const { return any_sense_; }
+  /// Does any effect look at the mechanical state? If none does, it need not be prepared.
+  bool looks_at_state() const { return looks_at_state_; }
+
+ private:
+  void schedule(std::size_t effect);
+
+  const std::vector<PlacedEffect>& effects_;
+  double step_;
+  std::vector<std::size_t> amending_, before_step_, after_step_;
+  std::vector<std::vector<Call>> commands_, senses_;  // per actuator, per sensor
+  std::vector<std::size_t> state_offsets_;            // one more than effects
+  bool any_sense_ = false;
+  bool looks_at_state_ = false;
+};
+
+}  // namespace lacuna::simulation

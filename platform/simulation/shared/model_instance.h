@@ -1,0 +1,58 @@
+#pragma once
+
+#include "simulation/model_structure.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna::simulation {
+
+/// Where the values given to a simulation go, resolved once: no string is looked at afterwards.
+class ParameterSlots {
+ public:
+  /// Throws `BadInput` for addresses that match nothing, repeated addresses and bounds that are
+  /// the wrong way round or beyond what the address allows.
+  explicit ParameterSlots(const ModelStructure& structure);
+
+  struct Slot {
+    std::size_t parameter = 0;  ///< index into the values given
+    int robot_value = -1;       ///< index into `addressed_values`, or −1 for an effect's
+    int effect = -1;            ///< index into the structure's effects
+    std::size_t value = 0;      ///< index into that effect's values
+    int scaled_body = -1;       ///< a mass that takes the body's inertia with it
+  };
+  /// Masses first, so that a moment of inertia that is a parameter too has the last word.
+  const std::vector<Slot>& slots() const { return slots_; }
+  const std::vector<VariableParameter>& parameters() const { return parameters_; }
+
+ private:
+  std::vector<Slot> slots_;
+  std::vector<VariableParameter> parameters_;
+};
+
+/// The numbers of one simulation: the robot with the given parameters and the effects' values.
+/// Belongs to a workspace; the structure and slots must outlive it.
+class ModelInstance {
+ public:
+  ModelInstance(const ModelStructure& structure, const ParameterSlots& slots);
+  ModelInstance(const ModelInstance&) = delete;
+  ModelInstance& operator=(const ModelInstance&) = delete;
+
+  /// Starts again from the structure's numbers with these parameters, not yet amended. Throws
+  /// `Error` for a value that is not finite or out of its bounds.
+  void set(std::span<const double> parameters);
+
+  RobotSpec& robot() { return robot_; }
+  const RobotSpec& robot() const { return robot_; }
+  std::span<const double> effect_values(std::size_t effect) const { return effect_values_[effect]; }
+
+ private:
+  const ModelStructure& structure_;
+  const ParameterSlots& slots_;
+  RobotSpec robot_;
+  std::vector<double*> robot_values_;  // into robot_, in the order of `addressed_values`
+  std::vector<std::vector<double>> effect_values_;
+};
+
+}  // namespace lacuna::simulation

@@ -1,0 +1,195 @@
+#include "simulation/shared/robot_checks.h"
+
+#include "foundation/address.h"
+#include "foundation/problem.h"
+#include "simulation/shared/joint_tree.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <set>
+
+namespace lacuna::simulation {
+namespace {
+
+constexpr double kAxisTolerance = 1e-6;  // of unit length and of a right angle
+constexpr double kLargest = 1e12;        // of masses and inertias, SI
+
+bool positive_definite(const InertiaSpec& inertia) {
+  Eigen::Matrix3d matrix;
+  matrix << inertia.xx, inertia.xy, inertia.xz, inertia.xy, inertia.yy, inertia.yz, inertia.xz, inertia.yz, inertia.zz;
+  if (!matrix.allFinite() || matrix.cwiseAbs().maxCoeff() > kLargest) return false;
+  const Eigen::LLT<Eigen::Matrix3d> factor(matrix);
+  return factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > 0.0;
+}
+
+std::string body_complaint(const BodySpec& body) {
+  if (!(body.mass > 0.0) || body.mass > kLargest)
+    return "body \"" + body.name + "\": its mass is " + std::to_string(body.mass) + " kg, it must be positive";
+  if (!positive_definite(body.inertia))
+    return "body \"" + body.name + "\": its moments of inertia are not positive definite; check xx, yy, zz, xy, xz, yz";
+  if (!body.com.allFinite() || !body.position.allFinite() || !body.orientation.coeffs().allFinite())
+    return "body \"" + body.name + "\": its pose or centre of mass is not finite";
+  return {};
+}
+
+std::string gap_complaint(const ActuatorSpec& actuator) {
+  const TransmissionSpec& transmission = actuator.transmission;
+  if (transmission.gap > 0.0 && !std::isfinite(transmission.stiffness))
+    return "actuator \"" + actuator.name + "\": its transmission has a gap but infinite stiffness; give the stiffness";
+  return {};
+}
+
+template <class Spec>
+void check_names(const std::vector<Spec>& specs, const std::string& kind, ProblemList& problems) {
+  std::set<std::string> seen;
+  for (const Spec& spec : specs) {
+    if (spec.name.empty()) problems.add({}, "a " + kind + " of the robot has no name");
+    if (!seen.insert(spec.name).second)
+      problems.add({}, "two " + kind + "s of the robot are called \"" + spec.name + "\"; names must differ");
+  }
+}
+
+template <class Spec>
+std::vector<std::string> names_of(const std::vector<Spec>& specs) {
+  std::vector<std::string> names;
+  for (const Spec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+void check_bodies(const RobotSpec& robot, ProblemList& problems) {
+  for (const BodySpec& body : robot.bodies) {
+    if (const std::string complaint = body_complaint(body); !complaint.empty()) problems.add({}, complaint);
+    if (body.name == kWorld) problems.add({}, "a body may not be called \"world\"");
+    if (std::abs(body.orientation.norm() - 1.0) > kAxisTolerance)
+      problems.add({}, "body \"" + body.name + "\": its orientation is not a unit quaternion");
+    for (const ShapeSpec& shape : body.shapes) {
+      const int sizes = shape.kind == ShapeKind::box ? 3 : shape.kind == ShapeKind::sphere ? 1 : 2;
+      const bool sound = shape.size.allFinite() && shape.position.allFinite() &&
+                         std::abs(shape.orientation.norm() - 1.0) < kAxisTolerance &&
+                         (shape.size.head(sizes).array() > 0.0).all();
+      if (!sound)
+        problems.add(
+            {}, "body \"" + body.name + "\": a shape's sizes must be positive and its orientation a unit quaternion");
+    }
+  }
+}
+
+void check_joints(const RobotSpec& robot, ProblemList& problems) {
+  for (const JointSpec& joint : robot.joints) {
+    const std::string where = "joint \"" + joint.name + "\": ";
+    const bool has_axis = joint.kind != JointKind::ball && joint.kind != JointKind::fixed;
+    if (!joint.anchor.allFinite()) problems.add({}, where + "its anchor is not finite");
+    if (has_axis && !(std::abs(joint.axis.norm() - 1.0) < kAxisTolerance))
+      problems.add({}, where + "its axis is not a unit vector");
+    if (joint.kind == JointKind::universal && !(std::abs(joint.axis2.norm() - 1.0) < kAxisTolerance &&
+                                                std::abs(joint.axis.dot(joint.axis2)) < kAxisTolerance))
+      problems.add({}, where + "its axis2 is not a unit vector perpendicular to its axis");
+    if (!(joint.lower <= joint.upper)) problems.add({}, where + "its lower stop is above its upper stop");
+  }
+}
+
+void check_actuators(const RobotSpec& robot, ProblemList& problems) {
+  for (const ActuatorSpec& actuator : robot.actuators) {
+    const std::string where = "actuator \"" + actuator.name + "\": ";
+    const int joint = index_of(robot.joints, actuator.joint);
+    if (joint < 0) {
+      problems.add({}, where + "its joint \"" + actuator.joint + "\" is not a joint of the robot" +
+                           did_you_mean(actuator.joint, names_of(robot.joints)));
+      continue;
+    }
+    const JointKind kind = robot.joints[static_cast<std::size_t>(joint)].kind;
+    if (kind == JointKind::ball || kind == JointKind::fixed)
+      problems.add({}, where + "its joint \"" + actuator.joint +
+                           "\" is a ball or fixed joint; actuators drive hinges, sliders and the first coordinate of "
+                           "universal joints");
+    if (!(actuator.command_lower <= actuator.command_upper))
+      problems.add({}, where + "its command_lower is above its command_upper");
+    if (const std::string complaint = gap_complaint(actuator); !complaint.empty()) problems.add({}, complaint);
+  }
+}
+
+bool reads_joint(SensorKind kind) {
+  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
+}
+
+void check_sensors(const RobotSpec& robot, ProblemList& problems) {
+  for (const SensorSpec& sensor : robot.sensors) {
+    const std::string where = "sensor \"" + sensor.name + "\": ";
+    const std::vector<std::string> known = reads_joint(sensor.kind) ? names_of(robot.joints) : names_of(robot.bodies);
+    const int element =
+        reads_joint(sensor.kind) ? index_of(robot.joints, sensor.element) : index_of(robot.bodies, sensor.element);
+    if (element < 0)
+      problems.add({}, where + "it reads \"" + sensor.element + "\", which is not a " +
+                           (reads_joint(sensor.kind) ? "joint" : "body") + " of the robot" +
+                           did_you_mean(sensor.element, known));
+    else if (reads_joint(sensor.kind) && robot.joints[static_cast<std::size_t>(element)].kind == JointKind::fixed)
+      problems.add({}, where + "it reads the fixed joint \"" + sensor.element + "\", which has no coordinate");
+  }
+}
+
+void check_values(const RobotSpec& robot, ProblemList& problems) {
+  RobotSpec copy = robot;
+  for (const AddressedValue& value : addressed_values(copy)) {
+    const bool may_be_infinite = std::isinf(value.lower) || std::isinf(value.upper);
+    const bool inside = *value.value >= value.lower && *value.value <= value.upper;
+    if (!inside || (std::isinf(*value.value) && !may_be_infinite))
+      problems.add({}, value.address + " is " + std::to_string(*value.value) + " " + value.unit + ", outside of " +
+                           std::to_string(value.lower) + " to " + std::to_string(value.upper));
+  }
+}
+
+}  // namespace
+
+void check_robot(const RobotSpec& robot) {
+  ProblemList problems;
+  check_names(robot.bodies, "body", problems);
+  check_names(robot.joints, "joint", problems);
+  check_names(robot.actuators, "actuator", problems);
+  check_names(robot.sensors, "sensor", problems);
+  check_bodies(robot, problems);
+  check_joints(robot, problems);
+  check_actuators(robot, problems);
+  check_sensors(robot, problems);
+  check_values(robot, problems);
+  problems.throw_if_any();
+}
+
+void check_settings(const EngineSettings& settings) {
+  ProblemList problems;
+  if (!(settings.step > 0.0) || !std::isfinite(settings.step))
+    problems.add({}, "engine.step is " + std::to_string(settings.step) + " s, it must be positive");
+  if (settings.substeps < 1)
+    problems.add({}, "engine.substeps is " + std::to_string(settings.substeps) + ", it must be at least 1");
+  if (!(settings.control_period >= 0.0) || !std::isfinite(settings.control_period))
+    problems.add({}, "engine.control_period is " + std::to_string(settings.control_period) +
+                         " s, it must be positive, or 0 for every step");
+  if (!(settings.joint_erp >= 0.0 && settings.joint_erp <= 1.0))
+    problems.add({}, "engine.joint_erp is " + std::to_string(settings.joint_erp) + ", it must lie in 0 to 1");
+  problems.throw_if_any();
+}
+
+std::string unphysical(const RobotSpec& robot) {
+  for (const BodySpec& body : robot.bodies)
+    if (std::string complaint = body_complaint(body); !complaint.empty()) return complaint;
+  for (const ActuatorSpec& actuator : robot.actuators)
+    if (std::string complaint = gap_complaint(actuator); !complaint.empty()) return complaint;
+  for (const JointSpec& joint : robot.joints) {
+    const double laws[] = {joint.damping, joint.dry_friction, joint.stiffness, joint.armature};
+    for (const double law : laws)
+      if (!(law >= 0.0) || std::isinf(law))
+        return "joint \"" + joint.name +
+               "\": damping, dry friction, stiffness and armature must be finite and not negative";
+    if (!std::isfinite(joint.rest) || !std::isfinite(joint.force) || !(joint.lower <= joint.upper))
+      return "joint \"" + joint.name +
+             "\": its rest position or force is not finite, or its stops are the wrong way round";
+  }
+  if (!robot.gravity.allFinite()) return "gravity is not finite";
+  const ContactSpec& contact = robot.contact;
+  if (!(contact.stiffness > 0.0) || !(contact.damping >= 0.0) || !(contact.friction >= 0.0) ||
+      !std::isfinite(contact.slope) || std::isinf(contact.damping))
+    return "contact: stiffness must be positive, damping and friction not negative, slope finite";
+  return {};
+}
+
+}  // namespace lacuna::simulation

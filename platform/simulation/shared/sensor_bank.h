@@ -1,0 +1,65 @@
+#pragma once
+
+#include <lacuna/engine_settings.h>
+#include <lacuna/physical_effect.h>
+#include <lacuna/time_series.h>
+
+#include "simulation/shared/delay_line.h"
+#include "simulation/shared/effect_runner.h"
+
+#include <span>
+#include <vector>
+
+namespace lacuna::simulation {
+
+/// What sensors read besides the `StepView`.
+struct SensedForces {
+  std::span<const double> joint_forces;             ///< per coordinate, of the last step
+  std::span<const Eigen::Vector3d> contact_forces;  ///< per body, world, of the last step
+  std::span<const unsigned char> touching;          ///< per body
+};
+
+/// The sensors of one simulation: true value, delay, effects, scale and offset, once an
+/// integration step. Belongs to a workspace; nothing here allocates once it is constructed.
+class SensorBank {
+ public:
+  /// `longest`: per sensor, the longest delay that a simulation may ask for.
+  SensorBank(const RobotSpec& robot, std::span<const Delay> longest);
+
+  /// Takes over a simulation's delays, scales and offsets. Throws `Error` for a delay that is
+  /// longer than declared.
+  void configure(const RobotSpec& robot, const EngineSettings& settings);
+
+  /// The first reading: delay lines are filled with it.
+  void start(const StepView& view, const SensedForces& forces, EffectRunner& effects);
+  void advance(const StepView& view, const SensedForces& forces, EffectRunner& effects);
+
+  /// All channels in spec order, without noise and quantisation.
+  std::span<const double> readings() const { return readings_; }
+  /// Per sensor, and the number of channels behind the last.
+  std::span<const std::size_t> first_channel() const { return first_channel_; }
+  bool reads_bodies() const { return reads_bodies_; }
+  /// Must `advance` see every step, or only those whose readings are wanted?
+  bool has_memory() const { return has_memory_; }
+
+  void save(StateWriter& writer) const;
+  void load(StateReader& reader);
+  std::size_t memory_size() const;
+
+ private:
+  void read(const StepView& view, const SensedForces& forces);
+  void read_one(const SensorSpec& sensor, std::size_t element, const StepView& view, const SensedForces& forces,
+                std::span<double> out) const;
+  void refine(const StepView& view, EffectRunner& effects);
+
+  const RobotSpec* robot_ = nullptr;
+  std::vector<std::size_t> elements_;       // per sensor: joint or body
+  std::vector<std::size_t> first_channel_;  // per sensor, one more
+  std::vector<DelayLine> lines_;            // per channel
+  std::vector<Delay> delays_;               // per sensor
+  std::vector<double> readings_;            // per channel
+  bool reads_bodies_ = false;
+  bool has_memory_ = false;
+};
+
+}  // namespace lacuna::simulation
