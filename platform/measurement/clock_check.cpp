@@ -119,8 +119,8 @@ void check_intervals(const TrialClock& clock, const CsvTable& table, const Recor
     if (interval > longest && !is_masked(source, from, from + interval)) {
       report.problem("gap", line, [&] {
         return fmt::format(
-            "a pause of {} before this sample (usual: {}); leave it out with target.use or target.mask, "
-            "or allow it with target.max_gap",
+            "a pause of {} before this sample (usual: {}); leave it out with target.time.use or target.time.mask, "
+            "or allow it with target.time.max_gap",
             seconds(interval), seconds(median));
       });
     } else if (interval > kDroppedInIntervals * median) {

@@ -113,7 +113,8 @@ void check_column(const PlannedColumn& column, const TimeSeries& series, Eigen::
   if (shape.clipped == 0 || command) return;
   report.note("saturated " + mapping.column, line, [&] {
     return fmt::format(
-        "column `{}` stays at its {} {} for {} samples, {} times after moving fast: saturated? target.mask keeps such "
+        "column `{}` stays at its {} {} for {} samples, {} times after moving fast: saturated? target.time.mask keeps "
+        "such "
         "stretches from being compared",
         mapping.column, shape.clipped_high ? "largest value" : "smallest value",
         format_quantity(shape.clipped_high ? shape.highest : shape.lowest, column.channel.unit), shape.clipped,

@@ -6,7 +6,7 @@
 #include "measurement/csv_format.h"
 #include "measurement/csv_table.h"
 #include "measurement/plausibility.h"
-#include "measurement/text_file.h"
+#include "measurement/measured_text.h"
 #include "measurement/trial_builder.h"
 
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ void add_trials(const WholeSource& whole, const CsvTable& table, const TrialCloc
   }
   if (pieces.empty())
     report.problem("use", 0, [&] {
-      return fmt::format("target.use leaves no sample of trial {}, which runs from {:.9g} s to {:.9g} s",
+      return fmt::format("target.time.use leaves no sample of trial {}, which runs from {:.9g} s to {:.9g} s",
                          prototype.name, clock.origin, clock.origin + clock.times.back());
     });
 }
@@ -118,7 +118,7 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
 
 void read_file(WholeSource& whole, std::size_t file_index, FileReport& report, std::vector<Trial>& trials) {
   const RecordingSource& source = whole.source;
-  const std::string text = read_text_file(source.files[file_index].path, report);
+  const std::string text = read_measured_text(source.files[file_index].path, report);
   if (report.has_problems()) return;
   const CsvFormat format = find_csv_format(text, {source.time_column, source.delimiter, source.decimal_comma}, report);
   if (report.has_problems()) return;

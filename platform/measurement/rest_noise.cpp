@@ -1,5 +1,7 @@
 #include "measurement/rest_noise.h"
 
+#include <lacuna/robot_spec.h>
+
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
 #include "measurement/quantisation.h"
@@ -20,6 +22,8 @@ constexpr double kMostScatter = 5.0;  // times that of second differences: corre
 constexpr double kSameMean = 1.0;     // scatters between the means of neighbouring windows
 constexpr double kSameScatter = 3.0;  // times the quietest tenth of the windows
 constexpr double kFewestReadings = 48;
+// A step this small against the span is a printed digit as likely as a quantiser, and noise may well be larger.
+constexpr double kCoarseStep = 1e-4;
 
 struct Window {
   double mean = 0.0;
@@ -162,11 +166,16 @@ std::vector<RestStretch> find_rest(const Eigen::VectorXd& times, std::span<const
 SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::string& channel) {
   SensorNoise noise;
   RestSums sums;
+  double lowest = kInfinity, highest = -kInfinity;
   for (const Trial& trial : trials) {
     const std::vector<double> values = values_of(trial.measured, channel);
     if (values.empty()) continue;
     const double quantum = quantisation_step(values);
     noise.quantum = std::max(noise.quantum, quantum);
+    for (const double value : values) {
+      if (value < lowest) lowest = value;
+      if (value > highest) highest = value;
+    }
     const Eigen::VectorXd& times = trial.measured.times;
     for (const RestStretch& stretch : find_rest(times, values, quantum)) {
       sums.add(
@@ -175,7 +184,7 @@ SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::s
     }
   }
   const double from_quantum = noise.quantum / std::sqrt(12.0);
-  if (noise.quantum > 0.0) noise.standard_deviation = from_quantum;
+  if (noise.quantum > std::max(0.0, kCoarseStep * (highest - lowest))) noise.standard_deviation = from_quantum;
   if (sums.readings < kFewestReadings) return noise;
   noise.at_rest = std::sqrt(sums.squares / sums.degrees_of_freedom);
   noise.correlation = sums.squares > 0.0 ? sums.products / sums.squares : 0.0;
@@ -185,7 +194,9 @@ SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::s
 
 std::string SensorNoise::origin(const std::string& unit) const {
   const std::string step = "step " + format_quantity(quantum, unit) + "/\u221a12";
-  if (std::isnan(standard_deviation)) return "unknown: the channel never rests and has no visible step";
+  if (std::isnan(standard_deviation))
+    return quantum > 0.0 ? "unknown: the channel never rests, and its " + step + " is too fine to tell"
+                         : "unknown: the channel never rests and has no visible step";
   if (std::isnan(at_rest)) return step + "; no rest to compare";
   const std::string rest = "rest " + format_quantity(at_rest, unit) + " in " + format_quantity(rest_duration, "s");
   if (quantum == 0.0) return rest;

@@ -26,7 +26,7 @@ std::vector<RestStretch> find_rest(const Eigen::VectorXd& times, std::span<const
 /// What the recordings tell about the noise of one channel, in its unit.
 struct SensorNoise {
   /// Standard deviation of a reading's error: the scatter at rest, at least quantum/√12. NaN if the
-  /// channel neither rests anywhere nor is quantised.
+  /// channel rests nowhere and its step, if it has one, is below 10⁻⁴ of its span.
   double standard_deviation = std::numeric_limits<double>::quiet_NaN();
   double at_rest = std::numeric_limits<double>::quiet_NaN();  ///< scatter at rest about each stretch's mean
   double quantum = 0.0;                                       ///< step of the quantiser; 0: none found

@@ -55,7 +55,7 @@ void fill_commands(CommandSeries& commands, const std::vector<PlannedColumn>& pl
       report.problem("first command", table.lines[clock.rows.front()], [&] {
         return fmt::format(
             "command column `{}` has no value in the trial's first row, so the command is not known; "
-            "start later with target.use",
+            "start later with target.time.use",
             planned[static_cast<std::size_t>(c)].mapping->column);
       });
       continue;

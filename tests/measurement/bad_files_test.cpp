@@ -88,7 +88,7 @@ std::vector<BadFile> refused_files() {
       {"words_under_the_header", "t,q,u\nseconds since start,the angle,the torque\n" + kSamples,
        "run.csv:2: column `t` has `seconds since start`", ""},
       {"nothing_to_use", "t,q,u\n" + kSamples,
-       "target.use leaves no sample of trial run.csv, which runs from 0 s to 0.2 s", "",
+       "target.time.use leaves no sample of trial run.csv, which runs from 0 s to 0.2 s", "",
        [](RecordingSource& source) {
          source.use = {{5.0, 6.0}};
        }},

@@ -1,4 +1,4 @@
-#include "measurement/text_file.h"
+#include "measurement/measured_text.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +84,7 @@ std::string not_text(const std::string& bytes) {
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& path, FileReport& report) {
+std::string read_measured_text(const std::filesystem::path& path, FileReport& report) {
   std::string complaint;
   std::string text = read_bytes(path, complaint);
   if (complaint.empty()) complaint = not_text(text);

@@ -11,6 +11,6 @@ namespace lacuna {
 /// \r alone, are turned into \n, with a note; a byte order mark is taken off). What is not a text
 /// file becomes a problem that says what it is and what to do: a folder, a file without permission,
 /// an empty one, UTF-16, a spreadsheet, a MATLAB or other binary file. Then the result is empty.
-std::string read_text_file(const std::filesystem::path& path, FileReport& report);
+std::string read_measured_text(const std::filesystem::path& path, FileReport& report);
 
 }  // namespace lacuna
