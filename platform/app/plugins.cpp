@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/component_details.h"
 #include "app/options.h"
 #include "loading/plugin_catalog.h"
 
@@ -69,6 +70,18 @@ void list_plugins(const PluginsOptions& options) {
   for (const std::string& problem : catalog.problems()) std::fprintf(stderr, "%s\n", problem.c_str());
 }
 
+void show_plugin(const PluginsOptions& options) {
+  const PluginCatalog catalog(plugin_search_path(options.common.plugin_paths));
+  const std::vector<ComponentDetails> found = details_of(catalog, options.name);
+  if (options.common.json) {
+    Json json = {{"components", Json::array()}};
+    for (const ComponentDetails& details : found) json["components"].push_back(json_of(details));
+    write_json(json, *options.common.json);
+    return;
+  }
+  for (const ComponentDetails& details : found) std::fputs(text_of(details).c_str(), stdout);
+}
+
 }  // namespace
 
 void add_plugins_command(CLI::App& program) {
@@ -78,6 +91,10 @@ void add_plugins_command(CLI::App& program) {
   CLI::App* list = plugins->add_subcommand("list", "List every effect, robot, metric and target with its file");
   add_plugins_options(*list, options->common);
   list->callback([options] { list_plugins(*options); });
+  CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, of an effect, its physics");
+  show->add_option("name", options->name, "The plugin's name")->required();
+  add_plugins_options(*show, options->common);
+  show->callback([options] { show_plugin(*options); });
 }
 
 }  // namespace lacuna
