@@ -1,13 +1,236 @@
 #include "fitting/fit.h"
 
-#include "fitting/comparison.h"
+#include "fitting/covariance.h"
+#include "fitting/identifiability.h"
+#include "fitting/progress_meter.h"
+#include "fitting/refinement.h"
+#include "fitting/stages.h"
+#include "fitting/start_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
 
 namespace lacuna {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
+  std::vector<Trial> kept;
+  for (const Trial& trial : trials)
+    if (!trial.held_out) kept.push_back(trial);
+  if (kept.empty()) throw Error("there is no trial to fit to: every file is held out; name one as a fit file");
+  return kept;
+}
+
+RobustLoss loss_of(const FitSection& options) {
+  if (options.loss == "squared") return {};
+  if (options.loss == "huber") return {options.loss_scale};
+  throw Error("fit.loss is \"" + options.loss + "\"; write \"huber\" or \"squared\"");
+}
+
+/// What all stages of one fit share.
+class Fitter {
+ public:
+  explicit Fitter(const FitTask& task)
+      : task_(task),
+        meter_(task.progress),
+        loss_(loss_of(task.options)),
+        result_(as_written(task.definition)),
+        predictor_(task.model, fit_trials(task.trials), task.threads),
+        space_(task.definition.free) {
+    result_.noise = sensor_noise(task.definition.structure.robot, predictor_.trials());
+    states_ = std::make_unique<StartStates>(task.definition.structure.robot, predictor_, result_.noise);
+  }
+
+  /// METHOD's step 4.
+  FitResult run() {
+    const std::vector<PlannedStage> stages = plan_stages(task_.options, predictor_, *states_, result_.notes);
+    meter_.set_parts(static_cast<int>(stages.size()) + std::max(task_.options.starts, 1) + 1);
+    for (PlannedStage stage : stages) {
+      if (stage.automatic) find_horizon(stage);
+      cut_into_segments(stage.length);
+      if (candidates_.empty()) choose_starts();
+      refine_candidates(stage.name);
+      record(stage);
+      keep_rivals(candidates_, problem_->samples());
+    }
+    settle_heads(stages.back());
+    judge();
+    count_simulations();
+    result_.seconds = meter_.seconds();
+    return result_;
+  }
+
+ private:
+  std::vector<double> current_values() const {
+    return candidates_.empty() ? result_.parameters() : space_.to_values(candidates_.front().values);
+  }
+
+  void find_horizon(PlannedStage& stage) {
+    stage.length = automatic_horizon(predictor_, *states_, current_values());
+    stage.name =
+        stage.length > 0.0 ? fmt::format("segments of {:.3g} s (automatic horizon)", stage.length) : "free run";
+    if (stage.length > 0.0)
+      result_.notes.push_back(fmt::format(
+          "the uncertainty of a start grows to twice the noise in {:.3g} s: the last stage's segments are that long",
+          stage.length));
+  }
+
+  void cut_into_segments(double length) {
+    count_simulations();
+    problem_ = std::make_unique<ShootingProblem>(
+        predictor_, space_, make_segments(predictor_, *states_, length, current_values()), result_.noise);
+    if (problem_->segments().empty())
+      throw Error(
+          "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
+          "state has unknowns; check the mask, the time ranges and the columns");
+  }
+
+  void choose_starts() {
+    for (const Eigen::VectorXd& point :
+         start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
+      candidates_.emplace_back();
+      candidates_.back().values = point;
+    }
+    result_.starts = static_cast<int>(candidates_.size());
+  }
+
+  RefinementOptions refinement() {
+    return {loss_, task_.options.max_iterations, [this](int iteration) { meter_.report(iteration); }};
+  }
+
+  void refine_candidates(const std::string& stage) {
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      meter_.begin_part(fmt::format("{}, start {} of {}", stage, i + 1, candidates_.size()));
+      candidates_[i] = refine(*problem_, candidates_[i].values, refinement());
+      meter_.end_part();
+    }
+    refined_ = static_cast<int>(candidates_.size());
+    agreeing_ = rank(candidates_, problem_->samples());
+    if (!candidates_.front().valid)
+      throw Error("the model cannot be simulated from any of " + std::to_string(candidates_.size()) +
+                  " starting points: " + problem_->last_reason() + "; check the start values and bounds of [model]");
+    if (result_.stages.empty()) result_.agreeing = agreeing_;
+  }
+
+  void record(const PlannedStage& planned) {
+    const Candidate& best = candidates_.front();
+    FitStage stage;
+    stage.name = planned.name;
+    stage.segment = planned.length;
+    stage.segments = static_cast<int>(problem_->segments().size());
+    stage.starts = refined_;
+    stage.agreeing = agreeing_;
+    stage.iterations = best.search.iterations;
+    stage.converged = best.search.converged;
+    stage.residual = best.residual;
+    stage.values = space_.to_values(best.values);
+    result_.stages.push_back(stage);
+  }
+
+  /// The last stage once more with the trials' starts estimated under its own values.
+  void settle_heads(const PlannedStage& last) {
+    candidates_.resize(1);
+    cut_into_segments(last.length);
+    refine_candidates(last.name + ", once more");
+    result_.stages.pop_back();
+    record(last);
+  }
+
+  void judge() {
+    const Candidate& best = candidates_.front();
+    problem_->set_scales(best.scales);
+    std::vector<bool> at_bound;
+    for (Eigen::Index j = 0; j < space_.size(); ++j) at_bound.push_back(bound_side(best.values, j) != 0);
+    std::vector<SegmentJacobian> jacobians;
+    problem_->linearize_finely(best.search.point, best.search.residuals, jacobians);
+    const Uncertainty known =
+        uncertainty(*problem_, space_, best.search.point, best.search.residuals, jacobians, loss_, at_bound);
+    result_.cannot_tell = undetermined_sentences(known, best.search.point, space_, task_.definition.free);
+    result_.correlation_time = known.correlation_time;
+    result_.samples = problem_->samples();
+    if (known.few_blocks)
+      result_.notes.push_back(
+          fmt::format("residuals are correlated over {:.2g} s; the intervals rest on {} blocks of the recording only",
+                      known.correlation_time, known.blocks));
+    if (!best.search.converged)
+      result_.notes.push_back(
+          fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
+                      best.search.iterations));
+    write_values(best, known);
+  }
+
+  /// −1 at the lower bound, 1 at the upper, else 0.
+  int bound_side(const Eigen::VectorXd& values, Eigen::Index j) const {
+    const double near = 1e-9 * (space_.upper()(j) - space_.lower()(j));
+    if (values(j) <= space_.lower()(j) + near) return -1;
+    return values(j) >= space_.upper()(j) - near ? 1 : 0;
+  }
+
+  void write_values(const Candidate& best, const Uncertainty& known) {
+    const std::vector<double> values = space_.to_values(best.values);
+    Eigen::VectorXd slopes(space_.size());
+    for (Eigen::Index j = 0; j < space_.size(); ++j) slopes(j) = space_.slope(j, best.values(j));
+    result_.covariance = slopes.asDiagonal() * known.covariance * slopes.asDiagonal();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto j = static_cast<Eigen::Index>(i);
+      FittedValue& value = result_.values[i];
+      const FreeValue& free = task_.definition.free[i];
+      value.value = values[i];
+      value.at_lower_bound = bound_side(best.values, j) < 0;
+      value.at_upper_bound = bound_side(best.values, j) > 0;
+      value.identified = known.determined[i];
+      if (value.at_lower_bound || value.at_upper_bound) continue;
+      if (!value.identified) {
+        value.standard_error = kInfinity;
+        value.lower_95 = free.lower;
+        value.upper_95 = free.upper;
+        continue;
+      }
+      const double deviation = std::sqrt(known.covariance(j, j));
+      value.standard_error = deviation * slopes(j);
+      const double half = known.quantile * deviation;
+      value.lower_95 = space_.logarithmic(j) ? value.value * std::exp(-half) : value.value - half;
+      value.upper_95 = space_.logarithmic(j) ? value.value * std::exp(half) : value.value + half;
+    }
+  }
+
+  void count_simulations() {
+    if (!problem_) return;
+    result_.simulations += problem_->simulations();
+    result_.invalid_simulations += problem_->invalid_simulations();
+    problem_.reset();
+  }
+
+  const FitTask& task_;
+  ProgressMeter meter_;
+  RobustLoss loss_;
+  FitResult result_;
+  TrialPredictor predictor_;
+  ParameterSpace space_;
+  std::unique_ptr<StartStates> states_;
+  std::unique_ptr<ShootingProblem> problem_;
+  std::vector<Candidate> candidates_;
+  int refined_ = 0;
+  int agreeing_ = 0;
+};
+
+}  // namespace
 
 std::vector<double> FitResult::parameters() const {
   std::vector<double> all;
   for (const FittedValue& value : values) all.push_back(value.value);
   return all;
+}
+
+FitResult fit(const FitTask& task) {
+  if (task.definition.free.empty()) return as_written(task.definition);
+  return Fitter(task).run();
 }
 
 FitResult as_written(const ModelDefinition& definition) {
@@ -17,9 +240,11 @@ FitResult as_written(const ModelDefinition& definition) {
     value.address = free.address;
     value.unit = free.unit;
     value.start = value.value = free.start;
-    value.standard_error = value.lower_95 = value.upper_95 = std::numeric_limits<double>::quiet_NaN();
+    value.standard_error = value.lower_95 = value.upper_95 = kNothing;
     result.values.push_back(value);
   }
+  const auto size = static_cast<Eigen::Index>(result.values.size());
+  result.covariance = Eigen::MatrixXd::Constant(size, size, kNothing);
   return result;
 }
 

@@ -1,0 +1,95 @@
+#include "fitting/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr int kRounds = 3;           ///< of scales and search in turn
+constexpr double kSettled = 0.05;    ///< relative change of scales that ends them
+constexpr double kSameError = 1e-3;  ///< per sample: 0.05 % of the residual
+constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
+
+bool settled(const std::vector<double>& before, const std::vector<double>& after) {
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (std::abs(after[i] - before[i]) > kSettled * before[i]) return false;
+  return true;
+}
+
+std::vector<double> noise_scales(const ShootingProblem& problem) {
+  std::vector<double> scales;
+  for (const ChannelNoise& channel : problem.noise()) scales.push_back(channel.deviation);
+  return scales;
+}
+
+void summarise(const ShootingProblem& problem, Candidate& candidate) {
+  double logarithms = 0.0, squares = 0.0;
+  for (std::size_t k = 0; k < candidate.search.residuals.size(); ++k)
+    for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
+      const std::size_t channel = problem.place(k, row).channel;
+      const double over_noise = candidate.scales[channel] / problem.noise()[channel].deviation;
+      logarithms += std::log(over_noise);
+      squares += std::pow(candidate.search.residuals[k](row) * over_noise, 2);
+    }
+  candidate.objective = candidate.search.cost + 2.0 * logarithms;
+  candidate.residual = std::sqrt(squares / static_cast<double>(problem.samples()));
+}
+
+bool same_error(const Candidate& a, const Candidate& b, std::size_t samples) {
+  return std::abs(a.objective - b.objective) <= 1.0 + kSameError * static_cast<double>(samples);
+}
+
+}  // namespace
+
+Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options) {
+  Candidate candidate;
+  candidate.values = values;
+  problem.set_scales(noise_scales(problem));
+  FitPoint point = problem.start(values);
+  std::vector<Eigen::VectorXd> residuals;
+  candidate.valid = problem.residuals(point, residuals);
+  if (!candidate.valid) return candidate;
+
+  LeastSquaresOptions search;
+  search.loss = options.loss;
+  search.progress = options.progress;
+  int iterations = 0;
+  for (int round = 0; round < kRounds && iterations < options.max_iterations; ++round) {
+    const std::vector<double> scales = robust_scales(problem, residuals);
+    if (round > 0 && settled(problem.scales(), scales)) break;
+    problem.set_scales(scales);
+    search.max_iterations = options.max_iterations - iterations;
+    candidate.search = minimize(problem, point, search);
+    iterations += candidate.search.iterations;
+    point = candidate.search.point;
+    residuals = candidate.search.residuals;
+  }
+  candidate.search.iterations = iterations;
+  candidate.values = point.values;
+  candidate.scales = problem.scales();
+  summarise(problem, candidate);
+  return candidate;
+}
+
+int rank(std::vector<Candidate>& candidates, std::size_t samples) {
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.valid != b.valid ? a.valid : a.valid && a.objective < b.objective;
+  });
+  return static_cast<int>(std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+    return candidate.valid && same_error(candidate, candidates.front(), samples);
+  }));
+}
+
+void keep_rivals(std::vector<Candidate>& candidates, std::size_t samples) {
+  const Candidate& best = candidates.front();
+  const auto rival = std::find_if(candidates.begin() + 1, candidates.end(), [&](const Candidate& candidate) {
+    return candidate.valid && !same_error(candidate, best, samples) &&
+           candidate.objective < best.objective + kHopeless * static_cast<double>(samples);
+  });
+  std::vector<Candidate> kept = {best};
+  if (rival != candidates.end()) kept.push_back(*rival);
+  candidates = std::move(kept);
+}
+
+}  // namespace lacuna

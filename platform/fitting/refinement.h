@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fitting/shooting_problem.h"
+
+#include <functional>
+#include <vector>
+
+namespace lacuna {
+
+/// A start and where the search has led from it in one stage.
+struct Candidate {
+  Eigen::VectorXd values;  ///< coordinates; the start, then the result
+  bool valid = false;
+  LeastSquaresResult search;
+  std::vector<double> scales;  ///< of the channels, under which `search` ended
+  double objective = 0.0;      ///< minus twice the logarithm of the likelihood, up to a constant
+  double residual = 0.0;       ///< RMS of residual over sensor noise
+};
+
+struct RefinementOptions {
+  RobustLoss loss;
+  int max_iterations = 50;
+  std::function<void(int)> progress;
+};
+
+/// Minimises from `values`, start states at their guesses. Residuals are weighed by a scale a channel that
+/// follows the residual itself (median absolute deviation, at least the sensor noise), so that a model that is
+/// still wrong is not fitted as if all of its error were outliers.
+Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options);
+
+/// Sorts by objective, those that are not valid last. Returns how many reached the best one's error.
+int rank(std::vector<Candidate>& candidates, std::size_t samples);
+
+/// Keeps the best and the best of those that ended elsewhere: another stage may turn their order round.
+void keep_rivals(std::vector<Candidate>& candidates, std::size_t samples);
+
+}  // namespace lacuna

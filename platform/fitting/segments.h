@@ -1,0 +1,30 @@
+#pragma once
+
+#include "fitting/head_fit.h"
+#include "fitting/start_states.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// A stretch whose prediction is compared with the data, and what is known of its start.
+struct Segment {
+  Stretch stretch;
+  StartState start;           ///< guess; exact for the components that are not unknown
+  std::vector<int> unknown;   ///< components of the start that are fitted
+  Eigen::VectorXd deviation;  ///< prior standard deviation of each unknown about its guess
+  std::vector<Eigen::Index> rows,
+      columns;  ///< the measured values that count: row in the stretch, channel of the trial
+};
+
+/// Cuts a trial into equal stretches of about `length` s; not positive, or longer than the trial: one.
+std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length);
+
+/// Cuts the trials that are not held out into segments for a stage. A segment at a trial's start
+/// follows what the trial knows: exact; `from_data`, its state estimated on the head with `values`, which is
+/// then not scored; or free. Inner segments are free. Segments that hold no more measured values than
+/// unknowns tell nothing and are left out, as are heads that cannot be simulated.
+std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
+                                   const std::vector<double>& values);
+
+}  // namespace lacuna

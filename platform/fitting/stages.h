@@ -1,0 +1,28 @@
+#pragma once
+
+#include "fitting/fit.h"
+#include "fitting/start_states.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// One round of a fit as planned.
+struct PlannedStage {
+  std::string name;
+  double length = 0.0;     ///< s; 0: whole trials
+  bool automatic = false;  ///< the length is found when the stage begins
+};
+
+/// The stages that the options ask for and the data allow; what had to be decided goes to `notes`. Throws `Error`
+/// for a method or horizon that does not exist.
+std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPredictor& predictor,
+                                      const StartStates& states, std::vector<std::string>& notes);
+
+/// The longest horizon over which what is uncertain of a start, estimated on 50 ms, moves no channel by
+/// more than twice its noise (one standard deviation); the median over starts spread over the trials. 0: the
+/// whole trial.
+double automatic_horizon(const TrialPredictor& predictor, const StartStates& states, const std::vector<double>& values);
+
+}  // namespace lacuna

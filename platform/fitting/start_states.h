@@ -1,0 +1,74 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+
+#include "evaluation/trial_predictor.h"
+#include "fitting/noise_floor.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+inline constexpr double kHead = 0.05;  ///< s of measurement that tell a start state
+
+/// A start state with the uncertainty of each component. Components are counted positions first, then
+/// velocities: coordinate c's velocity is component n + c.
+struct StartEstimate {
+  bool valid = false;
+  StartState start;
+  Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite where the data say nothing
+  Eigen::VectorXd noise;      ///< what one sample's noise does to a component; a head's deviation never falls below
+};
+
+double component(const StartState& start, int index);
+void set_component(StartState& start, int index, double value);
+
+/// Which measured channels tell the joint coordinates of a model, and what they say at a sample.
+/// Const and shared by threads.
+class StartStates {
+ public:
+  /// `noise`: deviations of the measured channels (see sensor_noise).
+  StartStates(const RobotSpec& robot, const TrialPredictor& predictor, const std::vector<ChannelNoise>& noise);
+
+  int coordinates() const { return coordinates_; }
+  /// Every coordinate's position is measured in this trial and no body floats: any moment can be a start.
+  bool reconstructible(std::size_t trial) const;
+  /// Names of the coordinates whose position the trial does not measure.
+  std::vector<std::string> unmeasured(std::size_t trial) const;
+  /// The standard deviation of a measured channel of a trial.
+  double deviation(std::size_t trial, Eigen::Index channel) const;
+
+  /// Positions and velocities at a sample of the stretch from low polynomials through the samples near it,
+  /// none outside the stretch; deviations are those of the polynomials. What is not measured is zero,
+  /// or, at a trial's first sample, as the trial states it, with an infinite deviation.
+  StartEstimate from_samples(const Stretch& stretch, Eigen::Index sample) const;
+
+  /// Whether the trial states this coordinate exactly, which counts for its first sample.
+  static bool given(const Trial& trial, int coordinate);
+
+ private:
+  /// A channel that reads a coordinate: reading = scale · value + offset.
+  struct Reading {
+    Eigen::Index channel = -1;
+    double scale = 1.0;
+    double offset = 0.0;
+  };
+  struct TrialReadings {
+    std::vector<std::optional<Reading>> positions, velocities;  ///< per coordinate
+    std::vector<double> deviations;                             ///< per measured channel
+  };
+
+  TrialReadings readings_of(const RobotSpec& robot, const Trial& trial, const std::vector<ChannelNoise>& noise) const;
+  /// Writes what the channels say about coordinate `c`.
+  void read_coordinate(const Stretch& stretch, Eigen::Index sample, int c, StartEstimate& estimate) const;
+
+  const std::vector<Trial>& trials_;
+  int coordinates_ = 0;
+  bool floating_ = false;
+  std::vector<std::string> names_;
+  std::vector<TrialReadings> readings_;
+};
+
+}  // namespace lacuna
