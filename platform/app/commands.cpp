@@ -26,6 +26,7 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
   add_plugins_command(program);
+  add_sql_command(program);
 
   watch_for_interrupts();
   try {

@@ -8,6 +8,7 @@ namespace lacuna {
 /// `Error` where it fails. One file a command.
 void add_check_command(CLI::App& program);
 void add_plugins_command(CLI::App& program);
+void add_sql_command(CLI::App& program);
 
 /// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be resumed.
 int run_program(int argc, char** argv);

@@ -98,6 +98,10 @@ Database Database::open_read_only(const std::filesystem::path& file) {
 
 sqlite3* Database::handle() const { return connection_->getHandle(); }
 
+void Database::wait_for_writers(std::chrono::milliseconds longest) {
+  connection_->setBusyTimeout(static_cast<int>(longest.count()));
+}
+
 bool Database::in_transaction() const { return sqlite3_get_autocommit(handle()) == 0; }
 
 void Database::execute(const std::string& statements) try {

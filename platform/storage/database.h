@@ -1,7 +1,7 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +50,8 @@ class Database {
   /// For storage/ alone.
   SQLite::Database& connection() const { return *connection_; }
   sqlite3* handle() const;
+  /// How long to wait for another writer before giving up; 5 s unless said otherwise.
+  void wait_for_writers(std::chrono::milliseconds longest);
   bool in_transaction() const;
   void execute(const std::string& statements);
   /// Throws `Error` if the file is no longer where it was opened: what is written would be lost.

@@ -124,8 +124,8 @@ struct FitStageRecord {
 struct FitRecord {
   std::string settings;  ///< everything besides the revision that the result depends on: method, segments, starts,
                          ///< loss, seed, digests of the plugin files used; compared as text by `last_fit_of`
-  std::string method;  ///< "multiple_shooting", "free_run"
-  std::string loss;    ///< "huber", "squared"
+  std::string method;    ///< "multiple_shooting", "free_run"
+  std::string loss;      ///< "huber", "squared"
   double loss_scale = kNotKnown;
   bool converged = false;        ///< in the last stage
   double residual = kNotKnown;   ///< RMS of residual over sensor noise, last stage

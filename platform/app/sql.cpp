@@ -1,0 +1,66 @@
+#include <lacuna/error.h>
+
+#include "app/commands.h"
+#include "storage/query.h"
+#include "storage/query_output.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+struct SqlOptions {
+  std::filesystem::path database;
+  std::string sql;
+  bool views = false;
+  bool csv = false;
+  std::optional<std::string> json;
+};
+
+void print_views() {
+  for (const ViewDescription& view : view_descriptions()) {
+    std::printf("%s\n  %s\n  %s\n", view.name.c_str(), view.sentence.c_str(), view.example.c_str());
+  }
+}
+
+void query(const SqlOptions& options) {
+  const Database database = Database::open_read_only(options.database);
+  if (options.views) return print_views();
+  const bool to_file = options.json && !options.json->empty();
+  std::ofstream file;
+  if (to_file) file.open(*options.json);
+  std::ostream& stream = to_file ? file : std::cout;
+  const QueryFormat format = options.json ? QueryFormat::json : options.csv ? QueryFormat::csv : QueryFormat::table;
+  run_queries(database, options.sql, *make_query_output(format, stream));
+  if (!stream.flush()) {
+    throw Error((to_file ? *options.json : "standard output") + ": cannot be written; check the disk and permissions");
+  }
+}
+
+}  // namespace
+
+void add_sql_command(CLI::App& program) {
+  auto options = std::make_shared<SqlOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("sql", "Query a database, read-only");
+  command->add_option("database", options->database, "Database file")->required();
+  command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"");
+  command->add_flag("--views", options->views, "List the views, each with an example");
+  CLI::Option* csv = command->add_flag("--csv", options->csv, "Results as CSV");
+  // A flag, so that it does not take the statement after it for its file.
+  command->add_flag("--json{}", options->json, "Results as JSON, to standard output or, with --json=FILE, to a file")
+      ->excludes(csv);
+  command->callback([options] {
+    if (options->sql.empty() && !options->views) {
+      throw CLI::RequiredError("a statement in quotes, or --views for what can be asked,");
+    }
+    query(*options);
+  });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,190 @@
+#include "storage/query.h"
+
+#include "foundation/interrupt.h"
+#include "foundation/problem.h"
+#include "storage/storage_error.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+namespace lacuna {
+namespace {
+
+constexpr int kOperationsBetweenLooks = 10000;  ///< of SQLite's machine, well under a millisecond
+
+int stop_if_interrupted(void*) { return interrupt_requested() ? 1 : 0; }
+
+/// Refuses what the read-only file itself would let pass: other files, pragmas that set something, extensions.
+int allow_reading_only(void*, int action, const char* first, const char* second, const char*, const char*) {
+  switch (action) {
+    case SQLITE_SELECT:
+    case SQLITE_READ:
+    case SQLITE_RECURSIVE: return SQLITE_OK;
+    case SQLITE_UPDATE:  // how table-valued pragmas declare themselves; a true update of it is refused by SQLite
+      return std::string_view(first) == "sqlite_master" ? SQLITE_OK : SQLITE_DENY;
+    case SQLITE_FUNCTION: return std::string_view(second) == "load_extension" ? SQLITE_DENY : SQLITE_OK;
+    case SQLITE_PRAGMA: {
+      static constexpr std::string_view kAsking[] = {"table_info",      "table_xinfo", "table_list",
+                                                     "index_list",      "index_info",  "foreign_key_list",
+                                                     "integrity_check", "quick_check", "foreign_key_check"};
+      static constexpr std::string_view kAskingWithoutValue[] = {"user_version", "application_id", "journal_mode",
+                                                                 "page_count",   "page_size",      "encoding"};
+      const auto among = [&](const auto& names) {
+        return std::find(std::begin(names), std::end(names), first) != std::end(names);
+      };
+      return among(kAsking) || (second == nullptr && among(kAskingWithoutValue)) ? SQLITE_OK : SQLITE_DENY;
+    }
+    default: return SQLITE_DENY;
+  }
+}
+
+/// Puts the connection into the state in which a user's statements may run, and back.
+class ReadingOnly {
+ public:
+  explicit ReadingOnly(sqlite3* handle) : handle_(handle) {
+    sqlite3_set_authorizer(handle_, allow_reading_only, nullptr);
+    sqlite3_progress_handler(handle_, kOperationsBetweenLooks, stop_if_interrupted, nullptr);
+  }
+  ~ReadingOnly() {
+    sqlite3_set_authorizer(handle_, nullptr, nullptr);
+    sqlite3_progress_handler(handle_, 0, nullptr, nullptr);
+  }
+  ReadingOnly(const ReadingOnly&) = delete;
+  ReadingOnly& operator=(const ReadingOnly&) = delete;
+
+ private:
+  sqlite3* handle_;
+};
+
+SourceLocation place_in(const std::string& sql, std::size_t offset) {
+  const std::string_view before = std::string_view(sql).substr(0, offset);
+  const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t start_of_line = line == 1 ? 0 : before.rfind('\n') + 1;
+  return {"SQL", line, static_cast<int>(offset - start_of_line) + 1};
+}
+
+std::vector<std::string> names_of_tables(sqlite3* handle) {
+  std::vector<std::string> names;
+  const auto take = [](void* list, int, char** values, char**) {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(values[0]);
+    return 0;
+  };
+  sqlite3_exec(handle, "SELECT name FROM sqlite_master WHERE type IN ('view', 'table') ORDER BY name", take, &names,
+               nullptr);
+  return names;
+}
+
+std::string advice(sqlite3* handle, const std::string& message) {
+  static constexpr std::string_view kNoTable = "no such table: ";
+  if (message.starts_with(kNoTable)) {
+    const std::string near = did_you_mean(message.substr(kNoTable.size()), names_of_tables(handle));
+    return near.empty() ? "; `lacuna sql FILE --views` lists what there is" : near;
+  }
+  if (message.starts_with("not authorized") || message == "authorization denied")
+    return "; only reading is allowed here";
+  return "";
+}
+
+bool is_fault_of_sql(int primary_code) {
+  switch (primary_code) {
+    case SQLITE_ERROR:
+    case SQLITE_AUTH:
+    case SQLITE_SCHEMA:  // how a refusal ends when the tables had not been looked at before
+    case SQLITE_READONLY:
+    case SQLITE_MISMATCH: return true;
+    default: return false;
+  }
+}
+
+/// `start`: where in the text the failing statement begins.
+[[noreturn]] void fail(const Database& database, const std::string& sql, std::size_t start) {
+  sqlite3* handle = database.handle();
+  const int code = sqlite3_extended_errcode(handle);
+  const int offset = sqlite3_error_offset(handle);
+  const std::string message = sqlite3_errmsg(handle);
+  if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted("interrupted; the query was ended");
+  if (!is_fault_of_sql(code & 0xff)) throw_storage_error(database.file(), code, message);
+  const std::size_t place = start + (offset > 0 ? static_cast<std::size_t>(offset) : 0);
+  throw BadInput({Problem{place_in(sql, std::min(place, sql.size())), message + advice(handle, message)}});
+}
+
+Cell cell_of(sqlite3_stmt* statement, int column) {
+  switch (sqlite3_column_type(statement, column)) {
+    case SQLITE_INTEGER: return std::int64_t{sqlite3_column_int64(statement, column)};
+    case SQLITE_FLOAT: return sqlite3_column_double(statement, column);
+    case SQLITE_TEXT:
+      return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)),
+                         static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+    case SQLITE_BLOB: return Blob{static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
+    default: return std::monostate{};
+  }
+}
+
+using StatementHandle = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+
+/// False at a fault, whose description the connection holds.
+bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
+  const int count = sqlite3_column_count(statement);
+  std::vector<std::string> columns;
+  for (int column = 0; column < count; ++column) columns.emplace_back(sqlite3_column_name(statement, column));
+  // The first row comes before anything is written: many faults show only when a statement runs.
+  int result = sqlite3_step(statement);
+  if (result != SQLITE_ROW && result != SQLITE_DONE) return false;
+  output.begin(columns);
+  std::vector<Cell> cells(columns.size());
+  for (; result == SQLITE_ROW; result = sqlite3_step(statement)) {
+    for (int column = 0; column < count; ++column) cells[static_cast<std::size_t>(column)] = cell_of(statement, column);
+    output.row(cells);
+  }
+  if (result != SQLITE_DONE) return false;
+  output.end();
+  return true;
+}
+
+}  // namespace
+
+void run_queries(const Database& database, const std::string& sql, QueryOutput& output) {
+  const ReadingOnly reading(database.handle());
+  const char* const text = sql.c_str();
+  bool any = false;
+  for (const char* rest = text; *rest != '\0';) {
+    throw_if_interrupted();
+    const auto start = static_cast<std::size_t>(rest - text);
+    sqlite3_stmt* prepared = nullptr;
+    if (sqlite3_prepare_v2(database.handle(), rest, -1, &prepared, &rest) != SQLITE_OK) fail(database, sql, start);
+    const StatementHandle statement(prepared, &sqlite3_finalize);
+    if (!statement) continue;  // a comment or nothing between two semicolons
+    any = true;
+    if (!run_one(statement.get(), output)) fail(database, sql, start);
+  }
+  if (!any)
+    throw BadInput({Problem{place_in(sql, 0), "there is no statement; try \"SELECT * FROM error_by_revision\""}});
+}
+
+std::vector<ViewDescription> view_descriptions() {
+  static constexpr std::string_view kComment = "-- ";
+  static constexpr std::string_view kExample = "-- example: ";
+  static constexpr std::string_view kView = "CREATE VIEW ";
+  std::vector<ViewDescription> views;
+  ViewDescription next;
+  for (std::size_t at = 0; at < schema_views().size();) {
+    const std::size_t end = std::min(schema_views().find('\n', at), schema_views().size());
+    const std::string line = schema_views().substr(at, end - at);
+    at = end + 1;
+    if (line.starts_with(kExample)) {
+      next.example = line.substr(kExample.size());
+    } else if (line.starts_with(kComment)) {
+      next.sentence += (next.sentence.empty() ? "" : " ") + line.substr(kComment.size());
+    } else if (line.starts_with(kView)) {
+      next.name = line.substr(kView.size(), line.find(' ', kView.size()) - kView.size());
+      views.push_back(next);
+    }
+    if (!line.starts_with(kComment)) next = {};
+  }
+  return views;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "storage/database.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lacuna {
+
+struct Blob {
+  std::size_t bytes = 0;  ///< its content is not for reading
+};
+
+/// NULL, integer, real, text or bytes.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string, Blob>;
+
+/// Takes what queries find, statement by statement.
+class QueryOutput {
+ public:
+  virtual ~QueryOutput() = default;
+  virtual void begin(const std::vector<std::string>& columns) = 0;
+  virtual void row(const std::vector<Cell>& cells) = 0;
+  virtual void end() = 0;
+};
+
+/// Runs what a user typed, one or several statements, on a database opened for reading. Statements
+/// that would change anything, here or in another file, are refused. Throws `BadInput` with the place in
+/// the text for faults of the SQL, `Interrupted` when the user does not want to wait, else `Error`.
+void run_queries(const Database& database, const std::string& sql, QueryOutput& output);
+
+/// What the comments in schema/views.sql say about a view.
+struct ViewDescription {
+  std::string name;
+  std::string sentence;
+  std::string example;
+};
+std::vector<ViewDescription> view_descriptions();
+
+}  // namespace lacuna

@@ -1,0 +1,173 @@
+#include "storage/query_output.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+bool is_number(const Cell& cell) {
+  return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<double>(cell);
+}
+
+/// Text of a cell; `digits` 0: as many as tell the number from every other.
+std::string text_of(const Cell& cell, int digits) {
+  struct Writer {
+    int digits;
+    std::string operator()(std::monostate) const { return ""; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const {
+      return digits > 0 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{}", value);
+    }
+    std::string operator()(const std::string& value) const { return value; }
+    std::string operator()(const Blob& blob) const { return fmt::format("({} bytes)", blob.bytes); }
+  };
+  return std::visit(Writer{digits}, cell);
+}
+
+/// Columns on a screen: characters of UTF-8, as if each were one column wide.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// A cell must not break the line that it stands in.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return text;
+}
+
+class TableOutput : public QueryOutput {
+ public:
+  explicit TableOutput(std::ostream& stream) : stream_(stream) {}
+
+  void begin(const std::vector<std::string>& columns) override {
+    if (any_) stream_ << '\n';
+    any_ = true;
+    columns_ = columns;
+    rows_.clear();
+    right_.assign(columns.size(), true);
+  }
+
+  void row(const std::vector<Cell>& cells) override {
+    static constexpr int kDigits = 6;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      texts.push_back(on_one_line(text_of(cells[i], kDigits)));
+      if (!is_number(cells[i]) && !std::holds_alternative<std::monostate>(cells[i])) right_[i] = false;
+    }
+    rows_.push_back(std::move(texts));
+  }
+
+  void end() override {
+    std::vector<std::size_t> widths;
+    for (const std::string& name : columns_) widths.push_back(width_of(name));
+    for (const auto& row : rows_) {
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+    }
+    write(columns_, widths);
+    std::vector<std::string> rules;
+    for (const std::size_t width : widths) rules.emplace_back(width, '-');
+    write(rules, widths);
+    for (const auto& row : rows_) write(row, widths);
+    if (rows_.empty()) stream_ << "(no rows)\n";
+  }
+
+ private:
+  void write(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
+    std::string line;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::string padding(widths[i] - width_of(texts[i]), ' ');
+      line += (i == 0 ? "" : "  ") + (right_[i] ? padding + texts[i] : texts[i] + padding);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    stream_ << line << '\n';
+  }
+
+  std::ostream& stream_;
+  bool any_ = false;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<std::string>> rows_;
+  std::vector<bool> right_;
+};
+
+class CsvOutput : public QueryOutput {
+ public:
+  explicit CsvOutput(std::ostream& stream) : stream_(stream) {}
+
+  void begin(const std::vector<std::string>& columns) override {
+    if (any_) stream_ << '\n';
+    any_ = true;
+    std::string line;
+    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + quoted(name);
+    stream_ << line << '\n';
+  }
+
+  void row(const std::vector<Cell>& cells) override {
+    for (std::size_t i = 0; i < cells.size(); ++i) stream_ << (i == 0 ? "" : ",") << quoted(text_of(cells[i], 0));
+    stream_ << '\n';
+  }
+
+  void end() override {}
+
+ private:
+  static std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+  }
+
+  std::ostream& stream_;
+  bool any_ = false;
+};
+
+class JsonOutput : public QueryOutput {
+ public:
+  explicit JsonOutput(std::ostream& stream) : stream_(stream) {}
+
+  void begin(const std::vector<std::string>& columns) override {
+    columns_ = columns;
+    first_ = true;
+    stream_ << '[';
+  }
+
+  void row(const std::vector<Cell>& cells) override {
+    nlohmann::ordered_json object = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < cells.size(); ++i) object[columns_[i]] = json_of(cells[i]);
+    stream_ << (first_ ? "\n" : ",\n") << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    first_ = false;
+  }
+
+  void end() override { stream_ << (first_ ? "]\n" : "\n]\n"); }
+
+ private:
+  static nlohmann::ordered_json json_of(const Cell& cell) {
+    if (std::holds_alternative<std::monostate>(cell)) return nullptr;
+    if (const auto* integer = std::get_if<std::int64_t>(&cell)) return *integer;
+    if (const auto* real = std::get_if<double>(&cell)) return *real;  // what is not finite becomes null
+    if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+    return {{"bytes", std::get<Blob>(cell).bytes}};
+  }
+
+  std::ostream& stream_;
+  std::vector<std::string> columns_;
+  bool first_ = true;
+};
+
+}  // namespace
+
+std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream) {
+  switch (format) {
+    case QueryFormat::table: return std::make_unique<TableOutput>(stream);
+    case QueryFormat::csv: return std::make_unique<CsvOutput>(stream);
+    case QueryFormat::json: return std::make_unique<JsonOutput>(stream);
+  }
+  return nullptr;
+}
+
+}  // namespace lacuna

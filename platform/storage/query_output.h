@@ -1,0 +1,19 @@
+#pragma once
+
+#include "storage/query.h"
+
+#include <memory>
+#include <ostream>
+
+namespace lacuna {
+
+enum class QueryFormat {
+  table,  ///< aligned columns, six significant digits, numbers to the right, NULL as nothing
+  csv,    ///< RFC 4180 with a header line; every digit
+  json    ///< a list of objects for each statement; every digit; what is not finite is null
+};
+
+/// Writes to `stream`, which outlives it. CSV and JSON are written as rows come.
+std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream);
+
+}  // namespace lacuna

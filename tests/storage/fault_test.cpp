@@ -1,0 +1,231 @@
+#include "storage/child_process.h"
+#include "storage/query.h"
+#include "storage/small_database.h"
+#include "storage/statement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+using test::ChildProcess;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+std::int64_t ask(const Database& database, const char* sql) {
+  Statement statement(database, sql);
+  EXPECT_TRUE(statement.step());
+  return statement.integer(0);
+}
+
+bool is_intact(const Database& database) {
+  Statement check(database, "PRAGMA integrity_check");
+  return check.step() && check.text(0) == "ok";
+}
+
+void add_experiment(ResultStore& store, int number) {
+  store.record_experiment({"experiment " + std::to_string(number), "rig.toml", std::string(5000, 'x'), {}});
+}
+
+class StorageFault : public testing::Test {
+ protected:
+  void begin_run(ResultStore& store) { store.begin_run({.command = "test", .seed = 1, .threads = 1}, {}); }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_ / "rig.db";
+};
+
+TEST_F(StorageFault, AProcessKilledInATransactionLeavesNothingOfIt) {
+  { Database::open(file_); }
+  ChildProcess child([&](int to_parent) {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    const Transaction transaction(database);
+    database.execute("PRAGMA cache_size = 10");  // so that pages reach the file before the commit
+    for (int i = 0; i < 500; ++i) add_experiment(store, i);
+    ChildProcess::say(to_parent, "w");
+    pause();
+  });
+  ASSERT_EQ(child.next(), 'w');
+  EXPECT_GT(std::filesystem::file_size(file_.string() + "-wal"), 500U * 5000U) << "the test would show nothing";
+  child.kill();
+  const Database database = Database::open(file_);
+  EXPECT_TRUE(is_intact(database));
+  EXPECT_EQ(ask(database, "SELECT count(*) FROM run"), 1);
+  EXPECT_EQ(ask(database, "SELECT count(*) FROM experiment"), 0);
+}
+
+TEST_F(StorageFault, WhatWasCommittedSurvivesAKillAtAnyMoment) {
+  constexpr int kKills = 15;
+  { Database::open(file_); }
+  std::int64_t acknowledged = 0;
+  for (int attempt = 0; attempt < kKills; ++attempt) {
+    ChildProcess child([&](int to_parent) {
+      Database database = Database::open(file_);
+      ResultStore store(database);
+      begin_run(store);
+      for (int i = 0;; ++i) {
+        add_experiment(store, 1000 * attempt + i);
+        ChildProcess::say(to_parent, "c");
+      }
+    });
+    for (int commits = 0; commits <= attempt % 4; ++commits) {
+      ASSERT_EQ(child.next(), 'c');
+      ++acknowledged;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(700 * attempt));
+    child.kill();
+    const Database database = Database::open(file_);
+    ASSERT_TRUE(is_intact(database));
+    const std::int64_t found = ask(database, "SELECT count(*) FROM experiment");
+    ASSERT_GE(found, acknowledged);
+    acknowledged = found;
+  }
+}
+
+TEST_F(StorageFault, ADeletedFileIsNoticedAtTheNextCommit) {
+  Database database = Database::open(file_);
+  ResultStore store(database);
+  begin_run(store);
+  std::filesystem::remove(file_);
+  try {
+    add_experiment(store, 1);
+    FAIL() << "was written to a file that is gone";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("rig.db: was moved or deleted while it was open"));
+  }
+}
+
+TEST_F(StorageFault, ARenamedFolderIsNoticedAtTheNextCommit) {
+  std::filesystem::create_directory(folder_ / "results");
+  Database database = Database::open(folder_ / "results" / "rig.db");
+  ResultStore store(database);
+  begin_run(store);
+  std::filesystem::rename(folder_ / "results", folder_ / "old results");
+  EXPECT_THROW(add_experiment(store, 1), Error);
+  EXPECT_FALSE(database.in_transaction());
+}
+
+TEST_F(StorageFault, AReplacedFileIsNoticedAtTheNextCommit) {
+  Database database = Database::open(file_);
+  ResultStore store(database);
+  begin_run(store);
+  std::filesystem::rename(file_, folder_ / "aside.db");
+  { Database::open(file_); }
+  EXPECT_THROW(add_experiment(store, 1), Error);
+}
+
+TEST_F(StorageFault, AFileSizeLimitGivesASentenceAndLeavesTheFileIntact) {
+  { Database::open(file_); }
+  ChildProcess child([&](int) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{400'000, 400'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    for (int i = 0; i < 500; ++i) add_experiment(store, i);
+  });
+  EXPECT_THAT(child.all(), AnyOf(HasSubstr("the disk or the quota is full"), HasSubstr("check the disk, its quota")));
+  const Database database = Database::open(file_);
+  EXPECT_TRUE(is_intact(database));
+  EXPECT_GT(ask(database, "SELECT count(*) FROM experiment"), 0);
+}
+
+TEST_F(StorageFault, AFullDiskGivesASentenceAndLeavesTheFileIntact) {
+  ChildProcess child([&](int to_parent) {
+    if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=600k") != 0) {
+      return ChildProcess::say(to_parent, "no mount");
+    }
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    try {
+      for (int i = 0; i < 500; ++i) add_experiment(store, i);
+    } catch (const Error& error) {
+      ChildProcess::say(to_parent, error.what());
+    }
+    if (is_intact(database)) ChildProcess::say(to_parent, " / intact");
+    if (ask(database, "SELECT count(*) FROM experiment") > 0) ChildProcess::say(to_parent, " / with what was kept");
+  });
+  const std::string said = child.all();
+  if (said == "no mount") GTEST_SKIP() << "a file system of 600 kB can be mounted by root alone";
+  EXPECT_THAT(said, HasSubstr("the disk or the quota is full"));
+  EXPECT_THAT(said, HasSubstr("intact / with what was kept"));
+}
+
+TEST_F(StorageFault, ADamagedPageIsNoticed) {
+  {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    for (int i = 0; i < 50; ++i) add_experiment(store, i);
+  }
+  {
+    std::fstream bytes(file_, std::ios::in | std::ios::out | std::ios::binary);
+    for (int page = 1; page < 12; ++page) {
+      bytes.seekp(page * 4096);
+      bytes << std::string(64, '\xff');
+    }
+  }
+  try {
+    const Database database = Database::open_read_only(file_);
+    Statement every(database, "SELECT * FROM experiment_text JOIN experiment ON experiment.id = experiment");
+    while (every.step()) {
+    }
+    FAIL() << "nothing was noticed";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("rig.db: is damaged"));
+  }
+}
+
+/// As somebody who may not write into the folder.
+std::string read_as_guest(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  chmod(folder.c_str(), 0555);
+  ChildProcess child([&](int to_parent) {
+    if (geteuid() == 0 && setuid(65534) != 0) return ChildProcess::say(to_parent, "no guest");
+    const Database database = Database::open_read_only(file);
+    ChildProcess::say(to_parent, "runs: " + std::to_string(ask(database, "SELECT count(*) FROM runs")));
+  });
+  std::string said = child.all();
+  chmod(folder.c_str(), 0755);
+  return said;
+}
+
+TEST_F(StorageFault, AClosedDatabaseIsReadableInAReadOnlyFolder) {
+  {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+  }
+  EXPECT_EQ(read_as_guest(folder_.path(), file_), "runs: 1");
+}
+
+TEST_F(StorageFault, ADatabaseWithALogInAReadOnlyFolderGetsASentence) {
+  ChildProcess writer([&](int to_parent) {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    ChildProcess::say(to_parent, "w");
+    pause();
+  });
+  ASSERT_EQ(writer.next(), 'w');
+  writer.kill();
+  std::filesystem::remove(file_.string() + "-shm");
+  EXPECT_THAT(read_as_guest(folder_.path(), file_), HasSubstr("has changes in its -wal file"));
+}
+
+}  // namespace
+}  // namespace lacuna
