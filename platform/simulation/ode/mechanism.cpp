@@ -8,6 +8,9 @@
 namespace lacuna::ode {
 namespace {
 
+// N or N·m; far larger ones overflow inside ODE, which costs its world.
+constexpr double kLargestForce = 1e15;
+
 JointLoad base_load(const JointSpec& joint) {
   return {.force = joint.force,
           .friction_lower = -joint.dry_friction,
@@ -125,8 +128,13 @@ void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contac
   if (contact.slope != ground_.slope()) ground_.collide(contact.slope);
   ground_.begin_step(world_.id(), contact, h_, joint_erp_);
   clear_complaint();
-  dWorldStep(world_.id(), h_);
-  if (complaint()[0] != '\0') throw EngineFailure(std::string("ODE could not solve the step: ") + complaint());
+  try {
+    dWorldStep(world_.id(), h_);
+  } catch (...) {
+    world_.mark_failed();
+    throw;
+  }
+  if (complaint()[0] != '\0') throw Error(std::string("ODE could not solve the step: ") + complaint());
   ground_.end_step();
   check_bodies();
   read_forces();
@@ -147,8 +155,9 @@ void Mechanism::set_laws(std::span<const JointLoad> loads) {
       rows.friction.set_law(0.0, rows.friction_limit);
     }
     rows.stop.set_position(position);
-    if (!std::isfinite(rows.force) || !std::isfinite(rows.target))
-      throw Error("the force on " + simulation::name_coordinates(*robot_)[i].name + " is not finite");
+    if (!(std::abs(rows.force) <= kLargestForce) || !std::isfinite(rows.target))
+      throw Error("the force on " + simulation::name_coordinates(*robot_)[i].name + " is " +
+                  std::to_string(rows.force) + ", beyond anything that can be simulated");
     if (rows.force != 0.0) joints_.add_force(i, rows.force);
   }
 }

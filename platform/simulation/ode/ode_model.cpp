@@ -42,8 +42,8 @@ OdeModel::OdeModel(const ModelStructure& structure, const EngineSettings& settin
     : structure_(checked(structure, settings)),
       settings_(settings),
       tree_(simulation::make_joint_tree(structure_.robot)),
-      slots_(structure_),
       effects_(structure_.effects, structure_.robot, step()),
+      slots_(structure_),
       channels_(sensor_channels(structure_.robot)),
       coordinates_(simulation::name_coordinates(structure_.robot)),
       longest_sensor_delays_(structure_.robot.sensors.size()),
@@ -70,7 +70,11 @@ void OdeModel::size_memory() {
   simulation::EffectRunner runner(effects_, instance);
   for (const std::vector<double>* values : {&upper, &lower}) {
     instance.set(*values);
-    runner.amend(instance.robot());
+    try {
+      runner.amend(instance.robot());
+    } catch (...) {
+      throw Error(runner.explain());
+    }
     const RobotSpec& robot = instance.robot();
     for (std::size_t i = 0; i < robot.sensors.size(); ++i)
       lengthen(longest_sensor_delays_[i], robot.sensors[i].delay, settings_);

@@ -41,8 +41,8 @@ class OdeModel : public CompiledModel {
   ModelStructure structure_;  // effects in canonical order
   EngineSettings settings_;
   simulation::JointTree tree_;
-  simulation::ParameterSlots slots_;
   simulation::EffectSchedule effects_;
+  simulation::ParameterSlots slots_;
   std::vector<Channel> channels_;
   std::vector<Coordinate> coordinates_;
   std::vector<simulation::Delay> longest_sensor_delays_, longest_command_delays_;

@@ -56,10 +56,8 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
   } catch (const EngineFailure& failure) {
     ws_.drop_mechanism();
     fail(failure.what());
-  } catch (const std::exception& error) {
-    fail(error.what());
   } catch (...) {
-    fail("an exception that is no std::exception was thrown");
+    fail(ws_.effects.explain());
   }
 }
 
@@ -296,10 +294,9 @@ void Run::finish() {
 }
 
 void Run::fail(const std::string& what) {
-  const std::string running = ws_.effects.running();
   result_.ending = Ending::invalid;
   result_.final_state.values.clear();
-  result_.reason = "at " + seconds(time(step_)) + ": " + (running.empty() ? what : running + " failed: " + what);
+  result_.reason = "at " + seconds(time(step_)) + ": " + what;
 }
 
 }  // namespace lacuna::ode

@@ -2,7 +2,21 @@
 
 #include "simulation/ode/session.h"
 
+#include <mutex>
+#include <vector>
+
 namespace lacuna::ode {
+namespace {
+
+/// Threading implementations that can never be freed, kept where leak checkers find them.
+void keep_for_ever(dThreadingImplementationID threading) {
+  static std::mutex mutex;
+  static auto* kept = new std::vector<dThreadingImplementationID>;
+  const std::lock_guard lock(mutex);
+  kept->push_back(threading);
+}
+
+}  // namespace
 
 World::World() {
   join_session();
@@ -14,7 +28,10 @@ World::World() {
 
 World::~World() {
   dWorldDestroy(id_);
-  dThreadingFreeImplementation(threading_);
+  if (failed_)
+    keep_for_ever(threading_);
+  else
+    dThreadingFreeImplementation(threading_);
 }
 
 void World::reserve(std::size_t bodies, std::size_t joints, std::size_t rows) {

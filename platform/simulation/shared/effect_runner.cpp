@@ -1,5 +1,7 @@
 #include "simulation/shared/effect_runner.h"
 
+#include "foundation/guarded_call.h"
+
 #include <lacuna/error.h>
 
 #include <algorithm>
@@ -29,9 +31,10 @@ bool sound(const StepLoads& loads) {
 }  // namespace
 
 void EffectRunner::amend(RobotSpec& robot) {
+  running_ = kNone;
   const std::size_t sizes[] = {robot.bodies.size(), robot.joints.size(), robot.actuators.size(), robot.sensors.size()};
   for (const std::size_t effect : schedule_.amending()) {
-    running_ = effect;
+    enter(effect, "amend");
     schedule_.effects()[effect].effect->amend(robot, context(effect));
     if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
         sizes[3] != robot.sensors.size())
@@ -43,7 +46,7 @@ void EffectRunner::amend(RobotSpec& robot) {
 void EffectRunner::start(const StepView& view) {
   std::fill(states_.begin(), states_.end(), 0.0);
   for (std::size_t effect = 0; effect < schedule_.effects().size(); ++effect) {
-    running_ = effect;
+    enter(effect, "start");
     schedule_.effects()[effect].effect->start(view, context(effect), state(effect));
   }
   running_ = kNone;
@@ -51,7 +54,7 @@ void EffectRunner::start(const StepView& view) {
 
 void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
   for (const std::size_t effect : schedule_.before_step()) {
-    running_ = effect;
+    enter(effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
   }
   running_ = kNone;
@@ -65,15 +68,17 @@ void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
     std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
     loads.contact = contact;
     loads.gravity = instance_.robot().gravity;
+    enter(effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
-    if (!sound(loads)) throw Error(name(effect) + " wrote a load that is not finite or has the wrong sign");
+    if (!sound(loads)) throw Error("it wrote a load that is not finite or has the wrong sign");
   }
+  running_ = kNone;
   throw Error("the effects together wrote a load that is not finite or has the wrong sign");
 }
 
 void EffectRunner::after_step(const StepView& view) {
   for (const std::size_t effect : schedule_.after_step()) {
-    running_ = effect;
+    enter(effect, "after_step");
     schedule_.effects()[effect].effect->after_step(view, context(effect), state(effect));
   }
   running_ = kNone;
@@ -81,7 +86,7 @@ void EffectRunner::after_step(const StepView& view) {
 
 double EffectRunner::command(std::size_t actuator, double value, const StepView& view) {
   for (const auto& [effect, which] : schedule_.commands(actuator)) {
-    running_ = effect;
+    enter(effect, "command");
     value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
   }
   running_ = kNone;
@@ -90,17 +95,25 @@ double EffectRunner::command(std::size_t actuator, double value, const StepView&
 
 void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const StepView& view) {
   for (const auto& [effect, which] : schedule_.senses(sensor)) {
-    running_ = effect;
+    enter(effect, "sense");
     schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
   }
   running_ = kNone;
 }
 
-std::string EffectRunner::name(std::size_t effect) const {
-  const PlacedEffect& placed = schedule_.effects()[effect];
-  return "effect \"" + placed.id + "\" (" + placed.name + ")";
+std::string EffectRunner::explain() const {
+  if (running_ != kNone) {
+    const PlacedEffect& placed = schedule_.effects()[running_];
+    return "effect." + placed.id + ": " +
+           describe_current_exception({.kind = "effect", .name = placed.name, .file = placed.file}, hook_);
+  }
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "an exception of an unknown type was thrown";
+  }
 }
-
-std::string EffectRunner::running() const { return running_ == kNone ? std::string() : name(running_); }
 
 }  // namespace lacuna::simulation

@@ -28,21 +28,25 @@ class EffectRunner {
   void save(StateWriter& writer) const { writer.put(states_); }
   void load(StateReader& reader) { reader.get(states_); }
 
-  /// `effect "friction" (coulomb_friction)` while one of its hooks runs, else empty: names the
-  /// one that threw.
-  std::string running() const;
+  /// Only inside a `catch` block: a sentence about the exception, which names the effect if it
+  /// left one of the hooks.
+  std::string explain() const;
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  void enter(std::size_t effect, const char* hook) {
+    running_ = effect;
+    hook_ = hook;
+  }
   EffectContext context(std::size_t effect) const { return schedule_.context(effect, instance_.effect_values(effect)); }
   std::span<double> state(std::size_t effect) { return schedule_.state_of(effect, states_); }
-  std::string name(std::size_t effect) const;
   [[noreturn]] void throw_culprit(const StepView& view, StepLoads& loads);
 
   const EffectSchedule& schedule_;
   const ModelInstance& instance_;
   std::vector<double> states_;
-  std::size_t running_ = kNone;
+  std::size_t running_ = kNone;  // the effect whose hook runs
+  const char* hook_ = "";
 };
 
 }  // namespace lacuna::simulation

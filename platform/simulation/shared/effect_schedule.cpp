@@ -1,5 +1,6 @@
 #include "simulation/shared/effect_schedule.h"
 
+#include "foundation/guarded_call.h"
 #include "foundation/problem.h"
 
 #include <algorithm>
@@ -20,13 +21,18 @@ std::size_t elements_of_kind(const RobotSpec& robot, ElementKind kind) {
   return 0;
 }
 
+ComponentOrigin origin_of(const PlacedEffect& placed) {
+  return {.kind = "effect", .name = placed.name, .file = placed.file};
+}
+
 void check_effect(const PlacedEffect& placed, const RobotSpec& robot, ProblemList& problems) {
   const std::string where = "effect \"" + placed.id + "\" (" + placed.name + "): ";
   if (!placed.effect) {
     problems.add({}, where + "there is no component behind it");
     return;
   }
-  const std::size_t declared = placed.effect->describe().parameters.size();
+  const std::size_t declared =
+      guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); }).parameters.size();
   if (placed.values.size() != declared)
     problems.add({}, where + "it has " + std::to_string(placed.values.size()) + " values for " +
                          std::to_string(declared) + " declared parameters");
@@ -34,7 +40,7 @@ void check_effect(const PlacedEffect& placed, const RobotSpec& robot, ProblemLis
   for (const int element : placed.elements)
     if (element < 0 || static_cast<std::size_t>(element) >= count)
       problems.add({}, where + "it is placed on an element that the robot does not have");
-  const EffectHooks hooks = placed.effect->hooks();
+  const EffectHooks hooks = guarded_call(origin_of(placed), "hooks", [&] { return placed.effect->hooks(); });
   if (hooks.command != CommandStage::none && placed.kind != ElementKind::actuator)
     problems.add({}, where + "it changes commands and must be placed on actuators");
   if (hooks.sensor != SensorStage::none && placed.kind != ElementKind::sensor)
@@ -97,7 +103,8 @@ void EffectSchedule::schedule(std::size_t effect) {
 
 void EffectSchedule::size_states(const std::vector<std::vector<double>>& largest_values) {
   for (std::size_t i = 0; i < effects_.size(); ++i) {
-    const int size = effects_[i].effect->state_size(context(i, largest_values[i]));
+    const int size = guarded_call(origin_of(effects_[i]), "state_size",
+                                  [&] { return effects_[i].effect->state_size(context(i, largest_values[i])); });
     if (size < 0)
       throw Error("effect \"" + effects_[i].id + "\" (" + effects_[i].name + ") asks for a negative state size");
     state_offsets_[i + 1] = state_offsets_[i] + static_cast<std::size_t>(size);

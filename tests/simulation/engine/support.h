@@ -14,12 +14,19 @@ RobotSpec pendulum();
 /// A cart of 2 kg on a slider "rail" along x, with a force actuator "motor" and sensors "place", "speed", "force".
 RobotSpec cart();
 
+/// Every feature that has memory at once: a box that slides on soft ground and carries an arm on a
+/// delayed position servo, a PID slider, a wheel on a compliant transmission with a gap, a universal
+/// and a ball joint, stops, dry friction, springs, armature, and all sensors, delayed or not.
+RobotSpec everything();
+
 SensorSpec sensor(const std::string& name, SensorKind kind, const std::string& element);
 EngineSettings step_of(double seconds);
 /// A series with one sample a time.
 Test series(const std::string& channel, std::vector<double> times, std::vector<double> values,
             Hold hold = Hold::zero_order);
 Test constant(const std::string& channel, double value);
+/// All of `everything`'s actuators moving.
+Test shake();
 std::vector<double> grid(double begin, double end, double step);
 
 /// A compiled model with a workspace and a result, ready to run.
