@@ -103,7 +103,7 @@ JOIN revision ON revision.id = comparison.revision
 JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id = (SELECT max(newer.id) FROM comparison AS newer WHERE newer.revision = comparison.revision);
 
--- One row a stored time series: whose it is, its channels and its size; `lacuna` reads the samples.
+-- One row a stored time series: whose it is, its channels and its size.
 -- example: SELECT trial, kind, revision, channels, sample_count, bytes FROM traces ORDER BY id;
 CREATE VIEW traces AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trace.kind, revision.number AS revision,

@@ -1,12 +1,24 @@
 #include "storage/result_store.h"
 
 #include "storage/names.h"
+#include "storage/read_trace.h"
 #include "storage/statement.h"
 #include "storage/trace_codec.h"
 
 #include <lacuna/error.h>
 
 namespace lacuna {
+
+TimeSeries read_trace(const Database& database, TraceId trace) {
+  Statement row(database, "SELECT channels, sample_count, precision, times, samples, digest FROM trace WHERE id = ?");
+  if (!row.with(trace).step()) throw Error(database.file().string() + ": has no trace " + std::to_string(trace.value));
+  return decode_trace({.channels = row.text(0),
+                       .sample_count = row.integer(1),
+                       .precision = row.text(2) == "float32" ? TracePrecision::float32 : TracePrecision::float64,
+                       .times = row.bytes(3),
+                       .samples = row.bytes(4),
+                       .digest = row.text(5)});
+}
 
 TrialId ResultStore::find_or_add_trial(ExperimentId experiment, const TrialRecord& record) {
   Transaction transaction(database_);
@@ -66,15 +78,6 @@ std::optional<TraceId> ResultStore::find_trace(TrialId trial, TraceKind kind,
   return TraceId{row.integer(0)};
 }
 
-TimeSeries ResultStore::trace(TraceId trace) const {
-  Statement row(database_, "SELECT channels, sample_count, precision, times, samples, digest FROM trace WHERE id = ?");
-  if (!row.with(trace).step()) throw Error(database_.file().string() + ": has no trace " + std::to_string(trace.value));
-  return decode_trace({.channels = row.text(0),
-                       .sample_count = row.integer(1),
-                       .precision = row.text(2) == "float32" ? TracePrecision::float32 : TracePrecision::float64,
-                       .times = row.bytes(3),
-                       .samples = row.bytes(4),
-                       .digest = row.text(5)});
-}
+TimeSeries ResultStore::trace(TraceId trace) const { return read_trace(database_, trace); }
 
 }  // namespace lacuna

@@ -54,6 +54,7 @@ class ChildProcess {
     for (char c = next(); c != '\0'; c = next()) text += c;
     return text;
   }
+  void interrupt() const { ::kill(child_, SIGINT); }
   /// SIGKILL.
   void kill() {
     if (child_ <= 0) return;

@@ -1,9 +1,12 @@
+#include "foundation/interrupt.h"
 #include "foundation/problem.h"
+#include "storage/child_process.h"
 #include "storage/query_output.h"
 #include "storage/small_database.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <fmt/format.h>
 
 #include <sstream>
 
@@ -86,6 +89,37 @@ TEST_F(QueryTest, NothingButReadingIsAllowed) {
   }
   EXPECT_FALSE(std::filesystem::exists("other.db"));
   EXPECT_FALSE(std::filesystem::exists("copy.db"));
+}
+
+TEST_F(QueryTest, SamplesOfATraceAreRows) {
+  const std::string sine = "FROM traces, trace_samples(traces.id) WHERE kind = 'measured'";
+  EXPECT_EQ(ask("SELECT count(*) AS n, max(time) AS end, min(channel) AS c " + sine, QueryFormat::csv),
+            "n,end,c\n1000,0.999,angle\n");
+  const TimeSeries series = test::sine(1000);
+  EXPECT_EQ(ask("SELECT value " + sine + " AND sample = 17", QueryFormat::csv),
+            fmt::format("value\n{}\n", series.samples(17, 0)));
+  EXPECT_THAT(complaint("SELECT * FROM trace_samples"), HasSubstr("trace_samples needs the key of a trace"));
+  EXPECT_THAT(complaint("SELECT * FROM trace_samples(12)"), HasSubstr("has no trace 12"));
+}
+
+TEST_F(QueryTest, ADamagedTraceIsAnErrorNotRows) {
+  Database::open(file_).execute("UPDATE trace SET samples = CAST(x'01' || substr(samples, 2) AS BLOB)");
+  EXPECT_THAT(complaint("SELECT count(*) FROM traces, trace_samples(traces.id)"), HasSubstr("is damaged"));
+}
+
+TEST_F(QueryTest, AnInterruptEndsALongQuery) {
+  test::ChildProcess child([&](int to_parent) {
+    watch_for_interrupts();
+    test::ChildProcess::say(to_parent, "q");
+    try {
+      ask("WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT sum(i) FROM n");
+    } catch (const Interrupted&) {
+      test::ChildProcess::say(to_parent, "interrupted");
+    }
+  });
+  ASSERT_EQ(child.next(), 'q');
+  child.interrupt();
+  EXPECT_EQ(child.all(), "interrupted");
 }
 
 TEST_F(QueryTest, AFaultInTheMiddleOfAQueryIsReported) {
