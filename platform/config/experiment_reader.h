@@ -10,15 +10,11 @@ namespace lacuna {
 /// Reads and validates an experiment file and the robot file it names. `overrides` are `key=value`
 /// with a TOML value, as from `--set`. Throws `BadInput` with every problem found: unknown keys,
 /// wrong types, wrong units, bounds the wrong way round, files that do not exist.
-/// What needs plugins (their names, parameters, addresses) is checked by evaluation/model_builder.
+/// What needs plugins (their names, parameters, addresses) is checked by evaluation/model_definition.
 Experiment read_experiment(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// The same from text, for tests and fuzzing; `file` is used in messages and for relative paths.
 Experiment read_experiment_text(const std::string& text, const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides = {});
-
-/// `schema/experiment.md` and the JSON Schema, both made from the declaration of keys.
-std::string experiment_reference_markdown();
-std::string experiment_json_schema();
 
 }  // namespace lacuna

@@ -16,22 +16,23 @@ Value<std::string> horizon() {
   Value<std::string> value;
   value.shape.kind = Shape::Kind::either;
   value.shape.parts = {words.shape, seconds.shape};
-  value.read = [words, seconds](const TomlNode& node, Reading& reading, std::string& result) {
-    const bool is_quantity = node.is_number() || (!node.text.empty() && node.text.find_first_of("0123456789") == 0);
-    if (!is_quantity) return words.read(node, reading, result);
+  value.read = [words, seconds, shape = value.shape](const TomlNode& node, Reading& reading, std::string& result) {
+    result = node.text;
+    if (result == "whole" || result == "auto") return true;
+    const bool is_quantity = node.is_number() || result.find_first_of("0123456789") == 0;
     double read = 0.0;
-    if (!seconds.read(node, reading, read)) return false;
+    if (is_quantity && !seconds.read(node, reading, read)) return false;
+    if (!is_quantity) report_mismatch(shape, node, reading);
     result = toml_number(read);
-    return true;
+    return is_quantity;
   };
   value.write = words.write;
   return value;
 }
 
-bool check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
-  if (std::is_sorted(fit.segments.begin(), fit.segments.end())) return true;
-  reading.problem(*node.find("segments"), "segments: shorter ones come first");
-  return false;
+void check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
+  if (!std::is_sorted(fit.segments.begin(), fit.segments.end()))
+    reading.problem_at("segments", node.find("segments")->location, "shorter ones come first");
 }
 
 /// Contact values stand with the engine for the user's sake; they are values of the robot.
@@ -61,18 +62,15 @@ Table<EngineSection> engine_section_keys() {
            "Contact with the ground; the same as contact.* under model.set.");
 }
 
-bool check_contact(const TomlNode& node, Reading& reading, Experiment&) {
+void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
   const TomlNode* engine = node.find("engine");
   const TomlNode* contact = engine ? engine->find("contact") : nullptr;
-  const TomlNode* set = node.find("model")->find("set");
-  if (!contact || !set) return true;
-  bool good = true;
-  for (const TomlMember& member : contact->members) {
-    if (!set->find("contact." + member.name)) continue;
-    good = false;
-    reading.problem(member.location, "engine.contact." + member.name + ": model.set has it too; keep one of them");
-  }
-  return good;
+  const TomlNode* model = node.find("model");
+  const TomlNode* set = model ? model->find("set") : nullptr;
+  if (!contact || !set) return;
+  for (const TomlMember& member : contact->members)
+    if (set->find("contact." + member.name))
+      reading.problem_at("engine.contact." + member.name, member.location, "model.set has it too; keep one of them");
 }
 
 }  // namespace
@@ -103,7 +101,7 @@ Table<FitSection> fit_keys() {
       .key("loss_scale", &FitSection::loss_scale, number("1").above(0.0),
            "residuals beyond this many standard deviations count linearly (huber)")
       .key("max_iterations", &FitSection::max_iterations, whole_number<int>(1, 100000), "of one stage of one start")
-      .check(check_segments);
+      .check({"segments"}, check_segments);
 }
 
 Table<NoiseSection> noise_keys() {
@@ -117,7 +115,7 @@ Table<NoiseSection> noise_keys() {
 Table<Experiment> experiment_keys() {
   const Table<Experiment> head =
       Table<Experiment>()
-          .required("name", &Experiment::name, element_name(), "of the experiment; its database is NAME.db")
+          .required("name", &Experiment::name, element_name(), "name of the experiment; its database is NAME.db")
           .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "of everything random");
   return Table<Experiment>()
       .section("experiment", head, "What this file is called.", true)
@@ -132,7 +130,7 @@ Table<Experiment> experiment_keys() {
           "How the model is integrated.")
       .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
       .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
-      .check(check_contact);
+      .check({}, check_contact);
 }
 
 }  // namespace lacuna

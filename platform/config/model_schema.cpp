@@ -1,5 +1,7 @@
 #include "config/experiment_schema.h"
 
+#include <fmt/format.h>
+
 namespace lacuna {
 namespace {
 
@@ -18,11 +20,11 @@ Value<FreeRange> free_range() {
               },
               "lower and upper bound")
           .key("start", &FreeRange::start, number(""), "where the search begins; else the robot's own value")
-          .check([](const TomlNode& node, Reading& reading, FreeRange& range) {
-            if (!range.start || (*range.start >= range.lower && *range.start <= range.upper)) return true;
-            reading.problem(*node.find("start"), "start: lies outside the range");
-            return false;
-          })
+          .check({"range", "start"},
+                 [](const TomlNode& node, Reading& reading, FreeRange& range) {
+                   if (!range.start || (*range.start >= range.lower && *range.start <= range.upper)) return;
+                   reading.problem_at("start", node.find("start")->location, "lies outside the range");
+                 })
           .value();
   return either(bounds, with_start);
 }
@@ -35,34 +37,30 @@ Value<std::vector<FreeRange>> free_ranges() {
       });
 }
 
-bool complete_effect(const TomlNode&, Reading&, EffectEntry& effect) {
+void complete_effect(const TomlNode&, Reading&, EffectEntry& effect) {
   if (effect.id.empty()) effect.id = effect.effect;
-  return true;
 }
 
-bool check_ids(const TomlNode& node, Reading& reading, ModelSection& model) {
-  bool good = true;
-  for (std::size_t i = 0; i < model.effects.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (model.effects[i].id != model.effects[j].id) continue;
-      good = false;
-      reading.problem(node.find("effects")->items[i], "effects[" + std::to_string(i) + "]: the id " +
-                                                          toml_text(model.effects[i].id) + " is taken by effects[" +
-                                                          std::to_string(j) + "]; give it an id of its own");
-      break;
-    }
-  return good;
-}
-
-bool check_robot(const TomlNode& node, Reading& reading, ModelSection& model) {
-  if (model.robot.empty() && !model.file.empty()) model.robot = "declared";
-  if (model.robot.empty()) {
-    reading.problem(node, "robot is missing: a robot plugin's name, or file = \"robot.toml\"");
-    return false;
+void check_ids(const TomlNode& node, Reading& reading, ModelSection& model) {
+  std::map<std::string, std::size_t> taken;
+  for (std::size_t i = 0; i < model.effects.size(); ++i) {
+    const std::string& id = model.effects[i].id;
+    const auto [first, is_new] = taken.emplace(id, i);
+    if (is_new || id.empty()) continue;
+    reading.problem_at(
+        fmt::format("effects[{}]", i), node.find("effects")->items[i].location,
+        fmt::format("the id {} is taken by effects[{}]; give it an id of its own", toml_text(id), first->second));
   }
-  if (model.robot != "declared" || !model.file.empty()) return true;
-  reading.problem(node, "file is missing: the robot \"declared\" is read from the file that this key names");
-  return false;
+}
+
+void check_robot(const TomlNode& node, Reading& reading, ModelSection& model) {
+  const bool has_file = node.find("file") != nullptr;
+  if (model.robot.empty() && has_file) model.robot = "declared";
+  if (model.robot.empty())
+    reading.problem_at("robot", node.location, "is missing: a robot plugin's name, or file = \"robot.toml\"");
+  else if (model.robot == "declared" && !has_file)
+    reading.problem_at("file", node.location,
+                       "is missing: the robot \"declared\" is read from the file that this key names");
 }
 
 }  // namespace
@@ -77,7 +75,7 @@ Table<EffectEntry> effect_keys() {
       .key("start", &EffectEntry::start, map_of("PARAMETER", number("")),
            "values where they differ from the effect's defaults")
       .key("fixed", &EffectEntry::fixed, list_of(text()), "parameters that a fit leaves alone")
-      .check(complete_effect);
+      .check({}, complete_effect);
 }
 
 Table<ModelSection> model_keys() {
@@ -89,9 +87,10 @@ Table<ModelSection> model_keys() {
            "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
       .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, within these bounds")
       .key("effects", &ModelSection::effects, list_of(effect_keys().value()),
-           "physical effects that the model includes; lacuna add and undo edit this list and nothing else")
-      .check(check_ids)
-      .check(check_robot);
+           "Physical effects that the model includes. `lacuna add` and `undo` edit this list and nothing else in the "
+           "file.")
+      .check({"effects"}, check_ids)
+      .check({"robot"}, check_robot);
 }
 
 }  // namespace lacuna

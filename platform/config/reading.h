@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 namespace lacuna {
@@ -20,6 +21,10 @@ class Reading {
   /// Adds a problem at `location`, with the nesting in front of `message`.
   void problem(const SourceLocation& location, const std::string& message);
   void problem(const TomlNode& node, const std::string& message) { problem(node.location, message); }
+  /// The same for the key `key` below the present place.
+  void problem_at(const std::string& key, const SourceLocation& location, const std::string& message);
+  /// Whether there is a problem at `key` below the present place or anywhere within it.
+  bool is_troubled(const std::string& key) const;
 
   const std::string& path() const { return path_; }
   const std::filesystem::path& directory() const { return directory_; }
@@ -47,6 +52,7 @@ class Reading {
   std::filesystem::path directory_;
   std::string path_;
   std::map<std::string, std::string> units_;
+  std::set<std::string> troubled_;  ///< keys with problems
 };
 
 }  // namespace lacuna

@@ -10,31 +10,35 @@ constexpr double kRightAngle = 1e-6;  // largest cosine between a universal join
 
 class RobotChecker {
  public:
-  RobotChecker(const RobotInFile& file, const Locations& locations, ProblemList& problems)
-      : file_(file), locations_(locations), problems_(problems) {
+  RobotChecker(const RobotInFile& file, const Locations& locations, Reading& reading)
+      : file_(file), locations_(locations), reading_(reading) {
     for (const BodyInFile& body : file.bodies) bodies_.push_back(body.spec.name);
     for (const JointInFile& joint : file.joints) joints_.push_back(joint.spec.name);
   }
 
   void check() {
-    if (file_.bodies.empty()) problem("body", "a robot needs at least one body");
+    if (file_.bodies.empty() && !reading_.is_troubled("")) problem("body", "a robot needs at least one body");
     for (const std::string& name : bodies_) check_name("body", name);
-    for (const JointInFile& joint : file_.joints) check_joint(joint);
+    for (const JointInFile& joint : file_.joints)
+      if (is_sound("joint", joint.spec.name)) check_joint(joint);
     check_forest();
-    for (const ActuatorSpec& actuator : file_.actuators) check_actuator(actuator);
-    for (const SensorInFile& sensor : file_.sensors) check_sensor(sensor);
+    for (const ActuatorSpec& actuator : file_.actuators)
+      if (is_sound("actuator", actuator.name)) check_actuator(actuator);
+    for (const SensorInFile& sensor : file_.sensors)
+      if (is_sound("sensor", sensor.spec.name)) check_sensor(sensor);
   }
 
  private:
   void problem(const std::string& key, const std::string& message) {
-    problems_.add(nearest_location(locations_, key, ""), key + ": " + message);
+    reading_.problem_at(key, nearest_location(locations_, key, ""), message);
+  }
+
+  bool is_sound(const std::string& kind, const std::string& name) const {
+    return !reading_.is_troubled(kind + "." + name);
   }
 
   void check_name(const std::string& kind, const std::string& name) {
-    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-    });
-    if (!plain) problem(kind, toml_text(name) + " cannot be a name; use letters, digits, _ and -");
+    if (!is_element_name(name)) problem(kind, toml_text(name) + " cannot be a name; use letters, digits, _ and -");
     if (kind == "body" && name == kWorld)
       problem("body.world", "\"world\" is what surrounds the robot; choose another name");
   }
@@ -43,7 +47,7 @@ class RobotChecker {
                    const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     std::string known;
-    for (const std::string& candidate : names) known += (known.empty() ? "; there are " : ", ") + candidate;
+    for (const std::string& candidate : names) known += (known.empty() ? "; known: " : ", ") + candidate;
     problem(key, "there is no " + what + " " + toml_text(name) + did_you_mean(name, names) + known);
   }
 
@@ -56,7 +60,7 @@ class RobotChecker {
     if (!(spec.lower < spec.upper)) problem(path + ".lower", "the lower stop must lie below the upper one");
     const bool universal = spec.kind == JointKind::universal;
     if (joint.axis2 && !universal) problem(path + ".axis2", "only a universal joint has a second axis");
-    if (!joint.axis2 && universal) problem(path, "axis2 is missing: a universal joint has two axes");
+    if (!joint.axis2 && universal) problem(path + ".axis2", "is missing: a universal joint has two axes");
     if (joint.axis2 && universal && std::abs(joint.axis2->dot(spec.axis)) > kRightAngle)
       problem(path + ".axis2", "must be at right angles to axis");
   }
@@ -66,15 +70,16 @@ class RobotChecker {
   void check_forest() {
     std::map<std::string, const JointSpec*> joint_of;
     for (const JointInFile& joint : file_.joints) {
+      if (!is_sound("joint", joint.spec.name)) continue;
       const auto [entry, is_new] = joint_of.emplace(joint.spec.child, &joint.spec);
       if (!is_new)
         problem("joint." + joint.spec.name + ".child", toml_text(joint.spec.child) + " already hangs on joint." +
                                                            entry->second->name +
                                                            "; a body is the child of one joint at most");
     }
-    for (const JointInFile& joint : file_.joints)
-      if (is_in_loop(joint.spec, joint_of))
-        problem("joint." + joint.spec.name + ".parent", "the joints form a loop; a robot is a tree of bodies");
+    for (const auto& [child, joint] : joint_of)
+      if (is_in_loop(*joint, joint_of))
+        problem("joint." + joint->name + ".parent", "the joints form a loop; a robot is a tree of bodies");
   }
 
   bool is_in_loop(const JointSpec& start, const std::map<std::string, const JointSpec*>& joint_of) const {
@@ -105,9 +110,9 @@ class RobotChecker {
     const bool by_position = actuator.kind == ActuatorKind::position_servo || actuator.kind == ActuatorKind::pid;
     const bool is_force = actuator.kind == ActuatorKind::force;
     if (by_position && actuator.kp == 0.0 && actuator.ki == 0.0)
-      problem(path, "kp is missing: without it a servo of this kind does nothing");
+      problem(path + ".kp", "is missing: without it a servo of this kind does nothing");
     if (actuator.kind == ActuatorKind::velocity_servo && actuator.kd == 0.0)
-      problem(path, "kd is missing: without it a velocity servo does nothing");
+      problem(path + ".kd", "is missing: without it a velocity servo does nothing");
     if (!by_position && actuator.kp != 0.0) problem(path + ".kp", "means nothing for an actuator of this kind");
     if (actuator.kind != ActuatorKind::pid && actuator.ki != 0.0)
       problem(path + ".ki", "means nothing for an actuator of this kind; a pid has it");
@@ -126,11 +131,11 @@ class RobotChecker {
       problem(path + "." + (of_joint ? "body" : "joint"),
               "a sensor of this kind reads a " + wanted + "; write " + wanted);
     if (name.empty())
-      problem(path, wanted + " is missing: the " + wanted + " that it reads");
+      problem(path + "." + wanted, "is missing: the " + wanted + " that it reads");
     else
       expect_name(path + "." + wanted, wanted, name, of_joint ? joints_ : bodies_);
     if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
-      problem(path, "beacon is missing: the place from which distance is measured, [x, y, z] in m");
+      problem(path + ".beacon", "is missing: the place from which distance is measured, [x, y, z] in m");
   }
 
   const JointSpec* find_joint(const std::string& name) const {
@@ -141,15 +146,15 @@ class RobotChecker {
 
   const RobotInFile& file_;
   const Locations& locations_;
-  ProblemList& problems_;
+  Reading& reading_;
   std::vector<std::string> bodies_;
   std::vector<std::string> joints_;
 };
 
 }  // namespace
 
-void check_robot(const RobotInFile& file, const Locations& locations, ProblemList& problems) {
-  RobotChecker(file, locations, problems).check();
+void check_robot(const RobotInFile& file, const Locations& locations, Reading& reading) {
+  RobotChecker(file, locations, reading).check();
 }
 
 }  // namespace lacuna

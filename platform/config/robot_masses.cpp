@@ -10,16 +10,15 @@ namespace {
 /// Resolves one body; `path` is its key.
 class BodyResolver {
  public:
-  BodyResolver(const BodyInFile& body, const Locations& locations, ProblemList& problems)
-      : body_(body), locations_(locations), problems_(problems), path_("body." + body.spec.name) {}
+  BodyResolver(const BodyInFile& body, const Locations& locations, Reading& reading)
+      : body_(body), locations_(locations), reading_(reading), path_("body." + body.spec.name) {}
 
   BodySpec resolve() {
     BodySpec spec = body_.spec;
-    const std::size_t before = problems_.all().size();
     for (std::size_t i = 0; i < body_.shapes.size(); ++i) shapes_.push_back(resolve_shape(i));
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (body_.shapes[i].collides) spec.shapes.push_back(shapes_[i]);
-    if (problems_.all().size() == before) resolve_mass(spec);
+    if (!reading_.is_troubled(path_)) resolve_mass(spec);
     if (body_.inertia) check_inertia(*body_.inertia);
     return spec;
   }
@@ -27,13 +26,13 @@ class BodyResolver {
  private:
   void problem(const std::string& key, const std::string& message) {
     const std::string full = key.empty() ? path_ : path_ + "." + key;
-    problems_.add(nearest_location(locations_, full, ""), full + ": " + message);
+    reading_.problem_at(full, nearest_location(locations_, full, ""), message);
   }
 
   /// Asks for a key that a kind of shape needs, refuses it where it means nothing.
   template <class T>
   void expect(bool needed, const std::optional<T>& value, const std::string& shape, const std::string& key) {
-    if (needed && !value) problem(shape, key + " is missing for this kind of shape");
+    if (needed && !value) problem(shape + "." + key, "is missing: this kind of shape has it");
     if (!needed && value) problem(shape + "." + key, "means nothing for this kind of shape");
   }
 
@@ -78,9 +77,9 @@ class BodyResolver {
       return problem("shapes", "some have a mass or density and some do not");
     if (with_mass > 0 && body_.mass) return problem("mass", "the shapes have masses too; keep one of them");
     if (!from_shapes && !body_.mass)
-      return problem("", "mass is missing: a number in kg, or shapes with a mass or density");
+      return problem("mass", "is missing: a number in kg, or shapes with a mass or density");
     if (!from_shapes && !body_.inertia)
-      return problem("", "inertia is missing: three moments in kg*m^2, or shapes from which it follows");
+      return problem("inertia", "is missing: three moments in kg*m^2, or shapes from which it follows");
     if (body_.com && !body_.inertia)
       return problem("com",
                      "the inertia that follows from the shapes is about their own centre of mass; give inertia too");
@@ -106,15 +105,15 @@ class BodyResolver {
 
   const BodyInFile& body_;
   const Locations& locations_;
-  ProblemList& problems_;
+  Reading& reading_;
   std::string path_;
   std::vector<ShapeSpec> shapes_;
 };
 
 }  // namespace
 
-BodySpec resolve_body(const BodyInFile& body, const Locations& locations, ProblemList& problems) {
-  return BodyResolver(body, locations, problems).resolve();
+BodySpec resolve_body(const BodyInFile& body, const Locations& locations, Reading& reading) {
+  return BodyResolver(body, locations, reading).resolve();
 }
 
 }  // namespace lacuna

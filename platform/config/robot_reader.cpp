@@ -17,13 +17,16 @@ Eigen::Vector3d origin_of(const RobotSpec& robot, const std::string& name) {
   return Eigen::Vector3d::Zero();
 }
 
-RobotSpec assembled(const RobotInFile& file, const Locations& locations, ProblemList& problems) {
+RobotSpec assembled(const RobotInFile& file, const Locations& locations, Reading& reading) {
   RobotSpec robot;
   robot.name = file.name;
   robot.gravity = file.gravity;
   robot.contact = file.contact;
   robot.actuators = file.actuators;
-  for (const BodyInFile& body : file.bodies) robot.bodies.push_back(resolve_body(body, locations, problems));
+  for (const BodyInFile& body : file.bodies) {
+    const bool is_readable = !reading.is_troubled("body." + body.spec.name);
+    robot.bodies.push_back(is_readable ? resolve_body(body, locations, reading) : body.spec);
+  }
   for (const JointInFile& joint : file.joints) {
     robot.joints.push_back(joint.spec);
     robot.joints.back().anchor = joint.anchor.value_or(origin_of(robot, joint.spec.child));
@@ -36,15 +39,20 @@ RobotSpec assembled(const RobotInFile& file, const Locations& locations, Problem
   return robot;
 }
 
+/// "joint.hinge" of "joint.hinge.damping".
+std::string element_of(const std::string& address) {
+  return address.substr(0, address.find('.', address.find('.') + 1));
+}
+
 /// A hinge's damping is in N*m*s/rad, a slider's in N*s/m: known once the robot is put together.
-void check_written_units(RobotSpec& robot, const Reading& reading, const Locations& locations, ProblemList& problems) {
+void check_written_units(RobotSpec& robot, const Locations& locations, Reading& reading) {
   const std::map<std::string, std::string>& written = reading.written_units();
   for (const AddressedValue& value : addressed_values(robot)) {
     const auto found = written.find(value.address);
-    if (found == written.end() || parse_unit(found->second)->same_dimension(*parse_unit(value.unit))) continue;
-    problems.add(
-        nearest_location(locations, value.address, ""),
-        value.address + ": is in " + found->second + ", but must be in " + value.unit + " or a multiple of it");
+    if (found == written.end() || reading.is_troubled(element_of(value.address))) continue;
+    if (parse_unit(found->second)->same_dimension(*parse_unit(value.unit))) continue;
+    reading.problem_at(value.address, nearest_location(locations, value.address, ""),
+                       "is in " + found->second + ", but must be in " + value.unit + " or a multiple of it");
   }
 }
 
@@ -52,16 +60,14 @@ void check_written_units(RobotSpec& robot, const Reading& reading, const Locatio
 
 RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& file) {
   const TomlNode tree = parse_toml(text, file.string());
+  const Locations locations = locations_of(tree);
   ProblemList problems;
   Reading reading(problems, file.parent_path());
   RobotInFile written;
-  const bool readable = robot_keys().value().read(tree, reading, written);
-  if (!readable) problems.throw_if_any();
-  const Locations locations = locations_of(tree);
-  check_robot(written, locations, problems);
-  RobotSpec robot = assembled(written, locations, problems);
-  problems.throw_if_any();
-  check_written_units(robot, reading, locations, problems);
+  robot_keys().value().read(tree, reading, written);
+  check_robot(written, locations, reading);
+  RobotSpec robot = assembled(written, locations, reading);
+  check_written_units(robot, locations, reading);
   problems.throw_if_any();
   return robot;
 }

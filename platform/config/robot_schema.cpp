@@ -231,7 +231,7 @@ Eigen::Quaterniond orientation_from_rpy(const Eigen::Vector3d& rpy) {
 
 Table<RobotInFile> robot_keys() {
   const Table<RobotInFile> head =
-      Table<RobotInFile>().required("name", &RobotInFile::name, element_name(), "of the robot");
+      Table<RobotInFile>().required("name", &RobotInFile::name, element_name(), "name of the robot");
   const Table<RobotInFile> world =
       Table<RobotInFile>().key("gravity", &RobotInFile::gravity, vector3("m/s^2"), "z points up");
   return Table<RobotInFile>()

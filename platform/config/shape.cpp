@@ -15,6 +15,7 @@ std::string bounds(const Shape& shape) {
   std::string text;
   if (std::isfinite(shape.lower)) text += fmt::format(", {} {}", shape.above ? "above" : "at least", shape.lower);
   if (below) text += fmt::format(", at most {}", shape.upper);
+  if (shape.may_be_infinite) text += ", or inf";
   return text;
 }
 
@@ -33,6 +34,7 @@ std::string list(const Shape& shape) {
 }
 
 std::string text(const Shape& shape) {
+  if (!shape.meaning.empty()) return shape.meaning;
   if (shape.choices.empty()) return "a text";
   std::vector<std::string> quoted;
   for (const std::string& choice : shape.choices) quoted.push_back(toml_text(choice));
@@ -47,7 +49,9 @@ std::string kind_in_words(const Shape& shape) {
     case Shape::Kind::text: return text(shape);
     case Shape::Kind::list: return list(shape);
     case Shape::Kind::table: return "a table";
-    case Shape::Kind::named: return "a table of " + shape.name_hint + " = " + described(shape.parts.front());
+    case Shape::Kind::named:
+      if (shape.parts.front().kind == Shape::Kind::table) return "a table for each " + shape.name_hint;
+      return "a table of " + shape.name_hint + " = " + described(shape.parts.front());
     case Shape::Kind::either: break;
   }
   std::vector<std::string> alternatives;
@@ -58,7 +62,8 @@ std::string kind_in_words(const Shape& shape) {
 }  // namespace
 
 std::string described(const Shape& shape) {
-  return shape.meaning.empty() ? kind_in_words(shape) : kind_in_words(shape) + " (" + shape.meaning + ")";
+  const bool is_said = shape.meaning.empty() || shape.kind == Shape::Kind::text;
+  return is_said ? kind_in_words(shape) : kind_in_words(shape) + " (" + shape.meaning + ")";
 }
 
 std::string one_of(const std::vector<std::string>& words) {

@@ -1,6 +1,7 @@
 #include "config/table.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace lacuna {
 namespace {
@@ -17,23 +18,29 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// A section's description has sentences; the first one is wanted as a phrase.
+std::string as_phrase(const std::string& description) {
+  std::string phrase = description.substr(0, description.find(". "));
+  const bool is_sentence = phrase.size() < description.size() || phrase.ends_with('.');
+  if (phrase.ends_with('.')) phrase.pop_back();
+  if (is_sentence) phrase.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(phrase.front())));
+  return phrase;
+}
+
 }  // namespace
 
-bool check_keys(const Shape& shape, const TomlNode& node, Reading& reading) {
-  bool good = true;
+void check_keys(const Shape& shape, const TomlNode& node, Reading& reading) {
   const std::vector<std::string> names = names_of(shape);
   for (const TomlMember& member : node.members) {
     if (std::find(names.begin(), names.end(), member.name) != names.end()) continue;
-    good = false;
     reading.problem(member.location, "unknown key " + toml_text(member.name) + did_you_mean(member.name, names) +
                                          "; known here: " + listed(names));
   }
   for (const KeyShape& key : shape.keys) {
     if (!key.required || node.find(key.name)) continue;
-    good = false;
-    reading.problem(node.location, key.name + " is missing: " + described(key.shape) + ", " + key.description);
+    reading.problem_at(key.name, node.location,
+                       "is missing: " + as_phrase(key.description) + " (" + described(key.shape) + ")");
   }
-  return good;
 }
 
 }  // namespace lacuna

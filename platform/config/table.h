@@ -9,8 +9,8 @@
 
 namespace lacuna {
 
-/// Says which of a table's keys are not declared, and which required ones are missing; true: none.
-bool check_keys(const Shape& shape, const TomlNode& node, Reading& reading);
+/// Says which of a table's keys are not declared, and which required ones are missing.
+void check_keys(const Shape& shape, const TomlNode& node, Reading& reading);
 
 /// Declares the keys of a table that is read into a `T`. Defaults are those of a fresh `T`.
 ///
@@ -69,24 +69,24 @@ class Table {
                            return read(node, reading, object.*member);
                          }});
     for (const auto& check : keys.checks_)
-      checks_.push_back([check, member](const TomlNode& node, Reading& reading, T& object) {
-        return check(node, reading, object.*member);
-      });
+      checks_.push_back(
+          [check, member](const TomlNode& node, Reading& reading, T& object) { check(node, reading, object.*member); });
     shape_.keys.insert(shape_.keys.end(), keys.shape_.keys.begin(), keys.shape_.keys.end());
     return *this;
   }
 
   /// Remembers where the table stands.
   Table& located(SourceLocation T::*member) {
-    return check([member](const TomlNode& node, Reading&, T& object) {
-      object.*member = node.location;
-      return true;
-    });
+    return check({}, [member](const TomlNode& node, Reading&, T& object) { object.*member = node.location; });
   }
 
-  /// What concerns several keys at once; called when all keys that are there could be read.
-  Table& check(std::function<bool(const TomlNode&, Reading&, T&)> check) {
-    checks_.push_back(std::move(check));
+  /// What concerns several keys at once; left out where one of `keys` has a problem already.
+  Table& check(const std::vector<std::string>& keys, std::function<void(const TomlNode&, Reading&, T&)> check) {
+    checks_.push_back([keys, check](const TomlNode& node, Reading& reading, T& object) {
+      for (const std::string& key : keys)
+        if (reading.is_troubled(key)) return;
+      check(node, reading, object);
+    });
     return *this;
   }
 
@@ -111,9 +111,9 @@ class Table {
   Table& keep(const std::string& name, const Value<M>& value, std::function<void(T&, M&&)> store, KeyShape key) {
     fields_.push_back({name, [value, store](const TomlNode& node, Reading& reading, T& object) {
                          M read{};
-                         if (!value.read(node, reading, read)) return false;
-                         store(object, std::move(read));
-                         return true;
+                         const bool good = value.read(node, reading, read);
+                         store(object, std::move(read));  // also with problems: its parts have names to check others by
+                         return good;
                        }});
     shape_.keys.push_back(std::move(key));
     return *this;
@@ -121,15 +121,15 @@ class Table {
 
   bool read(const TomlNode& node, Reading& reading, T& object) const {
     if (!fits_table(shape_, node, reading)) return false;
-    bool good = check_keys(shape_, node, reading);
+    check_keys(shape_, node, reading);
     for (const Field& field : fields_) {
       const TomlNode* value = node.find(field.name);
       if (!value) continue;
       const Reading::Step step(reading, field.name);
-      good = field.read(*value, reading, object) && good;
+      field.read(*value, reading, object);
     }
-    for (const auto& check : checks_) good = good && check(node, reading, object);
-    return good;
+    for (const auto& check : checks_) check(node, reading, object);
+    return !reading.is_troubled("");
   }
 
   static Shape empty_table() {
@@ -140,7 +140,7 @@ class Table {
 
   Shape shape_ = empty_table();
   std::vector<Field> fields_;
-  std::vector<std::function<bool(const TomlNode&, Reading&, T&)>> checks_;
+  std::vector<std::function<void(const TomlNode&, Reading&, T&)>> checks_;
 };
 
 }  // namespace lacuna

@@ -146,10 +146,10 @@ Table<RecordingSource> recording_keys() {
            "What is known of a joint at the start of each trial; joints not named here are taken from the data.");
 }
 
-bool check_trials(const TomlNode& node, Reading& reading, RecordingSource& source) {
-  if (source.holdout_trials.empty() || !source.trial_column.empty()) return true;
-  reading.problem(*node.find("holdout_trials"), "holdout_trials: needs trial_column, which tells the trials apart");
-  return false;
+void check_trials(const TomlNode& node, Reading& reading, RecordingSource& source) {
+  if (source.holdout_trials.empty() || !source.trial_column.empty()) return;
+  reading.problem_at("holdout_trials", node.find("holdout_trials")->location,
+                     "needs trial_column, which tells the trials apart");
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ bool check_trials(const TomlNode& node, Reading& reading, RecordingSource& sourc
 Table<TargetSection> target_keys() {
   return Table<TargetSection>()
       .key("kind", &TargetSection::kind, text_of({"recorded"}), "what the target is: measured files")
-      .merged(&TargetSection::recording, recording_keys().check(check_trials));
+      .merged(&TargetSection::recording, recording_keys().check({"holdout_trials", "trial_column"}, check_trials));
 }
 
 }  // namespace lacuna

@@ -71,6 +71,8 @@ std::string toml_text(std::string_view text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\')
       quoted += {'\\', c};
+    else if (c == '\t' || c == '\n' || c == '\r')
+      quoted += c == '\t' ? "\\t" : c == '\n' ? "\\n" : "\\r";
     else if (byte < 0x20 || byte == 0x7f)
       quoted += fmt::format("\\u{:04X}", byte);
     else

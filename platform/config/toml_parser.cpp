@@ -79,8 +79,37 @@ TomlNode converted(const toml::node& source, const std::string& file) {
   return node;
 }
 
-[[noreturn]] void refuse(SourceLocation location, const std::string& message) {
-  throw BadInput({{std::move(location), message}});
+[[noreturn]] void refuse(const SourceLocation& location, const std::string& message) {
+  ProblemList problems;
+  problems.add(location, message);
+  throw BadInput(problems.all());
+}
+
+int line_of(std::string_view text, std::size_t at) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+bool breaks_assertion(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const BrokenAssertion&) {
+    return true;
+  }
+  return false;
+}
+
+/// The parser does not say where an assertion broke. It stops at the first fault, so all prefixes
+/// of the text that reach into the faulty line break it, and no shorter ones.
+int line_that_breaks_assertion(const std::string& text) {
+  std::size_t good = 0;
+  std::size_t bad = text.size();
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (breaks_assertion(std::string_view(text).substr(0, middle)) ? bad : good) = middle;
+  }
+  return line_of(text, good);
 }
 
 }  // namespace
@@ -88,13 +117,14 @@ TomlNode converted(const toml::node& source, const std::string& file) {
 TomlNode parse_toml(const std::string& text, const std::string& file) {
   if (text.size() > kLargestText)
     refuse({file, 0, 0}, "longer than 4 MiB; measured data belongs into files of its own");
-  if (longest_dotted_key(text) > kLongestKey) refuse({file, 0, 0}, "a dotted key has more than 16 parts");
+  if (const auto at = find_long_key(text, kLongestKey))
+    refuse({file, line_of(text, *at), 0}, "a dotted key has more than 16 parts");
   try {
     return converted(toml::parse(text, file), file);
   } catch (const toml::parse_error& error) {
     refuse(located(file, error.source().begin), "not TOML: " + std::string(error.description()));
   } catch (const BrokenAssertion&) {
-    refuse({file, 0, 0}, "not TOML: a key or value starts with a character that cannot stand there");
+    refuse({file, line_that_breaks_assertion(text), 0}, "not TOML: a character stands where it cannot");
   }
 }
 

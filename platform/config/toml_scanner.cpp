@@ -72,8 +72,7 @@ std::size_t skip_space_and_comments(std::string_view text, std::size_t at) {
   return at;
 }
 
-std::size_t longest_dotted_key(std::string_view text) {
-  std::size_t longest = 0;
+std::optional<std::size_t> find_long_key(std::string_view text, std::size_t most) {
   std::size_t parts = 1;
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
@@ -87,11 +86,11 @@ std::size_t longest_dotted_key(std::string_view text) {
     }
     if (!continues_key(c))
       parts = 1;
-    else if (c == '.')
-      longest = std::max(longest, ++parts);
+    else if (c == '.' && ++parts > most)
+      return at;
     ++at;
   }
-  return longest;
+  return std::nullopt;
 }
 
 std::size_t offset_of(std::string_view text, int line, int column) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace lacuna {
@@ -18,9 +19,9 @@ std::size_t skip_blanks(std::string_view text, std::size_t at);
 /// Blanks, tabs, line ends and comments.
 std::size_t skip_space_and_comments(std::string_view text, std::size_t at);
 
-/// The largest number of dotted parts in one key of the text, counted generously: nothing that
-/// nests deeper by its keys is missed.
-std::size_t longest_dotted_key(std::string_view text);
+/// The offset of a key that has more than `most` dotted parts, judged generously: nothing that nests
+/// deeper by its keys is missed.
+std::optional<std::size_t> find_long_key(std::string_view text, std::size_t most);
 
 /// The byte offset of a place counted in lines and columns (code points) from 1.
 std::size_t offset_of(std::string_view text, int line, int column);

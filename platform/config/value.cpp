@@ -57,17 +57,21 @@ bool read_number(const Shape& shape, const TomlNode& node, Reading& reading, dou
     return false;
   }
   if (within(shape, result)) return true;
-  const std::string finite = std::isfinite(result) ? "" : "finite, ";
-  reading.problem(node, fmt::format("must be {}{}, but is {}", finite, described(shape), result));
+  reading.problem(node, fmt::format("must be {}, but is {}", described(shape), result));
   return false;
 }
 
-std::string nearest_words(const Shape& shape, const std::string& word) { return did_you_mean(word, shape.choices); }
-
-bool is_name(const std::string& word) {
-  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-  });
+std::string shown(const TomlNode& node) {
+  switch (node.kind) {
+    case TomlNode::Kind::boolean: return node.boolean ? "true" : "false";
+    case TomlNode::Kind::integer: return fmt::format("{}", node.integer);
+    case TomlNode::Kind::real: return toml_number(node.real);
+    case TomlNode::Kind::text: return toml_text(node.text);
+    case TomlNode::Kind::date:
+    case TomlNode::Kind::list:
+    case TomlNode::Kind::table: break;
+  }
+  return std::string(described(node.kind));
 }
 
 }  // namespace
@@ -158,14 +162,17 @@ Value<std::string> text_of(const std::vector<std::string>& choices) {
     result = node.text;
     const bool known = std::find(shape.choices.begin(), shape.choices.end(), result) != shape.choices.end();
     if (node.kind == TomlNode::Kind::text && known) return true;
-    if (node.kind == TomlNode::Kind::text)
-      reading.problem(node,
-                      "must be " + described(shape) + ", but is " + toml_text(result) + nearest_words(shape, result));
-    else
-      report_mismatch(shape, node, reading);
+    reading.problem(node,
+                    "must be " + described(shape) + ", but is " + shown(node) + did_you_mean(result, shape.choices));
     return false;
   };
   return value;
+}
+
+bool is_element_name(std::string_view word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+  });
 }
 
 Value<std::string> element_name() {
@@ -173,7 +180,7 @@ Value<std::string> element_name() {
   value.shape.meaning = "a name of letters, digits, _ and -";
   value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
     if (!plain.read(node, reading, result)) return false;
-    if (is_name(result)) return true;
+    if (is_element_name(result)) return true;
     reading.problem(node, toml_text(result) + " cannot be a name; use letters, digits, _ and -");
     return false;
   };
@@ -183,7 +190,7 @@ Value<std::string> element_name() {
 Value<std::filesystem::path> existing_file() {
   Value<std::filesystem::path> value;
   value.shape.kind = Shape::Kind::text;
-  value.shape.meaning = "a file, relative to this one; ${NAME} stands for an environment variable";
+  value.shape.meaning = "a file's path";
   value.read = [plain = text()](const TomlNode& node, Reading& reading, std::filesystem::path& result) {
     std::string written;
     if (!plain.read(node, reading, written)) return false;
@@ -219,7 +226,7 @@ Value<std::pair<double, double>> range_of(const NumberValue& number_value) {
   list.shape.most = 2;
   Value<std::pair<double, double>> value;
   value.shape = list.shape;
-  value.shape.meaning = "lower and upper bound";
+  value.shape.meaning = "lower, upper";
   value.read = [list](const TomlNode& node, Reading& reading, std::pair<double, double>& result) {
     std::vector<double> numbers;
     if (!fits_list(list.shape, node, reading) || !list.read(node, reading, numbers)) return false;
@@ -248,7 +255,15 @@ bool may_be(const Shape& shape, const TomlNode& node) {
 }
 
 void report_mismatch(const Shape& shape, const TomlNode& node, Reading& reading) {
-  reading.problem(node, "must be " + described(shape) + ", but is " + std::string(described(node.kind)));
+  reading.problem(node, "must be " + described(shape) + ", but is " + shown(node));
+}
+
+bool is_unquoted_address(const Shape& shape, const TomlMember& member, Reading& reading) {
+  const bool is_address = shape.name_hint == "ADDRESS" || shape.name_hint == "ELEMENT";
+  if (!is_address || member.value.kind != TomlNode::Kind::table || member.name.find('.') != std::string::npos)
+    return false;
+  reading.problem(member.location, "an address stands in quotes, as in \"body.arm.mass\" = 1.0");
+  return true;
 }
 
 bool fits_list(const Shape& shape, const TomlNode& node, Reading& reading) {

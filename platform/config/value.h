@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,7 @@ Value<std::string> text(std::size_t fewest = 1);
 Value<std::string> text_of(const std::vector<std::string>& choices);
 /// A name that may stand in an address: letters, digits, `_` and `-`.
 Value<std::string> element_name();
+bool is_element_name(std::string_view word);
 /// The path of a file that exists, variables such as `${LACUNA_DATA}` replaced.
 Value<std::filesystem::path> existing_file();
 /// x, y, z.
@@ -61,6 +63,8 @@ bool may_be(const Shape& shape, const TomlNode& node);
 void report_mismatch(const Shape& shape, const TomlNode& node, Reading& reading);
 /// Checks kind and count of a list.
 bool fits_list(const Shape& shape, const TomlNode& node, Reading& reading);
+/// Says so where an address such as `body.arm.mass` was written without quotes, which makes tables of it.
+bool is_unquoted_address(const Shape& shape, const TomlMember& member, Reading& reading);
 /// Checks that a node is a table.
 bool fits_table(const Shape& shape, const TomlNode& node, Reading& reading);
 
@@ -142,11 +146,13 @@ Value<Container> named(const std::string& name_hint, const Value<T>& item,
     bool good = true;
     for (const TomlMember& member : node.members) {
       const Reading::Step step(reading, member.name);
-      T element{};
-      if (item.read(member.value, reading, element))
-        keep(result, member, std::move(element));
-      else
+      if (is_unquoted_address(shape, member, reading)) {
         good = false;
+        continue;
+      }
+      T element{};
+      good = item.read(member.value, reading, element) && good;
+      keep(result, member, std::move(element));  // also where it has problems, so that its name is known
     }
     return good;
   };

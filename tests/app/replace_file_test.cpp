@@ -18,7 +18,7 @@ class ReplaceText : public testing::Test {
     fs::create_directories(folder_);
     std::ofstream(file_) << "old\n";
   }
-  fs::path folder_ = fs::path(testing::TempDir()) / "replace_text";
+  fs::path folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   fs::path file_ = folder_ / "rig.toml";
 };
 
