@@ -25,6 +25,7 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
+  add_new_command(program);
   add_plugins_command(program);
   add_sql_command(program);
 

@@ -7,6 +7,7 @@ namespace lacuna {
 /// Each adds one subcommand, whose callback does the work and throws `BadInput`, `Interrupted` or
 /// `Error` where it fails. One file a command.
 void add_check_command(CLI::App& program);
+void add_new_command(CLI::App& program);
 void add_plugins_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 

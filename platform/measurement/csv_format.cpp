@@ -3,6 +3,7 @@
 #include "measurement/column_name.h"
 #include "measurement/csv_lines.h"
 #include "measurement/number_cell.h"
+#include "measurement/utf8.h"
 
 #include <fmt/format.h>
 
@@ -150,6 +151,16 @@ void take_units_row(const Line& line, FileReport& report, CsvFormat& format) {
   });
 }
 
+void make_names_utf8(CsvFormat& format, FileReport& report) {
+  for (std::string& name : format.names) {
+    if (is_utf8(name)) continue;
+    name = utf8_from_latin1(name);
+    report.note("latin1", format.header_line, [&] {
+      return fmt::format("column names are not UTF-8, but read as Latin-1: `{}`; save the file as UTF-8", name);
+    });
+  }
+}
+
 /// Decimal commas where numbers have commas and none has a point.
 bool has_decimal_commas(std::string_view text, const CsvFormat& format) {
   if (format.delimiter == ',') return false;
@@ -199,6 +210,7 @@ CsvFormat find_csv_format(std::string_view text, const CsvFormatHints& hints, Fi
     return format;
   }
   while (!format.names.empty() && format.names.back().empty()) format.names.pop_back();
+  make_names_utf8(format, report);
   if (index + 1 < beginning.lines().size() && format.first_line > format.header_line)
     take_units_row(beginning.lines()[index + 1], report, format);
   format.decimal_comma = hints.decimal_comma || has_decimal_commas(text, format);

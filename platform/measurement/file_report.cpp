@@ -1,5 +1,7 @@
 #include "measurement/file_report.h"
 
+#include "measurement/utf8.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,12 +27,15 @@ void FileReport::move_to(ProblemList& problems, std::vector<ReadingNote>& notes)
 
 std::string excerpt(std::string_view text) {
   constexpr std::size_t kLongest = 40;
+  std::size_t end = std::min(text.size(), kLongest);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  const bool readable = is_utf8(text.substr(0, end));
   std::string shown;
-  for (const char c : text.substr(0, kLongest)) {
+  for (const char c : text.substr(0, end)) {
     const auto byte = static_cast<unsigned char>(c);
-    shown += byte < 0x20 || byte >= 0x7f ? '?' : c;
+    shown += byte < 0x20 || byte == 0x7f || (byte > 0x7f && !readable) ? '?' : c;
   }
-  return text.size() > kLongest ? shown + "..." : shown;
+  return end < text.size() ? shown + "..." : shown;
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -18,7 +18,7 @@ struct FileCloser {
 std::string without_access(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the CSV files in it one by one";
-  if (!std::filesystem::exists(path, ignored)) return "there is no such file; paths count from the experiment file";
+  if (!std::filesystem::exists(path, ignored)) return "there is no such file";
   return {};
 }
 

@@ -152,6 +152,13 @@ std::vector<BadFile> readable_files() {
       {"row_of_units", "t,q,u\ns,rad,Nm\n" + kSamples, "", "run.csv:2: a row of units, skipped"},
       {"row_of_other_units", "t,q,u\n[s],[deg],[Nm]\n" + kSamples, "",
        "run.csv:2: the row of units says deg for column `q`, which is read in rad"},
+      {"latin1_names",
+       "t,q,u,Temp. [\xb0"
+       "C]\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n",
+       "",
+       "run.csv:1: column names are not UTF-8, but read as Latin-1: `Temp. [\xc2\xb0"
+       "C]`"},
+      {"greek_names", "t,q,u,\xcf\x86\n0,1,2,20\n0.1,1.5,2.5,20\n0.2,2,3,20\n", "", ""},
       {"other_columns_of_text", "t,mode,q,u\n0,auto,1,2\n0.1,auto,1.5,2.5\n0.2,inf,2,3\n", "", ""},
       {"plus_signs", "t,q,u\n+0,+1,2e0\n+1e-1,+1.5,+2.5\n.2,2.,3\n", "", ""},
       {"no_end_of_last_line", "t,q,u\n0,1,2\n0.1,1.5,2.5\n0.2,2,3", "", ""},

@@ -1,0 +1,141 @@
+#include "app/commands.h"
+#include "app/rig_draft.h"
+#include "foundation/problem.h"
+#include "foundation/unit.h"
+#include "measurement/clock_check.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <sstream>
+
+namespace lacuna {
+namespace {
+
+struct NewOptions {
+  std::filesystem::path experiment;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path robot;
+  ColumnHints hints;
+};
+
+void refuse_existing(const std::filesystem::path& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)))
+    throw Error(file.string() + ": is there already and is not overwritten; choose another name or move it away");
+}
+
+/// Writes a file that must not exist; what another program wrote meanwhile is left alone.
+void write_new(const std::filesystem::path& file, const std::string& text) {
+  std::FILE* stream = std::fopen(file.c_str(), "wxb");
+  if (!stream) throw Error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+  const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+  if (std::fclose(stream) != 0 || !written)
+    throw Error(fmt::format("{}: cannot be written to its end: {}", file.string(), std::strerror(errno)));
+}
+
+/// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
+std::string read_recordings(RigDraft& draft) {
+  try {
+    draft.recording = read_recording(source_of(draft.guess, draft.files), placeholder_robot(draft.guess));
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  const Eigen::VectorXd& times = draft.recording->trials.front().measured.times;
+  draft.interval = median_interval({times.data(), static_cast<std::size_t>(times.size())});
+  return {};
+}
+
+RigDraft make_draft(const NewOptions& options) {
+  RigDraft draft;
+  draft.experiment = options.experiment;
+  draft.files = options.files;
+  draft.writes_robot = options.robot.empty();
+  draft.robot = options.robot;
+  if (draft.writes_robot)
+    draft.robot = draft.experiment.parent_path() / (draft.experiment.stem().string() + "-robot.toml");
+  std::vector<FileSample> samples;
+  for (const std::filesystem::path& file : draft.files) samples.push_back(sample_file(file));
+  draft.guess = guess_rig(samples, options.hints);
+  return draft;
+}
+
+void print_column(const std::string& what, const GuessedColumn& column, const std::string& reason) {
+  std::printf("  %-18s column %s%s%s (%s)\n", what.c_str(), column.name.c_str(), column.unit.empty() ? "" : " in ",
+              column.unit.c_str(), reason.c_str());
+}
+
+void print_guesses(const RigDraft& draft) {
+  const RigGuess& guess = draft.guess;
+  std::printf("guessed\n");
+  print_column("time", guess.time, guess.time.reason);
+  if (guess.trial) print_column("trials", *guess.trial, guess.trial->reason);
+  for (const GuessedJoint& joint : guess.joints) {
+    std::printf("  %-18s a %s\n", ("joint." + joint.name).c_str(), joint.slides ? "slider" : "hinge");
+    if (joint.position) print_column("  " + joint.position_sensor(), *joint.position, joint.position->reason);
+    if (joint.velocity) print_column("  " + joint.velocity_sensor(), *joint.velocity, joint.velocity->reason);
+    if (joint.command) print_column("  " + joint.motor(), *joint.command, joint.command->reason);
+  }
+  for (const GuessedColumn& column : guess.unused) print_column("not used", column, column.reason);
+  std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
+  if (draft.interval > 0.0)
+    std::printf("  %-18s %.4g Hz, %zu trials\n", "sampling", 1.0 / draft.interval, draft.recording->trials.size());
+  if (!guess.trial && draft.files.size() > 1)
+    std::printf("  %-18s %s (the last file)\n", "held out", draft.files.back().filename().c_str());
+}
+
+/// The lines with blanks, as places to go to.
+void print_blanks(const std::filesystem::path& file, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.starts_with('#') || line.find('"' + std::string(kBlank)) == line.npos) continue;
+    const std::size_t comment = line.find("  # ");
+    std::printf("  %s:%d  %s\n", file.c_str(), number,
+                line.substr(0, std::min(comment, line.find_last_not_of(' ', comment) + 1)).c_str());
+  }
+}
+
+void make_new(const NewOptions& options) {
+  refuse_existing(options.experiment);
+  RigDraft draft = make_draft(options);
+  if (draft.writes_robot) refuse_existing(draft.robot);
+  const std::string problems = read_recordings(draft);
+  const std::string experiment = experiment_text(draft);
+  const std::string robot = robot_text(draft);
+  if (draft.writes_robot) write_new(draft.robot, robot);
+  write_new(draft.experiment, experiment);
+
+  std::printf("%s%s written from %zu recording%s\n", draft.experiment.c_str(),
+              draft.writes_robot ? (" and " + draft.robot.string()).c_str() : "", draft.files.size(),
+              draft.files.size() == 1 ? "" : "s");
+  print_guesses(draft);
+  if (draft.recording)
+    for (const ReadingNote& note : draft.recording->notes)
+      std::printf("note  %s: %s\n", to_string(note.location).c_str(), note.message.c_str());
+  if (!problems.empty())
+    std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
+  std::printf("fill in\n");
+  print_blanks(draft.experiment, experiment);
+  if (draft.writes_robot) print_blanks(draft.robot, robot);
+  std::printf("then  lacuna check %s\n", draft.experiment.c_str());
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& program) {
+  auto options = std::make_shared<NewOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("new", "Draft an experiment file and a robot for measured files");
+  command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")->required();
+  command->add_option("--from", options->files, "Measured files (CSV); the last of several is held out")->required();
+  command->add_option("--robot", options->robot, "Robot file that is there already, instead of a draft");
+  command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess");
+  command->add_option("--position", options->hints.positions, "Columns that are joint positions, instead of a guess");
+  command->add_option("--velocity", options->hints.velocities, "Columns that are joint velocities, instead of a guess");
+  command->add_option("--command", options->hints.commands, "Columns that are commands, instead of a guess");
+  command->callback([options] { make_new(*options); });
+}
+
+}  // namespace lacuna

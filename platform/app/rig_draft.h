@@ -1,0 +1,46 @@
+#pragma once
+
+#include "measurement/recording.h"
+#include "measurement/rig_guess.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What stands in a draft where the user must put a number: `mass = "FILL IN kg"`. Left as it is, `check` refuses it.
+inline constexpr const char* kBlank = "FILL IN";
+
+/// Everything that `lacuna new` knows before it writes.
+struct RigDraft {
+  RigGuess guess;
+  std::filesystem::path experiment;  ///< to be written
+  std::filesystem::path robot;       ///< to be written, or there already
+  bool writes_robot = true;
+  std::vector<std::filesystem::path> files;
+  std::optional<Recording> recording;  ///< as read with the guess; none where the files have problems
+  double interval = 0.0;               ///< s, median; 0: not known
+};
+
+/// The name that the experiment and its robot get: the file's, with what cannot be in a name left out.
+std::string rig_name(const std::filesystem::path& experiment);
+
+/// The experiment file, commented; what is guessed says so.
+std::string experiment_text(const RigDraft& draft);
+
+/// The robot stub: a body and a joint for each guessed joint, with its motor and sensors. What no
+/// recording tells (masses, inertias, where things are) is blank.
+std::string robot_text(const RigDraft& draft);
+
+/// The robot of the stub with blanks left at their defaults, to read the recordings with.
+RobotSpec placeholder_robot(const RigGuess& guess);
+
+/// "\"FILL IN kg\""
+std::string blank(const std::string& unit);
+
+/// A step for the engine: the sampling interval, or the largest part of it that is at most 2 ms. Without one, 1 ms.
+double step_for(double interval);
+
+}  // namespace lacuna

@@ -1,0 +1,159 @@
+#include "measurement/column_guess.h"
+
+#include "foundation/problem.h"
+#include "foundation/unit.h"
+#include "measurement/column_name.h"
+#include "measurement/column_words.h"
+#include "measurement/file_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kGoesTogether = 0.05;  // root mean square distance, of the span
+
+/// What a unit says of a column.
+std::optional<ColumnRole> role_of_unit(const std::string& unit) {
+  static const std::pair<std::string_view, ColumnRole> kRoles[] = {
+      {"s", ColumnRole::time},      {"m", ColumnRole::position}, {"m/s", ColumnRole::velocity},
+      {"N*m", ColumnRole::command}, {"N", ColumnRole::command},  {"V", ColumnRole::command},
+      {"A", ColumnRole::command}};
+  const std::optional<Unit> parsed = parse_unit(unit);
+  if (!parsed) return std::nullopt;
+  for (const auto& [symbol, role] : kRoles)
+    if (parsed->same_dimension(*parse_unit(symbol))) return role;
+  if (unit == "%") return ColumnRole::command;
+  if (unit == "Hz") return ColumnRole::other;
+  if (parsed->same_dimension(*parse_unit("rad/s"))) return ColumnRole::velocity;
+  if (parsed->same_dimension(*parse_unit("rad")) && unit != "1") return ColumnRole::position;
+  return ColumnRole::other;
+}
+
+/// The share of steps in which a column rises.
+double rising_share(const std::vector<double>& values) {
+  std::size_t rising = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) rising += values[i] > values[i - 1] ? 1 : 0;
+  return values.size() < 2 ? 0.0 : static_cast<double>(rising) / static_cast<double>(values.size() - 1);
+}
+
+GuessedColumn guess_column(const FileSample& sample, std::size_t index) {
+  GuessedColumn guess;
+  guess.name = sample.format.names[index];
+  guess.unit = unit_in_name(guess.name);
+  const bool in_row = guess.unit.empty() && index < sample.format.units.size();
+  if (in_row) guess.unit = sample.format.units[index];
+  const std::vector<std::string> words = words_of(guess.name);
+  guess.joint = joint_in_words(words);
+  const std::optional<ColumnRole> by_words = role_in_words(words);
+  const std::optional<ColumnRole> by_unit = role_of_unit(guess.unit);
+  if (by_words == ColumnRole::trial && guess.unit.empty()) {
+    guess.role = ColumnRole::trial;
+    guess.reason = "its name";
+  } else if (!sample.is_numeric(index)) {
+    guess.reason = "not numbers";
+  } else if (by_unit) {
+    const bool is_reference = by_words == ColumnRole::reference && *by_unit != ColumnRole::command;
+    guess.role = is_reference ? ColumnRole::reference : *by_unit;
+    guess.reason = in_row ? "the row of units" : "the unit in its name";
+  } else if (by_words) {
+    guess.role = *by_words;
+    guess.reason = "its name";
+  } else {
+    guess.reason = "nothing in its name tells what it is";
+  }
+  return guess;
+}
+
+/// One time column: the first by name or unit that mostly rises (trials may follow each other); else the
+/// first column that always does.
+void settle_time(const FileSample& sample, std::vector<GuessedColumn>& columns) {
+  GuessedColumn* time = nullptr;
+  constexpr double kMostly = 0.8;
+  for (const bool by_name : {true, false})
+    for (std::size_t i = 0; i < columns.size() && !time; ++i)
+      if ((columns[i].role == ColumnRole::time) == by_name && columns[i].role != ColumnRole::trial &&
+          rising_share(sample.columns[i]) >= (by_name ? kMostly : 1.0)) {
+        time = &columns[i];
+        if (!by_name) time->reason = "it rises from row to row";
+      }
+  for (GuessedColumn& column : columns) {
+    if (&column == time || column.role != ColumnRole::time) continue;
+    column.role = ColumnRole::other;
+    column.reason = "a time, but not the one that counts";
+  }
+  if (time) time->role = ColumnRole::time;
+}
+
+/// How far two columns are apart against their span; large where one has no value.
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double squares = 0.0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    squares += (a[i] - b[i]) * (a[i] - b[i]) / static_cast<double>(a.size());
+    lowest = std::min(lowest, a[i]);
+    highest = std::max(highest, a[i]);
+  }
+  const double share = std::sqrt(squares) / (highest - lowest);
+  return std::isfinite(share) ? share : std::numeric_limits<double>::infinity();
+}
+
+/// Whether `b` lags behind `a`: a − b then goes with the slope of a.
+bool lags(const std::vector<double>& a, const std::vector<double>& b) {
+  double product = 0.0;
+  for (std::size_t i = 1; i + 1 < a.size(); ++i) product += (a[i] - b[i]) * (a[i + 1] - a[i - 1]);
+  return product > 0.0;
+}
+
+void settle_references(const FileSample& sample, std::vector<GuessedColumn>& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = i + 1; j < columns.size(); ++j) {
+      if (columns[i].role != ColumnRole::position || columns[j].role != ColumnRole::position) continue;
+      if (columns[i].unit != columns[j].unit || distance(sample.columns[i], sample.columns[j]) > kGoesTogether)
+        continue;
+      const bool second_lags = lags(sample.columns[i], sample.columns[j]);
+      GuessedColumn& reference = columns[second_lags ? i : j];
+      const GuessedColumn& measured = columns[second_lags ? j : i];
+      reference.role = ColumnRole::reference;
+      reference.reason = fmt::format("`{}` follows it with a lag", measured.name);
+      reference.joint = measured.joint;
+    }
+}
+
+void apply_hint(const FileSample& sample, const std::vector<std::string>& names, ColumnRole role,
+                std::vector<GuessedColumn>& columns) {
+  if (names.empty()) return;
+  for (GuessedColumn& column : columns)
+    if (column.role == role) {
+      column.role = ColumnRole::other;
+      column.reason = "not among those you named";
+    }
+  for (const std::string& name : names) {
+    const int index = sample.find(name);
+    if (index < 0)
+      throw Error(fmt::format("{}: no column `{}`{}; the columns are {}", sample.path.string(), name,
+                              did_you_mean(name, sample.format.names), listed(sample.format.names)));
+    GuessedColumn& column = columns[static_cast<std::size_t>(index)];
+    column.role = role;
+    column.reason = "you said so";
+  }
+}
+
+}  // namespace
+
+std::vector<GuessedColumn> guess_columns(const FileSample& sample, const ColumnHints& hints) {
+  std::vector<GuessedColumn> columns;
+  for (std::size_t i = 0; i < sample.format.names.size(); ++i) columns.push_back(guess_column(sample, i));
+  settle_time(sample, columns);
+  settle_references(sample, columns);
+  if (!hints.time.empty()) apply_hint(sample, {hints.time}, ColumnRole::time, columns);
+  apply_hint(sample, hints.positions, ColumnRole::position, columns);
+  apply_hint(sample, hints.velocities, ColumnRole::velocity, columns);
+  apply_hint(sample, hints.commands, ColumnRole::command, columns);
+  return columns;
+}
+
+}  // namespace lacuna

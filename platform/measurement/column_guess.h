@@ -1,0 +1,40 @@
+#pragma once
+
+#include "measurement/file_sample.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What a column may be for an experiment.
+enum class ColumnRole {
+  time,
+  trial,      ///< tells trials apart
+  position,   ///< of a joint
+  velocity,   ///< of a joint
+  command,    ///< what an actuator is given
+  reference,  ///< what the rig should do; a servo's command
+  other       ///< not needed, or not understood
+};
+
+struct GuessedColumn {
+  std::string name;
+  ColumnRole role = ColumnRole::other;
+  std::string unit;    ///< in the notation of foundation/unit.h; empty: not known
+  std::string joint;   ///< what in the name tells joints apart: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty
+  std::string reason;  ///< why this role, half a sentence
+};
+
+/// Columns that the user named; the rest is guessed.
+struct ColumnHints {
+  std::string time;
+  std::vector<std::string> positions, velocities, commands;
+};
+
+/// Guesses every column of a file, in its order, from names, units in names or in a row of units, and
+/// values: the time column rises, and of two positions that go together the one that lags was measured and the
+/// other is its reference. A column that a hint names and the file does not have is an `Error`.
+std::vector<GuessedColumn> guess_columns(const FileSample& sample, const ColumnHints& hints);
+
+}  // namespace lacuna

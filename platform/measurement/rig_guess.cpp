@@ -1,0 +1,228 @@
+#include "measurement/rig_guess.h"
+
+#include "foundation/problem.h"
+#include "foundation/unit.h"
+#include "measurement/clock_check.h"
+#include "measurement/column_words.h"
+#include "measurement/file_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using Columns = std::vector<GuessedColumn>;
+using Slot = std::optional<GuessedColumn> GuessedJoint::*;
+
+bool same_dimension(const std::string& a, std::string_view b) {
+  const std::optional<Unit> first = parse_unit(a), second = parse_unit(b);
+  return first && second && first->same_dimension(*second);
+}
+
+Columns with_role(const Columns& columns, ColumnRole role) {
+  Columns found;
+  std::copy_if(columns.begin(), columns.end(), std::back_inserter(found),
+               [role](const GuessedColumn& column) { return column.role == role; });
+  return found;
+}
+
+/// Gives each column to the joint with its name, to the only joint, or in order where there are as many of
+/// both. What finds no place is unused.
+void attach(RigGuess& guess, const Columns& columns, Slot slot) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    GuessedJoint* place = nullptr;
+    for (GuessedJoint& joint : guess.joints) {
+      const GuessedColumn& known = joint.position ? *joint.position : *joint.velocity;
+      if (known.joint == columns[i].joint && !(joint.*slot)) place = &joint;
+    }
+    const bool in_order = guess.joints.size() == columns.size() || guess.joints.size() == 1;
+    if (!place && in_order) place = &guess.joints[std::min(i, guess.joints.size() - 1)];
+    if (place && !(place->*slot)) {
+      place->*slot = columns[i];
+    } else {
+      guess.unused.push_back(columns[i]);
+      guess.unused.back().reason = "no joint is left that it could belong to";
+    }
+  }
+}
+
+/// The share of samples in which a column does something.
+double activity(const FileSample& sample, const GuessedColumn& column) {
+  const std::vector<double>& values = sample.columns[static_cast<std::size_t>(sample.find(column.name))];
+  return static_cast<double>(std::count_if(values.begin(), values.end(), [](double value) { return value != 0.0; }));
+}
+
+bool slides(const GuessedJoint& joint) {
+  for (const auto& [column, unit] :
+       {std::pair(&joint.position, "m"), std::pair(&joint.velocity, "m/s"), std::pair(&joint.command, "N")})
+    if (*column && same_dimension((*column)->unit, unit)) return true;
+  return false;
+}
+
+void make_joints(RigGuess& guess, const Columns& columns) {
+  const Columns positions = with_role(columns, ColumnRole::position);
+  const Columns velocities = with_role(columns, ColumnRole::velocity);
+  for (const GuessedColumn& column : positions.empty() ? velocities : positions) {
+    GuessedJoint joint;
+    (positions.empty() ? joint.velocity : joint.position) = column;
+    guess.joints.push_back(joint);
+  }
+  if (guess.joints.empty()) return;
+  if (!positions.empty()) attach(guess, velocities, &GuessedJoint::velocity);
+}
+
+/// Commands of which the busiest come first, so that a disturbance that is mostly zero is not taken for the drive.
+Columns commands_by_activity(const Columns& columns, const FileSample& sample, std::size_t joints) {
+  Columns commands = with_role(columns, ColumnRole::command);
+  if (joints == 1)
+    std::stable_sort(commands.begin(), commands.end(), [&](const GuessedColumn& a, const GuessedColumn& b) {
+      return activity(sample, a) > activity(sample, b);
+    });
+  return commands;
+}
+
+void attach_drives(RigGuess& guess, const Columns& columns, const FileSample& sample) {
+  attach(guess, commands_by_activity(columns, sample, guess.joints.size()), &GuessedJoint::command);
+  for (const GuessedColumn& reference : with_role(columns, ColumnRole::reference)) {
+    const auto without = std::find_if(guess.joints.begin(), guess.joints.end(), [&](const GuessedJoint& joint) {
+      return !joint.command &&
+             (guess.joints.size() == 1 || (joint.position && joint.position->joint == reference.joint));
+    });
+    if (without == guess.joints.end()) {
+      guess.unused.push_back(reference);
+      continue;
+    }
+    without->command = reference;
+    const bool of_velocity = same_dimension(reference.unit, "m/s") || same_dimension(reference.unit, "rad/s");
+    without->actuator = of_velocity ? ActuatorKind::velocity_servo : ActuatorKind::position_servo;
+  }
+}
+
+void name_joints(RigGuess& guess) {
+  for (std::size_t i = 0; i < guess.joints.size(); ++i) {
+    GuessedJoint& joint = guess.joints[i];
+    joint.slides = slides(joint);
+    joint.only_one = guess.joints.size() == 1;
+    const std::string& key = joint.position ? joint.position->joint : joint.velocity->joint;
+    const bool is_word = !key.empty() && std::isalpha(static_cast<unsigned char>(key.front()));
+    if (joint.only_one)
+      joint.name = joint.slides ? "slider" : "hinge";
+    else
+      joint.name = is_word ? key : "joint" + (key.empty() ? std::to_string(i + 1) : key);
+    const auto same = std::count_if(guess.joints.begin(), guess.joints.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const GuessedJoint& other) { return other.name == joint.name; });
+    if (same > 0) joint.name += "_" + std::to_string(i + 1);
+  }
+}
+
+/// A time without unit: intervals of robots are milliseconds.
+void settle_time_unit(RigGuess& guess, const FileSample& sample) {
+  guess.time_unit_reason = "its name";
+  if (same_dimension(guess.time.unit, "s")) return;
+  const double interval = median_interval(sample.columns[static_cast<std::size_t>(sample.find(guess.time.name))]);
+  guess.time.unit = interval < 0.5 ? "s" : interval < 200.0 ? "ms" : interval < 2e5 ? "us" : "ns";
+  guess.time_unit_reason = fmt::format("samples are {:.3g} apart", interval);
+}
+
+void settle_hold(RigGuess& guess) {
+  guess.hold_reason = "a controller holds its output between samples";
+  for (const GuessedJoint& joint : guess.joints) {
+    if (!joint.command) continue;
+    for (const std::string& word : words_of(joint.command->name))
+      if (word == "meas" || word == "measured" || word == "actual" || word == "sensor") {
+        guess.hold = Hold::first_order;
+        guess.hold_reason = fmt::format("`{}` is measured, not held", joint.command->name);
+      }
+  }
+}
+
+/// Columns of the first file that all others have too.
+Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints& hints) {
+  Columns columns = guess_columns(samples.front(), hints);
+  for (const FileSample& sample : samples)
+    for (GuessedColumn& column : columns) {
+      if (sample.find(column.name) >= 0) continue;
+      if (column.role == ColumnRole::time)
+        throw Error(
+            fmt::format("{}: no column `{}`, which is the time in {}; recordings of one rig need the same "
+                        "columns",
+                        sample.path.string(), column.name, samples.front().path.string()));
+      column.role = ColumnRole::other;
+      column.reason = fmt::format("{} does not have it", sample.path.filename().string());
+    }
+  return columns;
+}
+
+}  // namespace
+
+std::string GuessedJoint::body() const { return only_one ? (slides ? "carriage" : "arm") : name + "_link"; }
+std::string GuessedJoint::motor() const { return only_one ? "motor" : name + "_motor"; }
+std::string GuessedJoint::position_sensor() const {
+  const std::string what = slides ? "position" : "angle";
+  return only_one ? what : name + "_" + what;
+}
+std::string GuessedJoint::velocity_sensor() const { return only_one ? "velocity" : name + "_velocity"; }
+
+RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints) {
+  const FileSample& first = samples.front();
+  const Columns columns = common_columns(samples, hints);
+  RigGuess guess;
+  const Columns times = with_role(columns, ColumnRole::time);
+  if (times.empty())
+    throw Error(fmt::format("{}: no column rises as time does; name it with --time. The columns are {}",
+                            first.path.string(), listed(first.format.names)));
+  guess.time = times.front();
+  settle_time_unit(guess, first);
+  make_joints(guess, columns);
+  if (guess.joints.empty())
+    throw Error(
+        fmt::format("{}: no column looks like a position or velocity; name one with --position or --velocity. "
+                    "The columns are {}",
+                    first.path.string(), listed(first.format.names)));
+  attach_drives(guess, columns, first);
+  name_joints(guess);
+  settle_hold(guess);
+  const Columns trials = with_role(columns, ColumnRole::trial);
+  if (!trials.empty()) guess.trial = trials.front();
+  for (const GuessedColumn& column : with_role(columns, ColumnRole::other)) guess.unused.push_back(column);
+  return guess;
+}
+
+std::string position_unit(const GuessedJoint& joint) { return joint.slides ? "m" : "rad"; }
+std::string velocity_unit(const GuessedJoint& joint) { return joint.slides ? "m/s" : "rad/s"; }
+
+std::string command_unit(const GuessedJoint& joint) {
+  if (joint.actuator == ActuatorKind::position_servo) return position_unit(joint);
+  if (joint.actuator == ActuatorKind::velocity_servo) return velocity_unit(joint);
+  return joint.slides ? "N" : "N*m";
+}
+
+RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files) {
+  RecordingSource source;
+  for (const std::filesystem::path& file : files) source.files.push_back({file, false, {}});
+  source.time_column = guess.time.name;
+  source.time_unit = guess.time.unit;
+  if (guess.trial) source.trial_column = guess.trial->name;
+  const auto mapping = [](const std::string& channel, const GuessedColumn& column, const std::string& si_unit) {
+    ColumnMapping result;
+    result.channel = channel;
+    result.column = column.name;
+    result.unit = column.unit.empty() ? si_unit : column.unit;
+    if (!same_dimension(result.unit, si_unit)) result.gain_unit = fmt::format("{}/({})", si_unit, result.unit);
+    return result;
+  };
+  for (const GuessedJoint& joint : guess.joints) {
+    if (joint.position)
+      source.sensors.push_back(mapping(joint.position_sensor(), *joint.position, position_unit(joint)));
+    if (joint.velocity)
+      source.sensors.push_back(mapping(joint.velocity_sensor(), *joint.velocity, velocity_unit(joint)));
+    if (joint.command) source.commands.push_back(mapping(joint.motor(), *joint.command, command_unit(joint)));
+  }
+  return source;
+}
+
+}  // namespace lacuna

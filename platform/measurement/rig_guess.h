@@ -1,0 +1,53 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+
+#include "foundation/recording_source.h"
+#include "measurement/column_guess.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A joint that some columns seem to belong to.
+struct GuessedJoint {
+  std::string name;     ///< "hinge", "slider", or from the columns: "elbow", "joint1"
+  bool slides = false;  ///< else it turns
+  std::optional<GuessedColumn> position, velocity;
+  std::optional<GuessedColumn> command;
+  ActuatorKind actuator = ActuatorKind::force;  ///< a servo where the command is a reference
+  bool only_one = true;                         ///< then names need not tell joints apart
+
+  /// Names of what stands around it in the robot.
+  std::string body() const;
+  std::string motor() const;
+  std::string position_sensor() const;
+  std::string velocity_sensor() const;
+};
+
+/// What recordings seem to be of.
+struct RigGuess {
+  GuessedColumn time;
+  std::string time_unit_reason;
+  std::optional<GuessedColumn> trial;
+  Hold hold = Hold::zero_order;
+  std::string hold_reason;
+  std::vector<GuessedJoint> joints;
+  std::vector<GuessedColumn> unused;
+};
+
+/// Puts the columns that all files have together to joints. Throws `BadInput` for files that are not
+/// readable, and `Error` where no column can be the time or none is measured, saying how to name them.
+RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints);
+
+/// A source that reads the files as guessed; units that are not known are taken to be SI, and gains 1.
+RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files);
+
+/// SI unit of what a joint's position, velocity or actuator has.
+std::string position_unit(const GuessedJoint& joint);
+std::string velocity_unit(const GuessedJoint& joint);
+std::string command_unit(const GuessedJoint& joint);
+
+}  // namespace lacuna

@@ -1,0 +1,168 @@
+#include "app/commands.h"
+#include "config/experiment_reader.h"
+#include "measurement_fixture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+/// `lacuna new` as a user types it, in a folder of its own.
+class NewCommand : public testing::Test {
+ protected:
+  struct Outcome {
+    int code = 0;
+    std::string out, err;
+  };
+
+  Outcome run(std::vector<std::string> words) const {
+    words.insert(words.begin(), "lacuna");
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.code = run_program(static_cast<int>(arguments.size()), arguments.data());
+    outcome.out = testing::internal::GetCapturedStdout();
+    outcome.err = testing::internal::GetCapturedStderr();
+    return outcome;
+  }
+
+  Outcome run_new(const std::vector<std::filesystem::path>& files) const {
+    std::vector<std::string> words{"new", rig().string(), "--from"};
+    for (const std::filesystem::path& file : files) words.push_back(file.string());
+    return run(words);
+  }
+
+  std::filesystem::path rig() const { return folder_.path() / "rig.toml"; }
+  std::filesystem::path robot() const { return folder_.path() / "rig-robot.toml"; }
+
+  static std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  /// What a user would put into the blanks, by the unit they ask for.
+  void fill(const std::filesystem::path& file) const {
+    std::string text = text_of(file);
+    const std::pair<const char*, const char*> kValues[] = {{R"("FILL IN kg")", R"("0.5 kg")"},
+                                                           {R"("FILL IN m")", R"("-0.2 m")"},
+                                                           {R"("FILL IN kg\*m\^2")", R"("0.02 kg*m^2")"},
+                                                           {R"("FILL IN world or [a-z0-9_]+")", R"("world")"},
+                                                           {R"x("FILL IN ([^"]+)")x", R"("35 $1")"}};
+    for (const auto& [blank, value] : kValues) text = std::regex_replace(text, std::regex(blank), value);
+    text = std::regex_replace(text, std::regex("(_motor|motor)( = .*)\"FILL IN\""), "$1$2\"N*m\"");
+    text = std::regex_replace(text, std::regex("(_velocity|velocity)( = .*)\"FILL IN\""), "$1$2\"rad/s\"");
+    text = std::regex_replace(text, std::regex("\"FILL IN\""), "\"rad\"");
+    std::ofstream(file) << text;
+  }
+
+  /// The draft is refused at its blanks, and accepted with its recordings once they are filled.
+  Recording expect_a_draft_that_works() const {
+    EXPECT_THROW(read_experiment(rig()), BadInput);
+    fill(rig());
+    fill(robot());
+    const Outcome checked = run({"check", rig().string()});
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    const Experiment experiment = read_experiment(rig());
+    return read_recording(experiment.target.recording, experiment.model.declared.value());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(NewCommand, DraftsTheServoPendulum) {
+  const std::filesystem::path data = std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "experiments/data/servo_pendulum";
+  const Outcome outcome = run_new({data / "sine.csv", data / "steps.csv", data / "chirp.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("column angle_deg in deg (the unit in its name)"));
+  EXPECT_THAT(outcome.out, HasSubstr("chirp.csv (the last file)"));
+  EXPECT_THAT(outcome.out, HasSubstr("rig-robot.toml:8  mass = \"FILL IN kg\"\n"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("noise: step 3.07 mrad/√12"));  // 2048 counts a turn
+  const Recording recording = expect_a_draft_that_works();
+  ASSERT_EQ(recording.trials.size(), 3u);
+  EXPECT_TRUE(recording.trials[2].held_out);
+  EXPECT_NEAR(recording.trials[0].sensor_noise[0], 2.0 * 3.14159265 / 2048.0 / std::sqrt(12.0), 1e-5);
+}
+
+TEST_F(NewCommand, DraftsSeveralJointsWithoutUnitsInOneFileOfTrials) {
+  std::string text = "run;time;q1;q2;dq1;tau1;tau2\n";
+  for (int i = 0; i < 300; ++i)
+    text += fmt::format("{};{};{:.4f};{:.4f};{:.4f};{:.3f};{:.3f}\n", i / 100 + 1, 5 * (i % 100), std::sin(0.1 * i),
+                        std::cos(0.1 * i), std::cos(0.1 * i), std::sin(0.07 * i), std::cos(0.05 * i));
+  const Outcome outcome = run_new({folder_.write("runs.csv", text)});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("joint2_motor     column tau2 (its name)"));
+  const Recording recording = expect_a_draft_that_works();
+  ASSERT_EQ(recording.trials.size(), 3u);
+  EXPECT_EQ(recording.trials[2].name, "runs.csv[3]");
+  EXPECT_TRUE(recording.trials[2].held_out);
+  EXPECT_EQ(recording.trials[0].measured.channels.size(), 3u);
+}
+
+TEST_F(NewCommand, DraftsAServo) {
+  std::string text = "t,angle_deg,angle_ref_deg\n";
+  for (int i = 0; i < 100; ++i)
+    text += fmt::format("{},{},{}\n", 0.01 * i, 40.0 * std::sin(0.1 * i), 45.0 * std::sin(0.11 * i));
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  EXPECT_THAT(text_of(robot()), HasSubstr("kind = \"position_servo\""));
+  EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "rad");
+}
+
+TEST_F(NewCommand, NeverOverwrites) {
+  const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
+  folder_.write("rig-robot.toml", "mine\n");
+  EXPECT_THAT(run_new({file}).err, HasSubstr("rig-robot.toml: is there already and is not overwritten"));
+  EXPECT_FALSE(std::filesystem::exists(rig()));
+  std::filesystem::remove(robot());
+  folder_.write("rig.toml", "mine\n");
+  EXPECT_EQ(run_new({file}).code, 1);
+  EXPECT_EQ(text_of(rig()), "mine\n");
+  EXPECT_FALSE(std::filesystem::exists(robot()));
+}
+
+TEST_F(NewCommand, UsesARobotThatIsThere) {
+  const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
+  folder_.write("mine.toml", "mine\n");
+  const Outcome outcome =
+      run({"new", rig().string(), "--from", file.string(), "--robot", (folder_.path() / "mine.toml").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(text_of(rig()), HasSubstr("file = \"mine.toml\""));
+  EXPECT_FALSE(std::filesystem::exists(robot()));
+}
+
+TEST_F(NewCommand, TellsProblemsOfTheRecordingsAndDraftsAllTheSame) {
+  const Outcome outcome =
+      run_new({folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,bad,2\n0.3,1,2\n")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("run.csv:4: column `angle_deg` has `bad`"));
+  EXPECT_TRUE(std::filesystem::exists(rig()));
+}
+
+TEST_F(NewCommand, DraftsTheRealRigs) {
+  const char* folder = std::getenv("LACUNA_DATA");
+  if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
+  const std::filesystem::path data = folder;
+  ASSERT_EQ(run_new({data / "emps/train.csv", data / "emps/test_pulses.csv"}).code, 0);
+  EXPECT_THAT(text_of(rig()), HasSubstr("motor = { column = \"vir_V\", unit = \"V\", gain = \"FILL IN N/V\" }"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("position = { column = \"qm_m\", unit = \"m\" }"));
+  Recording recording = expect_a_draft_that_works();
+  EXPECT_EQ(recording.trials[0].commands.series.samples(0, 0), 2.53862809 * 35.0);
+
+  std::filesystem::remove(rig());
+  std::filesystem::remove(robot());
+  ASSERT_EQ(run_new({data / "dfki_pendulum/ddp.csv", data / "dfki_pendulum/direct_collocation.csv"}).code, 0);
+  recording = expect_a_draft_that_works();
+  EXPECT_EQ(recording.trials[1].name, "direct_collocation.csv");
+  EXPECT_TRUE(recording.trials[1].held_out);
+}
+
+}  // namespace
+}  // namespace lacuna
