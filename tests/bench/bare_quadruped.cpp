@@ -1,21 +1,32 @@
 #include "bench/bare_quadruped.h"
 
+#include "bench/bench_quadruped.h"
+
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 namespace lacuna {
 
 struct BareQuadruped::Parts {
+  RobotSpec robot = bench_quadruped();
   dWorldID world = nullptr;
   dGeomID ground = nullptr;
   dJointGroupID contacts = nullptr;
   dThreadingImplementationID threading = nullptr;
   std::vector<dBodyID> bodies;
-  std::vector<dGeomID> geoms;  // torso, lower legs
+  std::vector<dGeomID> geoms;  // of the bodies that have a shape
   std::vector<dJointID> hinges;
-  std::array<bool, kLegs + 1> touches{};
-  std::vector<std::array<dReal, 7>> start;  // pose of each body
+  std::vector<char> touches;  // per geom
+  /// What a sensor reads: a geom's touch or a hinge's angle.
+  struct Reading {
+    bool touch;
+    std::size_t index;
+    double scale;
+  };
+  std::vector<Reading> sensors;
 };
 
 namespace {
@@ -28,6 +39,14 @@ dBodyID make_body(dWorldID world, const BodySpec& spec) {
   return body;
 }
 
+void place(dBodyID body, const BodySpec& spec) {
+  const dQuaternion q = {spec.orientation.w(), spec.orientation.x(), spec.orientation.y(), spec.orientation.z()};
+  dBodySetPosition(body, spec.position.x(), spec.position.y(), spec.position.z());
+  dBodySetQuaternion(body, q);
+  dBodySetLinearVel(body, 0, 0, 0);
+  dBodySetAngularVel(body, 0, 0, 0);
+}
+
 dGeomID make_geom(dBodyID body, const ShapeSpec& shape) {
   const dGeomID geom = shape.kind == ShapeKind::sphere ? dCreateSphere(nullptr, shape.size.x())
                                                        : dCreateCapsule(nullptr, shape.size.x(), shape.size.y());
@@ -35,44 +54,55 @@ dGeomID make_geom(dBodyID body, const ShapeSpec& shape) {
   return geom;
 }
 
-dJointID make_hinge(dWorldID world, dBodyID parent, dBodyID child, const JointSpec& spec, double torque) {
+dJointID make_hinge(dWorldID world, dBodyID parent, dBodyID child, const JointSpec& spec, const ActuatorSpec& servo) {
   const dJointID hinge = dJointCreateHinge(world, nullptr);
   dJointAttach(hinge, child, parent);
   dJointSetHingeAnchor(hinge, spec.anchor.x(), spec.anchor.y(), spec.anchor.z());
   dJointSetHingeAxis(hinge, spec.axis.x(), spec.axis.y(), spec.axis.z());
   dJointSetHingeParam(hinge, dParamLoStop, spec.lower);
   dJointSetHingeParam(hinge, dParamHiStop, spec.upper);
-  dJointSetHingeParam(hinge, dParamFMax, torque);
+  dJointSetHingeParam(hinge, dParamFMax, servo.force_limit);
+  // A servo kp·(c − q) − kd·v, taken with the coming position and velocity, is a motor that gives way.
+  dJointSetHingeParam(hinge, dParamCFM, 1.0 / (servo.kd + kBenchStep * servo.kp));
   return hinge;
+}
+
+template <class Spec>
+std::size_t index_of(const std::vector<Spec>& specs, const std::string& name) {
+  const auto found = std::ranges::find(specs, name, &Spec::name);
+  return static_cast<std::size_t>(found - specs.begin());
 }
 
 }  // namespace
 
-BareQuadruped::BareQuadruped(const QuadrupedNumbers& numbers) : numbers_(numbers), parts_(std::make_unique<Parts>()) {
+BareQuadruped::BareQuadruped() : parts_(std::make_unique<Parts>()) {
   dInitODE2(0);
   dAllocateODEDataForThread(dAllocateMaskAll);
-  const RobotSpec robot = quadruped_for_bench(numbers);
   Parts& p = *parts_;
   p.world = dWorldCreate();
   p.threading = dThreadingAllocateSelfThreadedImplementation();
   dWorldSetStepThreadingImplementation(p.world, dThreadingImplementationGetFunctions(p.threading), p.threading);
-  dWorldSetGravity(p.world, 0, 0, -numbers.gravity);
+  dWorldSetGravity(p.world, 0, 0, p.robot.gravity.z());
   p.ground = dCreatePlane(nullptr, 0, 0, 1, 0);
   p.contacts = dJointGroupCreate(0);
-  for (const BodySpec& spec : robot.bodies) {
+  std::vector<std::size_t> geom_of_body;
+  for (const BodySpec& spec : p.robot.bodies) {
     p.bodies.push_back(make_body(p.world, spec));
-    p.start.push_back({spec.position.x(), spec.position.y(), spec.position.z(), spec.orientation.w(),
-                       spec.orientation.x(), spec.orientation.y(), spec.orientation.z()});
+    geom_of_body.push_back(p.geoms.size());
     for (const ShapeSpec& shape : spec.shapes) p.geoms.push_back(make_geom(p.bodies.back(), shape));
   }
+  p.touches.assign(p.geoms.size(), 0);
   reset();
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const std::size_t upper = 1 + 2 * (i / 2);
-    const bool hip = i % 2 == 0;
-    p.hinges.push_back(make_hinge(p.world, p.bodies[hip ? 0 : upper], p.bodies[hip ? upper : upper + 1],
-                                  robot.joints[i], numbers.torque));
-    // A servo kp·(c − q) − kd·v, taken with the coming position and velocity, is a motor that gives way.
-    dJointSetHingeParam(p.hinges.back(), dParamCFM, 1.0 / (numbers.kd + numbers.step * numbers.kp));
+  for (std::size_t i = 0; i < p.robot.joints.size(); ++i) {
+    const JointSpec& joint = p.robot.joints[i];
+    p.hinges.push_back(make_hinge(p.world, p.bodies[index_of(p.robot.bodies, joint.parent)],
+                                  p.bodies[index_of(p.robot.bodies, joint.child)], joint, p.robot.actuators[i]));
+  }
+  for (const SensorSpec& sensor : p.robot.sensors) {
+    const bool touch = sensor.kind == SensorKind::touch;
+    const std::size_t index =
+        touch ? geom_of_body[index_of(p.robot.bodies, sensor.element)] : index_of(p.robot.joints, sensor.element);
+    p.sensors.push_back({touch, index, sensor.scale});
   }
 }
 
@@ -85,28 +115,23 @@ BareQuadruped::~BareQuadruped() {
 }
 
 void BareQuadruped::reset() {
-  for (std::size_t i = 0; i < parts_->bodies.size(); ++i) {
-    const auto& pose = parts_->start[i];
-    const dQuaternion q = {pose[3], pose[4], pose[5], pose[6]};
-    dBodySetPosition(parts_->bodies[i], pose[0], pose[1], pose[2]);
-    dBodySetQuaternion(parts_->bodies[i], q);
-    dBodySetLinearVel(parts_->bodies[i], 0, 0, 0);
-    dBodySetAngularVel(parts_->bodies[i], 0, 0, 0);
-  }
+  for (std::size_t i = 0; i < parts_->bodies.size(); ++i) place(parts_->bodies[i], parts_->robot.bodies[i]);
 }
 
 void BareQuadruped::drive(double time) {
-  const double share = numbers_.kp / (numbers_.kd + numbers_.step * numbers_.kp);
   for (std::size_t i = 0; i < parts_->hinges.size(); ++i) {
-    const double error = quadruped_command(i, time) - dJointGetHingeAngle(parts_->hinges[i]);
-    dJointSetHingeParam(parts_->hinges[i], dParamVel, share * error);
+    const ActuatorSpec& servo = parts_->robot.actuators[i];
+    const double command = std::clamp(servo.gain * bench_command(i, time), servo.command_lower, servo.command_upper);
+    const double error = command - dJointGetHingeAngle(parts_->hinges[i]);
+    dJointSetHingeParam(parts_->hinges[i], dParamVel, servo.kp / (servo.kd + kBenchStep * servo.kp) * error);
   }
 }
 
 void BareQuadruped::touch_ground() {
-  constexpr int kMostContacts = 4;
+  constexpr int kMostContacts = 2;
   std::array<dContact, kMostContacts> contacts{};
-  const double spring = numbers_.step * numbers_.ground_stiffness;
+  const ContactSpec& ground = parts_->robot.contact;
+  const double spring = kBenchStep * ground.stiffness;
   dJointGroupEmpty(parts_->contacts);
   for (std::size_t g = 0; g < parts_->geoms.size(); ++g) {
     const int count = dCollide(parts_->geoms[g], parts_->ground, kMostContacts, &contacts[0].geom, sizeof(dContact));
@@ -115,8 +140,8 @@ void BareQuadruped::touch_ground() {
       dContact& contact = contacts[static_cast<std::size_t>(i)];
       contact.surface.mode = dContactSoftERP | dContactSoftCFM;  // endless friction needs no cone
       contact.surface.mu = dInfinity;
-      contact.surface.soft_erp = spring / (spring + numbers_.ground_damping);
-      contact.surface.soft_cfm = 1.0 / (spring + numbers_.ground_damping);
+      contact.surface.soft_erp = spring / (spring + ground.damping);
+      contact.surface.soft_cfm = 1.0 / (spring + ground.damping);
       const dJointID joint = dJointCreateContact(parts_->world, parts_->contacts, &contact);
       dJointAttach(joint, dGeomGetBody(parts_->geoms[g]), nullptr);
     }
@@ -124,23 +149,20 @@ void BareQuadruped::touch_ground() {
 }
 
 void BareQuadruped::record() {
-  for (std::size_t leg = 0; leg < kLegs; ++leg) {
-    readings_.push_back(parts_->touches[leg + 1] ? 1.0 : -1.0);
-    readings_.push_back(dJointGetHingeAngle(parts_->hinges[2 * leg + 1]));
-  }
-  const dReal* position = dBodyGetPosition(parts_->bodies[0]);
-  readings_.insert(readings_.end(), position, position + 3);
+  for (const Parts::Reading& sensor : parts_->sensors)
+    readings_.push_back(sensor.touch ? (parts_->touches[sensor.index] ? 1.0 : -1.0)
+                                     : sensor.scale * dJointGetHingeAngle(parts_->hinges[sensor.index]));
 }
 
 void BareQuadruped::run(int steps) {
   reset();
   readings_.clear();
-  readings_.reserve(static_cast<std::size_t>((steps + 1) * kReadings));
+  readings_.reserve(static_cast<std::size_t>(steps + 1) * parts_->sensors.size());
   for (int i = 0; i < steps; ++i) {
     touch_ground();
     record();
-    drive(i * numbers_.step);
-    dWorldStep(parts_->world, numbers_.step);
+    drive(i * kBenchStep);
+    dWorldStep(parts_->world, kBenchStep);
   }
   touch_ground();
   record();

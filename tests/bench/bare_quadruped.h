@@ -1,7 +1,6 @@
 #pragma once
 
-#include "support/quadruped_for_bench.h"
-
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -11,16 +10,14 @@ namespace lacuna {
 /// measured by. Same bodies, joints, servos and contacts; it records the same readings.
 class BareQuadruped {
  public:
-  explicit BareQuadruped(const QuadrupedNumbers& numbers);
+  BareQuadruped();
   ~BareQuadruped();
   BareQuadruped(const BareQuadruped&) = delete;
   BareQuadruped& operator=(const BareQuadruped&) = delete;
 
-  /// A trial from the start pose; afterwards `readings` holds `kReadings` values a sample, the start included.
+  /// A trial from the start pose; afterwards `readings` holds a row a sample, the start included.
   void run(int steps);
   const std::vector<double>& readings() const { return readings_; }
-
-  static constexpr int kReadings = 2 * kLegs + 3;
 
  private:
   struct Parts;
@@ -30,7 +27,6 @@ class BareQuadruped {
   void touch_ground();
   void record();
 
-  QuadrupedNumbers numbers_;
   std::unique_ptr<Parts> parts_;
   std::vector<double> readings_;
 };

@@ -21,7 +21,7 @@ constexpr int kShortTrialSteps = 20;
 template <class Quadruped>
 void run_trials(benchmark::State& state) {
   const int steps = static_cast<int>(state.range(0));
-  Quadruped quadruped{QuadrupedNumbers{}};
+  Quadruped quadruped;
   for ([[maybe_unused]] auto _ : state) quadruped.run(steps);
   const double done = static_cast<double>(state.iterations()) * steps;
   state.counters["steps"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
@@ -67,8 +67,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
 /// The largest difference of any reading in the first half second, in which the motion is not yet chaotic.
 double largest_difference() {
   constexpr int kSteps = 50;
-  BareQuadruped bare_one{QuadrupedNumbers{}};
-  PlatformQuadruped platform_one{QuadrupedNumbers{}};
+  BareQuadruped bare_one;
+  PlatformQuadruped platform_one;
   bare_one.run(kSteps);
   platform_one.run(kSteps);
   const auto& samples = platform_one.result().readings.samples;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "simulation/compiled_model.h"
-#include "support/quadruped_for_bench.h"
 
 #include <memory>
 #include <vector>
@@ -11,14 +10,13 @@ namespace lacuna {
 /// The same quadruped through the platform: compiled once, simulated in one workspace.
 class PlatformQuadruped {
  public:
-  explicit PlatformQuadruped(const QuadrupedNumbers& numbers);
+  PlatformQuadruped();
 
   /// A trial of `steps` steps with a reading after each. Throws `Error` unless it completes.
   void run(int steps);
   const SimulationResult& result() const { return result_; }
 
  private:
-  QuadrupedNumbers numbers_;
   std::unique_ptr<CompiledModel> model_;
   std::unique_ptr<Workspace> workspace_;
   Test test_;
