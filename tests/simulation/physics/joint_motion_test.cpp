@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace lacuna {
@@ -81,6 +82,56 @@ TEST(BallJoint, RestoresItsState) {
   robot.gravity = {0.0, 0.0, -kGravity};
   expect_same_bits_after_restore(SimulationRun(robot).from({0.3, 0.2, -0.5}, {1.0, 2.0, 3.0}),
                                  {0.0, 0.1, 0.2, 0.3, 0.4}, 2);
+}
+
+class CarriedJoint : public testing::TestWithParam<JointKind> {};
+INSTANTIATE_TEST_SUITE_P(HingeAndSlider, CarriedJoint, testing::Values(JointKind::hinge, JointKind::slider),
+                         [](const auto& test) { return test.param == JointKind::hinge ? "Hinge" : "Slider"; });
+
+/// A joint along x on a base that stands turned by a right angle about z: the joint's axis has become y.
+SimulationRun carried(JointKind kind, double step) {
+  RobotSpec robot = one_joint(kind, kInertia, Eigen::Vector3d::UnitX());
+  robot.bodies.push_back(plain_body("base", 1.0, 1.0));
+  robot.joints[0].parent = "base";
+  JointSpec turntable;
+  turntable.name = "turntable";
+  turntable.child = "base";
+  turntable.axis = Eigen::Vector3d::UnitZ();
+  turntable.dry_friction = 1e6;  // it stays
+  robot.joints.push_back(turntable);
+  SimulationRun run(robot, step);
+  run.from({0.0, std::numbers::pi / 2}, {1.5, 0.0});
+  return run;
+}
+
+TEST_P(CarriedJoint, IsDampedAlongItsTurnedAxis) {
+  constexpr double kEnd = 0.4;
+  const double expected = 1.5 * std::exp(-2.0 / kInertia * kEnd);
+  const auto error = [&](double step) {
+    SimulationRun run = carried(GetParam(), step);
+    run.structure.robot.joints[0].damping = 2.0;
+    return run.last("velocity", kEnd) - expected;
+  };
+  expect_first_order(error, 1e-3, 5e-3);
+}
+
+TEST_P(CarriedJoint, IsStoppedByFrictionAndServoAlongItsTurnedAxis) {
+  SimulationRun rough = carried(GetParam(), 1e-3), served = carried(GetParam(), 1e-3);
+  rough.structure.robot.joints[0].dry_friction = 2.0;
+  EXPECT_NEAR(rough.last("position", 1.0), 1.5 * 1.5 * kInertia / (2.0 * 2.0), 1e-3);
+  served.structure.robot.actuators[0].kind = ActuatorKind::velocity_servo;
+  served.structure.robot.actuators[0].kd = 100.0;
+  EXPECT_NEAR(served.last("velocity", 1.0), 0.0, 1e-6);
+}
+
+TEST_P(CarriedJoint, IsDrivenAndStoppedAlongItsTurnedAxis) {
+  SimulationRun run = carried(GetParam(), 1e-3);
+  run.from({0.0, std::numbers::pi / 2}, {0.0, 0.0});
+  run.command("motor", 2.0);
+  EXPECT_NEAR(run.last("velocity", 0.5), 2.0 / kInertia * 0.5, 1e-6);
+  run.structure.robot.joints[0].upper = 0.2;
+  constexpr double kPenetration = 2e-3;
+  EXPECT_NEAR(run.last("position", 2.0), 0.2, kPenetration);
 }
 
 /// A box that falls, tumbles and slides down a slope.
