@@ -42,6 +42,11 @@ bool is_sound(const ParameterDeclaration& declaration) {
          declaration.lower <= declaration.default_value && declaration.default_value <= declaration.upper;
 }
 
+bool same_elements(const RobotSpec& a, const RobotSpec& b) {
+  return a.bodies.size() == b.bodies.size() && a.joints.size() == b.joints.size() &&
+         a.actuators.size() == b.actuators.size() && a.sensors.size() == b.sensors.size();
+}
+
 /// Of a parameter where the effect stands.
 std::string unit_of(const ParameterDeclaration& declaration, const RobotSpec& robot, const PlacedEffect& placed) {
   return placed.elements.empty() ? declaration.unit
@@ -185,6 +190,9 @@ class EntryCheck {
       RobotSpec copy = robot;
       const EffectContext context{placed_.values, placed_.elements, placed_.kind, 0.0};
       guarded_call(origin_, "amend", [&] { placed_.effect->amend(copy, context); });
+      if (!same_elements(copy, robot))
+        throw Error(to_string(origin_) +
+                    ": it added or removed elements of the robot, which an effect may not; repair the plugin");
     } catch (const Error& error) {
       complain("", error.what());
     }

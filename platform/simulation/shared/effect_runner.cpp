@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lacuna::simulation {
 namespace {
+
+constexpr const char* kRepair = "; repair the plugin, or take the effect out of the model";
 
 bool sound(const JointLoad& load) {
   return std::isfinite(load.force) && std::isfinite(load.spring_force) && load.friction_lower <= 0.0 &&
@@ -70,7 +73,7 @@ void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
     loads.gravity = instance_.robot().gravity;
     enter(effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
-    if (!sound(loads)) throw Error("it wrote a load that is not finite or has the wrong sign");
+    if (!sound(loads)) throw Error(std::string("it wrote a load that is not finite or has the wrong sign") + kRepair);
   }
   running_ = kNone;
   throw Error("the effects together wrote a load that is not finite or has the wrong sign");
@@ -88,6 +91,7 @@ double EffectRunner::command(std::size_t actuator, double value, const StepView&
   for (const auto& [effect, which] : schedule_.commands(actuator)) {
     enter(effect, "command");
     value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
+    if (!std::isfinite(value)) throw Error(std::string("its command is not a number") + kRepair);
   }
   running_ = kNone;
   return value;
@@ -97,13 +101,16 @@ void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const S
   for (const auto& [effect, which] : schedule_.senses(sensor)) {
     enter(effect, "sense");
     schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
+    if (!std::all_of(channels.begin(), channels.end(), [](double reading) { return std::isfinite(reading); }))
+      throw Error(std::string("its reading is not a number") + kRepair);
   }
   running_ = kNone;
 }
 
-std::string EffectRunner::explain() const {
-  if (running_ != kNone) {
-    const PlacedEffect& placed = schedule_.effects()[running_];
+std::string EffectRunner::explain() {
+  const std::size_t effect = std::exchange(running_, kNone);  // what fails next may not be an effect's fault
+  if (effect != kNone) {
+    const PlacedEffect& placed = schedule_.effects()[effect];
     return "effect." + placed.id + ": " +
            describe_current_exception({.kind = "effect", .name = placed.name, .file = placed.file}, hook_);
   }

@@ -28,9 +28,9 @@ class EffectRunner {
   void save(StateWriter& writer) const { writer.put(states_); }
   void load(StateReader& reader) { reader.get(states_); }
 
-  /// Only inside a `catch` block: a sentence about the exception, which names the effect if it
+  /// Only inside a `catch` block, once: a sentence about the exception, which names the effect if it
   /// left one of the hooks.
-  std::string explain() const;
+  std::string explain();
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

@@ -10,6 +10,8 @@
 namespace lacuna::simulation {
 namespace {
 
+constexpr int kLargestState = 1 << 24;  // of one effect, doubles
+
 std::size_t elements_of_kind(const RobotSpec& robot, ElementKind kind) {
   switch (kind) {
     case ElementKind::joint: return robot.joints.size();
@@ -105,8 +107,10 @@ void EffectSchedule::size_states(const std::vector<std::vector<double>>& largest
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     const int size = guarded_call(origin_of(effects_[i]), "state_size",
                                   [&] { return effects_[i].effect->state_size(context(i, largest_values[i])); });
-    if (size < 0)
-      throw Error("effect \"" + effects_[i].id + "\" (" + effects_[i].name + ") asks for a negative state size");
+    if (size < 0 || size > kLargestState)
+      throw Error(to_string(origin_of(effects_[i])) + ": it asks for a state of " + std::to_string(size) +
+                  " numbers, possible are 0 to " + std::to_string(kLargestState) +
+                  "; repair the plugin, or take the effect out of the model");
     state_offsets_[i + 1] = state_offsets_[i] + static_cast<std::size_t>(size);
   }
 }
