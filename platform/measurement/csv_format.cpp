@@ -161,9 +161,16 @@ void make_names_utf8(CsvFormat& format, FileReport& report) {
   }
 }
 
+/// Three digits after a comma may be thousands as well; between commas, where only quoted cells can have
+/// one, that counts for nothing.
+bool shows_decimal_comma(std::string_view cell, char delimiter) {
+  const std::size_t comma = cell.find(',');
+  if (comma == cell.npos || read_number(cell, true).kind != CellKind::number) return false;
+  return delimiter != ',' || trimmed(cell.substr(comma + 1)).size() != 3;
+}
+
 /// Decimal commas where numbers have commas and none has a point.
 bool has_decimal_commas(std::string_view text, const CsvFormat& format) {
-  if (format.delimiter == ',') return false;
   LineReader reader(text);
   CellSplitter splitter(format.delimiter);
   Line line;
@@ -174,7 +181,7 @@ bool has_decimal_commas(std::string_view text, const CsvFormat& format) {
     splitter.split(line.text);
     for (const std::string_view cell : splitter.cells()) {
       if (cell.find('.') != cell.npos && read_number(cell, false).kind == CellKind::number) return false;
-      if (cell.find(',') != cell.npos && read_number(cell, true).kind == CellKind::number) ++commas;
+      commas += shows_decimal_comma(cell, format.delimiter) ? 1 : 0;
     }
   }
   return commas > 0;

@@ -114,6 +114,11 @@ class TableReader {
       report_.problem("time", number, [&] { return bad_cell(query_.time_column, cells[time_index_], time.kind); });
       return;
     }
+    if (!query_.trial_column.empty() && trimmed(cells[trial_index_]).empty()) {
+      report_.problem("trial", number,
+                      [&] { return fmt::format("the trial column `{}` is empty here", query_.trial_column); });
+      return;
+    }
     table_.times.push_back(time.value);
     table_.lines.push_back(number);
     if (!query_.trial_column.empty()) table_.trials.push_back(trial_number(trimmed(cells[trial_index_])));

@@ -65,6 +65,19 @@ void note_start(const TrialClock& clock, const CsvTable& table, FileReport& repo
   });
 }
 
+/// An initial value that is given holds at the start of the file, which a range in its middle leaves out.
+void note_initial(const WholeSource& whole, const TrialClock& file, const TrialClock& piece, const CsvTable& table,
+                  FileReport& report) {
+  const bool given = std::any_of(whole.plan.initial.begin(), whole.plan.initial.end(),
+                                 [](const InitialValue& value) { return value.knowledge == InitialKnowledge::given; });
+  if (!given || piece.rows.front() == file.rows.front()) return;
+  report.note("initial", table.lines[piece.rows.front()], [] {
+    return std::string(
+        "target.initial gives the state here too, in the middle of the recording, because "
+        "target.time.use starts a trial");
+  });
+}
+
 /// The trials of one clock: one, or one a range to be used.
 void add_trials(const WholeSource& whole, const CsvTable& table, const TrialClock& clock, const Trial& prototype,
                 FileReport& report, std::vector<Trial>& trials) {
@@ -78,6 +91,7 @@ void add_trials(const WholeSource& whole, const CsvTable& table, const TrialCloc
     }
     check_intervals(piece, table, whole.source, report);
     note_start(piece, table, report);
+    note_initial(whole, clock, piece, table, report);
     Trial trial = build_trial(whole.plan, whole.source, table, piece, report);
     trial.name = prototype.name;
     if (pieces.size() > 1)
@@ -140,6 +154,17 @@ std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) 
   return names;
 }
 
+/// A file that is both fitted to and held out would make every held-out error look good.
+void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& problems) {
+  std::set<std::filesystem::path> seen;
+  for (const MeasuredFile& file : files) {
+    std::error_code ignored;
+    if (!seen.insert(std::filesystem::weakly_canonical(file.path, ignored)).second)
+      problems.add(file.location,
+                   fmt::format("{} is named twice; a file is fitted to or held out, once", file.path.string()));
+  }
+}
+
 std::vector<InitialValue> initial_values(const RecordingSource& source, const std::vector<std::string>& coordinates,
                                          const SourceLocation& location, ProblemList& problems) {
   if (source.initial.empty()) return {};
@@ -178,6 +203,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   ProblemList problems;
   const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
   if (source.files.empty()) problems.add(location, "no measured files; name at least one in target.files");
+  check_files_differ(source.files, problems);
   if (source.sensors.empty()) problems.add(location, "no column is measured; map at least one in target.sensors");
   RecordingPlan plan;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);

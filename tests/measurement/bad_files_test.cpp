@@ -99,6 +99,13 @@ std::vector<BadFile> refused_files() {
          source.trial_column = "k";
          source.holdout_trials = {"b"};
        }},
+      {"trial_without_name", "t,q,u,k\n0,1,2,a\n1,1,2,\n", "run.csv:3: the trial column `k` is empty here", "",
+       [](RecordingSource& source) { source.trial_column = "k"; }},
+      {"fitted_and_held_out", "t,q,u\n" + kSamples, "rig.toml:4:12: ", "",
+       [](RecordingSource& source) {
+         source.files.push_back({source.files[0].path, true, {"rig.toml", 4, 12}});
+       }},
+      {"quoted_thousands", "t,q,u\n0,\"1,234\",2\n1,\"1,500\",2\n", "run.csv:2: column `q` has `1,234`", ""},
       {"wrong_delimiter_declared", "t,q,u\n" + kSamples, "run.csv:1: no column `t`", "",
        [](RecordingSource& source) { source.delimiter = ';'; }},
       {"unknown_sensor", "t,q,u\n" + kSamples,
@@ -134,6 +141,8 @@ std::vector<BadFile> readable_files() {
       {"old_macintosh", "t,q,u\r0,1,2\r0.1,1.5,2.5\r0.2,2,3\r", "", "lines end in \\r alone"},
       {"semicolons", "t;q;u\n0;1;2\n0.1;1.5;2.5\n0.2;2;3\n", "", ""},
       {"semicolons_and_decimal_commas", "t;q;u\n0;1;2\n0,1;1,5;2,5\n0,2;2;3\n", "", "read as decimal commas"},
+      {"quoted_decimal_commas", "t,q,u\n\"0\",\"1\",2\n\"0,1\",\"1,5\",\"2,5\"\n\"0,2\",2,3\n", "",
+       "read as decimal commas"},
       {"tabs", "t\tq\tu\n0\t1\t2\n0.1\t1.5\t2.5\n0.2\t2\t3\n", "", ""},
       {"tabs_and_decimal_commas", "t\tq\tu\n0\t1\t2\n0,1\t1,5\t2,5\n0,2\t2\t3\n", "", "read as decimal commas"},
       {"spaces", "  t    q   u\n  0.0  1.0 2.0\n  0.1  1.5 2.5\n  0.2  2.0 3.0\n", "", ""},
@@ -259,6 +268,13 @@ TEST_F(OddFiles, AMaskOrALongerGapAllowsAPause) {
   source.mask.clear();
   source.max_gap = 10.0;
   EXPECT_EQ(complaint_of(source), "");
+}
+
+TEST_F(OddFiles, AGivenStateInTheMiddleIsNoted) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,2\n1,2,3\n2,3,2\n3,4,2\n"));
+  source.use = {{2.0, 3.0}};
+  source.initial["hinge"] = {InitialKnowledge::given, 3.0, 0.0};
+  EXPECT_THAT(notes_of(read_pendulum(source)), testing::HasSubstr("run.csv:4: target.initial gives the state here"));
 }
 
 TEST_F(OddFiles, RepeatedComplaintsAreCounted) {

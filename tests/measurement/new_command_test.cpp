@@ -69,7 +69,8 @@ class NewCommand : public testing::Test {
     EXPECT_THROW(read_experiment(rig()), BadInput);
     fill(rig());
     fill(robot());
-    const Outcome checked = run({"check", rig().string()});
+    const Outcome checked =
+        run({"check", rig().string(), "--plugin-path", LACUNA_BINARY_DIRECTORY "/lib/lacuna/plugins"});
     EXPECT_EQ(checked.code, 0) << checked.err;
     const Experiment experiment = read_experiment(rig());
     return read_recording(experiment.target.recording, experiment.model.declared.value());
