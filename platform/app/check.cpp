@@ -1,3 +1,4 @@
+#include "app/check_summary.h"
 #include "app/commands.h"
 #include "app/options.h"
 #include "config/experiment_reader.h"
@@ -21,8 +22,10 @@ void check(const CheckOptions& options) {
   }
   const Experiment experiment = read_experiment(options.experiment, options.overrides);
   const PluginCatalog catalog(plugin_search_path(options.plugin_paths));
-  define_model(experiment, catalog);
-  std::printf("%s: ok\n", options.experiment.string().c_str());
+  const ModelDefinition definition = define_model(experiment, catalog);
+  const Recording recording = read_recording(experiment.target.recording, definition.structure.robot);
+  std::printf("%s: ok\n%s", options.experiment.string().c_str(),
+              check_summary(experiment, definition, recording).c_str());
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ bool same_effect(const TomlNode& node, const EffectEntry& effect) {
   ProblemList problems;
   Reading reading(problems, {});
   EffectEntry read;
-  return effect_keys().value().read(node, reading, read) && read.id == effect.id && read.effect == effect.effect &&
+  static const Value<EffectEntry> kKeys = effect_keys().value();
+  return kKeys.read(node, reading, read) && read.id == effect.id && read.effect == effect.effect &&
          read.where == effect.where && read.start == effect.start && read.fixed == effect.fixed;
 }
 

@@ -57,7 +57,8 @@ Experiment read_experiment_text(const std::string& text, const std::filesystem::
   experiment.file = file;
   experiment.text = text;
   experiment.overrides = overrides;
-  experiment_keys().value().read(tree, reading, experiment);
+  static const Value<Experiment> kKeys = experiment_keys().value();
+  kKeys.read(tree, reading, experiment);
   experiment.model.declared = read_declared_robot(tree, file.parent_path(), problems);
   problems.throw_if_any();
   experiment.locations = locations_of(tree);

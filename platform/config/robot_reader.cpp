@@ -64,7 +64,8 @@ RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& 
   ProblemList problems;
   Reading reading(problems, file.parent_path());
   RobotInFile written;
-  robot_keys().value().read(tree, reading, written);
+  static const Value<RobotInFile> kKeys = robot_keys().value();
+  kKeys.read(tree, reading, written);
   check_robot(written, locations, reading);
   RobotSpec robot = assembled(written, locations, reading);
   check_written_units(robot, locations, reading);

@@ -3,6 +3,7 @@
 #include "evaluation/effect_placement.h"
 #include "evaluation/robot_check.h"
 #include "evaluation/robot_values.h"
+#include "evaluation/target_check.h"
 #include "foundation/unit.h"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ std::optional<std::vector<double>> robot_parameters(const Experiment& experiment
     names.push_back(declaration.name);
     const auto found = given.find(declaration.name);
     values.push_back(found == given.end() ? declaration.default_value : found->second);
+    complaints.check_unit("model.parameters." + declaration.name, declaration.unit);
     if (values.back() >= declaration.lower && values.back() <= declaration.upper) continue;
     complaints.add("model.parameters." + declaration.name,
                    format_quantity(values.back(), declaration.unit) + " is outside the range of the robot \"" +
@@ -74,6 +76,7 @@ ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& 
   if (!robot.bodies.empty()) {
     set_robot_values(robot, experiment, complaints);
     definition.free = free_robot_values(robot, experiment, complaints);
+    check_target(robot, experiment, complaints);
   }
   place_effects(definition, experiment, catalog, complaints);
   complaints.throw_if_any();
