@@ -10,7 +10,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 include(GNUInstallDirs)
-set(LACUNA_PLUGIN_DIRECTORY lib/lacuna/plugins)
+include(lacuna_plugin)
+set(LACUNA_PLUGIN_DIRECTORY lib/lacuna/plugins)  # of the build folder and of an installation
 
 add_compile_options(-Wall -Wextra -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -31,18 +32,6 @@ function(lacuna_add_room name)
   add_library(lacuna_${name} STATIC ${ARG_SOURCES})
   target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
-endfunction()
-
-# A plugin library: hidden symbols, the interface and nothing else.
-function(lacuna_add_plugin name)
-  add_library(${name} MODULE ${ARGN})
-  add_dependencies(all_plugins ${name})
-  target_link_libraries(${name} PRIVATE lacuna_interface)
-  target_compile_definitions(${name} PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
-  set_target_properties(${name} PROPERTIES
-    PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${LACUNA_PLUGIN_DIRECTORY})
-  install(TARGETS ${name} LIBRARY DESTINATION ${LACUNA_PLUGIN_DIRECTORY})
 endfunction()
 
 # A test program of GoogleTest; each TEST is a test of ctest.
