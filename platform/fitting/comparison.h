@@ -39,6 +39,7 @@ struct ChannelScore {
   double max_error_time = 0.0;      ///< s, in the trial's time
   double rmse_as_written = 0.0;     ///< the same free run with the start values of the file
   std::optional<double> numerical;  ///< RMS change of the prediction by twice the substeps
+  double from_start = 0.0;          ///< RMS of what one standard error of the start state does to the prediction
 };
 
 /// The error of predictions over a horizon: the trial is cut into stretches, each starts from a state

@@ -1,8 +1,9 @@
 #include "fitting/covariance.h"
 
 #include "fitting/correlation_time.h"
+#include "fitting/reduced_rows.h"
+#include "fitting/time_blocks.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -15,39 +16,19 @@ namespace lacuna {
 namespace {
 
 constexpr double kBlockCorrelations = 6.0;  ///< a block is so many correlation times long
+constexpr int kLeastBlocks = 12;            ///< fewer would say little about their own spread
 constexpr double kRounding = 1e-10;         ///< eigenvalues below this share of the largest are differences' rounding
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTakesPart = 0.1;  ///< of a direction's largest component
 
-/// What the shared values alone explain: rows with the start state's share projected off.
-struct ReducedRows {
-  Eigen::MatrixXd sensitivity;  ///< rows × values
-  Eigen::VectorXd curvature;    ///< the loss's, per row
-  Eigen::VectorXd score;        ///< weight × residual
-};
-
-ReducedRows reduce(const ShootingProblem& problem, std::size_t k, const Eigen::VectorXd& residuals,
-                   const SegmentJacobian& jacobian, const RobustLoss& loss) {
-  ReducedRows rows;
-  rows.curvature = Eigen::VectorXd::Ones(residuals.size());
-  rows.score = residuals;
-  for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
-    rows.curvature(row) = loss.curvature(residuals(row));
-    rows.score(row) = loss.weight(residuals(row)) * residuals(row);
-  }
-  rows.sensitivity = jacobian.values;
-  if (jacobian.state.cols() == 0) return rows;
-  const Eigen::MatrixXd weighted = rows.curvature.asDiagonal() * jacobian.state;
-  const Eigen::MatrixXd information = weighted.transpose() * jacobian.state;
-  rows.sensitivity -= jacobian.state * information.ldlt().solve(weighted.transpose() * jacobian.values);
-  return rows;
-}
-
-/// Residuals of one trial and channel in the order of time, with the time between two of them.
+/// Residuals of one trial and channel in the order of time.
 struct Trace {
   std::vector<double> values;
   double first = 0.0, last = 0.0;
   double interval() const { return values.size() > 1 ? (last - first) / static_cast<double>(values.size() - 1) : 0.0; }
 };
 
+/// The longest over trials and channels, s.
 double residual_correlation_time(const ShootingProblem& problem, const std::vector<ReducedRows>& rows) {
   std::map<std::pair<std::size_t, std::size_t>, Trace> traces;
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -64,77 +45,79 @@ double residual_correlation_time(const ShootingProblem& problem, const std::vect
   return longest;
 }
 
-/// Splits every trial's scored time into equal blocks of about `length` s.
-class Blocks {
- public:
-  Blocks(const ShootingProblem& problem, double length) : length_(length) {
-    for (std::size_t k = 0; k < problem.segments().size(); ++k) {
-      const Eigen::Index rows = problem.robust_rows(k);
-      if (rows == 0) continue;
-      const ResidualPlace from = problem.place(k, 0);
-      Span& span = spans_.try_emplace(from.trial, Span{from.time, from.time, 0, 0}).first->second;
-      span.begin = std::min(span.begin, from.time);
-      span.end = std::max(span.end, problem.place(k, rows - 1).time);
-    }
-    for (auto& [trial, span] : spans_) {
-      span.first = count_;
-      span.blocks = std::max(1, static_cast<int>((span.end - span.begin) / std::max(length_, 1e-12)));
-      count_ += span.blocks;
-    }
-  }
-  int count() const { return count_; }
-  double duration() const {
-    double sum = 0.0;
-    for (const auto& [trial, span] : spans_) sum += span.end - span.begin;
-    return sum;
-  }
-  int of(const ResidualPlace& place) const {
-    const Span& span = spans_.at(place.trial);
-    const double share = span.end > span.begin ? (place.time - span.begin) / (span.end - span.begin) : 0.0;
-    return span.first + std::min(span.blocks - 1, static_cast<int>(share * span.blocks));
-  }
+/// The blocks that scores are summed over: several correlation times long, but enough of them.
+TimeBlocks choose_blocks(const ShootingProblem& problem, Eigen::Index values, Uncertainty& result) {
+  const double least = std::max(kLeastBlocks, 3 * static_cast<int>(values));
+  const double wanted = kBlockCorrelations * result.correlation_time;
+  const double longest = scored_duration(problem) / least;
+  result.few_blocks = wanted > longest;
+  TimeBlocks blocks(problem, std::min(wanted, longest));
+  result.blocks = blocks.count();
+  return blocks;
+}
 
- private:
-  struct Span {
-    double begin, end;
-    int first, blocks;
-  };
-  double length_;
-  std::map<std::size_t, Span> spans_;
-  int count_ = 0;
-};
-
-Eigen::MatrixXd block_scores(const ShootingProblem& problem, const std::vector<ReducedRows>& rows,
-                             const Blocks& blocks) {
+Eigen::MatrixXd block_scores(const std::vector<ReducedRows>& rows, const TimeBlocks& blocks) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(rows.front().sensitivity.cols(), blocks.count());
   for (std::size_t k = 0; k < rows.size(); ++k)
-    for (Eigen::Index row = 0; row < rows[k].score.size(); ++row) {
-      // A prior belongs to the moment its state stands for.
-      const Eigen::Index where = row < problem.robust_rows(k) ? row : 0;
-      sums.col(blocks.of(problem.place(k, where))) += rows[k].sensitivity.row(row).transpose() * rows[k].score(row);
-    }
+    for (Eigen::Index row = 0; row < rows[k].score.size(); ++row)
+      sums.col(blocks.of(k, row)) += rows[k].sensitivity.row(row).transpose() * rows[k].score(row);
   return sums;
 }
 
-/// Mean square of the scores × correlation: what a sum over time really varies by.
-double inflation(const ShootingProblem& problem, const std::vector<ReducedRows>& rows, double correlation_time,
-                 double duration) {
-  double power = 0.0, count = 0.0;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    power += rows[k].score.head(problem.robust_rows(k)).squaredNorm();
-    count += static_cast<double>(problem.robust_rows(k));
-  }
+double total_power(const std::vector<ReducedRows>& rows) {
+  double sum = 0.0;
+  for (const ReducedRows& segment : rows) sum += segment.score.squaredNorm();
+  return sum;
+}
+
+/// Mean square of the scores × samples in a correlation time: what a sum over time really varies by.
+double correlated_variance(const ShootingProblem& problem, const std::vector<ReducedRows>& rows,
+                           double correlation_time) {
+  const auto count = static_cast<double>(problem.samples());
+  const double duration = scored_duration(problem);
   const double remembered = duration > 0.0 ? std::max(1.0, correlation_time * count / duration) : 1.0;
-  return count > 0.0 ? power / count * remembered : 1.0;
+  return total_power(rows) / count * remembered;
 }
 
 /// What a relative change of 1 means: the value itself, or where it is small, the change that shows as much
 /// as the residual does.
-double size_of(const ParameterSpace& space, const FitPoint& point, Eigen::Index j, double information, double power) {
-  if (space.logarithmic(j)) return 1.0;
-  const double shows = information > 0.0 ? std::sqrt(power / information) : 0.0;
-  const double size = std::max(std::abs(point.values(j)), shows);
-  return size > 0.0 ? size : space.upper()(j) - space.lower()(j);
+Eigen::VectorXd typical_sizes(const ParameterSpace& space, const FitPoint& point, const Eigen::MatrixXd& information,
+                              double power) {
+  Eigen::VectorXd sizes = Eigen::VectorXd::Ones(space.size());
+  for (Eigen::Index j = 0; j < space.size(); ++j) {
+    if (space.logarithmic(j)) continue;
+    const double shows = information(j, j) > 0.0 ? std::sqrt(power / information(j, j)) : 0.0;
+    sizes(j) = std::max(std::abs(point.values(j)), std::min(shows, space.upper()(j) - space.lower()(j)));
+    if (sizes(j) == 0.0) sizes(j) = space.upper()(j) - space.lower()(j);
+  }
+  return sizes;
+}
+
+void note_undetermined(const Eigen::VectorXd& direction, const std::vector<Eigen::Index>& free, Uncertainty& result) {
+  Eigen::VectorXd full = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(result.determined.size()));
+  full(free) = direction;
+  for (Eigen::Index j = 0; j < full.size(); ++j)
+    if (std::abs(full(j)) > kTakesPart * full.cwiseAbs().maxCoeff())
+      result.determined[static_cast<std::size_t>(j)] = false;
+  result.undetermined.push_back(std::move(full));
+}
+
+/// The inverse of the information in relative changes, without the directions that the data do not determine;
+/// these go to `result`.
+Eigen::MatrixXd determined_inverse(const Eigen::MatrixXd& relative, double variance,
+                                   const std::vector<Eigen::Index>& free, Uncertainty& result) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relative);
+  const double rounding = kRounding * eigen.eigenvalues()(relative.rows() - 1);
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(relative.rows(), relative.cols());
+  for (Eigen::Index i = 0; i < relative.rows(); ++i) {
+    const double value = eigen.eigenvalues()(i);
+    const Eigen::VectorXd direction = eigen.eigenvectors().col(i);
+    if (value > rounding && std::sqrt(variance / value) < kUndetermined)
+      inverse += direction * direction.transpose() / value;
+    else
+      note_undetermined(direction, free, result);
+  }
+  return inverse;
 }
 
 }  // namespace
@@ -142,67 +125,35 @@ double size_of(const ParameterSpace& space, const FitPoint& point, Eigen::Index 
 Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& space, const FitPoint& point,
                         const std::vector<Eigen::VectorXd>& residuals, const std::vector<SegmentJacobian>& jacobians,
                         const RobustLoss& loss, const std::vector<bool>& at_bound) {
-  const Eigen::Index size = space.size();
+  const std::vector<ReducedRows> rows = reduce(problem, residuals, jacobians, loss);
+  const Eigen::MatrixXd all = information(rows);
   Uncertainty result;
-  std::vector<ReducedRows> rows;
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
-  double power = 0.0;
-  for (std::size_t k = 0; k < residuals.size(); ++k) {
-    rows.push_back(reduce(problem, k, residuals[k], jacobians[k], loss));
-    information += rows[k].sensitivity.transpose() * rows[k].curvature.asDiagonal() * rows[k].sensitivity;
-    power += rows[k].score.squaredNorm();
-  }
   result.correlation_time = residual_correlation_time(problem, rows);
-  const double duration = Blocks(problem, 1.0).duration();
-  const int least_blocks = std::max<int>(12, 3 * static_cast<int>(size));
-  const double block = std::min(kBlockCorrelations * result.correlation_time, duration / least_blocks);
-  result.few_blocks = block < kBlockCorrelations * result.correlation_time;
-  const Blocks blocks(problem, block);
-  result.blocks = blocks.count();
+  result.sizes = typical_sizes(space, point, all, total_power(rows));
+  result.determined.assign(at_bound.size(), true);
+  result.covariance = Eigen::MatrixXd::Constant(space.size(), space.size(), kNothing);
+  const TimeBlocks blocks = choose_blocks(problem, space.size(), result);
 
   std::vector<Eigen::Index> free;
-  Eigen::VectorXd sizes(size);
-  for (Eigen::Index j = 0; j < size; ++j) {
-    sizes(j) = size_of(space, point, j, information(j, j), power);
+  for (Eigen::Index j = 0; j < space.size(); ++j)
     if (!at_bound[static_cast<std::size_t>(j)]) free.push_back(j);
-  }
-  result.sizes.assign(sizes.data(), sizes.data() + size);
-  result.determined.assign(static_cast<std::size_t>(size), true);
-  result.covariance = Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
   if (free.empty()) return result;
+  const Eigen::VectorXd scale = result.sizes(free);
+  const Eigen::MatrixXd relative = scale.asDiagonal() * all(free, free) * scale.asDiagonal();
+  const double variance = correlated_variance(problem, rows, result.correlation_time);
+  const Eigen::MatrixXd bread =
+      scale.asDiagonal() * determined_inverse(relative, variance, free, result) * scale.asDiagonal();
 
-  const auto count = static_cast<Eigen::Index>(free.size());
-  const Eigen::VectorXd scale = sizes(free);
-  const Eigen::MatrixXd relative = scale.asDiagonal() * information(free, free) * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relative);
-  const double varies = inflation(problem, rows, result.correlation_time, duration);
-  const double rounding = kRounding * eigen.eigenvalues()(count - 1);
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double value = eigen.eigenvalues()(i);
-    const Eigen::VectorXd direction = eigen.eigenvectors().col(i);
-    if (value > rounding && std::sqrt(varies / value) < kUndetermined) {
-      inverse += direction * direction.transpose() / value;
-      continue;
-    }
-    Eigen::VectorXd full = Eigen::VectorXd::Zero(size);
-    full(free) = direction;
-    result.undetermined.push_back(full);
-    for (Eigen::Index j = 0; j < size; ++j)
-      if (std::abs(full(j)) > 0.1 * full.cwiseAbs().maxCoeff()) result.determined[static_cast<std::size_t>(j)] = false;
-  }
-
-  const int degrees = std::max(1, result.blocks - static_cast<int>(count));
+  const int degrees = std::max(1, result.blocks - static_cast<int>(free.size()));
   result.quantile = boost::math::quantile(boost::math::students_t(degrees), 0.975);
-  const Eigen::MatrixXd scores = block_scores(problem, rows, blocks)(free, Eigen::all);
-  const Eigen::MatrixXd bread = scale.asDiagonal() * inverse * scale.asDiagonal();
-  const Eigen::MatrixXd covariance =
+  const Eigen::MatrixXd scores = block_scores(rows, blocks)(free, Eigen::all);
+  result.covariance(free, free) =
       bread * (scores * scores.transpose()) * bread * (static_cast<double>(result.blocks) / degrees);
-  for (Eigen::Index a = 0; a < count; ++a)
-    for (Eigen::Index b = 0; b < count; ++b)
-      if (result.determined[static_cast<std::size_t>(free[static_cast<std::size_t>(a)])] &&
-          result.determined[static_cast<std::size_t>(free[static_cast<std::size_t>(b)])])
-        result.covariance(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]) = covariance(a, b);
+  for (const Eigen::Index j : free) {
+    if (result.determined[static_cast<std::size_t>(j)]) continue;
+    result.covariance.row(j).setConstant(kNothing);
+    result.covariance.col(j).setConstant(kNothing);
+  }
   return result;
 }
 

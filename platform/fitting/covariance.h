@@ -16,7 +16,7 @@ struct Uncertainty {
   int blocks = 0;
   bool few_blocks = false;                    ///< the record is too short for blocks much longer than the correlation
   std::vector<Eigen::VectorXd> undetermined;  ///< directions of relative change that leave the prediction as it is
-  std::vector<double> sizes;                  ///< what a relative change of 1 means for each value, in coordinates
+  Eigen::VectorXd sizes;                      ///< what a relative change of 1 means for each value, in coordinates
 };
 
 /// Covariance of the shared values with the start states eliminated. Residuals are correlated in time where

@@ -17,6 +17,11 @@
 namespace lacuna {
 namespace {
 
+constexpr std::size_t kExploredSegments = 48;
+/// By how many units of −2 log likelihood a search may miss its minimum: a tenth of a standard error, or what
+/// tells minima apart.
+constexpr double kFine = 0.01;
+constexpr double kCoarse = 1.0;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
@@ -49,19 +54,20 @@ class Fitter {
 
   /// METHOD's step 4.
   FitResult run() {
-    const std::vector<PlannedStage> stages = plan_stages(task_.options, predictor_, *states_, result_.notes);
-    meter_.set_parts(static_cast<int>(stages.size()) + std::max(task_.options.starts, 1) + 1);
-    for (PlannedStage stage : stages) {
+    std::vector<PlannedStage> stages = plan_stages(task_.options, predictor_, *states_, result_.notes);
+    meter_.set_parts(std::max(task_.options.starts, 1) + kRivals * static_cast<int>(stages.size()) + 1);
+    explore(stages.front());
+    for (PlannedStage& stage : stages) {
       if (stage.automatic) find_horizon(stage);
       cut_into_segments(stage.length);
-      if (candidates_.empty()) choose_starts();
-      refine_candidates(stage.name);
+      refine_candidates(stage.name, kFine);
       record(stage);
+      if (refined_ < kRivals) meter_.end_part();
       keep_rivals(candidates_, problem_->samples());
     }
     settle_heads(stages.back());
     judge();
-    count_simulations();
+    finish_problem();
     result_.seconds = meter_.seconds();
     return result_;
   }
@@ -81,33 +87,38 @@ class Fitter {
           stage.length));
   }
 
-  void cut_into_segments(double length) {
-    count_simulations();
-    problem_ = std::make_unique<ShootingProblem>(
-        predictor_, space_, make_segments(predictor_, *states_, length, current_values()), result_.noise);
-    if (problem_->segments().empty())
-      throw Error(
-          "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
-          "state has unknowns; check the mask, the time ranges and the columns");
-  }
-
-  void choose_starts() {
+  /// Tries all starting points, on a part of the data where there is plenty.
+  void explore(const PlannedStage& stage) {
+    cut_into_segments(stage.length, kExploredSegments);
     for (const Eigen::VectorXd& point :
          start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
       candidates_.emplace_back();
       candidates_.back().values = point;
     }
     result_.starts = static_cast<int>(candidates_.size());
+    refine_candidates("starting points", kCoarse);
+    result_.agreeing = agreeing_;
+    keep_rivals(candidates_, problem_->samples());
   }
 
-  RefinementOptions refinement() {
-    return {loss_, task_.options.max_iterations, [this](int iteration) { meter_.report(iteration); }};
+  void cut_into_segments(double length, std::size_t most = std::numeric_limits<std::size_t>::max()) {
+    std::vector<Segment> segments = thinned(make_segments(predictor_, *states_, length, current_values()), most);
+    if (segments.empty())
+      throw Error(
+          "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
+          "state has unknowns; check the mask, the time ranges and the columns");
+    auto next = std::make_unique<ShootingProblem>(predictor_, space_, std::move(segments), result_.noise);
+    if (problem_) next->inherit_steps(*problem_);
+    finish_problem();
+    problem_ = std::move(next);
   }
 
-  void refine_candidates(const std::string& stage) {
+  void refine_candidates(const std::string& stage, double precision) {
+    const RefinementOptions options{loss_, task_.options.max_iterations, precision,
+                                    [this](int iteration) { meter_.report(iteration); }};
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      meter_.begin_part(fmt::format("{}, start {} of {}", stage, i + 1, candidates_.size()));
-      candidates_[i] = refine(*problem_, candidates_[i].values, refinement());
+      meter_.begin_part(fmt::format("{}, {} of {}", stage, i + 1, candidates_.size()));
+      candidates_[i] = refine(*problem_, candidates_[i].values, options);
       meter_.end_part();
     }
     refined_ = static_cast<int>(candidates_.size());
@@ -115,7 +126,6 @@ class Fitter {
     if (!candidates_.front().valid)
       throw Error("the model cannot be simulated from any of " + std::to_string(candidates_.size()) +
                   " starting points: " + problem_->last_reason() + "; check the start values and bounds of [model]");
-    if (result_.stages.empty()) result_.agreeing = agreeing_;
   }
 
   void record(const PlannedStage& planned) {
@@ -137,7 +147,7 @@ class Fitter {
   void settle_heads(const PlannedStage& last) {
     candidates_.resize(1);
     cut_into_segments(last.length);
-    refine_candidates(last.name + ", once more");
+    refine_candidates(last.name + ", once more", kFine);
     result_.stages.pop_back();
     record(last);
   }
@@ -200,7 +210,7 @@ class Fitter {
     }
   }
 
-  void count_simulations() {
+  void finish_problem() {
     if (!problem_) return;
     result_.simulations += problem_->simulations();
     result_.invalid_simulations += problem_->invalid_simulations();

@@ -20,7 +20,7 @@ class HeadProblem : public SegmentedProblem {
       : predictor_(predictor), states_(states), head_(head), values_(values), worker_(worker) {
     guess_ = states.from_samples(head, head.first);
     for (int index = 0; index < guess_.deviation.size(); ++index)
-      if (guess_.deviation(index) > 0.0 && std::isfinite(guess_.deviation(index))) unknown_.push_back(index);
+      if (guess_.tells(index)) unknown_.push_back(index);
   }
 
   const StartEstimate& guess() const { return guess_; }
@@ -111,6 +111,10 @@ Eigen::Index head_end(const TrialPredictor& predictor, const Stretch& stretch) {
   Eigen::Index end = stretch.first;
   while (end < stretch.last && (times(end) <= until || end - stretch.first < kHeadSamples)) ++end;
   return end;
+}
+
+Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretch, const StartEstimate& estimate) {
+  return estimate.known_from_data() ? head_end(predictor, stretch) : stretch.first;
 }
 
 StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,

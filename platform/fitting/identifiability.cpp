@@ -15,8 +15,7 @@ Eigen::VectorXd relative_changes(const Eigen::VectorXd& direction, const Uncerta
   Eigen::VectorXd changes = direction;
   for (Eigen::Index j = 0; j < changes.size(); ++j) {
     const double value = space.to_value(j, point.values(j));
-    const double change =
-        direction(j) * uncertainty.sizes[static_cast<std::size_t>(j)] * space.slope(j, point.values(j));
+    const double change = direction(j) * uncertainty.sizes(j) * space.slope(j, point.values(j));
     if (value != 0.0) changes(j) = change / value;
   }
   return changes;

@@ -1,109 +1,132 @@
 #include "fitting/noise_floor.h"
 
-#include "foundation/address.h"
+#include "evaluation/trial_predictor.h"
+#include "fitting/disturbance.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
 #include "foundation/unit.h"
-#include "measurement/rest_noise.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace lacuna {
 namespace {
 
-struct Figure {
-  double deviation = 0.0;
-  std::string origin;
+/// Streams of the seed, so that the two kinds of noise are independent.
+constexpr std::uint64_t kCommandStream = 1ULL << 32;
+constexpr std::uint64_t kForceStream = 2ULL << 32;
+
+/// Sums of squared departures of one draw, a value a channel; invalid draws do not count.
+struct Departure {
+  bool valid = false;
+  Eigen::VectorXd squares;
 };
 
-/// Root mean square of what the columns of the trials declare.
-std::optional<Figure> declared_by_columns(const std::vector<Trial>& trials, const std::string& name) {
-  double squares = 0.0;
-  int count = 0;
-  for (const Trial& trial : trials)
-    for (std::size_t i = 0; i < trial.sensor_noise.size() && i < trial.measured.channels.size(); ++i)
-      if (trial.measured.channels[i].name == name && std::isfinite(trial.sensor_noise[i])) {
-        squares += trial.sensor_noise[i] * trial.sensor_noise[i];
-        ++count;
-      }
-  if (count == 0 || squares == 0.0) return std::nullopt;
-  return Figure{std::sqrt(squares / count), "declared for the column"};
+/// How far `commands` lead the prediction away from `base`, over the scored samples.
+Departure departure(const CompiledModel& model, const Trial& trial, CommandSeries commands, const StartState& start,
+                    const std::vector<double>& values, Eigen::Index first_scored, const Prediction& base) {
+  throw_if_interrupted();
+  Trial disturbed = trial;
+  disturbed.commands = std::move(commands);
+  const TrialPredictor predictor(model, {std::move(disturbed)}, 1);
+  Prediction prediction;
+  predictor.predict(predictor.whole(0), values, start, 0, prediction);
+  if (!prediction.valid) return {};
+  const Eigen::Index rows = prediction.samples.rows() - first_scored;
+  return {true, (prediction.samples - base.samples).bottomRows(rows).colwise().squaredNorm().transpose()};
 }
 
-std::optional<Figure> declared_by_robot(const RobotSpec& robot, const Channel& channel) {
-  for (const SensorSpec& sensor : robot.sensors) {
-    const std::vector<Channel> channels = sensor_channels(robot, sensor);
-    if (std::find(channels.begin(), channels.end(), channel) == channels.end()) continue;
-    if (sensor.noise <= 0.0 && sensor.quantum <= 0.0) return std::nullopt;
-    const std::string step = "encoder step " + format_quantity(sensor.quantum, channel.unit) + "/√12";
-    const double deviation = std::hypot(sensor.noise, sensor.quantum / std::sqrt(12.0));
-    if (sensor.noise <= 0.0) return Figure{deviation, step};
-    return Figure{deviation, sensor.quantum > 0.0 ? "declared by the robot's sensor, with " + step
-                                                  : "declared by the robot's sensor"};
-  }
-  return std::nullopt;
-}
-
-std::optional<Figure> found_at_rest(const std::vector<Trial>& trials, const Channel& channel) {
-  const SensorNoise found = estimate_sensor_noise(trials, channel.name);
-  if (!(found.standard_deviation > 0.0)) return std::nullopt;
-  return Figure{found.standard_deviation, found.origin(channel.unit)};
-}
-
-/// White noise of deviation s has second differences of √6 s.
-Figure from_second_differences(const std::vector<Trial>& trials, const std::string& name) {
-  std::vector<double> differences;
-  double largest = 0.0;
-  for (const Trial& trial : trials)
-    for (std::size_t i = 0; i < trial.measured.channels.size(); ++i) {
-      if (trial.measured.channels[i].name != name) continue;
-      const auto values = trial.measured.samples.col(static_cast<Eigen::Index>(i));
-      for (Eigen::Index row = 0; row < values.size(); ++row)
-        if (std::isfinite(values(row))) largest = std::max(largest, std::abs(values(row)));
-      for (Eigen::Index row = 1; row + 1 < values.size(); ++row) {
-        const double difference = values(row + 1) - 2.0 * values(row) + values(row - 1);
-        if (std::isfinite(difference)) differences.push_back(std::abs(difference));
-      }
+/// RMS over draws and scored samples, a value a channel.
+Eigen::VectorXd rms(const std::vector<Departure>& draws, Eigen::Index channels, Eigen::Index rows) {
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(channels);
+  double count = 0.0;
+  for (const Departure& draw : draws)
+    if (draw.valid) {
+      squares += draw.squares;
+      count += static_cast<double>(rows);
     }
-  double deviation = 0.0;
-  if (!differences.empty()) {
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    deviation = 1.4826 * *middle / std::sqrt(6.0);
-    if (deviation == 0.0) {  // a coarse quantiser: most second differences vanish
-      double squares = 0.0;
-      for (const double difference : differences) squares += difference * difference;
-      deviation = std::sqrt(squares / (6.0 * static_cast<double>(differences.size())));
-    }
-  }
-  const double resolution = std::numeric_limits<double>::epsilon() * std::max(largest, 1e-6);
-  if (deviation > resolution)
-    return {
-        deviation,
-        "from the recording's second differences, nothing is declared and nothing rests; fast motion counts as noise"};
-  return {resolution, "resolution of a double, the recording shows no noise"};
+  return count > 0.0 ? Eigen::VectorXd((squares / count).cwiseSqrt()) : squares;
 }
 
-ChannelNoise noise_of(const RobotSpec& robot, const std::vector<Trial>& trials, const Channel& channel) {
-  std::optional<Figure> figure = declared_by_columns(trials, channel.name);
-  if (!figure) figure = declared_by_robot(robot, channel);
-  if (!figure) figure = found_at_rest(trials, channel);
-  if (!figure) figure = from_second_differences(trials, channel.name);
-  return {channel.name, channel.unit, figure->deviation, figure->origin};
+std::string sentence(const FloorValue& value, const std::string& sensor_origin) {
+  std::string text = sensor_origin;
+  if (value.input > 0.0) text += "; command noise adds " + format_quantity(value.input, value.unit);
+  if (value.process > 0.0) text += "; random force adds " + format_quantity(value.process, value.unit);
+  return text;
 }
+
+/// The floor of the trials of one task.
+class Propagation {
+ public:
+  explicit Propagation(const NoiseFloorTask& task)
+      : task_(task), joints_(disturbed_joints(task.definition.structure.robot, task.noise)) {
+    if (!joints_.empty()) disturbed_model_ = compile_disturbed(task.definition, joints_);
+  }
+
+  TrialFloor floor(std::size_t index) const {
+    const Trial& trial = task_.trials[index];
+    const auto channels = static_cast<Eigen::Index>(trial.measured.channels.size());
+    const bool noisy_commands = std::any_of(trial.command_noise.begin(), trial.command_noise.end(),
+                                            [](double deviation) { return deviation > 0.0; });
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(channels);
+    const Eigen::VectorXd input = noisy_commands ? passed_through(index, false) : nothing;
+    const Eigen::VectorXd process = joints_.empty() ? nothing : passed_through(index, true);
+    TrialFloor floor{trial.name, {}};
+    for (Eigen::Index c = 0; c < channels; ++c) {
+      const Channel& channel = trial.measured.channels[static_cast<std::size_t>(c)];
+      const auto noise = std::find_if(task_.sensors.begin(), task_.sensors.end(),
+                                      [&](const ChannelNoise& one) { return one.channel == channel.name; });
+      FloorValue value{channel.name, channel.unit, noise->deviation, input(c), process(c), 0.0, ""};
+      value.total = std::sqrt(value.sensor * value.sensor + value.input * value.input + value.process * value.process);
+      value.origin = sentence(value, noise->origin);
+      floor.channels.push_back(std::move(value));
+    }
+    return floor;
+  }
+
+ private:
+  /// Standard deviation of the prediction under random forces, or else under command noise.
+  Eigen::VectorXd passed_through(std::size_t index, bool forces) const {
+    const Trial& trial = task_.trials[index];
+    const CompiledModel& model = forces ? *disturbed_model_ : task_.model;
+    const StartState& start = task_.starts[index].state;
+    const Eigen::Index first = task_.starts[index].first_scored;
+    const auto channels = static_cast<Eigen::Index>(trial.measured.channels.size());
+    const TrialPredictor predictor(task_.model, {trial}, 1);
+    Prediction base;
+    predictor.predict(predictor.whole(0), task_.values, start, 0, base);
+    if (!base.valid) return Eigen::VectorXd::Zero(channels);
+    std::vector<Departure> draws(kNoiseDraws);
+    parallel_for(draws.size(), task_.threads, [&](std::size_t draw, int) {
+      draws[draw] = departure(model, trial, forces ? forced(trial, index, draw) : noisy(trial, index, draw), start,
+                              task_.values, first, base);
+    });
+    return rms(draws, channels, trial.measured.times.size() - first);
+  }
+
+  CommandSeries noisy(const Trial& trial, std::size_t index, std::size_t draw) const {
+    return with_command_noise(trial.commands, trial.command_noise, task_.seed,
+                              kCommandStream + index * kNoiseDraws + draw);
+  }
+  CommandSeries forced(const Trial& trial, std::size_t index, std::size_t draw) const {
+    const Eigen::VectorXd& times = trial.measured.times;
+    return with_random_forces(trial.commands, joints_, task_.definition.engine.step,
+                              task_.noise.process_correlation_time, times(0), times(times.size() - 1), task_.seed,
+                              kForceStream + index * kNoiseDraws + draw);
+  }
+
+  const NoiseFloorTask& task_;
+  std::vector<DisturbedJoint> joints_;
+  std::unique_ptr<CompiledModel> disturbed_model_;
+};
 
 }  // namespace
 
-std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials) {
-  std::vector<ChannelNoise> all;
-  for (const Trial& trial : trials)
-    for (const Channel& channel : trial.measured.channels) {
-      const bool known =
-          std::any_of(all.begin(), all.end(), [&](const ChannelNoise& noise) { return noise.channel == channel.name; });
-      if (!known) all.push_back(noise_of(robot, trials, channel));
-    }
-  return all;
+std::vector<TrialFloor> noise_floor(const NoiseFloorTask& task) {
+  const Propagation propagation(task);
+  std::vector<TrialFloor> floors;
+  for (std::size_t index = 0; index < task.trials.size(); ++index) floors.push_back(propagation.floor(index));
+  return floors;
 }
 
 }  // namespace lacuna

@@ -44,15 +44,21 @@ struct TrialFloor {
   std::vector<FloorValue> channels;
 };
 
+/// Where a trial's free run starts, and from which sample on it is scored.
+struct ScoredStart {
+  StartState state;
+  Eigen::Index first_scored = 0;
+};
+
 /// Everything the floor is computed from.
 struct NoiseFloorTask {
   const ModelDefinition& definition;
   const CompiledModel& model;
   const std::vector<Trial>& trials;
   const NoiseSection& noise;
-  const std::vector<double>& values;  ///< the model's free values
-  /// Start of each trial, as compared; one a trial.
-  const std::vector<StartState>& starts;
+  const std::vector<double>& values;         ///< the model's free values
+  const std::vector<ChannelNoise>& sensors;  ///< of every measured channel
+  const std::vector<ScoredStart>& starts;    ///< one a trial
   std::uint64_t seed = 1;
   int threads = 1;
 };

@@ -2,7 +2,10 @@
 
 #include "fitting/progress.h"
 
+#include <algorithm>
 #include <chrono>
+#include <string>
+#include <utility>
 
 namespace lacuna {
 
@@ -22,9 +25,9 @@ class ProgressMeter {
     if (!callback_) return;
     double left = 1.0;
     for (int i = 0; i < iteration; ++i) left *= 0.8;
-    const double fraction = std::min(1.0, (done_ + 1.0 - left) / parts_);
-    const double remaining = fraction > 0.0 ? seconds() * (1.0 - fraction) / fraction : 0.0;
-    callback_({what_, fraction, remaining});
+    fraction_ = std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may begin anew: never back
+    const double remaining = fraction_ > 0.0 ? seconds() * (1.0 - fraction_) / fraction_ : 0.0;
+    callback_({what_, fraction_, remaining});
   }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
@@ -35,6 +38,7 @@ class ProgressMeter {
   std::string what_;
   int parts_ = 1;
   int done_ = 0;
+  double fraction_ = 0.0;
 };
 
 }  // namespace lacuna

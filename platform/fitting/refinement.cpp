@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kRounds = 3;           ///< of scales and search in turn
 constexpr double kSettled = 0.05;    ///< relative change of scales that ends them
+constexpr double kRough = 1.0;       ///< precision while the scales still move
 constexpr double kSameError = 1e-3;  ///< per sample: 0.05 % of the residual
 constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
 
@@ -23,16 +24,22 @@ std::vector<double> noise_scales(const ShootingProblem& problem) {
   return scales;
 }
 
-void summarise(const ShootingProblem& problem, Candidate& candidate) {
+/// The objective is that of a τ-scale (V. J. Yohai and R. H. Zamar, 1988): the logarithm of the robust scale plus a
+/// loss that no sample can push beyond the threshold. With a loss that grows without end a few wild
+/// readings would favour the candidate with the larger scale.
+void summarise(const ShootingProblem& problem, const RobustLoss& loss, Candidate& candidate) {
+  double bounded = 0.0;
   double logarithms = 0.0, squares = 0.0;
   for (std::size_t k = 0; k < candidate.search.residuals.size(); ++k)
     for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
       const std::size_t channel = problem.place(k, row).channel;
       const double over_noise = candidate.scales[channel] / problem.noise()[channel].deviation;
+      const double r = candidate.search.residuals[k](row);
+      bounded += std::min(r * r, loss.threshold * loss.threshold);
       logarithms += std::log(over_noise);
-      squares += std::pow(candidate.search.residuals[k](row) * over_noise, 2);
+      squares += std::pow(r * over_noise, 2);
     }
-  candidate.objective = candidate.search.cost + 2.0 * logarithms;
+  candidate.objective = bounded + 2.0 * logarithms;
   candidate.residual = std::sqrt(squares / static_cast<double>(problem.samples()));
 }
 
@@ -54,11 +61,14 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
   LeastSquaresOptions search;
   search.loss = options.loss;
   search.progress = options.progress;
+  const auto samples = static_cast<double>(problem.samples());
   int iterations = 0;
-  for (int round = 0; round < kRounds && iterations < options.max_iterations; ++round) {
-    const std::vector<double> scales = robust_scales(problem, residuals);
-    if (round > 0 && settled(problem.scales(), scales)) break;
+  bool last = false;
+  for (int round = 0; !last && iterations < options.max_iterations; ++round) {
+    const std::vector<double> scales = residual_scales(problem, residuals, options.loss);
+    last = round + 1 == kRounds || (round > 0 && settled(problem.scales(), scales));
     problem.set_scales(scales);
+    search.tolerance = (last ? options.precision : std::max(options.precision, kRough)) / samples;
     search.max_iterations = options.max_iterations - iterations;
     candidate.search = minimize(problem, point, search);
     iterations += candidate.search.iterations;
@@ -68,7 +78,7 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
   candidate.search.iterations = iterations;
   candidate.values = point.values;
   candidate.scales = problem.scales();
-  summarise(problem, candidate);
+  summarise(problem, options.loss, candidate);
   return candidate;
 }
 

@@ -13,13 +13,14 @@ struct Candidate {
   bool valid = false;
   LeastSquaresResult search;
   std::vector<double> scales;  ///< of the channels, under which `search` ended
-  double objective = 0.0;      ///< minus twice the logarithm of the likelihood, up to a constant
+  double objective = 0.0;      ///< what candidates are compared by: Σ 2 log scale + bounded loss (see .cpp)
   double residual = 0.0;       ///< RMS of residual over sensor noise
 };
 
 struct RefinementOptions {
   RobustLoss loss;
   int max_iterations = 50;
+  double precision = 0.01;  ///< of minus twice the log likelihood, where the search may stop
   std::function<void(int)> progress;
 };
 
@@ -30,6 +31,8 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
 
 /// Sorts by objective, those that are not valid last. Returns how many reached the best one's error.
 int rank(std::vector<Candidate>& candidates, std::size_t samples);
+
+inline constexpr int kRivals = 2;
 
 /// Keeps the best and the best of those that ended elsewhere: another stage may turn their order round.
 void keep_rivals(std::vector<Candidate>& candidates, std::size_t samples);

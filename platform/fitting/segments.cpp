@@ -31,8 +31,7 @@ void list_measured(const Trial& trial, Eigen::Index first_row, Segment& segment)
 Segment make_segment(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
                      const std::vector<double>& values) {
   const Trial& trial = predictor.trials()[stretch.trial];
-  const bool at_start = stretch.first == 0;
-  const bool on_head = at_start && tells_from_data(trial);
+  const bool on_head = stretch.first == 0 && tells_from_data(trial);
   StartEstimate estimate = on_head ? fit_head(predictor, states, stretch, values, 0) : StartEstimate{};
   const bool scored_after_head = on_head && estimate.valid;
   if (!estimate.valid) estimate = states.from_samples(stretch, stretch.first);
@@ -42,14 +41,14 @@ Segment make_segment(const TrialPredictor& predictor, const StartStates& states,
   segment.start = estimate.start;
   std::vector<double> deviation;
   for (int index = 0; index < 2 * states.coordinates(); ++index) {
+    if (!estimate.tells(index)) continue;
     const double known_to = estimate.deviation(index);
-    if (known_to == 0.0 || !std::isfinite(known_to)) continue;
     const bool free = !scored_after_head || is_free(trial, index % states.coordinates());
     segment.unknown.push_back(index);
     deviation.push_back(free ? kFree * known_to : known_to);
   }
   segment.deviation = Eigen::Map<Eigen::VectorXd>(deviation.data(), static_cast<Eigen::Index>(deviation.size()));
-  list_measured(trial, scored_after_head ? head_end(predictor, stretch) - stretch.first : 0, segment);
+  list_measured(trial, scored_after_head ? first_scored(predictor, stretch, estimate) - stretch.first : 0, segment);
   return segment;
 }
 
@@ -85,6 +84,13 @@ std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartS
     }
   }
   return segments;
+}
+
+std::vector<Segment> thinned(std::vector<Segment> segments, std::size_t most) {
+  if (segments.size() <= most) return segments;
+  std::vector<Segment> kept;
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(std::move(segments[i * segments.size() / most]));
+  return kept;
 }
 
 }  // namespace lacuna

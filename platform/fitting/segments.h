@@ -27,4 +27,7 @@ std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length);
 std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
                                    const std::vector<double>& values);
 
+/// At most `most` of the segments, evenly spread.
+std::vector<Segment> thinned(std::vector<Segment> segments, std::size_t most);
+
 }  // namespace lacuna

@@ -17,6 +17,19 @@ constexpr int kStepRounds = 4;
 
 double rms(double sum_of_squares, double count) { return count > 0.0 ? std::sqrt(sum_of_squares / count) : 0.0; }
 
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return rms(sum, static_cast<double>(values.size()));
+}
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace
 
 ShootingProblem::ShootingProblem(const TrialPredictor& predictor, const ParameterSpace& space,
@@ -197,7 +210,8 @@ std::vector<bool> ShootingProblem::adapt_steps(const std::vector<SegmentJacobian
   return again;
 }
 
-std::vector<double> robust_scales(const ShootingProblem& problem, const std::vector<Eigen::VectorXd>& residuals) {
+std::vector<double> residual_scales(const ShootingProblem& problem, const std::vector<Eigen::VectorXd>& residuals,
+                                    const RobustLoss& loss) {
   std::vector<std::vector<double>> sizes(problem.noise().size());
   for (std::size_t k = 0; k < residuals.size(); ++k)
     for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
@@ -206,14 +220,8 @@ std::vector<double> robust_scales(const ShootingProblem& problem, const std::vec
     }
   std::vector<double> scales;
   for (std::size_t channel = 0; channel < sizes.size(); ++channel) {
-    std::vector<double>& values = sizes[channel];
-    double median = 0.0;
-    if (!values.empty()) {
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      median = *middle;
-    }
-    scales.push_back(std::max(1.4826 * median, problem.noise()[channel].deviation));
+    const double scale = std::isfinite(loss.threshold) ? 1.4826 * median(sizes[channel]) : rms(sizes[channel]);
+    scales.push_back(std::max(scale, problem.noise()[channel].deviation));
   }
   return scales;
 }

@@ -48,6 +48,9 @@ class ShootingProblem : public SegmentedProblem {
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
   const std::vector<ChannelNoise>& noise() const { return noise_; }
 
+  /// Begins with the difference steps that another problem of the same model has found.
+  void inherit_steps(const ShootingProblem& other) { steps_ = other.steps_; }
+
   std::uint64_t simulations() const { return simulations_; }
   std::uint64_t invalid_simulations() const { return invalid_; }
   const std::string& last_reason() const { return reason_; }
@@ -83,8 +86,9 @@ class ShootingProblem : public SegmentedProblem {
   std::string reason_;
 };
 
-/// A scale a channel: 1.4826 × the median absolute residual (of the residuals given, whitened by the
-/// problem's scales), at least the channel's noise.
-std::vector<double> robust_scales(const ShootingProblem& problem, const std::vector<Eigen::VectorXd>& residuals);
+/// A scale a channel, from residuals whitened by the problem's scales: 1.4826 × their median size, or under the squared
+/// loss their RMS; at least the channel's noise.
+std::vector<double> residual_scales(const ShootingProblem& problem, const std::vector<Eigen::VectorXd>& residuals,
+                                    const RobustLoss& loss);
 
 }  // namespace lacuna

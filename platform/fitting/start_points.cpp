@@ -26,21 +26,26 @@ double rms_change(const std::vector<Eigen::VectorXd>& a, const std::vector<Eigen
   return rms(difference);
 }
 
-/// The smallest rung of a ladder from zero at which value `j` shows in the prediction.
-double size_that_shows(ShootingProblem& problem, const FreeValue& free, Eigen::Index j, const FitPoint& own,
-                       const std::vector<Eigen::VectorXd>& residuals) {
+/// The smallest rung of a ladder from zero at which value `j` matters: it changes the prediction by as much
+/// as the residual, or by half of the most it can.
+double size_that_matters(ShootingProblem& problem, const FreeValue& free, Eigen::Index j, const FitPoint& own,
+                         const std::vector<Eigen::VectorXd>& residuals) {
   const double direction = free.upper > 0.0 ? 1.0 : -1.0;
   const double farthest = direction > 0.0 ? free.upper : -free.lower;
-  const double wanted = std::max(1.0, rms(residuals));
+  const double enough = std::max(1.0, rms(residuals));
+  std::vector<double> changes;
   std::vector<Eigen::VectorXd> moved;
-  double size = kSmallestShare * farthest;
-  for (; size * kLadder < farthest; size *= kLadder) {
+  for (double size = kSmallestShare * farthest; size < farthest; size *= kLadder) {
     FitPoint point = own;
     point.values(j) = direction * size;
-    if (!problem.residuals(point, moved)) return size / kLadder;
-    if (rms_change(moved, residuals) >= wanted) break;
+    if (!problem.residuals(point, moved)) break;
+    changes.push_back(rms_change(moved, residuals));
+    if (changes.back() >= enough) break;
   }
-  return size;
+  if (changes.empty()) return kSmallestShare * farthest;
+  const double half = 0.5 * *std::max_element(changes.begin(), changes.end());
+  const auto rung = std::find_if(changes.begin(), changes.end(), [&](double change) { return change >= half; });
+  return kSmallestShare * farthest * std::pow(kLadder, static_cast<double>(rung - changes.begin()));
 }
 
 /// Sizes of the values that start at zero; 0 for the others.
@@ -52,7 +57,7 @@ std::vector<double> finite_sizes(ShootingProblem& problem, const ParameterSpace&
   for (std::size_t i = 0; i < free.size(); ++i) {
     const auto j = static_cast<Eigen::Index>(i);
     if (free[i].start != 0.0 || space.logarithmic(j)) continue;
-    sizes[i] = valid ? size_that_shows(problem, free[i], j, own, residuals)
+    sizes[i] = valid ? size_that_matters(problem, free[i], j, own, residuals)
                      : 1e-3 * std::max(std::abs(free[i].lower), std::abs(free[i].upper));
   }
   return sizes;

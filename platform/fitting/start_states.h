@@ -5,6 +5,7 @@
 #include "evaluation/trial_predictor.h"
 #include "fitting/noise_floor.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,14 @@ struct StartEstimate {
   StartState start;
   Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite where the data say nothing
   Eigen::VectorXd noise;      ///< what one sample's noise does to a component; a head's deviation never falls below
+
+  /// Whether component `index` was estimated from data, rather than given or not measured.
+  bool tells(int index) const { return deviation(index) > 0.0 && std::isfinite(deviation(index)); }
+  bool known_from_data() const {
+    for (int index = 0; index < deviation.size(); ++index)
+      if (tells(index)) return true;
+    return false;
+  }
 };
 
 double component(const StartState& start, int index);

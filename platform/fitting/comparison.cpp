@@ -1,0 +1,263 @@
+#include "fitting/comparison.h"
+
+#include "fitting/head_fit.h"
+#include "fitting/progress_meter.h"
+#include "fitting/scores.h"
+#include "fitting/stages.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
+
+/// The noise that fit trials show; of channels that only held-out trials have, theirs.
+std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
+  std::vector<Trial> fit_trials;
+  for (const Trial& trial : task.trials)
+    if (!trial.held_out) fit_trials.push_back(trial);
+  std::vector<ChannelNoise> noise = sensor_noise(task.definition.structure.robot, fit_trials);
+  for (const ChannelNoise& other : sensor_noise(task.definition.structure.robot, task.trials))
+    if (std::none_of(noise.begin(), noise.end(), [&](const auto& one) { return one.channel == other.channel; }))
+      noise.push_back(other);
+  return noise;
+}
+
+/// A free run of a whole trial.
+struct FreeRun {
+  StartEstimate start;
+  Eigen::Index first_scored = 0;
+  Prediction prediction;
+};
+
+class Comparer {
+ public:
+  explicit Comparer(const ComparisonTask& task)
+      : task_(task),
+        meter_(task.progress),
+        noise_(noise_of(task)),
+        predictor_(task.model, task.trials, task.threads),
+        states_(task.definition.structure.robot, predictor_, noise_) {
+    meter_.set_parts(kParts);
+  }
+
+  Comparison run() {
+    compare_free_runs();
+    compute_floors();
+    score();
+    score_as_written();
+    score_numerics();
+    score_horizons();
+    result_.pooled = pool(result_.trials, result_.floors);
+    result_.seconds = meter_.seconds();
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t trials() const { return task_.trials.size(); }
+
+  /// RMS over the scored time of what each start component's standard error changes, added as squares.
+  Eigen::VectorXd effect_of_start(std::size_t trial, const FreeRun& run, int worker) const {
+    const Stretch whole = predictor_.whole(trial);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(run.prediction.samples.cols());
+    Prediction moved;
+    for (int index = 0; index < run.start.deviation.size(); ++index) {
+      if (!run.start.tells(index)) continue;
+      StartState start = run.start.start;
+      set_component(start, index, component(start, index) + run.start.deviation(index));
+      predictor_.predict(whole, task_.values, start, worker, moved);
+      if (!moved.valid) continue;
+      const TimeSeries::Samples change = moved.samples - run.prediction.samples;
+      for (Eigen::Index c = 0; c < squares.size(); ++c)
+        squares(c) += std::pow(scored_rms(change, c, run.first_scored), 2);
+    }
+    return squares.cwiseSqrt();
+  }
+
+  FreeRun free_run(std::size_t trial, const std::vector<double>& values, int worker) const {
+    throw_if_interrupted();
+    const Stretch whole = predictor_.whole(trial);
+    FreeRun run;
+    run.start = fit_head(predictor_, states_, whole, values, worker);
+    run.first_scored = first_scored(predictor_, whole, run.start);
+    predictor_.predict(whole, values, run.start.start, worker, run.prediction);
+    return run;
+  }
+
+  std::vector<FreeRun> free_runs(const std::vector<double>& values) const {
+    std::vector<FreeRun> runs(trials());
+    parallel_for(trials(), predictor_.workers(),
+                 [&](std::size_t trial, int worker) { runs[trial] = free_run(trial, values, worker); });
+    return runs;
+  }
+
+  void compare_free_runs() {
+    meter_.begin_part("free runs");
+    std::vector<FreeRun> runs = free_runs(task_.values);
+    from_start_.resize(trials());
+    parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
+      if (runs[trial].prediction.valid) from_start_[trial] = effect_of_start(trial, runs[trial], worker);
+    });
+    for (const FreeRun& run : runs) {
+      const Trial& trial = task_.trials[result_.trials.size()];
+      TrialComparison comparison;
+      comparison.trial = trial.name;
+      comparison.held_out = trial.held_out;
+      comparison.valid = run.prediction.valid;
+      comparison.reason = run.prediction.reason;
+      comparison.start = run.start.start;
+      comparison.first_scored = run.first_scored;
+      comparison.times = trial.measured.times;
+      comparison.measured = trial.measured.samples;
+      comparison.predicted = run.prediction.samples;
+      if (comparison.valid)
+        predictor_.residuals(predictor_.whole(result_.trials.size()), run.prediction, comparison.residuals);
+      else
+        result_.notes.push_back(trial.name + " cannot be simulated and is not scored: " + run.prediction.reason);
+      result_.trials.push_back(std::move(comparison));
+    }
+    meter_.end_part();
+  }
+
+  void compute_floors() {
+    meter_.begin_part("noise floor");
+    std::vector<ScoredStart> starts;
+    for (const TrialComparison& trial : result_.trials) starts.push_back({trial.start, trial.first_scored});
+    result_.floors = noise_floor({task_.definition, task_.model, task_.trials, task_.noise, task_.values, noise_,
+                                  starts, task_.seed, task_.threads});
+    meter_.end_part();
+  }
+
+  void score() {
+    for (std::size_t t = 0; t < trials(); ++t)
+      for (std::size_t c = 0; c < result_.floors[t].channels.size(); ++c) {
+        const auto channel = static_cast<Eigen::Index>(c);
+        TrialComparison& trial = result_.trials[t];
+        trial.channels.push_back(score_channel(trial, channel, result_.floors[t].channels[c]));
+        if (trial.valid) trial.channels.back().from_start = from_start_[t](channel);
+      }
+  }
+
+  void score_as_written() {
+    meter_.begin_part("as written");
+    std::vector<double> written;
+    for (const FreeValue& free : task_.definition.free) written.push_back(free.start);
+    const std::vector<FreeRun> runs = free_runs(written);
+    TimeSeries::Samples residuals;
+    for (std::size_t t = 0; t < trials(); ++t) {
+      if (!runs[t].prediction.valid) continue;
+      predictor_.residuals(predictor_.whole(t), runs[t].prediction, residuals);
+      for (std::size_t c = 0; c < result_.trials[t].channels.size(); ++c)
+        result_.trials[t].channels[c].rmse_as_written =
+            scored_rms(residuals, static_cast<Eigen::Index>(c), runs[t].first_scored);
+    }
+    meter_.end_part();
+  }
+
+  /// What doubling the substeps changes, from the same start.
+  void score_numerics() {
+    if (task_.finer == nullptr) return;
+    const TrialPredictor finer(*task_.finer, task_.trials, task_.threads);
+    std::vector<Prediction> predictions(trials());
+    parallel_for(trials(), finer.workers(), [&](std::size_t t, int worker) {
+      finer.predict(finer.whole(t), task_.values, result_.trials[t].start, worker, predictions[t]);
+    });
+    for (std::size_t t = 0; t < trials(); ++t) {
+      TrialComparison& trial = result_.trials[t];
+      if (!predictions[t].valid || !trial.valid) continue;
+      const TimeSeries::Samples change = predictions[t].samples - trial.predicted;
+      for (std::size_t c = 0; c < trial.channels.size(); ++c)
+        trial.channels[c].numerical = scored_rms(change, static_cast<Eigen::Index>(c), trial.first_scored);
+    }
+  }
+
+  void score_horizons() {
+    meter_.begin_part("horizons");
+    for (const double horizon : task_.horizons) add_horizon(horizon, false);
+    const double longest = automatic_horizon(predictor_, states_, task_.values);
+    if (longest > 0.0) add_horizon(longest, true);
+    meter_.end_part();
+  }
+
+  void add_horizon(double horizon, bool automatic) {
+    for (std::size_t t = 0; t < trials(); ++t) {
+      if (!states_.reconstructible(t)) continue;
+      HorizonScore score{horizon, automatic, horizon_errors(t, horizon)};
+      if (!score.rmse.empty()) result_.trials[t].horizons.push_back(std::move(score));
+    }
+  }
+
+  /// Stretches of a head and a horizon, one horizon apart.
+  std::vector<Stretch> horizon_stretches(std::size_t trial, double horizon) const {
+    const Eigen::VectorXd& times = task_.trials[trial].measured.times;
+    const double* begin = times.data();
+    const double* end = begin + times.size();
+    const double last = times(times.size() - 1);
+    std::vector<Stretch> stretches;
+    for (double at = times(0); at + kHead + horizon <= last * (1.0 + 1e-12); at += horizon)
+      stretches.push_back({trial, std::lower_bound(begin, end, at) - begin,
+                           std::upper_bound(begin, end, at + kHead + horizon) - begin});
+    return stretches;
+  }
+
+  /// RMS over all stretches, a value a channel; empty if the trial is shorter than one.
+  std::vector<double> horizon_errors(std::size_t trial, double horizon) const {
+    const std::vector<Stretch> stretches = horizon_stretches(trial, horizon);
+    if (stretches.empty()) return {};
+    std::vector<TimeSeries::Samples> residuals(stretches.size());
+    parallel_for(stretches.size(), predictor_.workers(), [&](std::size_t k, int worker) {
+      throw_if_interrupted();
+      const StartEstimate start = fit_head(predictor_, states_, stretches[k], task_.values, worker);
+      Prediction prediction;
+      if (start.valid) predictor_.predict(stretches[k], task_.values, start.start, worker, prediction);
+      if (!prediction.valid) return;
+      TimeSeries::Samples all;
+      predictor_.residuals(stretches[k], prediction, all);
+      const Eigen::Index head = first_scored(predictor_, stretches[k], start) - stretches[k].first;
+      residuals[k] = all.bottomRows(all.rows() - head);
+    });
+    return rms_of(residuals, task_.trials[trial].measured.samples.cols());
+  }
+
+  static std::vector<double> rms_of(const std::vector<TimeSeries::Samples>& residuals, Eigen::Index channels) {
+    std::vector<double> rmse;
+    for (Eigen::Index channel = 0; channel < channels; ++channel) {
+      double squares = 0.0, count = 0.0;
+      for (const TimeSeries::Samples& stretch : residuals)
+        for (Eigen::Index row = 0; row < stretch.rows(); ++row)
+          if (std::isfinite(stretch(row, channel))) {
+            squares += stretch(row, channel) * stretch(row, channel);
+            count += 1.0;
+          }
+      rmse.push_back(count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN());
+    }
+    return rmse;
+  }
+
+  const ComparisonTask& task_;
+  ProgressMeter meter_;
+  std::vector<ChannelNoise> noise_;
+  TrialPredictor predictor_;
+  StartStates states_;
+  std::vector<Eigen::VectorXd> from_start_;  ///< per trial and channel
+  Comparison result_;
+};
+
+}  // namespace
+
+Comparison compare(const ComparisonTask& task) { return Comparer(task).run(); }
+
+std::unique_ptr<CompiledModel> compile_finer(const ModelDefinition& definition) {
+  EngineSettings finer = definition.engine;
+  finer.substeps *= 2;
+  return compile(definition.structure, finer);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,109 @@
+#include "fitting/noise_floor.h"
+
+#include "foundation/address.h"
+#include "foundation/unit.h"
+#include "measurement/rest_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+struct Figure {
+  double deviation = 0.0;
+  std::string origin;
+};
+
+/// Root mean square of what the columns of the trials declare.
+std::optional<Figure> declared_by_columns(const std::vector<Trial>& trials, const std::string& name) {
+  double squares = 0.0;
+  int count = 0;
+  for (const Trial& trial : trials)
+    for (std::size_t i = 0; i < trial.sensor_noise.size() && i < trial.measured.channels.size(); ++i)
+      if (trial.measured.channels[i].name == name && std::isfinite(trial.sensor_noise[i])) {
+        squares += trial.sensor_noise[i] * trial.sensor_noise[i];
+        ++count;
+      }
+  if (count == 0 || squares == 0.0) return std::nullopt;
+  return Figure{std::sqrt(squares / count), "declared for the column"};
+}
+
+std::optional<Figure> declared_by_robot(const RobotSpec& robot, const Channel& channel) {
+  for (const SensorSpec& sensor : robot.sensors) {
+    const std::vector<Channel> channels = sensor_channels(robot, sensor);
+    if (std::find(channels.begin(), channels.end(), channel) == channels.end()) continue;
+    if (sensor.noise <= 0.0 && sensor.quantum <= 0.0) return std::nullopt;
+    const std::string step = "encoder step " + format_quantity(sensor.quantum, channel.unit) + "/√12";
+    const double deviation = std::hypot(sensor.noise, sensor.quantum / std::sqrt(12.0));
+    if (sensor.noise <= 0.0) return Figure{deviation, step};
+    return Figure{deviation, sensor.quantum > 0.0 ? "declared by the robot's sensor, with " + step
+                                                  : "declared by the robot's sensor"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Figure> found_at_rest(const std::vector<Trial>& trials, const Channel& channel) {
+  const SensorNoise found = estimate_sensor_noise(trials, channel.name);
+  if (!(found.standard_deviation > 0.0)) return std::nullopt;
+  return Figure{found.standard_deviation, found.origin(channel.unit)};
+}
+
+/// White noise of deviation s has second differences of √6 s.
+Figure from_second_differences(const std::vector<Trial>& trials, const std::string& name) {
+  std::vector<double> differences;
+  double largest = 0.0;
+  for (const Trial& trial : trials)
+    for (std::size_t i = 0; i < trial.measured.channels.size(); ++i) {
+      if (trial.measured.channels[i].name != name) continue;
+      const auto values = trial.measured.samples.col(static_cast<Eigen::Index>(i));
+      for (Eigen::Index row = 0; row < values.size(); ++row)
+        if (std::isfinite(values(row))) largest = std::max(largest, std::abs(values(row)));
+      for (Eigen::Index row = 1; row + 1 < values.size(); ++row) {
+        const double difference = values(row + 1) - 2.0 * values(row) + values(row - 1);
+        if (std::isfinite(difference)) differences.push_back(std::abs(difference));
+      }
+    }
+  double deviation = 0.0;
+  if (!differences.empty()) {
+    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+    std::nth_element(differences.begin(), middle, differences.end());
+    deviation = 1.4826 * *middle / std::sqrt(6.0);
+    if (deviation == 0.0) {  // a coarse quantiser: most second differences vanish
+      double squares = 0.0;
+      for (const double difference : differences) squares += difference * difference;
+      deviation = std::sqrt(squares / (6.0 * static_cast<double>(differences.size())));
+    }
+  }
+  const double resolution = std::numeric_limits<double>::epsilon() * std::max(largest, 1e-6);
+  if (deviation > resolution)
+    return {
+        deviation,
+        "from the recording's second differences, nothing is declared and nothing rests; fast motion counts as noise"};
+  return {resolution, "resolution of a double, the recording shows no noise"};
+}
+
+ChannelNoise noise_of(const RobotSpec& robot, const std::vector<Trial>& trials, const Channel& channel) {
+  std::optional<Figure> figure = declared_by_columns(trials, channel.name);
+  if (!figure) figure = declared_by_robot(robot, channel);
+  if (!figure) figure = found_at_rest(trials, channel);
+  if (!figure) figure = from_second_differences(trials, channel.name);
+  return {channel.name, channel.unit, figure->deviation, figure->origin};
+}
+
+}  // namespace
+
+std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials) {
+  std::vector<ChannelNoise> all;
+  for (const Trial& trial : trials)
+    for (const Channel& channel : trial.measured.channels) {
+      const bool known =
+          std::any_of(all.begin(), all.end(), [&](const ChannelNoise& noise) { return noise.channel == channel.name; });
+      if (!known) all.push_back(noise_of(robot, trials, channel));
+    }
+  return all;
+}
+
+}  // namespace lacuna

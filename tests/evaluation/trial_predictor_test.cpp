@@ -1,0 +1,97 @@
+#include "evaluation/trial_predictor.h"
+
+#include "fitting/analytic_models.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using namespace lacuna::testing;
+using ::testing::HasSubstr;
+
+/// q'' = u / mass.
+double pushed(std::span<const double> values, double, double, double u) { return u / values[0]; }
+
+Trial pushed_trial() {
+  return record(OneJointModel(pushed), {2.0}, regular_times(201, 100.0), two_sines(2.0, 1.0), {{0.1}, {0.3}}, 0.0, 1);
+}
+
+TEST(TrialPredictor, AWholeTrialFromItsStartIsTheRecording) {
+  const OneJointModel model(pushed);
+  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  Prediction prediction;
+  TimeSeries::Samples residuals;
+  predictor.predict(predictor.whole(0), std::vector{2.0}, {{0.1}, {0.3}}, 0, prediction);
+  predictor.residuals(predictor.whole(0), prediction, residuals);
+  EXPECT_TRUE(prediction.valid);
+  EXPECT_EQ(residuals.cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(TrialPredictor, AStretchReplaysTheCommandsOfItsOwnTime) {
+  // Velocity in the middle from the positions around it, so a wrong clock would show at once.
+  const OneJointModel model(pushed);
+  const Trial trial = pushed_trial();
+  const TrialPredictor predictor(model, {trial}, 1);
+  SimulationOptions options;
+  const Stretch stretch{0, 80, 140};
+  const auto& q = trial.measured.samples;
+  // Under a held force the parabola through three samples is exact.
+  const double force = trial.commands.series.samples(80, 0);
+  const double velocity = (q(81, 0) - q(80, 0)) / 0.01 - 0.5 * (force / 2.0) * 0.01;
+  Prediction prediction;
+  predictor.predict(stretch, std::vector{2.0}, {{q(80, 0)}, {velocity}}, 0, prediction);
+  EXPECT_LT((prediction.samples - q.middleRows(80, 60)).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(TrialPredictor, OneSampleIsTheStart) {
+  const OneJointModel model(pushed);
+  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  Prediction prediction;
+  predictor.predict({0, 50, 51}, std::vector{2.0}, {{0.7}, {0.0}}, 0, prediction);
+  EXPECT_EQ(prediction.samples(0, 0), 0.7);
+}
+
+TEST(TrialPredictor, AFailedSimulationIsInvalidWithAReasonAndTheNextOneIsNot) {
+  const OneJointModel model(pushed);
+  const TrialPredictor predictor(model, {pushed_trial()}, 1);
+  Prediction prediction;
+  predictor.predict(predictor.whole(0), std::vector{0.0}, {{0.1}, {0.3}}, 0, prediction);
+  EXPECT_FALSE(prediction.valid);
+  EXPECT_THAT(prediction.reason, HasSubstr("not finite"));
+  predictor.predict(predictor.whole(0), std::vector{2.0}, {{0.1}, {0.3}}, 0, prediction);
+  EXPECT_TRUE(prediction.valid);
+}
+
+TEST(TrialPredictor, RefusesChannelsThatTheModelDoesNotHave) {
+  const OneJointModel model(pushed);
+  Trial trial = pushed_trial();
+  trial.measured.channels[0].name = "angel";
+  try {
+    TrialPredictor(model, {trial}, 1);
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean \"angle\"?"));
+  }
+  trial.measured.channels[0] = {"angle", "m"};
+  EXPECT_THROW(TrialPredictor(model, {trial}, 1), Error);
+}
+
+TEST(TrialPredictor, ResidualsAreMissingWhereNothingWasMeasured) {
+  const OneJointModel model(pushed);
+  Trial trial = pushed_trial();
+  trial.measured.samples(7, 0) = std::nan("");
+  const TrialPredictor predictor(model, {trial}, 1);
+  Prediction prediction;
+  TimeSeries::Samples residuals;
+  predictor.predict(predictor.whole(0), std::vector{2.0}, {{0.1}, {0.3}}, 0, prediction);
+  predictor.residuals(predictor.whole(0), prediction, residuals);
+  EXPECT_TRUE(std::isnan(residuals(7, 0)));
+  EXPECT_EQ(residuals(8, 0), 0.0);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,160 @@
+#include "fitting/comparison.h"
+
+#include "fitting/analytic_models.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using namespace lacuna::testing;
+using ::testing::SizeIs;
+
+constexpr double kNoise = 1e-3;
+
+/// q'' = u − b q' − 4 q; value: b.
+double spring(std::span<const double> values, double q, double v, double u) { return u - values[0] * v - 4.0 * q; }
+
+ModelDefinition spring_definition() {
+  return define({free_value("joint.hinge.damping", 0.1, 0.0, 10.0)}, one_joint_robot());
+}
+
+Trial spring_trial(double noise, std::uint64_t seed, double duration = 5.0) {
+  return record(OneJointModel(spring), {0.5}, regular_times(static_cast<Eigen::Index>(200 * duration) + 1, 200.0),
+                two_sines(duration, 1.5), {{0.3}, {-0.2}}, noise, seed);
+}
+
+Trial from_given_start(Trial trial) {
+  trial.initial = {{InitialKnowledge::given, 0.3, -0.2}};
+  return trial;
+}
+
+Comparison compare_spring(const std::vector<Trial>& trials, double damping) {
+  const OneJointModel model(spring);
+  const ModelDefinition definition = spring_definition();
+  const NoiseSection noise;
+  return compare({definition, model, trials, noise, {damping}, nullptr, {0.1, 0.5}, 1, 2});
+}
+
+TEST(Compare, TheRightModelsErrorIsTheFloor) {
+  const Comparison comparison = compare_spring({from_given_start(spring_trial(kNoise, 1))}, 0.5);
+  const ChannelScore& score = comparison.trials[0].channels[0];
+  EXPECT_NEAR(score.rmse, kNoise, 0.08 * kNoise);  // 1001 samples: ±2.2 %
+  EXPECT_EQ(score.floor, kNoise);
+  EXPECT_EQ(score.times_floor, score.rmse / score.floor);
+  EXPECT_EQ(score.samples, 1001u);  // a given start leaves every sample to be scored
+  EXPECT_EQ(score.from_start, 0.0);
+  EXPECT_EQ(comparison.floors[0].channels[0].origin, "declared for the column");
+  EXPECT_GT(score.rmse_as_written, 10 * score.rmse);
+}
+
+TEST(Compare, AStartFrom50MillisecondsHasAShareOfItsOwn) {
+  // 11 samples leave 0.02 rad/s uncertain: 10 mrad of a swing of 2 rad/s.
+  const Comparison comparison = compare_spring({spring_trial(kNoise, 1)}, 0.5);
+  const ChannelScore& score = comparison.trials[0].channels[0];
+  EXPECT_EQ(score.samples, 1001u - 11u);
+  EXPECT_EQ(comparison.trials[0].first_scored, 11);
+  EXPECT_GT(score.from_start, 2.0 * score.floor);
+  EXPECT_LT(score.rmse, 3.0 * std::hypot(score.floor, score.from_start));
+}
+
+TEST(Compare, NamesBiasAndWorstMoment) {
+  Trial trial = spring_trial(0.0, 1);
+  trial.sensor_noise = {kNoise};
+  trial = from_given_start(trial);
+  trial.measured.samples.array() += 0.01;
+  trial.measured.samples(700, 0) += 0.05;
+  const ChannelScore score = compare_spring({trial}, 0.5).trials[0].channels[0];
+  EXPECT_EQ(score.samples, 1001u);  // a given start leaves every sample to be scored
+  EXPECT_NEAR(score.bias, 0.01 + 0.05 / 1001, 1e-12);
+  EXPECT_NEAR(score.max_error, 0.06, 1e-12);
+  EXPECT_NEAR(score.max_error_time, 3.5, 1e-12);
+  EXPECT_NEAR(score.rmse, std::sqrt((1000 * 1e-4 + 0.06 * 0.06) / 1001), 1e-12);
+}
+
+TEST(Compare, KeepsFitAndHeldOutApart) {
+  std::vector<Trial> trials = {from_given_start(spring_trial(kNoise, 1)), from_given_start(spring_trial(kNoise, 2)),
+                               from_given_start(spring_trial(3 * kNoise, 3))};
+  trials[2].held_out = true;
+  const Comparison comparison = compare_spring(trials, 0.5);
+  ASSERT_THAT(comparison.pooled, SizeIs(2));
+  EXPECT_FALSE(comparison.pooled[0].held_out);
+  EXPECT_EQ(comparison.pooled[0].samples, 2 * 1001u);
+  EXPECT_NEAR(comparison.pooled[0].rmse, kNoise, 0.08 * kNoise);
+  EXPECT_TRUE(comparison.pooled[1].held_out);
+  EXPECT_NEAR(comparison.pooled[1].rmse, 3 * kNoise, 0.25 * kNoise);
+  EXPECT_EQ(comparison.pooled[1].floor, kNoise);  // the floor is the fit files'
+  EXPECT_EQ(comparison.pooled[1].worst_trial, "trial 3");
+}
+
+TEST(Compare, ShortHorizonsForgiveAWrongModelMore) {
+  const Comparison comparison = compare_spring({spring_trial(1e-4, 1)}, 0.1);
+  const std::vector<HorizonScore>& horizons = comparison.trials[0].horizons;
+  ASSERT_GE(horizons.size(), 2u);
+  EXPECT_EQ(horizons[0].horizon, 0.1);
+  EXPECT_LT(horizons[0].rmse[0], 0.5 * horizons[1].rmse[0]);
+  EXPECT_LT(horizons[1].rmse[0], comparison.trials[0].channels[0].rmse);
+}
+
+TEST(Compare, GivesPicturesTheirSeries) {
+  Trial trial = spring_trial(kNoise, 1);
+  trial.measured.samples(500, 0) = std::nan("");
+  const TrialComparison comparison = compare_spring({trial}, 0.5).trials[0];
+  EXPECT_EQ(comparison.predicted.rows(), 1001);
+  EXPECT_TRUE(comparison.predicted.allFinite());
+  EXPECT_TRUE(std::isnan(comparison.residuals(500, 0)));
+  EXPECT_EQ(comparison.channels[0].samples, 989u);
+  EXPECT_EQ(comparison.residuals(3, 0), comparison.measured(3, 0) - comparison.predicted(3, 0));
+}
+
+TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
+  const OneJointModel model(spring);
+  const OneJointModel other(
+      [](std::span<const double> p, double q, double v, double u) { return spring(p, q, v, u) + 0.01; });
+  const ModelDefinition definition = spring_definition();
+  const NoiseSection noise;
+  const std::vector<Trial> trials = {spring_trial(kNoise, 1)};
+  const Comparison comparison = compare({definition, model, trials, noise, {0.5}, &other});
+  // A constant push of 0.01 rad/s² against k = 4 1/s² moves the rest by 2.5 mrad, after an overshoot.
+  EXPECT_NEAR(comparison.trials[0].channels[0].numerical.value(), 2.5e-3, 1e-3);
+  EXPECT_FALSE(compare_spring(trials, 0.5).trials[0].channels[0].numerical.has_value());
+}
+
+TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeftOut) {
+  const OneJointModel model([](std::span<const double> p, double q, double v, double u) {
+    return q > 0.6 ? std::nan("") : spring(p, q, v, u);
+  });
+  Trial high = spring_trial(kNoise, 2);
+  high.measured.samples.array() += 0.8;
+  const ModelDefinition definition = spring_definition();
+  const NoiseSection noise;
+  Trial low = spring_trial(kNoise, 1, 1.0);
+  const std::vector<Trial> trials = {low, high};
+  const Comparison comparison = compare({definition, model, trials, noise, {0.5}});
+  EXPECT_TRUE(comparison.trials[0].valid);
+  EXPECT_FALSE(comparison.trials[1].valid);
+  ASSERT_THAT(comparison.notes, SizeIs(1));
+  EXPECT_THAT(comparison.notes[0], ::testing::HasSubstr("trial 2 cannot be simulated"));
+  EXPECT_EQ(comparison.pooled[0].samples, comparison.trials[0].channels[0].samples);
+}
+
+TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {
+  const OneJointModel model(spring);
+  const ModelDefinition definition = spring_definition();
+  const NoiseSection noise;
+  std::vector<Trial> trials = {spring_trial(kNoise, 1), spring_trial(kNoise, 2)};
+  for (Trial& trial : trials) trial.command_noise = {0.05};
+  const Comparison one = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, 1});
+  const Comparison two = compare({definition, model, trials, noise, {0.5}, nullptr, {0.1}, 1, 2});
+  for (std::size_t t = 0; t < 2; ++t) {
+    EXPECT_EQ(one.trials[t].channels[0].rmse, two.trials[t].channels[0].rmse);
+    EXPECT_EQ(one.trials[t].channels[0].floor, two.trials[t].channels[0].floor);
+    EXPECT_EQ(one.trials[t].horizons[0].rmse, two.trials[t].horizons[0].rmse);
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

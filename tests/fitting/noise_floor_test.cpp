@@ -1,0 +1,121 @@
+#include "fitting/noise_floor.h"
+
+#include "fitting/analytic_models.h"
+#include "fitting/disturbance.h"
+#include "fitting/seeded_noise.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using namespace lacuna::testing;
+using ::testing::HasSubstr;
+
+constexpr double kRate = 100.0;
+
+/// A trial that measures "angle" as given.
+Trial trial_of(const Eigen::VectorXd& angles) {
+  Trial trial;
+  trial.name = "made";
+  trial.measured.channels = {{"angle", "rad"}};
+  trial.measured.times = regular_times(angles.size(), kRate);
+  trial.measured.samples = angles;
+  trial.sensor_noise = {std::nan("")};
+  return trial;
+}
+
+/// Fast motion without rest, plus white noise.
+Trial moving_trial(double noise) {
+  SeededNoise random(4, 4);
+  Eigen::VectorXd angles(2000);
+  for (Eigen::Index i = 0; i < angles.size(); ++i)
+    angles(i) = std::sin(static_cast<double>(i) / kRate) + noise * random.normal();
+  return trial_of(angles);
+}
+
+TEST(SensorNoise, BelievesWhatTheColumnDeclares) {
+  Trial trial = moving_trial(0.01);
+  trial.sensor_noise = {0.02};
+  const ChannelNoise noise = sensor_noise(one_joint_robot(), {trial}).front();
+  EXPECT_DOUBLE_EQ(noise.deviation, 0.02);
+  EXPECT_EQ(noise.origin, "declared for the column");
+}
+
+TEST(SensorNoise, ElseTheRobotsSensor) {
+  RobotSpec robot = one_joint_robot();
+  robot.sensors[0].quantum = 0.012;
+  const ChannelNoise noise = sensor_noise(robot, {moving_trial(0.01)}).front();
+  EXPECT_DOUBLE_EQ(noise.deviation, 0.012 / std::sqrt(12.0));
+  EXPECT_THAT(noise.origin, HasSubstr("encoder step 12.0 mrad/√12"));
+}
+
+TEST(SensorNoise, ElseTheScatterAtRest) {
+  SeededNoise random(4, 4);
+  Eigen::VectorXd angles(2000);
+  for (Eigen::Index i = 0; i < angles.size(); ++i)
+    angles(i) = (i < 1000 ? 0.0 : std::sin(static_cast<double>(i - 1000) / kRate)) + 0.01 * random.normal();
+  const ChannelNoise noise = sensor_noise(one_joint_robot(), {trial_of(angles)}).front();
+  EXPECT_NEAR(noise.deviation, 0.01, 0.001);
+  EXPECT_THAT(noise.origin, HasSubstr("rest"));
+}
+
+TEST(SensorNoise, ElseSecondDifferencesAndSaysSo) {
+  Trial trial = moving_trial(0.01);
+  for (Eigen::Index i = 0; i < trial.measured.samples.rows(); ++i)  // never at rest
+    trial.measured.samples(i, 0) += 5.0 * static_cast<double>(i) / kRate;
+  const ChannelNoise noise = sensor_noise(one_joint_robot(), {trial}).front();
+  EXPECT_NEAR(noise.deviation, 0.01, 0.001);
+  EXPECT_THAT(noise.origin, HasSubstr("second differences"));
+}
+
+TEST(SensorNoise, IsNeverZero) {
+  const ChannelNoise noise = sensor_noise(one_joint_robot(), {trial_of(Eigen::VectorXd::Constant(500, 0.25))}).front();
+  EXPECT_GT(noise.deviation, 0.0);
+  EXPECT_LT(noise.deviation, 1e-12);
+}
+
+TEST(NoiseFloor, CommandNoisePassesThroughTheModel) {
+  // q' = u held for 10 ms: position error is a random walk, variance k (0.1 · 0.01)² after k steps; its mean
+  // over n steps is n/2 of that.
+  const OneJointModel model([](std::span<const double>, double, double v, double u) { return (u - v) / 1e-3; });
+  const ModelDefinition definition = define({}, one_joint_robot());
+  Trial trial = trial_of(Eigen::VectorXd::Zero(401));
+  trial.commands = two_sines(4.0, 1.0);
+  trial.command_noise = {0.1};
+  trial.sensor_noise = {1e-4};
+  const std::vector<ChannelNoise> sensors = sensor_noise(one_joint_robot(), {trial});
+  const NoiseSection noise;
+  const FloorValue floor =
+      noise_floor({definition, model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+  const double expected = 0.1 * 0.01 * std::sqrt(400.0 / 2.0);
+  EXPECT_NEAR(floor.input, expected, 0.35 * expected);  // 24 walks: their mean square varies by a quarter
+  EXPECT_DOUBLE_EQ(floor.total, std::hypot(floor.input, 1e-4));
+  EXPECT_THAT(floor.origin, HasSubstr("command noise adds"));
+}
+
+TEST(WithRandomForces, KeepsTheCommandsAndAddsAForceOfTheDeclaredSizeAndMemory) {
+  const CommandSeries commands = two_sines(50.0, 1.0);
+  const CommandSeries disturbed =
+      with_random_forces(commands, {{"hinge", "random_force_hinge", 0.3}}, 0.001, 0.02, 0.0, 50.0, 1, 2);
+  ASSERT_EQ(disturbed.series.channels.back().name, "random_force_hinge");
+  const auto force = disturbed.series.samples.col(1);
+  const Eigen::Index size = force.size();
+  EXPECT_EQ(size, 50001);
+  EXPECT_EQ(disturbed.series.samples(25, 0), commands.series.samples(2, 0));
+  EXPECT_NEAR(std::sqrt(force.squaredNorm() / static_cast<double>(size)), 0.3, 0.03);
+  const double lagged = force.tail(size - 20).dot(force.head(size - 20)) / force.squaredNorm();
+  EXPECT_NEAR(lagged, std::exp(-1.0), 0.1);  // 20 ms later, with a correlation time of 20 ms
+}
+
+TEST(DisturbedJoints, RefusesWhatIsNoJoint) {
+  NoiseSection noise;
+  noise.process = {{"body.arm", 1.0}};
+  EXPECT_THROW(disturbed_joints(one_joint_robot(), noise), Error);
+}
+
+}  // namespace
+}  // namespace lacuna

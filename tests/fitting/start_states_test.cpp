@@ -1,0 +1,113 @@
+#include "fitting/start_states.h"
+
+#include "fitting/analytic_models.h"
+#include "fitting/head_fit.h"
+#include "fitting/local_polynomial.h"
+#include "fitting/segments.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using namespace lacuna::testing;
+
+double fall(std::span<const double>, double, double, double) { return -9.81; }
+
+/// A free fall from 0.3 with −0.2/s, 200 Hz.
+Trial falling(double noise, Eigen::Index samples = 401) {
+  return record(OneJointModel(fall), {}, regular_times(samples, 200.0), {}, {{0.3}, {-0.2}}, noise, 5);
+}
+
+struct Fixture {
+  explicit Fixture(Trial trial, RobotSpec robot = one_joint_robot())
+      : model(fall),
+        predictor(model, {std::move(trial)}, 1),
+        noise({{"angle", "rad", 1e-3, ""}}),
+        states(robot, predictor, noise) {}
+  OneJointModel model;
+  TrialPredictor predictor;
+  std::vector<ChannelNoise> noise;
+  StartStates states;
+};
+
+TEST(LocalPolynomial, IsExactOnAParabola) {
+  const Trial trial = falling(0.0);
+  const LocalPolynomial at = fit_local_polynomial(trial.measured, 0, {0, 401}, 200, 2, 0.05, 1e-3);
+  EXPECT_NEAR(at.value, 0.3 - 0.2 - 0.5 * 9.81, 1e-9);
+  EXPECT_NEAR(at.slope, -0.2 - 9.81, 1e-7);
+}
+
+TEST(LocalPolynomial, StepsOverMaskedSamplesAndKnowsWhenThereAreNone) {
+  Trial trial = falling(0.0);
+  trial.measured.samples.middleRows(180, 50).setConstant(std::nan(""));
+  EXPECT_NEAR(fit_local_polynomial(trial.measured, 0, {0, 401}, 200, 2, 0.05, 1e-3).slope, -10.01, 1e-7);
+  EXPECT_EQ(fit_local_polynomial(trial.measured, 0, {185, 220}, 200, 2, 0.05, 1e-3).points, 0);
+}
+
+TEST(StartStates, ReadsPositionAndVelocityThroughScaleAndOffset) {
+  RobotSpec robot = one_joint_robot();
+  robot.sensors[0].scale = -2.0;
+  robot.sensors[0].offset = 0.5;
+  Trial trial = falling(0.0);
+  trial.measured.samples = (-2.0 * trial.measured.samples).array() + 0.5;
+  const Fixture f(trial, robot);
+  const StartEstimate estimate = f.states.from_samples(f.predictor.whole(0), 0);
+  EXPECT_NEAR(estimate.start.positions[0], 0.3, 1e-9);
+  EXPECT_NEAR(estimate.start.velocities[0], -0.2, 1e-6);
+}
+
+TEST(StartStates, KnowsWhatCannotBeReconstructed) {
+  RobotSpec robot = one_joint_robot();
+  robot.sensors[0].kind = SensorKind::joint_velocity;
+  const Fixture f(falling(0.0), robot);
+  EXPECT_FALSE(f.states.reconstructible(0));
+  EXPECT_EQ(f.states.unmeasured(0).front(), "joint.hinge");
+  RobotSpec floating = one_joint_robot();
+  floating.bodies.resize(2);
+  EXPECT_FALSE(Fixture(falling(0.0), floating).states.reconstructible(0));
+}
+
+TEST(FitHead, FindsTheStartWithinItsStatedUncertainty) {
+  const Fixture f(falling(1e-3));
+  const StartEstimate estimate = fit_head(f.predictor, f.states, f.predictor.whole(0), {}, 0);
+  ASSERT_TRUE(estimate.valid);
+  EXPECT_NEAR(estimate.start.positions[0], 0.3, 3.0 * estimate.deviation(0));
+  EXPECT_NEAR(estimate.start.velocities[0], -0.2, 3.0 * estimate.deviation(1));
+  EXPECT_EQ(estimate.deviation(0), 1e-3);  // never below one sample's noise
+  EXPECT_GE(estimate.deviation(1), 1e-3 / kHead);
+  EXPECT_EQ(head_end(f.predictor, f.predictor.whole(0)), 11);
+}
+
+TEST(FitHead, LeavesGivenStartsAlone) {
+  Trial trial = falling(1e-3);
+  trial.initial = {{InitialKnowledge::given, 0.31, -0.25}};
+  const Fixture f(trial);
+  const StartEstimate estimate = fit_head(f.predictor, f.states, f.predictor.whole(0), {}, 0);
+  EXPECT_EQ(estimate.start.positions[0], 0.31);
+  EXPECT_EQ(estimate.start.velocities[0], -0.25);
+  EXPECT_EQ(first_scored(f.predictor, f.predictor.whole(0), estimate), 0);
+}
+
+TEST(Cut, MakesEqualStretchesThatCoverTheTrial) {
+  const Trial trial = falling(0.0);
+  const std::vector<Stretch> stretches = cut(trial, 0, 0.5);
+  ASSERT_EQ(stretches.size(), 4u);
+  EXPECT_EQ(stretches.front().first, 0);
+  EXPECT_EQ(stretches.back().last, 401);
+  for (std::size_t i = 1; i < stretches.size(); ++i) EXPECT_EQ(stretches[i].first, stretches[i - 1].last);
+  EXPECT_EQ(cut(trial, 0, 100.0).size(), 1u);
+  EXPECT_EQ(cut(falling(0.0, 1), 0, 0.1).size(), 1u);
+}
+
+TEST(MakeSegments, LeavesOutWhatTellsNothing) {
+  Trial trial = falling(1e-3);
+  trial.measured.samples.middleRows(100, 100).setConstant(std::nan(""));
+  const Fixture f(trial);
+  EXPECT_EQ(make_segments(f.predictor, f.states, 0.5, {}).size(), 3u);
+}
+
+}  // namespace
+}  // namespace lacuna
