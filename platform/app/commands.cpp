@@ -1,5 +1,7 @@
 #include "app/commands.h"
 
+#include "app/options.h"
+
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 
@@ -26,9 +28,15 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
   add_new_command(program);
+  add_fit_command(program);
+  add_compare_command(program);
+  add_add_command(program);
+  add_undo_command(program);
+  add_history_command(program);
   add_plugins_command(program);
   add_sql_command(program);
 
+  set_command_line(argc, argv);
   watch_for_interrupts();
   try {
     program.parse(argc, argv);

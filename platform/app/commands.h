@@ -8,6 +8,11 @@ namespace lacuna {
 /// `Error` where it fails. One file a command.
 void add_check_command(CLI::App& program);
 void add_new_command(CLI::App& program);
+void add_fit_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
+void add_add_command(CLI::App& program);
+void add_undo_command(CLI::App& program);
+void add_history_command(CLI::App& program);
 void add_plugins_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 

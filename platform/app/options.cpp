@@ -1,6 +1,18 @@
 #include "app/options.h"
 
 namespace lacuna {
+namespace {
+
+std::string typed;
+
+}  // namespace
+
+void set_command_line(int argc, char** argv) {
+  typed = "lacuna";
+  for (int i = 1; i < argc; ++i) typed += std::string(" ") + argv[i];
+}
+
+const std::string& command_line() { return typed; }
 
 void add_plugin_path_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--plugin-path", options.plugin_paths,

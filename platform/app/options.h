@@ -22,6 +22,10 @@ struct CommonOptions {
   bool quiet = false;
 };
 
+/// The command line as typed, for the database; `run_program` sets it.
+void set_command_line(int argc, char** argv);
+const std::string& command_line();
+
 /// Adds the experiment argument, --set and --plugin-path.
 void add_experiment_options(CLI::App& command, CommonOptions& options);
 void add_plugin_path_option(CLI::App& command, CommonOptions& options);

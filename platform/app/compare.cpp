@@ -1,0 +1,76 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/workbench.h"
+#include "report/comparison_json.h"
+#include "report/comparison_pictures.h"
+#include "report/comparison_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct CompareOptions : CommonOptions {
+  bool as_is = false;
+  std::optional<std::string> csv;
+  std::filesystem::path out;
+};
+
+/// An error this close to the floor leaves nothing to find.
+constexpr double kAtTheFloor = 1.2;
+
+std::string advice(const Comparison& comparison, const std::string& file) {
+  double worst = 0.0;
+  for (const PooledScore& pooled : comparison.pooled)
+    if (!pooled.held_out) worst = std::max(worst, pooled.times_floor);
+  if (worst <= kAtTheFloor) return fmt::format("model is at the floor ({:.1f} ×)\n", worst);
+  return fmt::format(
+      "model is above the floor ({:.1f} ×): an effect may be missing → lacuna plugins list, "
+      "lacuna add {} EFFECT --where ELEMENT\n",
+      worst, file);
+}
+
+void run_compare(const CompareOptions& options) {
+  Workbench bench(options);
+  const Workbench::Fitted fitted =
+      options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
+  const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true);
+  const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
+                                  fitted.result.seconds};
+
+  if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
+    fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
+    fmt::print("{}", fit_text(fitted.result));
+    fmt::print("{}", advice(compared.result, options.experiment.string()));
+  }
+  if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result));
+  if (options.csv) write_output(*options.csv, comparison_csv(compared.result));
+  if (!options.out.empty()) {
+    const std::string title = fmt::format("{} · revision {}", heading.experiment, bench.revision().number);
+    draw_comparison(compared.result, title, options.out);
+    write_predictions(compared.result, options.out);
+    if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", options.out.string());
+  }
+  bench.ledger().done();
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program) {
+  auto options = std::make_shared<CompareOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("compare", "Fit the model and compare it with every measured trial");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  command->add_flag("--as-is", options->as_is, "Do not fit: compare with the values as they are written");
+  command->add_option("--csv", options->csv, "Scores as CSV, to standard output or FILE")
+      ->expected(0, 1)
+      ->default_str("");
+  command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)");
+  command->callback([options] { run_compare(*options); });
+}
+
+}  // namespace lacuna

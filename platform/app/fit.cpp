@@ -1,0 +1,39 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "app/workbench.h"
+#include "report/comparison_json.h"
+#include "report/comparison_text.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+void run_fit(const CommonOptions& options) {
+  Workbench bench(options);
+  const Workbench::Fitted fitted = bench.fit_model();
+  if (!takes_standard_output(options.json)) {
+    fmt::print("{} · revision {} · {} fit trials · {}\n", bench.rig().experiment.name, bench.revision().number,
+               bench.rig().count(false), fitted.known ? "known" : format_duration(fitted.result.seconds));
+    fmt::print("{}", fit_text(fitted.result));
+    fmt::print("→ lacuna compare {}\n", options.experiment.string());
+  }
+  if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
+  bench.ledger().done();
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program) {
+  auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("fit", "Fit the model's free values to the fit files");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  command->callback([options] { run_fit(*options); });
+}
+
+}  // namespace lacuna

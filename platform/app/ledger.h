@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/options.h"
+#include "app/rig.h"
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+#include "storage/result_store.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// `--db`, or the experiment's name with `.db` in the working folder.
+std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
+
+/// What one command writes into its experiment's database. A command that ends by an exception is
+/// stored as failed, by Ctrl-C as interrupted.
+class Ledger {
+ public:
+  Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads);
+  ~Ledger();
+  Ledger(const Ledger&) = delete;
+  Ledger& operator=(const Ledger&) = delete;
+
+  /// The revision that the rig's model is; from now on the experiment's current one.
+  StoredRevision enter(const Rig& rig);
+
+  /// The fit of that revision with these settings, where it was made before.
+  std::optional<FitResult> known_fit(const StoredRevision& revision, const Rig& rig) const;
+  void keep(const StoredRevision& revision, const Rig& rig, const FitResult& fit);
+  /// Stores scores, floors, measured and predicted series.
+  void keep(const StoredRevision& revision, const Rig& rig, const Comparison& comparison, bool refitted,
+            std::optional<int> look, double step);
+
+  /// Counts a look at the held-out trials before anything of them is shown.
+  int count_look(const StoredRevision& revision);
+  void done();
+
+  const std::filesystem::path& file() const { return database_.file(); }
+  ExperimentId experiment() const { return experiment_; }
+  const ResultStore& store() const { return store_; }
+
+ private:
+  std::string settings(const Rig& rig) const;
+  std::vector<TrialId> trials_of(const Rig& rig);
+
+  Database database_;
+  ResultStore store_;
+  ExperimentId experiment_;
+  std::uint64_t seed_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,41 @@
+#include "app/progress_line.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace lacuna {
+
+ProgressLine::ProgressLine(bool quiet) : live_(!quiet && isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(const Progress& progress) {
+  using namespace std::chrono_literals;
+  const auto now = std::chrono::steady_clock::now();
+  if (!live_ || now - last_ < 100ms) return;
+  last_ = now;
+  shown_ = true;
+  fmt::print(stderr, "\r\033[K{} · {:.0f} % · {} left", progress.what, 100.0 * progress.fraction,
+             format_duration(progress.seconds_left));
+  std::fflush(stderr);
+}
+
+ProgressCallback ProgressLine::callback() {
+  return [this](const Progress& progress) { show(progress); };
+}
+
+std::string format_duration(double seconds) {
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const long whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/rig.h"
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+#include "storage/records.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What the rooms compute, as the records that storage keeps, and back.
+
+RevisionRecord revision_record(const Rig& rig);
+TrialRecord trial_record(const Trial& trial);
+FitRecord fit_record(const FitResult& fit, const FitSection& options, const std::string& settings);
+FitResult fit_result(const FitRecord& record);
+/// `trials`: the stored trials, in the comparison's order.
+ComparisonRecord comparison_record(const Comparison& comparison, const std::vector<TrialId>& trials);
+TimeSeries predicted_series(const Trial& trial, const TrialComparison& comparison);
+
+}  // namespace lacuna

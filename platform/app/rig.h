@@ -1,0 +1,37 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "app/options.h"
+#include "config/experiment.h"
+#include "evaluation/model_definition.h"
+#include "loading/plugin_catalog.h"
+#include "measurement/recording.h"
+#include "simulation/compiled_model.h"
+
+#include <memory>
+#include <vector>
+
+namespace lacuna {
+
+/// An experiment with everything it names: plugins loaded, trials read, the model compiled.
+struct Rig {
+  Experiment experiment;
+  std::shared_ptr<const PluginCatalog>
+      catalog;  ///< shared: a command that edits the file opens it twice with one catalog
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  std::vector<Trial> trials;       ///< fit trials first
+  std::vector<ReadingNote> notes;  ///< what was noticed while reading the measurements
+
+  std::size_t count(bool held_out) const;
+  /// Without those that are held out.
+  std::vector<Trial> fit_trials() const;
+};
+
+/// Throws `BadInput` with every problem of the experiment, its robot and its measurements.
+Rig open_rig(const CommonOptions& options);
+/// The same for an experiment file whose content would be `text`.
+Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog);
+
+}  // namespace lacuna

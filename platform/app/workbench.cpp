@@ -1,0 +1,62 @@
+#include "app/workbench.h"
+
+#include "app/progress_line.h"
+#include "foundation/parallel.h"
+
+namespace lacuna {
+
+Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig(options)) {}
+
+Workbench::Workbench(const CommonOptions& options, Rig rig)
+    : options_(options),
+      rig_(std::move(rig)),
+      seed_(options.seed.value_or(rig_.experiment.seed)),
+      threads_(options.threads > 0 ? options.threads : default_threads()),
+      ledger_(options, rig_, seed_, threads_),
+      revision_(ledger_.enter(rig_)) {}
+
+Workbench::Fitted Workbench::fit_model() {
+  if (std::optional<FitResult> known = ledger_.known_fit(revision_, rig_)) return {std::move(*known), true};
+  ProgressLine line(options_.quiet);
+  FitResult result = fit({.definition = rig_.definition,
+                          .model = *rig_.model,
+                          .trials = rig_.trials,
+                          .options = rig_.experiment.fit,
+                          .seed = seed_,
+                          .threads = threads_,
+                          .progress = line.callback()});
+  ledger_.keep(revision_, rig_, result);
+  return {std::move(result), false};
+}
+
+Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted, bool with_held_out) {
+  const std::vector<Trial> trials = with_held_out ? rig_.trials : rig_.fit_trials();
+  const bool looks = with_held_out && rig_.count(true) > 0;
+  const int look = looks ? ledger_.count_look(revision_) : 0;
+  const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
+  ProgressLine line(options_.quiet);
+  ComparisonTask task{.definition = rig_.definition,
+                      .model = *rig_.model,
+                      .trials = trials,
+                      .noise = rig_.experiment.noise,
+                      .values = fit.parameters(),
+                      .finer = finer.get(),
+                      .seed = seed_,
+                      .threads = threads_,
+                      .progress = line.callback()};
+  Compared compared{compare(task), look};
+  if (with_held_out)
+    ledger_.keep(revision_, rig_, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
+                 rig_.definition.engine.step / rig_.definition.engine.substeps);
+  return compared;
+}
+
+RevisionErrors errors_of(const CommonOptions& options, Rig rig) {
+  Workbench bench(options, std::move(rig));
+  RevisionErrors errors{bench.revision().number, bench.fit_model().result, {}};
+  errors.comparison = bench.compare_model(errors.fit, true, false).result;
+  bench.ledger().done();
+  return errors;
+}
+
+}  // namespace lacuna

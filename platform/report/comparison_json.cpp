@@ -1,0 +1,104 @@
+#include "report/comparison_json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace lacuna {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json optional_number(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json document(const ChannelScore& score) {
+  return {{"channel", score.channel},
+          {"unit", score.unit},
+          {"samples", score.samples},
+          {"rmse", score.rmse},
+          {"floor", score.floor},
+          {"times_floor", score.times_floor},
+          {"normalised_rmse", score.normalised_rmse},
+          {"bias", score.bias},
+          {"max_error", score.max_error},
+          {"max_error_time_s", score.max_error_time},
+          {"rmse_as_written", score.rmse_as_written},
+          {"numerical", optional_number(score.numerical)}};
+}
+
+ordered_json document(const TrialComparison& trial) {
+  ordered_json channels = ordered_json::array(), horizons = ordered_json::array();
+  for (const ChannelScore& score : trial.channels) channels.push_back(document(score));
+  for (const HorizonScore& score : trial.horizons)
+    horizons.push_back({{"horizon_s", score.horizon}, {"automatic", score.automatic}, {"rmse", score.rmse}});
+  return {{"trial", trial.trial},   {"held_out", trial.held_out}, {"valid", trial.valid},
+          {"reason", trial.reason}, {"channels", channels},       {"horizons", horizons}};
+}
+
+ordered_json document(const PooledScore& score) {
+  return {{"channel", score.channel},
+          {"unit", score.unit},
+          {"held_out", score.held_out},
+          {"rmse", score.rmse},
+          {"floor", score.floor},
+          {"times_floor", score.times_floor},
+          {"rmse_as_written", score.rmse_as_written},
+          {"numerical", optional_number(score.numerical)},
+          {"floor_origin", score.floor_origin}};
+}
+
+ordered_json document(const FittedValue& value) {
+  return {{"address", value.address},
+          {"unit", value.unit},
+          {"start", value.start},
+          {"value", value.value},
+          {"standard_error", value.standard_error},
+          {"ci95", {value.lower_95, value.upper_95}},
+          {"at_bound", value.at_lower_bound || value.at_upper_bound},
+          {"identified", value.identified}};
+}
+
+ordered_json document(const FitResult& fit) {
+  ordered_json values = ordered_json::array(), stages = ordered_json::array();
+  for (const FittedValue& value : fit.values) values.push_back(document(value));
+  for (const FitStage& stage : fit.stages)
+    stages.push_back({{"name", stage.name},
+                      {"converged", stage.converged},
+                      {"residual_over_noise", stage.residual},
+                      {"values", stage.values}});
+  return {{"values", values}, {"stages", stages}, {"cannot_tell", fit.cannot_tell}, {"notes", fit.notes}};
+}
+
+}  // namespace
+
+std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
+  ordered_json trials = ordered_json::array(), pooled = ordered_json::array();
+  for (const TrialComparison& trial : comparison.trials) trials.push_back(document(trial));
+  for (const PooledScore& score : comparison.pooled) pooled.push_back(document(score));
+  const ordered_json whole = {{"experiment", heading.experiment},
+                              {"held_out_look", heading.look},
+                              {"refitted", heading.refitted},
+                              {"fit", document(fit)},
+                              {"pooled", pooled},
+                              {"trials", trials},
+                              {"notes", comparison.notes}};
+  return whole.dump(2) + "\n";
+}
+
+std::string fit_json(const std::string& experiment, const FitResult& fit) {
+  ordered_json whole = document(fit);
+  whole["experiment"] = experiment;
+  return whole.dump(2) + "\n";
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+  std::string text = "trial,held_out,channel,unit,samples,rmse,floor,times_floor,bias,max_error,max_error_time_s\n";
+  for (const TrialComparison& trial : comparison.trials)
+    for (const ChannelScore& s : trial.channels)
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", trial.trial, trial.held_out ? 1 : 0, s.channel, s.unit,
+                          s.samples, s.rmse, s.floor, s.times_floor, s.bias, s.max_error, s.max_error_time);
+  return text;
+}
+
+}  // namespace lacuna

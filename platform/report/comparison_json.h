@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+#include "report/comparison_text.h"
+
+#include <string>
+
+namespace lacuna {
+
+/// The comparison and its fit as one JSON object, SI units throughout; unknown figures are null.
+std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit);
+std::string fit_json(const std::string& experiment, const FitResult& fit);
+
+/// The scores as CSV: one row a trial and channel.
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace lacuna

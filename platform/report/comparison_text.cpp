@@ -1,0 +1,144 @@
+#include "report/comparison_text.h"
+
+#include "foundation/unit.h"
+#include "report/interval_text.h"
+#include "report/text_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+std::string times(double factor) {
+  return std::isfinite(factor) ? fmt::format("{:.{}f}", factor, factor < 99.95 ? 1 : 0) : "-";
+}
+
+std::string quantity(double value, const std::string& unit) {
+  return std::isfinite(value) ? format_quantity(value, unit) : "-";
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string heading_line(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
+  const auto held_out = static_cast<std::size_t>(
+      std::count_if(comparison.trials.begin(), comparison.trials.end(), [](const auto& t) { return t.held_out; }));
+  std::string line = heading.experiment + " · " + plural(comparison.trials.size() - held_out, "fit trial");
+  if (held_out > 0) line += fmt::format(", {} held out (look {})", held_out, heading.look);
+  if (!heading.refitted) return line + " · as written, not fitted\n";
+  line += " · refitted " + plural(fit.values.size(), "value");
+  return line + (heading.reused ? " (known)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
+}
+
+const ChannelScore* score_of(const TrialComparison& trial, const std::string& channel) {
+  const auto found = std::find_if(trial.channels.begin(), trial.channels.end(),
+                                  [&](const ChannelScore& score) { return score.channel == channel; });
+  return found == trial.channels.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelScore& score) {
+  const std::string kind = trial.held_out ? " held out" : " fit";
+  if (!trial.valid) return {kind, trial.trial, "invalid", "-", "-", "-"};
+  return {kind,
+          trial.trial,
+          quantity(score.rmse, score.unit),
+          times(score.times_floor),
+          quantity(score.max_error, score.unit),
+          fmt::format("{:.2f} s", score.max_error_time)};
+}
+
+std::string horizons_line(const Comparison& comparison, const std::string& channel, const std::string& unit) {
+  // Pooled over fit trials: root of the mean square.
+  struct Pool {
+    double horizon;
+    bool automatic;
+    double square_sum;
+    int count;
+  };
+  std::vector<Pool> pools;
+  for (const TrialComparison& trial : comparison.trials) {
+    if (trial.held_out) continue;
+    const auto index = static_cast<std::size_t>(std::find_if(trial.channels.begin(), trial.channels.end(),
+                                                             [&](const auto& s) { return s.channel == channel; }) -
+                                                trial.channels.begin());
+    if (index == trial.channels.size()) continue;
+    for (const HorizonScore& score : trial.horizons) {
+      if (index >= score.rmse.size() || !std::isfinite(score.rmse[index])) continue;
+      auto pool = std::find_if(pools.begin(), pools.end(), [&](const Pool& p) {
+        return p.automatic == score.automatic && (p.automatic || p.horizon == score.horizon);
+      });
+      if (pool == pools.end()) pool = pools.insert(pools.end(), Pool{score.horizon, score.automatic, 0.0, 0});
+      pool->horizon = std::min(pool->horizon, score.horizon);
+      pool->square_sum += score.rmse[index] * score.rmse[index];
+      ++pool->count;
+    }
+  }
+  std::string line;
+  for (const Pool& pool : pools)
+    line += fmt::format("{}{:.3g} s{} {}", line.empty() ? "" : " · ", pool.horizon,
+                        pool.automatic ? " (longest the start allows)" : "",
+                        quantity(std::sqrt(pool.square_sum / pool.count), unit));
+  return line.empty() ? "" : "restarted, fit trials: " + line + "\n";
+}
+
+std::string floor_line(const Comparison& comparison, const PooledScore& pooled) {
+  std::string line = "floor " + quantity(pooled.floor, pooled.unit);
+  if (!pooled.floor_origin.empty()) line += " (" + pooled.floor_origin + ")";
+  double numerical = 0.0;
+  for (const PooledScore& other : comparison.pooled)
+    if (other.channel == pooled.channel && other.numerical) numerical = std::max(numerical, *other.numerical);
+  return line + " · numerical " + quantity(numerical, pooled.unit) + "\n";
+}
+
+std::string as_written_line(const Comparison& comparison, const PooledScore& pooled) {
+  std::string line = "as written, unfitted: fit " + quantity(pooled.rmse_as_written, pooled.unit);
+  for (const PooledScore& other : comparison.pooled)
+    if (other.channel == pooled.channel && other.held_out)
+      line += ", held out " + quantity(other.rmse_as_written, other.unit);
+  return line + "\n";
+}
+
+std::string channel_block(const ComparisonHeading& heading, const Comparison& comparison, const PooledScore& pooled) {
+  std::vector<std::vector<std::string>> rows = {{pooled.channel, "", "RMSE", "× floor", "worst", "at"}};
+  for (const TrialComparison& trial : comparison.trials)
+    if (const ChannelScore* score = score_of(trial, pooled.channel)) rows.push_back(trial_row(trial, *score));
+  std::string text =
+      text_table(rows, 2) + floor_line(comparison, pooled) + horizons_line(comparison, pooled.channel, pooled.unit);
+  if (heading.refitted) text += as_written_line(comparison, pooled);
+  return text;
+}
+
+}  // namespace
+
+std::string comparison_text(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
+  std::string text = heading_line(heading, comparison, fit);
+  std::vector<std::string> shown;
+  for (const PooledScore& pooled : comparison.pooled) {
+    if (std::find(shown.begin(), shown.end(), pooled.channel) != shown.end()) continue;
+    shown.push_back(pooled.channel);
+    text += channel_block(heading, comparison, pooled);
+  }
+  for (const TrialComparison& trial : comparison.trials)
+    if (!trial.valid) text += trial.trial + ": " + trial.reason + "\n";
+  for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+std::string fit_text(const FitResult& fit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FittedValue& value : fit.values) {
+    const IntervalText text = interval_text(value);
+    rows.push_back({value.address, text.value, value.unit == "1" ? "" : value.unit, text.interval,
+                    "from " + quantity(value.start, "1")});
+  }
+  std::string text = text_table(rows, 1);
+  for (const std::string& sentence : fit.cannot_tell) text += sentence + "\n";
+  for (const std::string& note : fit.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+}  // namespace lacuna

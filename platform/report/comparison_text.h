@@ -1,0 +1,26 @@
+#pragma once
+
+#include "fitting/comparison.h"
+#include "fitting/fit.h"
+
+#include <string>
+
+namespace lacuna {
+
+/// What `compare` prints besides the comparison itself.
+struct ComparisonHeading {
+  std::string experiment;
+  int look = 0;  ///< number of this look at held-out data; 0: none was taken
+  bool refitted = true;
+  bool reused = false;  ///< the fit was taken from the database
+  double fit_seconds = 0.0;
+};
+
+/// Errors by channel and trial in units and multiples of the floor, fit and held-out apart, with
+/// the floor's origin, the numerical share, and restarted horizons; see METHOD's sketch.
+std::string comparison_text(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit);
+
+/// The values of a fit with their 95 % intervals, and what the data cannot tell.
+std::string fit_text(const FitResult& fit);
+
+}  // namespace lacuna

@@ -1,0 +1,130 @@
+#include "report/history_text.h"
+
+#include "foundation/unit.h"
+#include "report/figure.h"
+#include "report/text_table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr int kBarWidth = 24;
+
+std::vector<std::string> channels_of(const std::vector<HistoryRow>& rows) {
+  std::vector<std::string> channels;
+  for (const HistoryRow& row : rows)
+    if (!row.channel.empty() && std::find(channels.begin(), channels.end(), row.channel) == channels.end())
+      channels.push_back(row.channel);
+  return channels;
+}
+
+std::vector<HistoryRow> rows_of(const std::vector<HistoryRow>& rows, const std::string& channel) {
+  std::vector<HistoryRow> chosen;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen),
+               [&](const HistoryRow& row) { return row.channel == channel || row.channel.empty(); });
+  return chosen;
+}
+
+std::string quantity(double value, const std::string& unit) {
+  return std::isfinite(value) ? format_quantity(value, unit) : "-";
+}
+
+std::string channel_table(const std::vector<HistoryRow>& rows, const std::string& channel) {
+  double largest = 0.0;
+  const HistoryRow* with_floor = nullptr;
+  for (const HistoryRow& row : rows) {
+    if (std::isfinite(row.times_floor)) largest = std::max(largest, row.times_floor);
+    if (std::isfinite(row.floor)) with_floor = &row;
+  }
+  std::vector<std::vector<std::string>> table = {{"rev", channel, "fit", "held out", "× floor", ""}};
+  std::vector<std::string> bars = {""};
+  for (const HistoryRow& row : rows) {
+    const bool known = std::isfinite(row.times_floor);
+    table.push_back({fmt::format("{}{}", row.number, row.current ? "*" : ""), row.change,
+                     quantity(row.fit_rmse, row.unit), quantity(row.held_out_rmse, row.unit),
+                     known ? fmt::format("{:.1f}", row.times_floor) : "-"});
+    bars.push_back(known ? text_bar(row.times_floor / largest, kBarWidth) : "not compared");
+  }
+  if (with_floor) {
+    table.push_back({"", "floor", "", quantity(with_floor->floor, with_floor->unit), "1.0"});
+    bars.push_back(text_bar(1.0 / std::max(largest, 1.0), kBarWidth));
+  }
+  // The bars stand to the left of their own column, so they are set after the table.
+  std::string text, aligned = text_table(table, 2);
+  for (std::size_t i = 0, begin = 0; i < bars.size(); ++i) {
+    const std::size_t end = aligned.find('\n', begin);
+    text += aligned.substr(begin, end - begin) + (bars[i].empty() ? "" : "  " + bars[i]) + '\n';
+    begin = end + 1;
+  }
+  return text;
+}
+
+Figure figure_of(const std::vector<HistoryRow>& rows, const std::string& channel, const std::string& title) {
+  Series fit{"fit", Mark::line_points, kBlue, {}, {}, {}}, held_out{"held out", Mark::line_points, kOrange, {}, {}, {}};
+  Panel panel;
+  double floor = kNotKnown;
+  for (const HistoryRow& row : rows) {
+    const auto x = static_cast<double>(panel.x_names.size());
+    panel.x_names.push_back(fmt::format("{} {}", row.number, row.change));
+    panel.y_label = "RMSE of " + channel + " [" + row.unit + "]";
+    fit.x.push_back(x);
+    fit.y.push_back(row.fit_rmse);
+    held_out.x.push_back(x);
+    held_out.y.push_back(row.held_out_rmse);
+    if (std::isfinite(row.floor)) floor = row.floor;
+  }
+  panel.series = {fit, held_out};
+  if (std::isfinite(floor)) panel.series.push_back({"noise floor", Mark::level, kGrey, {}, {floor}, {}});
+  return {title, "", {panel}};
+}
+
+}  // namespace
+
+std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks) {
+  std::string text;
+  for (const std::string& channel : channels_of(rows)) text += channel_table(rows_of(rows, channel), channel);
+  if (text.empty()) text = channel_table(rows, "never compared");
+  return text + fmt::format("held-out looks {}\n", held_out_looks);
+}
+
+std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks) {
+  nlohmann::ordered_json revisions = nlohmann::ordered_json::array();
+  for (const HistoryRow& row : rows)
+    revisions.push_back({{"revision", row.number},
+                         {"parent", row.parent ? nlohmann::ordered_json(*row.parent) : nlohmann::ordered_json(nullptr)},
+                         {"change", row.change},
+                         {"current", row.current},
+                         {"channel", row.channel},
+                         {"unit", row.unit},
+                         {"fit_rmse", row.fit_rmse},
+                         {"held_out_rmse", row.held_out_rmse},
+                         {"floor", row.floor},
+                         {"times_floor", row.times_floor}});
+  return nlohmann::ordered_json{{"held_out_looks", held_out_looks}, {"revisions", revisions}}.dump(2) + "\n";
+}
+
+std::string history_csv(const std::vector<HistoryRow>& rows) {
+  std::string text = "revision,parent,change,current,channel,unit,fit_rmse,held_out_rmse,floor,times_floor\n";
+  for (const HistoryRow& row : rows)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", row.number, row.parent ? std::to_string(*row.parent) : "",
+                        row.change, row.current ? 1 : 0, row.channel, row.unit, row.fit_rmse, row.held_out_rmse,
+                        row.floor, row.times_floor);
+  return text;
+}
+
+std::vector<std::filesystem::path> draw_history(const std::vector<HistoryRow>& rows, const std::string& title,
+                                                const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& channel : channels_of(rows)) {
+    files.push_back(folder / ("history-" + channel + ".svg"));
+    write_svg(figure_of(rows_of(rows, channel), channel, title), files.back());
+  }
+  return files;
+}
+
+}  // namespace lacuna
