@@ -24,6 +24,10 @@ TEST(DidYouMean, NamesTheNearestCandidate) {
             " (did you mean \"viscous_friction\"?)");
 }
 
+TEST(DidYouMean, SeesSwappedLetters) { EXPECT_EQ(did_you_mean("angel", {"angle"}), " (did you mean \"angle\"?)"); }
+
+TEST(DidYouMean, DoesNotGuessFromOneLetter) { EXPECT_EQ(did_you_mean("q", {"t"}), ""); }
+
 TEST(DidYouMean, SaysNothingWhenNothingIsNear) { EXPECT_EQ(did_you_mean("banana", {"coulomb_friction"}), ""); }
 
 }  // namespace
