@@ -4,6 +4,8 @@
 #include "foundation/placement_unit.h"
 #include "foundation/unit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -175,8 +177,8 @@ class EntryCheck {
       for (const int element : placed_.elements) {
         const std::string other = unit_at(declaration.unit, robot, placed_.kind, element);
         if (other == unit) continue;
-        complain(".where", declaration.name + " would be in " + unit + " and in " + other +
-                               " at once; give hinges and sliders an entry each");
+        complain(".where", fmt::format("{} would be in {} and in {} at once; give hinges and sliders an entry each",
+                                       declaration.name, unit, other));
         return;
       }
     }

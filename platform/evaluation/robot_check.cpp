@@ -79,6 +79,7 @@ class RobotCheck {
   void need(const std::string& owner, const std::string& role, const std::string& name,
             const std::vector<Spec>& specs) {
     std::vector<std::string> names;
+    names.reserve(specs.size());
     for (const Spec& spec : specs) names.push_back(spec.name);
     if (std::find(names.begin(), names.end(), name) == names.end())
       add(owner + ": its " + role + " \"" + name + "\" does not exist" + did_you_mean(name, names));

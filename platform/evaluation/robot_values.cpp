@@ -104,6 +104,7 @@ std::vector<FreeValue> free_robot_values(RobotSpec& robot, const Experiment& exp
   const std::vector<AddressedValue> values = addressed_values(robot);
   const std::vector<FreeRange>& ranges = experiment.model.free;
   std::vector<std::string> patterns;
+  patterns.reserve(ranges.size());
   for (const FreeRange& range : ranges) patterns.push_back(range.pattern);
   const auto closest = closest_patterns(values, patterns, "model.free.", complaints);
   std::vector<FreeValue> free;

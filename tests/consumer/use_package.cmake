@@ -10,6 +10,16 @@ function(step expected)
   endif()
 endfunction()
 
+# The guide shows this project as it is.
+file(READ ${LACUNA_SOURCE}/docs/how-to/write-a-plugin.md guide)
+foreach(file CMakeLists.txt propeller_drag.cpp)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/project/${file} content)
+  string(FIND "${guide}" "${content}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "docs/how-to/write-a-plugin.md shows another ${file} than tests/consumer/project; copy it")
+  endif()
+endforeach()
+
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 step("" ${CMAKE_COMMAND} --install ${LACUNA_BUILD} --prefix ${prefix})
