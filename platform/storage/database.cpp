@@ -9,10 +9,13 @@
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
 
+#include <thread>
+
 namespace lacuna {
 namespace {
 
 constexpr int kBusyTimeoutMs = 5000;  ///< another writer's transaction takes milliseconds
+constexpr int kPauseMs = 5;
 
 std::unique_ptr<SQLite::Database> connect(const std::filesystem::path& file, const std::string& name, int flags) {
   if (std::filesystem::is_directory(file)) {
@@ -31,6 +34,24 @@ bool has_content(const std::filesystem::path& file) {
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(file, ignored);
   return !ignored && size > 0;
+}
+
+/// SQLite does not wait for others in this step, so we do.
+void keep_write_ahead_log(const std::filesystem::path& file, sqlite3* handle) {
+  const auto take = [](void* mode, int, char** values, char**) {
+    *static_cast<std::string*>(mode) = values[0];
+    return 0;
+  };
+  std::string mode;
+  int result = SQLITE_BUSY;
+  for (int waited = 0; result == SQLITE_BUSY && waited < kBusyTimeoutMs; waited += kPauseMs) {
+    if (waited > 0) std::this_thread::sleep_for(std::chrono::milliseconds(kPauseMs));
+    result = sqlite3_exec(handle, "PRAGMA journal_mode = WAL", take, &mode, nullptr) & 0xff;
+  }
+  if (result != SQLITE_OK) throw_storage_error(file, result, sqlite3_errmsg(handle));
+  if (mode != "wal") {
+    throw Error(file.string() + ": cannot keep a write-ahead log in this folder; use --db with a file on a local disk");
+  }
 }
 
 /// A URI that SQLite takes for this file, whatever characters its name has.
@@ -60,7 +81,8 @@ Database Database::open(const std::filesystem::path& file, const std::vector<Mig
   if (sqlite3_db_readonly(database.handle(), "main") == 1) throw_storage_error(file, SQLITE_READONLY, "");
   check_header(database, migrations);
   // Only now may anything be written to it: it is ours, or empty.
-  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  keep_write_ahead_log(file, database.handle());
+  database.execute("PRAGMA synchronous = FULL");
   migrate(database, migrations);
   return database;
 }

@@ -45,8 +45,10 @@ void copy_before(const Database& database, int newest) {
 }  // namespace
 
 void check_header(const Database& database, const std::vector<Migration>& migrations) {
+  // In this order: another process that makes the same file sets both in one transaction.
+  const bool empty = is_empty(database);
   const int application = application_of(database);
-  if (application != kApplicationId && !(application == 0 && is_empty(database))) {
+  if (application != kApplicationId && !(application == 0 && empty)) {
     throw Error(database.file().string() +
                 ": is a database of another program, not of Lacuna; name another file with --db");
   }

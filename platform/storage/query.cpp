@@ -130,6 +130,7 @@ using StatementHandle = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
   const int count = sqlite3_column_count(statement);
   std::vector<std::string> columns;
+  columns.reserve(static_cast<std::size_t>(count));
   for (int column = 0; column < count; ++column) columns.emplace_back(sqlite3_column_name(statement, column));
   // The first row comes before anything is written: many faults show only when a statement runs.
   int result = sqlite3_step(statement);

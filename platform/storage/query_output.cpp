@@ -56,6 +56,7 @@ class TableOutput : public QueryOutput {
   void row(const std::vector<Cell>& cells) override {
     static constexpr int kDigits = 6;
     std::vector<std::string> texts;
+    texts.reserve(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       texts.push_back(on_one_line(text_of(cells[i], kDigits)));
       if (!is_number(cells[i]) && !std::holds_alternative<std::monostate>(cells[i])) right_[i] = false;
@@ -65,12 +66,14 @@ class TableOutput : public QueryOutput {
 
   void end() override {
     std::vector<std::size_t> widths;
+    widths.reserve(columns_.size());
     for (const std::string& name : columns_) widths.push_back(width_of(name));
     for (const auto& row : rows_) {
       for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
     }
     write(columns_, widths);
     std::vector<std::string> rules;
+    rules.reserve(widths.size());
     for (const std::size_t width : widths) rules.emplace_back(width, '-');
     write(rules, widths);
     for (const auto& row : rows_) write(row, widths);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -178,6 +180,26 @@ TEST_F(DatabaseTest, WritersThatTakeTurnsLoseNothing) {
   other.join();
   EXPECT_EQ(ask(Database::open_read_only(file_), "SELECT count(DISTINCT identity) FROM run WHERE ending = 'done'"),
             2 * kRuns);
+}
+
+TEST_F(DatabaseTest, TwoMayMakeTheSameFileAtOnce) {
+  constexpr std::size_t kFiles = 20;
+  std::array<std::atomic<int>, kFiles> arrived{};
+  const auto make_all = [&] {
+    std::string complaints;
+    for (std::size_t i = 0; i < kFiles; ++i) {
+      ++arrived.at(i);
+      while (arrived.at(i) < 2) std::this_thread::yield();
+      const std::string sentence = sentence_of([&] { Database::open(folder_ / (std::to_string(i) + ".db")); });
+      if (sentence != "no error") complaints += sentence + '\n';
+    }
+    return complaints;
+  };
+  std::string complaints_of_other;
+  std::thread other([&] { complaints_of_other = make_all(); });
+  EXPECT_EQ(make_all(), "");
+  other.join();
+  EXPECT_EQ(complaints_of_other, "");
 }
 
 TEST_F(DatabaseTest, ATransactionInsideAnotherIsPartOfIt) {

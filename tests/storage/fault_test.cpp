@@ -175,7 +175,7 @@ TEST_F(StorageFault, ADamagedPageIsNoticed) {
   }
   {
     std::fstream bytes(file_, std::ios::in | std::ios::out | std::ios::binary);
-    for (int page = 1; page < 12; ++page) {
+    for (std::streamoff page = 1; page < 12; ++page) {
       bytes.seekp(page * 4096);
       bytes << std::string(64, '\xff');
     }
