@@ -74,7 +74,12 @@ std::string with_effect(const std::string& text, const TomlNode& tree, const Eff
 
 std::string effect_as_toml(const EffectEntry& effect) {
   std::string text;
-  for (const auto& [key, value] : keys_of(effect)) text += (text.empty() ? "{ " : ", ") + key + " = " + value;
+  for (const auto& [key, value] : keys_of(effect)) {
+    text += text.empty() ? "{ " : ", ";
+    text += key;
+    text += " = ";
+    text += value;
+  }
   return text + " }";
 }
 

@@ -18,7 +18,8 @@ std::string replace_variables(const std::string& written) {
     if (value == nullptr)
       throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written +
                   "\"");
-    text += written.substr(at, open - at) + value;
+    text += written.substr(at, open - at);
+    text += value;
     at = close + 1;
   }
   return text + written.substr(at);

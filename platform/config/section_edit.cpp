@@ -69,7 +69,8 @@ std::string with_section(const std::string& text, const TomlNode& last, const Ef
   const std::string new_line = line_end_of(text);
   const std::string margin(indentation(text, begin_of(text, last)));
   std::string section = new_line + new_line + margin + "[[model.effects]]";
-  for (const auto& [key, value] : keys_of(effect)) section += new_line + margin + key + " = " + value;
+  for (const auto& [key, value] : keys_of(effect))
+    section.append(new_line).append(margin).append(key).append(" = ").append(value);
   const std::size_t end = line_end(text, last_character(text, last, text.size()));
   return edited(text, {{{end, end}, section}});
 }

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 4 * 1024 * 1024;
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 20U;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& message) {
   ProblemList problems;

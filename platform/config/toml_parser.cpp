@@ -1,29 +1,15 @@
 #include "config/toml_parser.h"
 
 #include "config/toml_scanner.h"
+#include "config/tomlplusplus.h"
 
 #include <algorithm>
-#include <stdexcept>
-
-// Debian's toml++ asserts things that some malformed inputs (`[|x]`) do not keep, and without
-// assertions it tells the compiler to assume them. Here a broken assertion throws instead.
-namespace {
-struct BrokenAssertion : std::logic_error {
-  using std::logic_error::logic_error;
-};
-[[noreturn]] void report_broken_assertion(const char* text) { throw BrokenAssertion(text); }
-}  // namespace
-#undef NDEBUG
-#define TOML_ASSERT(expression) static_cast<void>((expression) || (report_broken_assertion(#expression), false))
-#undef TOML_HEADER_ONLY
-#define TOML_HEADER_ONLY 1
-#define TOML_MAX_NESTED_VALUES 32
-#include <toml++/toml.h>
+#include <tuple>
 
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kLargestText = 4 * 1024 * 1024;
+constexpr std::size_t kLargestText = std::size_t{4} << 20U;
 constexpr std::size_t kLongestKey = 16;  // dotted parts; with the limit on nested values this bounds the depth
 
 SourceLocation located(const std::string& file, const toml::source_position& position) {
@@ -94,7 +80,7 @@ bool breaks_assertion(std::string_view text) {
     static_cast<void>(toml::parse(text));
   } catch (const toml::parse_error&) {
     return false;
-  } catch (const BrokenAssertion&) {
+  } catch (const BrokenTomlAssertion&) {
     return true;
   }
   return false;
@@ -123,7 +109,7 @@ TomlNode parse_toml(const std::string& text, const std::string& file) {
     return converted(toml::parse(text, file), file);
   } catch (const toml::parse_error& error) {
     refuse(located(file, error.source().begin), "not TOML: " + std::string(error.description()));
-  } catch (const BrokenAssertion&) {
+  } catch (const BrokenTomlAssertion&) {
     refuse({file, line_that_breaks_assertion(text), 0}, "not TOML: a character stands where it cannot");
   }
 }

@@ -71,6 +71,7 @@ bool fits_table(const Shape& shape, const TomlNode& node, Reading& reading);
 template <class E>
 Value<E> choice(const std::vector<std::pair<std::string, E>>& names) {
   std::vector<std::string> words;
+  words.reserve(names.size());
   for (const auto& [word, meaning] : names) words.push_back(word);
   Value<std::string> inner = text_of(words);
   Value<E> value;
