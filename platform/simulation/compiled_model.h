@@ -50,15 +50,16 @@ struct SimulationOptions {
   /// Where to start: a saved state, or else joint coordinates at `start_time`.
   const State* from = nullptr;
   StartState start;
-  double start_time = 0.0;  ///< s; commands are functions of the same clock
+  double start_time = 0.0;  ///< s; commands are functions of the same clock; a saved state has its own
   double end_time = 0.0;    ///< s; the last step begins before it
   std::span<const double>
       output_times;  ///< s, ascending, within [start_time, end_time]; readings between steps are interpolated linearly
   /// Asked after each output sample with its readings; true abandons the simulation. Must not allocate.
   std::function<bool(std::size_t sample, std::span<const double> readings)> stop_when;
   std::optional<SensorImperfections>
-      imperfections;             ///< none: ideal readings (delay, effects, scale and offset still apply)
-  bool record_commands = false;  ///< also return the commands as the actuators received them, one row an output sample
+      imperfections;  ///< none: ideal readings (delay, effects, scale and offset still apply)
+  bool record_commands =
+      false;  ///< also return the commands as sent (before delay, gain, effects), a row an output sample
   bool save_final_state = false;
 };
 
@@ -92,8 +93,8 @@ class CompiledModel {
 
   /// Carries `test.drive` out for the given parameter values. Throws `Error` for arguments that
   /// do not fit the model (wrong counts, unknown actuator names); what happens inside the
-  /// simulation (explosion, NaN, an engine error, an exception of an effect) makes the result
-  /// `invalid` and leaves the workspace usable. `result` is overwritten and its memory reused.
+  /// simulation (values out of their bounds, explosion, NaN, an engine error, an exception of an effect) makes the
+  /// result `invalid` and leaves the workspace usable. `result` is overwritten and its memory reused.
   virtual void simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
                         Workspace& workspace, SimulationResult& result) const = 0;
 };

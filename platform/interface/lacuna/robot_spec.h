@@ -52,7 +52,7 @@ enum class JointKind { hinge, slider, fixed, ball, universal };
 /// A joint between `parent` and `child`. Hinge and slider have one coordinate (rad, m),
 /// a universal joint two, a ball joint three (rotation vector of child relative to parent,
 /// in the parent frame); positive is right-handed about, or along, the axis, child relative
-/// to parent. The laws below act on each coordinate of a hinge, slider or universal joint.
+/// to parent. The laws below act on each coordinate; a ball joint has no stops.
 struct JointSpec {
   std::string name;
   JointKind kind = JointKind::hinge;
@@ -90,7 +90,7 @@ enum class ActuatorKind {
 
 struct ActuatorSpec {
   std::string name;
-  std::string joint;
+  std::string joint;  ///< a hinge, a slider, or a universal joint, whose first coordinate it drives
   ActuatorKind kind = ActuatorKind::force;
   double gain = 1.0;                  ///< multiplies the command before anything else
   double offset = 0.0;                ///< added to the command after the gain, in its unit
@@ -107,14 +107,14 @@ struct ActuatorSpec {
 enum class SensorKind {
   joint_position,         ///< rad or m, turns counted
   joint_velocity,         ///< rad/s or m/s
-  joint_force,            ///< what actuators and joint laws exert along the coordinate, N·m or N
+  joint_force,            ///< of actuators and joint laws along the coordinate in the last step (0 at first), N·m or N
   touch,                  ///< +1 while the body touches the ground, −1 otherwise
   body_position,          ///< of the body frame's origin, world, m: x, y, z
   body_velocity,          ///< of that origin, world, m/s: x, y, z
   body_orientation,       ///< body to world, quaternion w, x, y, z with w ≥ 0
   body_angular_velocity,  ///< world, rad/s: x, y, z
   beacon_range,           ///< distance of the body frame's origin to `beacon`, m
-  contact_force           ///< force of the ground on the body, world, N: x, y, z
+  contact_force           ///< force of the ground on the body in the last step (0 at first), world, N: x, y, z
 };
 
 /// A sensor reads `element` (a joint's or a body's name). Its channels are called by its

@@ -136,10 +136,15 @@ void OdeWorkspace::save(double origin, std::uint64_t step, State& state) const {
   drive.save_controller(writer);
 }
 
-std::pair<double, std::uint64_t> OdeWorkspace::load(const State& state) {
+std::pair<double, std::uint64_t> OdeWorkspace::saved_clock(const State& state) {
   simulation::StateReader reader(state.values);
   const double origin = reader.get();
-  const auto step = static_cast<std::uint64_t>(reader.get());
+  return {origin, static_cast<std::uint64_t>(reader.get())};
+}
+
+void OdeWorkspace::load(const State& state) {
+  simulation::StateReader reader(state.values);
+  reader.skip(2);  // the clock
   std::vector<double> coordinates(joint_forces.size());
   reader.get(coordinates);
   mechanism->joints().set_positions(coordinates);
@@ -153,7 +158,6 @@ std::pair<double, std::uint64_t> OdeWorkspace::load(const State& state) {
   sensors.load(reader);
   drive.load_lines(reader);
   drive.load_controller(reader);
-  return {origin, step};
 }
 
 }  // namespace lacuna::ode

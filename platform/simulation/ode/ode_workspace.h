@@ -38,8 +38,10 @@ class OdeWorkspace : public Workspace {
   /// Names and sizes of the State's sections, in the order of `save`.
   std::vector<std::pair<std::string, std::size_t>> sections() const;
   void save(double origin, std::uint64_t step, State& state) const;
-  /// Returns origin and step. The drive must be open, the mechanism built.
-  std::pair<double, std::uint64_t> load(const State& state);
+  /// The drive must be open, the mechanism built.
+  void load(const State& state);
+  /// Origin of the clock and steps since then.
+  static std::pair<double, std::uint64_t> saved_clock(const State& state);
 
   // The parts, for the run that uses the workspace.
   simulation::ModelInstance instance;

@@ -34,13 +34,15 @@ Run::Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions
       result_(result),
       h_(model.step()),
       tolerance_(kSameTime * h_),
-      look_at_bodies_(workspace.sensors.reads_bodies() || model.effects().looks_at_state()) {}
+      look_at_bodies_(workspace.sensors.reads_bodies() || model.effects().looks_at_state()),
+      origin_(options.start_time) {}
 
 void Run::carry_out(std::span<const double> parameters, const Test& test) {
   join_session();
   check_arguments(parameters);
   ws_.drive.open_source(test, model_.structure().robot);
-  if (options_.from) check_saved_state();
+  if (options_.from) read_saved_clock();
+  check_output_times(time(step_));
   prepare_result();
   try {
     ws_.build(parameters);
@@ -71,9 +73,11 @@ void Run::check_arguments(std::span<const double> parameters) const {
     if (!values->empty() && values->size() != coordinates)
       throw Error("the start state has " + std::to_string(values->size()) + " " + name + ", the robot has " +
                   std::to_string(coordinates) + " joint coordinates");
-  const double start = options_.from ? -kInfinity : options_.start_time;
-  if (!std::isfinite(options_.end_time) || (!options_.from && !std::isfinite(start)))
+  if (!std::isfinite(options_.end_time) || !std::isfinite(options_.start_time))
     throw Error("a simulation needs finite start and end times");
+}
+
+void Run::check_output_times(double start) const {
   const auto times = options_.output_times;
   if (!std::is_sorted(times.begin(), times.end())) throw Error("the output times must ascend");
   if (!times.empty() && !(times.front() >= start - tolerance_ && times.back() <= options_.end_time + tolerance_))
@@ -81,11 +85,12 @@ void Run::check_arguments(std::span<const double> parameters) const {
                 ", beyond the simulation from " + seconds(start) + " to " + seconds(options_.end_time));
 }
 
-void Run::check_saved_state() const {
+void Run::read_saved_clock() {
   const std::size_t expected = model_.state_size() + ws_.drive.controller_state_size();
   if (options_.from->values.size() != expected)
     throw Error("the saved state has " + std::to_string(options_.from->values.size()) +
                 " values, this model and controller need " + std::to_string(expected));
+  std::tie(origin_, step_) = OdeWorkspace::saved_clock(*options_.from);
 }
 
 void Run::prepare_result() {
@@ -115,7 +120,6 @@ void Run::begin() {
 }
 
 void Run::begin_at_coordinates() {
-  origin_ = options_.start_time;
   const RobotSpec& robot = ws_.instance.robot();
   Mechanism& mechanism = *ws_.mechanism;
   simulation::place_bodies(robot, model_.tree(), options_.start, ws_.start_motions);
@@ -139,12 +143,9 @@ void Run::begin_at_coordinates() {
 }
 
 void Run::begin_at_saved_state() {
-  std::tie(origin_, step_) = ws_.load(*options_.from);
+  ws_.load(*options_.from);
   ws_.mechanism->check_bodies();
   ws_.mechanism->ground().collide(contact_.slope);
-  if (!options_.output_times.empty() && options_.output_times.front() < time(step_) - tolerance_)
-    throw Error("the first output time, " + seconds(options_.output_times.front()) +
-                ", lies before the saved state's time, " + seconds(time(step_)));
 }
 
 void Run::advance() {

@@ -16,7 +16,8 @@ class Run {
 
  private:
   void check_arguments(std::span<const double> parameters) const;
-  void check_saved_state() const;
+  void check_output_times(double start) const;
+  void read_saved_clock();
   void prepare_result();
 
   void begin();
@@ -48,7 +49,7 @@ class Run {
   const double h_;
   const double tolerance_;  // s, below which two times are the same
   const bool look_at_bodies_;
-  double origin_ = 0.0;
+  double origin_;
   std::uint64_t step_ = 0, last_step_ = 0;  // counted from origin_
   std::size_t next_output_ = 0, next_command_output_ = 0;
   ContactSpec contact_;

@@ -23,6 +23,7 @@ class StateReader {
  public:
   explicit StateReader(std::span<const double> values) : values_(values) {}
   double get() { return values_[next_++]; }
+  void skip(std::size_t count) { next_ += count; }
   void get(std::span<double> values) {
     std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(next_), values.size(), values.begin());
     next_ += values.size();

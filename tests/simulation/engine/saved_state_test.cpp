@@ -106,6 +106,15 @@ TEST_F(SavedState, TurnsAreCountedAcrossASave) {
   EXPECT_NEAR(rig.result.readings.samples(1, 0), 40.0, 0.4);
 }
 
+TEST_F(SavedState, OutputsBeforeTheSavedTimeAreRefused) {
+  Rig rig(pendulum(), step_of(0.001));
+  rig.options.save_final_state = true;
+  rig.run(constant("motor", 0.0), {0.5});
+  const State saved = rig.result.final_state;
+  rig.options.from = &saved;
+  EXPECT_THROW(rig.run(constant("motor", 0.0), {0.4, 0.6}), Error);
+}
+
 TEST_F(SavedState, AStateOfAnotherSizeIsRefused) {
   Rig rig(structure_, settings_);
   const State wrong{.values = {1.0, 2.0}};
