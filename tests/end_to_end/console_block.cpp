@@ -1,0 +1,100 @@
+#include "end_to_end/console_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+
+namespace lacuna {
+namespace {
+
+const std::string kAnything = "…";
+
+std::vector<std::string> words_of(const std::string& command) {
+  static const std::regex kWord("\"([^\"]*)\"|(\\S+)");
+  std::vector<std::string> words;
+  for (std::sregex_iterator found(command.begin(), command.end(), kWord), end; found != end; ++found)
+    words.push_back((*found)[1].matched ? (*found)[1] : (*found)[2]);
+  return words;
+}
+
+/// A line without what may differ: bars, and the seconds that a fit took.
+std::string comparable(const std::string& line) {
+  static const std::regex kBar("(█|▉|▊|▋|▌|▍|▎|▏)+"), kSeconds("(fitted [0-9]+ values?), [0-9.]+ m?s\\b"),
+      kBlanks("\\s+");
+  std::string text = std::regex_replace(line, kBar, "");
+  text = std::regex_replace(text, kSeconds, "$1");
+  text = std::regex_replace(text, kBlanks, " ");
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+/// One unit of the last digit that `number` shows.
+double last_digit(const std::string& number) {
+  const std::size_t point = number.find('.');
+  return point == std::string::npos ? 1.0 : std::pow(10.0, -static_cast<double>(number.size() - point - 1));
+}
+
+bool close(const std::string& said, const std::string& printed, double tolerance) {
+  const double a = std::stod(said), b = std::stod(printed);
+  return std::abs(a - b) <= std::max({tolerance * std::abs(a), tolerance * std::abs(b), 1.001 * last_digit(said)});
+}
+
+bool same_line(const std::string& said, const std::string& printed, double tolerance) {
+  static const std::regex kNumber("[0-9]+(\\.[0-9]+)?");
+  const std::string a = comparable(said), b = comparable(printed);
+  if (std::regex_replace(a, kNumber, "#") != std::regex_replace(b, kNumber, "#")) return false;
+  std::sregex_iterator x(a.begin(), a.end(), kNumber), y(b.begin(), b.end(), kNumber), end;
+  for (; x != end && y != end; ++x, ++y)
+    if (!close(x->str(), y->str(), tolerance)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<ConsoleStep> console_steps(const std::string& markdown) {
+  std::vector<ConsoleStep> steps;
+  bool inside = false;
+  int number = 0;
+  for (const std::string& line : lines_of(markdown)) {
+    ++number;
+    if (line.starts_with("```")) {
+      inside = line == "```console";
+    } else if (inside && line.starts_with("$ ")) {
+      steps.push_back({number, words_of(line.substr(2)), {}});
+    } else if (inside && !steps.empty()) {
+      steps.back().output.push_back(line);
+    }
+  }
+  for (ConsoleStep& step : steps)
+    while (!step.output.empty() && step.output.back().empty()) step.output.pop_back();
+  return steps;
+}
+
+std::string difference(const std::vector<std::string>& said, const std::vector<std::string>& printed,
+                       double tolerance) {
+  std::size_t at = 0;
+  bool any = false;
+  for (const std::string& line : said) {
+    if (line == kAnything) {
+      any = true;
+      continue;
+    }
+    while (any && at < printed.size() && !same_line(line, printed[at], tolerance)) ++at;
+    any = false;
+    if (at == printed.size()) return "is not printed: " + line;
+    if (!same_line(line, printed[at], tolerance)) return "said:    " + line + "\nprinted: " + printed[at];
+    ++at;
+  }
+  return any || at == printed.size() ? "" : "is printed too: " + printed[at];
+}
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+#include "end_to_end/program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> experiment_files() {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(LACUNA_SOURCE_DIRECTORY "/experiments"))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& file) {
+  std::string name = fs::path(file.param).stem();
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class ExperimentFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(ExperimentFile, PassesItsCheck) {
+  const Program program;
+  if (program.read(GetParam()).find("LACUNA_DATA") != std::string::npos && std::getenv("LACUNA_DATA") == nullptr) {
+    GTEST_SKIP() << "LACUNA_DATA, the folder of recordings that are not part of this project, is not set";
+  }
+  const Outcome check = program.run({"check", GetParam()});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+}
+
+INSTANTIATE_TEST_SUITE_P(Experiments, ExperimentFile, testing::ValuesIn(experiment_files()), test_name);
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,68 @@
+#include "end_to_end/console_block.h"
+#include "end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+/// The row of `history --json` of a revision's angle.
+nlohmann::json revision(const Program& program, int number) {
+  const Outcome history = program.run({"history", "servo-pendulum.toml", "--json"});
+  EXPECT_EQ(history.exit_code, 0) << history.errors;
+  const nlohmann::json printed = nlohmann::json::parse(history.output);
+  for (const nlohmann::json& row : printed["revisions"])
+    if (row["revision"] == number && row["channel"] == "angle") return row;
+  ADD_FAILURE() << "history knows no revision " << number << ":\n" << history.output;
+  return {};
+}
+
+/// The bench's truth is in experiments/data/servo_pendulum/bench.h.
+constexpr double kManyTimesTheFloor = 8.0;
+constexpr double kAtTheFloor = 1.2;
+constexpr double kTrueFriction = 0.024;  // N·m
+constexpr double kFrictionTolerance = 0.05;
+
+/// As the database has it.
+double fitted_friction(const Program& program) {
+  const Outcome sql = program.run({"sql", "servo-pendulum.db", "--csv",
+                                   "SELECT value FROM fitted_parameters WHERE address LIKE 'effect.%.torque'"});
+  EXPECT_EQ(sql.exit_code, 0) << sql.errors;
+  const std::vector<std::string> lines = lines_of(sql.output);
+  return lines.size() == 2 ? std::stod(lines.back()) : std::nan("");
+}
+
+TEST(Loop, TheErrorFallsToTheFloorWhenTheMissingFrictionIsAddedAndUndoRestoresFileAndError) {
+  const Program program;
+  program.copy_light_servo_pendulum();
+  const std::string as_written = program.read("servo-pendulum.toml");
+
+  const Outcome compare = program.run({"compare", "servo-pendulum.toml"});
+  ASSERT_EQ(compare.exit_code, 0) << compare.errors;
+  const nlohmann::json rigid = revision(program, 1);
+  EXPECT_GT(rigid["times_floor"], kManyTimesTheFloor);
+
+  const Outcome add = program.run({"add", "servo-pendulum.toml", "coulomb_friction", "--where", "joint.hinge"});
+  ASSERT_EQ(add.exit_code, 0) << add.errors;
+  EXPECT_THAT(program.read("servo-pendulum.toml"), HasSubstr("coulomb_friction"));
+  EXPECT_NEAR(fitted_friction(program), kTrueFriction, kFrictionTolerance * kTrueFriction);
+  ASSERT_EQ(program.run({"compare", "servo-pendulum.toml"}).exit_code, 0);
+  const nlohmann::json with_friction = revision(program, 2);
+  EXPECT_LT(with_friction["times_floor"], kAtTheFloor) << "held out";
+  EXPECT_LT(with_friction["fit_rmse"].get<double>(), kAtTheFloor * with_friction["floor"].get<double>());
+  EXPECT_EQ(revision(program, 1)["fit_rmse"], rigid["fit_rmse"]) << "one revision, one error";
+
+  const Outcome undo = program.run({"undo", "servo-pendulum.toml"});
+  ASSERT_EQ(undo.exit_code, 0) << undo.errors;
+  EXPECT_EQ(program.read("servo-pendulum.toml"), as_written);
+  EXPECT_TRUE(revision(program, 1)["current"]);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,117 @@
+#include "end_to_end/program.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = LACUNA_BINARY_DIRECTORY "/bin/lacuna";
+constexpr const char* kExperiments = LACUNA_SOURCE_DIRECTORY "/experiments";
+
+fs::path new_folder() {
+  std::string pattern = (fs::path(testing::TempDir()) / "lacuna-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder could be made");
+  return pattern;
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// Between fork and exec only what is safe there.
+[[noreturn]] void become(char* const* arguments, const char* folder, int output, int errors) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+  if (chdir(folder) == 0) execv(kProgram, arguments);
+  _exit(127);
+}
+
+}  // namespace
+
+Program::Program() : folder_(new_folder()), captured_(new_folder()) {}
+
+Program::~Program() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  fs::remove_all(captured_, ignored);
+}
+
+void Program::copy_servo_pendulum() const {
+  fs::create_directories(folder_ / "robots");
+  fs::create_directories(folder_ / "data");
+  fs::copy(fs::path(kExperiments) / "servo-pendulum.toml", folder_);
+  fs::copy(fs::path(kExperiments) / "robots/servo-pendulum.toml", folder_ / "robots");
+  fs::copy(fs::path(kExperiments) / "data/servo_pendulum", folder_ / "data/servo_pendulum");
+}
+
+void Program::copy_light_servo_pendulum() const {
+  copy_servo_pendulum();
+  std::string text = read("servo-pendulum.toml");
+  text = std::regex_replace(text, std::regex("substeps = 8"), "substeps = 4");
+  text = std::regex_replace(text, std::regex("starts = 2"), "starts = 1");
+  write("servo-pendulum.toml", text);
+}
+
+void Program::write(const std::string& file, const std::string& text) const {
+  std::ofstream(folder_ / file, std::ios::binary) << text;
+}
+
+std::string Program::read(const std::string& file) const { return content(folder_ / file); }
+
+pid_t Program::start(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words = {"lacuna"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+
+  constexpr int kHow = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
+  const int output = open((captured_ / "output").c_str(), kHow, 0600);
+  const int errors = open((captured_ / "errors").c_str(), kHow, 0600);
+  const pid_t child = fork();
+  if (child == 0) become(pointers.data(), folder_.c_str(), output, errors);
+  close(output);
+  close(errors);
+  if (child < 0) throw std::runtime_error("no process could be started");
+  return child;
+}
+
+Outcome Program::finish(pid_t child) const {
+  int status = 0;
+  waitpid(child, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, content(captured_ / "output"), content(captured_ / "errors")};
+}
+
+Outcome Program::run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
+
+Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const {
+  const pid_t child = start(arguments);
+  constexpr int kPatience = 10000;  // × 1 ms; then it is signalled all the same, and the test sees what happens
+  for (int i = 0; i < kPatience && !fs::exists(folder_ / file); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(child, signal);
+  return finish(child);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What the program did: exit code (128 + signal where a signal ended it) and everything it printed.
+struct Outcome {
+  int exit_code = 0;
+  std::string output;
+  std::string errors;
+};
+
+/// The `lacuna` program of this build, at work in a folder of its own, which starts empty and ends with the object.
+class Program {
+ public:
+  Program();
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  /// Copies experiments/servo-pendulum.toml with its robot and recordings.
+  void copy_servo_pendulum() const;
+  /// The same with half the substeps and one start, for tests that do not depend on the last tenth of the floor.
+  void copy_light_servo_pendulum() const;
+  void write(const std::string& file, const std::string& text) const;
+  std::string read(const std::string& file) const;
+
+  /// Runs `lacuna` with these arguments to its end.
+  Outcome run(const std::vector<std::string>& arguments) const;
+  /// Runs it, sends `signal` as soon as `file` exists in the folder, and waits for its end.
+  Outcome run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const;
+
+ private:
+  pid_t start(const std::vector<std::string>& arguments) const;
+  Outcome finish(pid_t child) const;
+
+  std::filesystem::path folder_;
+  std::filesystem::path captured_;  ///< holds what the program prints
+};
+
+}  // namespace lacuna
