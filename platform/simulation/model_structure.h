@@ -12,7 +12,7 @@ namespace lacuna {
 /// An effect on its elements, ready for an engine. The catalog owns the component.
 struct PlacedEffect {
   std::string id;
-  std::string name;            ///< the plugin's
+  std::string name;  ///< the plugin's
   const PhysicalEffect* effect = nullptr;
   ElementKind kind = ElementKind::world;
   std::vector<int> elements;   ///< indices into the robot's list of that kind
