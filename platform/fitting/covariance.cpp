@@ -1,6 +1,6 @@
 #include "fitting/covariance.h"
 
-#include "fitting/correlation_time.h"
+#include "fitting/residual_memory.h"
 #include "fitting/reduced_rows.h"
 #include "fitting/time_blocks.h"
 
@@ -10,48 +10,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace lacuna {
 namespace {
 
 constexpr double kBlockCorrelations = 6.0;  ///< a block is so many correlation times long
 constexpr int kLeastBlocks = 12;            ///< fewer would say little about their own spread
-constexpr double kRounding = 1e-10;         ///< eigenvalues below this share of the largest are differences' rounding
+constexpr int kMostBlocks = 40;
+constexpr double kRounding = 1e-10;  ///< eigenvalues below this share of the largest are differences' rounding
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTakesPart = 0.1;  ///< of a direction's largest component
 
-/// Residuals of one trial and channel in the order of time.
-struct Trace {
-  std::vector<double> values;
-  double first = 0.0, last = 0.0;
-  double interval() const { return values.size() > 1 ? (last - first) / static_cast<double>(values.size() - 1) : 0.0; }
-};
-
-/// The longest over trials and channels, s.
-double residual_correlation_time(const ShootingProblem& problem, const std::vector<ReducedRows>& rows) {
-  std::map<std::pair<std::size_t, std::size_t>, Trace> traces;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
-      const ResidualPlace place = problem.place(k, row);
-      Trace& trace = traces[{place.trial, place.channel}];
-      if (trace.values.empty()) trace.first = place.time;
-      trace.last = place.time;
-      trace.values.push_back(rows[k].score(row));
-    }
-  double longest = 0.0;
-  for (const auto& [where, trace] : traces)
-    longest = std::max(longest, trace.interval() * correlation_samples(trace.values));
-  return longest;
-}
-
-/// The blocks that scores are summed over: several correlation times long, but enough of them.
+/// The blocks that scores are summed over: several correlation times long, but enough of them; and no more than
+/// give a fair estimate, since a slow disturbance below the sensor's noise hides from the correlation time.
 TimeBlocks choose_blocks(const ShootingProblem& problem, Eigen::Index values, Uncertainty& result) {
-  const double least = std::max(kLeastBlocks, 3 * static_cast<int>(values));
+  const double duration = scored_duration(problem);
+  const double longest = duration / std::max(kLeastBlocks, 3 * static_cast<int>(values));
   const double wanted = kBlockCorrelations * result.correlation_time;
-  const double longest = scored_duration(problem) / least;
   result.few_blocks = wanted > longest;
-  TimeBlocks blocks(problem, std::min(wanted, longest));
+  TimeBlocks blocks(problem, std::min(std::max(wanted, duration / kMostBlocks), longest));
   result.blocks = blocks.count();
   return blocks;
 }
@@ -68,15 +45,6 @@ double total_power(const std::vector<ReducedRows>& rows) {
   double sum = 0.0;
   for (const ReducedRows& segment : rows) sum += segment.score.squaredNorm();
   return sum;
-}
-
-/// Mean square of the scores × samples in a correlation time: what a sum over time really varies by.
-double correlated_variance(const ShootingProblem& problem, const std::vector<ReducedRows>& rows,
-                           double correlation_time) {
-  const auto count = static_cast<double>(problem.samples());
-  const double duration = scored_duration(problem);
-  const double remembered = duration > 0.0 ? std::max(1.0, correlation_time * count / duration) : 1.0;
-  return total_power(rows) / count * remembered;
 }
 
 /// What a relative change of 1 means: the value itself, or where it is small, the change that shows as much
@@ -128,7 +96,10 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   const std::vector<ReducedRows> rows = reduce(problem, residuals, jacobians, loss);
   const Eigen::MatrixXd all = information(rows);
   Uncertainty result;
-  result.correlation_time = residual_correlation_time(problem, rows);
+  std::vector<Eigen::VectorXd> scores_by_segment;
+  for (const ReducedRows& segment : rows) scores_by_segment.push_back(segment.score);
+  const ResidualMemory memory = residual_memory(problem, scores_by_segment);
+  result.correlation_time = memory.time;
   result.sizes = typical_sizes(space, point, all, total_power(rows));
   result.determined.assign(at_bound.size(), true);
   result.covariance = Eigen::MatrixXd::Constant(space.size(), space.size(), kNothing);
@@ -140,7 +111,8 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   if (free.empty()) return result;
   const Eigen::VectorXd scale = result.sizes(free);
   const Eigen::MatrixXd relative = scale.asDiagonal() * all(free, free) * scale.asDiagonal();
-  const double variance = correlated_variance(problem, rows, result.correlation_time);
+  // What a sum of scores really varies by: their mean square × the samples that vary together.
+  const double variance = total_power(rows) / memory.effective_samples;
   const Eigen::MatrixXd bread =
       scale.asDiagonal() * determined_inverse(relative, variance, free, result) * scale.asDiagonal();
 

@@ -17,10 +17,13 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kExploredSegments = 48;
-/// By how many units of −2 log likelihood a search may miss its minimum: a tenth of a standard error, or what
-/// tells minima apart.
+constexpr std::size_t kExploredSegments = 48;  ///< to choose among starting points
+constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to the last one
+constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
+/// By how many units of −2 log likelihood a search may miss its minimum: a tenth of a standard error at the end, a
+/// third on the way, a whole one to tell minima apart.
 constexpr double kFine = 0.01;
+constexpr double kMiddling = 0.1;
 constexpr double kCoarse = 1.0;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -59,8 +62,9 @@ class Fitter {
     explore(stages.front());
     for (PlannedStage& stage : stages) {
       if (stage.automatic) find_horizon(stage);
-      cut_into_segments(stage.length);
-      refine_candidates(stage.name, kFine);
+      const bool last = &stage == &stages.back();
+      cut_into_segments(stage.length, last ? kAllSegments : kStageSegments);
+      refine_candidates(stage.name, last ? kFine : kMiddling);
       record(stage);
       if (refined_ < kRivals) meter_.end_part();
       keep_rivals(candidates_, problem_->samples());
@@ -101,7 +105,7 @@ class Fitter {
     keep_rivals(candidates_, problem_->samples());
   }
 
-  void cut_into_segments(double length, std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  void cut_into_segments(double length, std::size_t most) {
     std::vector<Segment> segments = thinned(make_segments(predictor_, *states_, length, current_values()), most);
     if (segments.empty())
       throw Error(
@@ -143,10 +147,12 @@ class Fitter {
     result_.stages.push_back(stage);
   }
 
-  /// The last stage once more with the trials' starts estimated under its own values.
+  /// The last stage once more with the trials' starts estimated under its own values, if these tell other starts.
   void settle_heads(const PlannedStage& last) {
     candidates_.resize(1);
-    cut_into_segments(last.length);
+    const std::vector<Segment> before = problem_->segments();
+    cut_into_segments(last.length, kAllSegments);
+    if (same_starts(before, problem_->segments())) return;
     refine_candidates(last.name + ", once more", kFine);
     result_.stages.pop_back();
     record(last);

@@ -132,7 +132,9 @@ StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& state
   estimate.start = problem.start_of(best.point.states[0]);
   std::vector<SegmentJacobian> jacobians;
   problem.linearize(best.point, best.residuals, jacobians);
-  const Eigen::VectorXd certain = deviations(jacobians[0].state);
+  // A model that does not follow even the head is less certain of the start.
+  const double misfit = std::sqrt(std::max(1.0, best.cost / static_cast<double>(best.residuals[0].size())));
+  const Eigen::VectorXd certain = misfit * deviations(jacobians[0].state);
   for (std::size_t j = 0; j < problem.unknown().size(); ++j) {
     const int index = problem.unknown()[j];
     estimate.deviation(index) = std::max(certain(static_cast<Eigen::Index>(j)), estimate.noise(index));

@@ -58,6 +58,9 @@ LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index chan
   const Eigen::MatrixXd information = powers.transpose() * powers;
   const Eigen::MatrixXd covariance = information.completeOrthogonalDecomposition().pseudoInverse();
   result.value = coefficients(0);
+  // Where the motion is no parabola, the scatter about it says so.
+  if (size > terms)
+    noise = std::max(noise, (powers * coefficients - values).norm() / std::sqrt(static_cast<double>(size - terms)));
   result.value_deviation = noise * std::sqrt(covariance(0, 0));
   result.slope = terms > 1 ? coefficients(1) / span : 0.0;
   result.slope_deviation = terms > 1 ? noise * std::sqrt(covariance(1, 1)) / span : noise / window;

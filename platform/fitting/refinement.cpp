@@ -1,5 +1,7 @@
 #include "fitting/refinement.h"
 
+#include "fitting/residual_memory.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,8 @@ namespace {
 constexpr int kRounds = 3;           ///< of scales and search in turn
 constexpr double kSettled = 0.05;    ///< relative change of scales that ends them
 constexpr double kRough = 1.0;       ///< precision while the scales still move
-constexpr double kSameError = 1e-3;  ///< per sample: 0.05 % of the residual
+constexpr double kLoosest = 1e-2;    ///< relative decrease of the cost that never ends a search
+constexpr double kSameError = 1e-2;  ///< per sample: 0.5 % of the residual
 constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
 
 bool settled(const std::vector<double>& before, const std::vector<double>& after) {
@@ -61,14 +64,14 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
   LeastSquaresOptions search;
   search.loss = options.loss;
   search.progress = options.progress;
-  const auto samples = static_cast<double>(problem.samples());
   int iterations = 0;
   bool last = false;
   for (int round = 0; !last && iterations < options.max_iterations; ++round) {
     const std::vector<double> scales = residual_scales(problem, residuals, options.loss);
     last = round + 1 == kRounds || (round > 0 && settled(problem.scales(), scales));
     problem.set_scales(scales);
-    search.tolerance = (last ? options.precision : std::max(options.precision, kRough)) / samples;
+    const double precision = last ? options.precision : std::max(options.precision, kRough);
+    search.tolerance = std::min(kLoosest, precision / residual_memory(problem, residuals).effective_samples);
     search.max_iterations = options.max_iterations - iterations;
     candidate.search = minimize(problem, point, search);
     iterations += candidate.search.iterations;

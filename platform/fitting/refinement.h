@@ -20,7 +20,7 @@ struct Candidate {
 struct RefinementOptions {
   RobustLoss loss;
   int max_iterations = 50;
-  double precision = 0.01;  ///< of minus twice the log likelihood, where the search may stop
+  double precision = 0.01;  ///< of minus twice the log likelihood (correlation minded), where the search may stop
   std::function<void(int)> progress;
 };
 

@@ -86,6 +86,17 @@ std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartS
   return segments;
 }
 
+bool same_starts(const std::vector<Segment>& a, const std::vector<Segment>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (std::size_t j = 0; j < a[k].unknown.size(); ++j) {
+      const int index = a[k].unknown[j];
+      const double change = std::abs(component(a[k].start, index) - component(b[k].start, index));
+      if (change > 0.1 * a[k].deviation(static_cast<Eigen::Index>(j))) return false;
+    }
+  return true;
+}
+
 std::vector<Segment> thinned(std::vector<Segment> segments, std::size_t most) {
   if (segments.size() <= most) return segments;
   std::vector<Segment> kept;

@@ -27,6 +27,9 @@ std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length);
 std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
                                    const std::vector<double>& values);
 
+/// Whether all starts agree within a tenth of their prior deviations.
+bool same_starts(const std::vector<Segment>& a, const std::vector<Segment>& b);
+
 /// At most `most` of the segments, evenly spread.
 std::vector<Segment> thinned(std::vector<Segment> segments, std::size_t most);
 

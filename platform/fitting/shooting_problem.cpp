@@ -9,10 +9,10 @@
 namespace lacuna {
 namespace {
 
-/// A step shall change the prediction by about this many times the residual's scale: far above rounding,
-/// far below what curvature would show in.
-constexpr double kWantedChange = 1e-3;
-constexpr double kTolerated = 100.0;  ///< steps whose change is off by less than this factor stay
+/// A step shall change the prediction by about this many times the residual's scale: far above the little jumps of a
+/// simulation with dry friction, whose sticking begins at whole steps, and below where curvature would show.
+constexpr double kWantedChange = 0.5;
+constexpr double kTolerated = 10.0;  ///< steps whose change is off by less than this factor stay
 constexpr int kStepRounds = 4;
 
 double rms(double sum_of_squares, double count) { return count > 0.0 ? std::sqrt(sum_of_squares / count) : 0.0; }
@@ -203,7 +203,7 @@ std::vector<bool> ShootingProblem::adapt_steps(const std::vector<SegmentJacobian
   std::vector<bool> again(steps_.size(), false);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const double slope = rms(squares[i], counts[i]);
-    const double wanted = std::min(slope > 0.0 ? target / slope : kTolerated * kTolerated * steps_[i], largest_step(i));
+    const double wanted = std::min(slope > 0.0 ? target / slope : 1e4 * steps_[i], largest_step(i));
     again[i] = counts[i] > 0.0 && (wanted > kTolerated * steps_[i] || wanted < steps_[i] / kTolerated);
     if (again[i]) steps_[i] = std::max(wanted, 1e-12);
   }

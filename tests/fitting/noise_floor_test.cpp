@@ -97,6 +97,30 @@ TEST(NoiseFloor, CommandNoisePassesThroughTheModel) {
   EXPECT_THAT(floor.origin, HasSubstr("command noise adds"));
 }
 
+TEST(NoiseFloor, RandomForceActsThroughTheEngine) {
+  // A free mass of 2 kg under a force that is white from step to step: position error σ h²/m √(k³/3) after k steps,
+  // whose RMS over n steps is σ h²/m √(n³/12).
+  RobotSpec robot = one_joint_robot();
+  robot.joints[0].kind = JointKind::slider;
+  robot.joints[0].axis = {1.0, 0.0, 0.0};
+  robot.bodies[0].mass = 2.0;
+  robot.gravity.setZero();
+  ModelDefinition definition = define({}, robot);
+  definition.engine.step = 0.01;
+  const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
+  Trial trial = trial_of(Eigen::VectorXd::Zero(401));
+  trial.measured.channels = {{"angle", "m"}};
+  trial.sensor_noise = {1e-6};
+  NoiseSection noise;
+  noise.process = {{"joint.hinge", 0.3}};
+  const std::vector<ChannelNoise> sensors = sensor_noise(robot, {trial});
+  const FloorValue floor =
+      noise_floor({definition, *model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+  const double expected = 0.3 * 1e-4 / 2.0 * std::sqrt(std::pow(400.0, 3) / 12.0);
+  EXPECT_NEAR(floor.process, expected, 0.4 * expected);  // 24 walks, each one draw of its size
+  EXPECT_THAT(floor.origin, HasSubstr("random force adds"));
+}
+
 TEST(WithRandomForces, KeepsTheCommandsAndAddsAForceOfTheDeclaredSizeAndMemory) {
   const CommandSeries commands = two_sines(50.0, 1.0);
   const CommandSeries disturbed =

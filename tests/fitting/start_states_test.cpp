@@ -102,6 +102,16 @@ TEST(Cut, MakesEqualStretchesThatCoverTheTrial) {
   EXPECT_EQ(cut(falling(0.0, 1), 0, 0.1).size(), 1u);
 }
 
+TEST(Thinned, KeepsSegmentsFromAllOverTheTrial) {
+  const Fixture f(falling(1e-3));
+  const std::vector<Segment> all = make_segments(f.predictor, f.states, 0.1, {});
+  ASSERT_EQ(all.size(), 20u);
+  const std::vector<Segment> kept = thinned(all, 5);
+  ASSERT_EQ(kept.size(), 5u);
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(kept[i].stretch, all[4 * i].stretch);
+  EXPECT_EQ(thinned(all, 100).size(), 20u);
+}
+
 TEST(MakeSegments, LeavesOutWhatTellsNothing) {
   Trial trial = falling(1e-3);
   trial.measured.samples.middleRows(100, 100).setConstant(std::nan(""));
