@@ -164,6 +164,7 @@ LeastSquaresResult minimize(SegmentedProblem& problem, const FitPoint& start, co
   std::vector<Eigen::VectorXd> trial_residuals;
   double damping = kFirstDamping;
   double growth = 2.0;
+  int small_steps = 0;
   while (result.iterations < options.max_iterations && !result.converged) {
     if (options.progress) options.progress(result.iterations);
     ++result.iterations;
@@ -180,7 +181,9 @@ LeastSquaresResult minimize(SegmentedProblem& problem, const FitPoint& start, co
                                                                    : std::numeric_limits<double>::infinity();
       if (cost < result.cost) {
         accepted = true;
-        result.converged = result.cost - cost < options.tolerance * result.cost && damping < 1.0;
+        // Under heavy damping a short step alone proves nothing; two in a row do.
+        small_steps = result.cost - cost < options.tolerance * result.cost ? small_steps + 1 : 0;
+        result.converged = small_steps > 1 || (small_steps == 1 && damping < 1.0);
         const double ratio = (result.cost - cost) / step.predicted;
         damping = std::max(damping * std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3)), kSmallestDamping);
         growth = 2.0;

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-/// A step shall change the prediction by about this many times the residual's scale: far above the little jumps of a
+/// A step shall change the prediction by about this share of the residual: far above the little jumps of a
 /// simulation with dry friction, whose sticking begins at whole steps, and below where curvature would show.
 constexpr double kWantedChange = 0.5;
 constexpr double kTolerated = 10.0;  ///< steps whose change is off by less than this factor stay
@@ -124,7 +124,7 @@ void ShootingProblem::linearize(const FitPoint& point, const std::vector<Eigen::
     jacobians[k].state.resize(residuals[k].size(), segments_[k].deviation.size());
     sum += residuals[k].squaredNorm();
   }
-  const double target = kWantedChange * std::max(1.0, rms(sum, static_cast<double>(samples_)));
+  const double target = kWantedChange * std::max(noise_over_scale(), rms(sum, static_cast<double>(samples_)));
   std::vector<Column> columns = columns_;
   for (int round = 0; round < kStepRounds && !columns.empty(); ++round) {
     difference(point, residuals, columns, false, jacobians);
@@ -137,6 +137,12 @@ void ShootingProblem::linearize_finely(const FitPoint& point, const std::vector<
                                        std::vector<SegmentJacobian>& jacobians) {
   linearize(point, residuals, jacobians);  // finds the steps
   difference(point, residuals, columns_, true, jacobians);
+}
+
+double ShootingProblem::noise_over_scale() const {
+  double least = 1.0;
+  for (std::size_t i = 0; i < scales_.size(); ++i) least = std::min(least, noise_[i].deviation / scales_[i]);
+  return least;
 }
 
 std::size_t ShootingProblem::kind(const Column& column) const {

@@ -71,6 +71,8 @@ class ShootingProblem : public SegmentedProblem {
                          int worker, Eigen::Ref<Eigen::VectorXd> derivative);
   std::vector<bool> adapt_steps(const std::vector<SegmentJacobian>& jacobians, double target);
   double largest_step(std::size_t kind) const;
+  /// The smallest channel noise in whitened units.
+  double noise_over_scale() const;
 
   const TrialPredictor& predictor_;
   const ParameterSpace& space_;
