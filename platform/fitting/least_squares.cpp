@@ -117,7 +117,7 @@ Step solve(const SegmentedProblem& problem, const NormalEquations& equations, co
   std::vector<Eigen::LDLT<Eigen::MatrixXd>> factors;
   for (const StateEquations& segment : equations.segments) {
     factors.emplace_back(damped(segment.hessian, damping));
-    if (segment.gradient.size() == 0) continue;
+    if (segment.gradient.size() == 0 || gradient.size() == 0) continue;
     reduced -= segment.mixed.transpose() * factors.back().solve(segment.mixed);
     gradient -= segment.mixed.transpose() * factors.back().solve(segment.gradient);
   }

@@ -18,8 +18,7 @@ struct LocalPolynomial {
 /// Least squares through the measured samples of `range` (first, one past last) whose times lie within
 /// `window` (s) of `sample`: half before and half after, shifted to one side at the range's ends. The
 /// window grows until it holds a point more than twice the unknowns, or all there are; the degree falls where
-/// there are too few. `noise`: standard deviation of a sample; a larger
-/// scatter about the polynomial replaces it.
+/// there are too few. `noise`: standard deviation of a sample; a larger scatter about the polynomial replaces it.
 LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index channel,
                                      std::pair<Eigen::Index, Eigen::Index> range, Eigen::Index sample, int degree,
                                      double window, double noise);
