@@ -7,19 +7,24 @@
 
 namespace lacuna {
 
+namespace {
+
+std::string value_of(const std::string& name, const std::string& written) {
+  const char* value = std::getenv(name.c_str());
+  if (value != nullptr) return value;
+  throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written + "\"");
+}
+
+}  // namespace
+
 std::string replace_variables(const std::string& written) {
   std::string text;
   std::size_t at = 0;
   for (std::size_t open = written.find("${"); open != std::string::npos; open = written.find("${", at)) {
     const std::size_t close = written.find('}', open);
     if (close == std::string::npos) throw Error("\"" + written + "\": the \"${\" has no closing brace");
-    const std::string name = written.substr(open + 2, close - open - 2);
-    const char* value = std::getenv(name.c_str());
-    if (value == nullptr)
-      throw Error("the environment variable " + name + " is not set; set it to the folder meant in \"" + written +
-                  "\"");
     text += written.substr(at, open - at);
-    text += value;
+    text += value_of(written.substr(open + 2, close - open - 2), written);
     at = close + 1;
   }
   return text + written.substr(at);
