@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/component_details.h"
 #include "app/options.h"
+#include "app/output.h"
 #include "loading/plugin_catalog.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 namespace lacuna {
@@ -26,17 +26,6 @@ void add_plugins_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json, "Results as JSON, to standard output or FILE")
       ->expected(0, 1)
       ->default_str("");
-}
-
-void write_json(const Json& json, const std::string& file) {
-  const std::string text = json.dump(2) + "\n";
-  if (file.empty()) {
-    std::fputs(text.c_str(), stdout);
-    return;
-  }
-  std::ofstream stream(file);
-  stream << text;
-  if (!stream.flush()) throw Error(file + ": cannot be written; check the folder and its permissions");
 }
 
 Json listing_json(const PluginListing& listing) {
@@ -62,7 +51,7 @@ void list_plugins(const PluginsOptions& options) {
   if (options.common.json) {
     Json json = {{"components", Json::array()}, {"problems", catalog.problems()}};
     for (const PluginListing& listing : listings) json["components"].push_back(listing_json(listing));
-    write_json(json, *options.common.json);
+    write_output(*options.common.json, json.dump(2) + "\n");
     return;
   }
   print_listings(listings);
@@ -76,7 +65,7 @@ void show_plugin(const PluginsOptions& options) {
   if (options.common.json) {
     Json json = {{"components", Json::array()}};
     for (const ComponentDetails& details : found) json["components"].push_back(json_of(details));
-    write_json(json, *options.common.json);
+    write_output(*options.common.json, json.dump(2) + "\n");
     return;
   }
   for (const ComponentDetails& details : found) std::fputs(text_of(details).c_str(), stdout);

@@ -1,4 +1,5 @@
 #include "plugins/built_catalog.h"
+#include "support/simulation_run.h"
 
 #include <gtest/gtest.h>
 
@@ -135,6 +136,26 @@ TEST_F(QuadrupedTest, LegInertiaIsThatOfASolidCapsule) {
   EXPECT_NEAR(inertia.zz, along / volume, kQuadrature);
   EXPECT_NEAR(inertia.xx, across / volume, kQuadrature);
   EXPECT_NEAR(inertia.yy, across / volume, kQuadrature);
+}
+
+/// With all servos at their middle the robot stays as it stands, all four feet on the ground.
+TEST_F(QuadrupedTest, StandsStillWhereNothingIsCommanded) {
+  constexpr double kEnd = 2.0, kStep = 0.01;  // s; the source's step
+  constexpr double kSag = 0.05;               // m, of servos that give way under the weight
+  SensorSpec height;
+  height.name = "height";
+  height.kind = SensorKind::body_position;
+  height.element = "torso";
+  robot_.sensors.push_back(height);
+  SimulationRun run(robot_, kStep);
+  for (const ActuatorSpec& actuator : robot_.actuators) run.command(actuator.name, 0.0);
+  const TimeSeries readings = run.run({0.0, kEnd}).readings;
+  EXPECT_NEAR(last_vector(readings, "height").z(), 0.85, kSag);
+  EXPECT_NEAR(last_vector(readings, "height").x(), 0.0, kSag);
+  for (const char* leg : {"front_left", "front_right", "rear_left", "rear_right"}) {
+    EXPECT_EQ(column(readings, std::string("touch_") + leg)(1), 1.0);
+    EXPECT_NEAR(column(readings, std::string("angle_") + leg)(1), 0.0, 0.1);
+  }
 }
 
 }  // namespace
