@@ -1,6 +1,6 @@
 #include "storage/provenance.h"
 
-#include "source_revision.h"
+#include "storage/source_revision.h"
 
 #include <Eigen/Core>
 #include <sqlite3.h>

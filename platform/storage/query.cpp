@@ -3,7 +3,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "storage/storage_error.h"
-#include "storage/trace_table.h"
+#include "storage/trace_samples.h"
 
 #include <sqlite3.h>
 
@@ -149,7 +149,7 @@ bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
 }  // namespace
 
 void run_queries(const Database& database, const std::string& sql, QueryOutput& output) {
-  const TraceTable traces(database);
+  const TraceSamples traces(database);
   const ReadingOnly reading(database.handle());
   const char* const text = sql.c_str();
   bool any = false;

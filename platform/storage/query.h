@@ -27,7 +27,7 @@ class QueryOutput {
 };
 
 /// Runs what a user typed, one or several statements, on a database opened for reading; beside the
-/// tables and views there is `trace_samples(trace)` (trace_table.h). Statements
+/// tables and views there is `trace_samples(trace)` (trace_samples.h). Statements
 /// that would change anything, here or in another file, are refused. Throws `BadInput` with the place in
 /// the text for faults of the SQL, `Interrupted` when the user does not want to wait, else `Error`.
 void run_queries(const Database& database, const std::string& sql, QueryOutput& output);

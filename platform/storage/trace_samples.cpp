@@ -1,4 +1,4 @@
-#include "storage/trace_table.h"
+#include "storage/trace_samples.h"
 
 #include "storage/read_trace.h"
 #include "storage/storage_error.h"
@@ -137,13 +137,13 @@ sqlite3_module make_module() {
 
 }  // namespace
 
-TraceTable::TraceTable(const Database& database) : database_(database) {
+TraceSamples::TraceSamples(const Database& database) : database_(database) {
   static const sqlite3_module kModule = make_module();
   // SQLite does not change what it hands back to `connect`.
   const int result = sqlite3_create_module(database.handle(), kName, &kModule, const_cast<Database*>(&database));
   if (result != SQLITE_OK) throw_storage_error(database.file(), result, sqlite3_errmsg(database.handle()));
 }
 
-TraceTable::~TraceTable() { sqlite3_create_module(database_.handle(), kName, nullptr, nullptr); }
+TraceSamples::~TraceSamples() { sqlite3_create_module(database_.handle(), kName, nullptr, nullptr); }
 
 }  // namespace lacuna
