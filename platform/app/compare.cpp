@@ -5,6 +5,7 @@
 #include "report/comparison_json.h"
 #include "report/comparison_pictures.h"
 #include "report/comparison_text.h"
+#include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 
@@ -27,11 +28,11 @@ std::string advice(const Comparison& comparison, const std::string& file) {
   double worst = 0.0;
   for (const PooledScore& pooled : comparison.pooled)
     if (!pooled.held_out) worst = std::max(worst, pooled.times_floor);
-  if (worst <= kAtTheFloor) return fmt::format("model is at the floor ({:.1f} ×)\n", worst);
+  if (worst <= kAtTheFloor) return fmt::format("model is at the floor ({} ×)\n", times_floor_text(worst));
   return fmt::format(
-      "model is above the floor ({:.1f} ×): an effect may be missing → lacuna plugins list, "
+      "model is above the floor ({} ×): an effect may be missing → lacuna plugins list, "
       "lacuna add {} EFFECT --where ELEMENT\n",
-      worst, file);
+      times_floor_text(worst), file);
 }
 
 void run_compare(const CompareOptions& options) {

@@ -7,6 +7,7 @@
 #include "config/effects_editor.h"
 #include "foundation/unit.h"
 #include "report/change_text.h"
+#include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 
@@ -59,8 +60,8 @@ void run_undo(const CommonOptions& options) {
   if (!takes_standard_output(options.json)) {
     fmt::print("back at revision {}\n", errors.revision);
     for (const PooledScore& score : errors.comparison.pooled)
-      fmt::print("{} {}: {:.1f} × floor on the fit files\n", score.channel, format_quantity(score.rmse, score.unit),
-                 score.times_floor);
+      fmt::print("{} {}: {} × floor on the fit files\n", score.channel, format_quantity(score.rmse, score.unit),
+                 times_floor_text(score.times_floor));
   }
   if (options.json) write_output(*options.json, change_json("undo", errors, errors));
 }

@@ -181,8 +181,11 @@ class Comparer {
   void score_horizons() {
     meter_.begin_part("horizons");
     for (const double horizon : task_.horizons) add_horizon(horizon, false);
-    const double longest = automatic_horizon(predictor_, states_, task_.values);
-    if (longest > 0.0) add_horizon(longest, true);
+    const double longest = automatic_horizon(predictor_, states_, task_.values, kHead);
+    result_.start_horizon = longest;
+    const bool adds =
+        std::none_of(task_.horizons.begin(), task_.horizons.end(), [&](double h) { return h >= longest; });
+    if (adds && std::isfinite(longest)) add_horizon(longest, true);
     meter_.end_part();
   }
 

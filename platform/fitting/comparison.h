@@ -46,7 +46,7 @@ struct ChannelScore {
 /// estimated on its own first 50 ms, and the time after these is scored.
 struct HorizonScore {
   double horizon = 0.0;      ///< s
-  bool automatic = false;    ///< the longest on which the start's uncertainty stays below twice the floor
+  bool automatic = false;    ///< `Comparison::start_horizon`, where that is longer than the others
   std::vector<double> rmse;  ///< a channel; NaN where nothing could be scored
 };
 
@@ -86,6 +86,8 @@ struct Comparison {
   std::vector<TrialComparison> trials;  ///< in the order of the task
   std::vector<PooledScore> pooled;      ///< by channel, fit before held out
   std::vector<TrialFloor> floors;       ///< one a trial
+  double start_horizon =
+      0.0;  ///< s; for so long a start from 50 ms of data stays within twice the noise; infinite: always
   std::vector<std::string> notes;
   double seconds = 0.0;
 };

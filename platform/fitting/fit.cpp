@@ -4,6 +4,7 @@
 #include "fitting/identifiability.h"
 #include "fitting/progress_meter.h"
 #include "fitting/refinement.h"
+#include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
 
@@ -61,12 +62,13 @@ class Fitter {
     meter_.set_parts(std::max(task_.options.starts, 1) + kRivals * static_cast<int>(stages.size()) + 1);
     explore(stages.front());
     for (PlannedStage& stage : stages) {
-      if (stage.automatic) find_horizon(stage);
+      if (stage.automatic) find_horizon(stage, result_.stages.empty() ? kHead : result_.stages.back().segment);
       const bool last = &stage == &stages.back();
       cut_into_segments(stage.length, last ? kAllSegments : kStageSegments);
       refine_candidates(stage.name, last ? kFine : kMiddling);
-      record(stage);
       if (refined_ < kRivals) meter_.end_part();
+      if (last && stages.size() > 1) search_anew(stage.name);
+      record(stage);
       keep_rivals(candidates_, problem_->samples());
     }
     settle_heads(stages.back());
@@ -81,14 +83,17 @@ class Fitter {
     return candidates_.empty() ? result_.parameters() : space_.to_values(candidates_.front().values);
   }
 
-  void find_horizon(PlannedStage& stage) {
-    stage.length = automatic_horizon(predictor_, *states_, current_values());
-    stage.name =
-        stage.length > 0.0 ? fmt::format("segments of {:.3g} s (automatic horizon)", stage.length) : "free run";
+  /// As long as a start stays certain that was estimated over the longest segments so far.
+  void find_horizon(PlannedStage& stage, double head) {
+    const double horizon = std::max(head, automatic_horizon(predictor_, *states_, current_values(), head));
+    stage.length = std::isfinite(horizon) ? horizon : 0.0;
+    stage.name = stage.length > 0.0 ? fmt::format("segments of {:.3g} s (automatic horizon)", horizon) : "free run";
     if (stage.length > 0.0)
-      result_.notes.push_back(fmt::format(
-          "the uncertainty of a start grows to twice the noise in {:.3g} s: the last stage's segments are that long",
-          stage.length));
+      result_.notes.push_back(
+          fmt::format("a start estimated over {:.3g} s stays certain to twice the noise for {:.3g} s: the last stage's "
+                      "segments are "
+                      "that long",
+                      head, horizon));
   }
 
   /// Tries all starting points, on a part of the data where there is plenty.
@@ -118,11 +123,9 @@ class Fitter {
   }
 
   void refine_candidates(const std::string& stage, double precision) {
-    const RefinementOptions options{loss_, task_.options.max_iterations, precision,
-                                    [this](int iteration) { meter_.report(iteration); }};
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       meter_.begin_part(fmt::format("{}, {} of {}", stage, i + 1, candidates_.size()));
-      candidates_[i] = refine(*problem_, candidates_[i].values, options);
+      candidates_[i] = refine(*problem_, candidates_[i].values, search(precision));
       meter_.end_part();
     }
     refined_ = static_cast<int>(candidates_.size());
@@ -130,6 +133,27 @@ class Fitter {
     if (!candidates_.front().valid)
       throw Error("the model cannot be simulated from any of " + std::to_string(candidates_.size()) +
                   " starting points: " + problem_->last_reason() + "; check the start values and bounds of [model]");
+  }
+
+  RefinementOptions search(double precision) {
+    return {loss_, task_.options.max_iterations, precision, [this](int iteration) { meter_.report(iteration); }};
+  }
+
+  /// Where a model lacks something, short segments may lead far away from the values that predict whole trials
+  /// best. Where the values moved on the way, all starting points are tried once more.
+  void search_anew(const std::string& stage) {
+    if (!moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) return;
+    meter_.add_parts(result_.starts);
+    for (const Eigen::VectorXd& point :
+         start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
+      meter_.begin_part(stage + ", anew");
+      Candidate other = refine(*problem_, point, search(kCoarse));
+      if (other.valid && other.objective < candidates_.front().objective)
+        candidates_.push_back(refine(*problem_, other.values, search(kFine)));
+      ++refined_;
+      agreeing_ = rank(candidates_, problem_->samples());
+      meter_.end_part();
+    }
   }
 
   void record(const PlannedStage& planned) {
@@ -179,6 +203,8 @@ class Fitter {
           fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
                       best.search.iterations));
     write_values(best, known);
+    for (std::string& sentence : drift_sentences(result_.stages, result_.values))
+      result_.notes.push_back(std::move(sentence));
   }
 
   /// −1 at the lower bound, 1 at the upper, else 0.

@@ -105,9 +105,9 @@ Eigen::VectorXd deviations(const Eigen::MatrixXd& jacobian) {
 
 }  // namespace
 
-Eigen::Index head_end(const TrialPredictor& predictor, const Stretch& stretch) {
+Eigen::Index head_end(const TrialPredictor& predictor, const Stretch& stretch, double length) {
   const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;
-  const double until = times(stretch.first) + kHead * (1.0 + 1e-9);
+  const double until = times(stretch.first) + length * (1.0 + 1e-9);
   Eigen::Index end = stretch.first;
   while (end < stretch.last && (times(end) <= until || end - stretch.first < kHeadSamples)) ++end;
   return end;
@@ -118,8 +118,8 @@ Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretc
 }
 
 StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
-                       std::span<const double> values, int worker) {
-  const Stretch head{stretch.trial, stretch.first, head_end(predictor, stretch)};
+                       std::span<const double> values, int worker, double length) {
+  const Stretch head{stretch.trial, stretch.first, head_end(predictor, stretch, length)};
   HeadProblem problem(predictor, states, head, values, worker);
   StartEstimate estimate = problem.guess();
   if (problem.unknown().empty()) return estimate;
@@ -133,8 +133,8 @@ StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& state
   std::vector<SegmentJacobian> jacobians;
   problem.linearize(best.point, best.residuals, jacobians);
   // A model that does not follow even the head is less certain of the start.
-  const double misfit = std::sqrt(std::max(1.0, best.cost / static_cast<double>(best.residuals[0].size())));
-  const Eigen::VectorXd certain = misfit * deviations(jacobians[0].state);
+  estimate.misfit = std::sqrt(std::max(1.0, best.cost / static_cast<double>(best.residuals[0].size())));
+  const Eigen::VectorXd certain = estimate.misfit * deviations(jacobians[0].state);
   for (std::size_t j = 0; j < problem.unknown().size(); ++j) {
     const int index = problem.unknown()[j];
     estimate.deviation(index) = std::max(certain(static_cast<Eigen::Index>(j)), estimate.noise(index));

@@ -15,6 +15,7 @@ class ProgressMeter {
   explicit ProgressMeter(const ProgressCallback& callback) : callback_(callback), begin_(Clock::now()) {}
 
   void set_parts(int parts) { parts_ = parts; }
+  void add_parts(int parts) { parts_ += parts; }
   void begin_part(std::string what) {
     what_ = std::move(what);
     report(0);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace lacuna {
@@ -51,11 +52,11 @@ std::string why_not_cut(const TrialPredictor& predictor, const StartStates& stat
   return "";
 }
 
-/// Time until what is uncertain of the start at `first` shows as `kTolerableGrowth` × noise; infinite if it
-/// never does, nothing if the model cannot be simulated.
+/// Time until what is uncertain of the start, estimated on `head` s, shows as `kTolerableGrowth` × noise; infinite
+/// if it never does, nothing if the model cannot be simulated.
 std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
-                                   const std::vector<double>& values, int worker) {
-  const StartEstimate estimate = fit_head(predictor, states, stretch, values, worker);
+                                   const std::vector<double>& values, int worker, double head) {
+  const StartEstimate estimate = fit_head(predictor, states, stretch, values, worker, head);
   Prediction base, moved;
   if (estimate.valid) predictor.predict(stretch, values, estimate.start, worker, base);
   if (!base.valid) return std::nullopt;
@@ -70,7 +71,8 @@ std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartS
   const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;
   for (Eigen::Index row = 0; row < variance.rows(); ++row)
     for (Eigen::Index column = 0; column < variance.cols(); ++column)
-      if (std::sqrt(variance(row, column)) > kTolerableGrowth * states.deviation(stretch.trial, column))
+      if (std::sqrt(variance(row, column)) >
+          kTolerableGrowth * estimate.misfit * states.deviation(stretch.trial, column))
         return times(stretch.first + row) - times(stretch.first);
   return std::numeric_limits<double>::infinity();
 }
@@ -97,8 +99,8 @@ std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPred
   return stages;
 }
 
-double automatic_horizon(const TrialPredictor& predictor, const StartStates& states,
-                         const std::vector<double>& values) {
+double automatic_horizon(const TrialPredictor& predictor, const StartStates& states, const std::vector<double>& values,
+                         double head) {
   std::vector<Stretch> probes;
   for (std::size_t trial = 0; trial < predictor.trials().size(); ++trial) {
     if (predictor.trials()[trial].held_out || !states.reconstructible(trial)) continue;
@@ -108,15 +110,14 @@ double automatic_horizon(const TrialPredictor& predictor, const StartStates& sta
   }
   std::vector<std::optional<double>> grown(probes.size());
   parallel_for(probes.size(), predictor.workers(), [&](std::size_t i, int worker) {
-    grown[i] = time_to_grow(predictor, states, probes[i], values, worker);
+    grown[i] = time_to_grow(predictor, states, probes[i], values, worker, head);
   });
   std::vector<double> times;
   for (const std::optional<double>& time : grown)
     if (time) times.push_back(*time);
-  if (times.empty()) return 0.0;
+  if (times.empty()) return std::numeric_limits<double>::infinity();
   std::sort(times.begin(), times.end());
-  const double median = times[times.size() / 2];
-  return std::isfinite(median) ? std::max(median, 2.0 * kHead) : 0.0;
+  return times[times.size() / 2];
 }
 
 }  // namespace lacuna

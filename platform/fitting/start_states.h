@@ -21,6 +21,7 @@ struct StartEstimate {
   StartState start;
   Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite where the data say nothing
   Eigen::VectorXd noise;      ///< what one sample's noise does to a component; a head's deviation never falls below
+  double misfit = 1.0;        ///< RMS of the head's residuals over their noise, at least 1; part of the deviations
 
   /// Whether component `index` was estimated from data, rather than given or not measured.
   bool tells(int index) const { return deviation(index) > 0.0 && std::isfinite(deviation(index)); }

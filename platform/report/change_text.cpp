@@ -3,6 +3,7 @@
 #include "foundation/unit.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
+#include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,7 +31,7 @@ std::string error_rows(const RevisionErrors& before, const RevisionErrors& after
     const PooledScore* then = fit_score(before.comparison, now.channel);
     if (now.held_out || !then) continue;
     rows.push_back({now.channel, format_quantity(then->rmse, then->unit), format_quantity(now.rmse, now.unit),
-                    fmt::format("{:.1f}", then->times_floor), fmt::format("{:.1f}", now.times_floor)});
+                    times_floor_text(then->times_floor), times_floor_text(now.times_floor)});
   }
   return text_table(rows);
 }

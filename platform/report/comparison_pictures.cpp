@@ -1,6 +1,7 @@
 #include "report/comparison_pictures.h"
 
 #include "report/figure.h"
+#include "report/times_floor_text.h"
 
 #include <lacuna/error.h>
 
@@ -31,7 +32,7 @@ Figure figure_of(const TrialComparison& trial, std::size_t channel, const std::s
   const std::vector<double> times(trial.times.data(), trial.times.data() + trial.times.size());
   const Series measured{"measured", Mark::line, kInk, times, column(trial.measured, index), {}};
   const Series predicted{"predicted", Mark::line, kBlue, times, column(trial.predicted, index), {}};
-  const Series residual{fmt::format("measured - predicted, {:.1f} × floor", score.times_floor),
+  const Series residual{"measured - predicted, " + times_floor_text(score.times_floor) + " × floor",
                         Mark::line,
                         kOrange,
                         times,

@@ -3,6 +3,7 @@
 #include "foundation/unit.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
+#include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +12,6 @@
 
 namespace lacuna {
 namespace {
-
-std::string times(double factor) {
-  return std::isfinite(factor) ? fmt::format("{:.{}f}", factor, factor < 99.95 ? 1 : 0) : "-";
-}
 
 std::string quantity(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "-";
@@ -46,43 +43,50 @@ std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelSc
   return {kind,
           trial.trial,
           quantity(score.rmse, score.unit),
-          times(score.times_floor),
+          times_floor_text(score.times_floor),
           quantity(score.max_error, score.unit),
           fmt::format("{:.2f} s", score.max_error_time)};
 }
 
-std::string horizons_line(const Comparison& comparison, const std::string& channel, const std::string& unit) {
-  // Pooled over fit trials: root of the mean square.
-  struct Pool {
-    double horizon;
-    bool automatic;
-    double square_sum;
-    int count;
-  };
-  std::vector<Pool> pools;
+/// Root of the mean square over the fit trials, or the held-out ones, of a channel's error over one horizon; NaN
+/// where none was scored.
+double restarted_error(const Comparison& comparison, const std::string& channel, double horizon, bool held_out) {
+  double squares = 0.0;
+  int count = 0;
   for (const TrialComparison& trial : comparison.trials) {
-    if (trial.held_out) continue;
-    const auto index = static_cast<std::size_t>(std::find_if(trial.channels.begin(), trial.channels.end(),
-                                                             [&](const auto& s) { return s.channel == channel; }) -
-                                                trial.channels.begin());
-    if (index == trial.channels.size()) continue;
-    for (const HorizonScore& score : trial.horizons) {
-      if (index >= score.rmse.size() || !std::isfinite(score.rmse[index])) continue;
-      auto pool = std::find_if(pools.begin(), pools.end(), [&](const Pool& p) {
-        return p.automatic == score.automatic && (p.automatic || p.horizon == score.horizon);
-      });
-      if (pool == pools.end()) pool = pools.insert(pools.end(), Pool{score.horizon, score.automatic, 0.0, 0});
-      pool->horizon = std::min(pool->horizon, score.horizon);
-      pool->square_sum += score.rmse[index] * score.rmse[index];
-      ++pool->count;
+    const ChannelScore* score = score_of(trial, channel);
+    if (trial.held_out != held_out || !score) continue;
+    for (const HorizonScore& restarted : trial.horizons) {
+      const double error = restarted.rmse[static_cast<std::size_t>(score - trial.channels.data())];
+      if (restarted.horizon != horizon || !std::isfinite(error)) continue;
+      squares += error * error;
+      ++count;
     }
   }
+  return std::sqrt(squares / count);
+}
+
+std::vector<double> horizons_of(const Comparison& comparison) {
+  std::vector<double> horizons;
+  for (const TrialComparison& trial : comparison.trials)
+    for (const HorizonScore& score : trial.horizons)
+      if (std::find(horizons.begin(), horizons.end(), score.horizon) == horizons.end())
+        horizons.push_back(score.horizon);
+  return horizons;
+}
+
+std::string horizons_line(const Comparison& comparison, const std::string& channel, const std::string& unit) {
   std::string line;
-  for (const Pool& pool : pools)
-    line += fmt::format("{}{:.3g} s{} {}", line.empty() ? "" : " · ", pool.horizon,
-                        pool.automatic ? " (longest the start allows)" : "",
-                        quantity(std::sqrt(pool.square_sum / pool.count), unit));
-  return line.empty() ? "" : "restarted, fit trials: " + line + "\n";
+  for (const double horizon : horizons_of(comparison)) {
+    const double fit = restarted_error(comparison, channel, horizon, false);
+    const double held_out = restarted_error(comparison, channel, horizon, true);
+    line += fmt::format("{}every {:.3g} s: fit {}", line.empty() ? "" : " · ", horizon, quantity(fit, unit));
+    if (std::isfinite(held_out)) line += ", held out " + quantity(held_out, unit);
+  }
+  if (line.empty()) return "";
+  if (std::isfinite(comparison.start_horizon))
+    line += fmt::format(" · a start stays certain for {:.2g} s", comparison.start_horizon);
+  return "restarted " + line + "\n";
 }
 
 std::string floor_line(const Comparison& comparison, const PooledScore& pooled) {

@@ -3,6 +3,7 @@
 #include "foundation/unit.h"
 #include "report/figure.h"
 #include "report/text_table.h"
+#include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -47,7 +48,7 @@ std::string channel_table(const std::vector<HistoryRow>& rows, const std::string
     const bool known = std::isfinite(row.times_floor);
     table.push_back({fmt::format("{}{}", row.number, row.current ? "*" : ""), row.change,
                      quantity(row.fit_rmse, row.unit), quantity(row.held_out_rmse, row.unit),
-                     known ? fmt::format("{:.1f}", row.times_floor) : "-"});
+                     times_floor_text(row.times_floor)});
     bars.push_back(known ? text_bar(row.times_floor / largest, kBarWidth) : "not compared");
   }
   if (with_floor) {

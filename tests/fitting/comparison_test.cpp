@@ -99,6 +99,13 @@ TEST(Compare, ShortHorizonsForgiveAWrongModelMore) {
   EXPECT_LT(horizons[1].rmse[0], comparison.trials[0].channels[0].rmse);
 }
 
+TEST(Compare, TellsHowLongAStartStaysCertain) {
+  const Comparison comparison = compare_spring({spring_trial(kNoise, 1)}, 0.5);
+  // The velocity is uncertain by σ√12/(T√N) = 21 mrad/s: with the position's share, 2 mrad after 0.09 s.
+  EXPECT_NEAR(comparison.start_horizon, 0.09, 0.02);
+  EXPECT_FALSE(comparison.trials[0].horizons.back().automatic);  // half a second is scored anyway
+}
+
 TEST(Compare, GivesPicturesTheirSeries) {
   Trial trial = spring_trial(kNoise, 1);
   trial.measured.samples(500, 0) = std::nan("");

@@ -4,6 +4,7 @@
 #include "foundation/address.h"
 #include "measurement/recording.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,17 +20,21 @@ class Emps : public ::testing::Test {
     experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/emps.toml");
   }
 
-  /// Fits the experiment's model with these effects by one free run from the model's own start.
+  /// Fits the experiment's model with these effects, by one free run from the model's own start.
   void fit_with(const std::vector<std::string>& effects) {
+    experiment_.fit.method = "free_run";
+    experiment_.fit.loss = "squared";
+    experiment_.fit.starts = 1;
+    fit_as_the_file_says(effects);
+  }
+
+  void fit_as_the_file_says(const std::vector<std::string>& effects) {
     for (const std::string& effect : effects)
       experiment_.model.effects.push_back({effect, effect, {"joint.slider"}, {}, {}});
     definition_ = define_model(experiment_, PluginCatalog(plugin_search_path({})));
     model_ = compile(definition_.structure, definition_.engine);
     const RobotSpec& robot = definition_.structure.robot;
     trials_ = read_recording(experiment_.target.recording, sensor_channels(robot), command_channels(robot)).trials;
-    experiment_.fit.method = "free_run";
-    experiment_.fit.loss = "squared";
-    experiment_.fit.starts = 1;
     result_ = fit({definition_, *model_, trials_, experiment_.fit, 1, 2});
   }
 
@@ -70,6 +75,21 @@ TEST_F(Emps, FourValuesFollowTheRigToMillimetres) {
   EXPECT_LT(errors.pooled[0].rmse, kTrainError);
   EXPECT_TRUE(errors.pooled[1].held_out);
   EXPECT_LT(errors.pooled[1].rmse, kTestError);
+}
+
+// Without the constant force no viscous and dry friction follow the whole run, though half a second shows them rightly.
+// One more value must not make the error larger, and the fit must say that values move.
+TEST_F(Emps, WhatShortSegmentsTellDoesNotSpoilTheWholeRun) {
+  fit_as_the_file_says({"viscous_friction"});
+  const double viscous_alone = comparison().pooled[0].rmse;
+  experiment_.model.effects.clear();
+  fit_as_the_file_says({"viscous_friction", "coulomb_friction"});
+  EXPECT_LT(comparison().pooled[0].rmse, 1.05 * viscous_alone);
+  const std::vector<double>& half_second = result_.stages.at(1).values;
+  EXPECT_NEAR(half_second.at(0), kMass, 0.05 * kMass);
+  EXPECT_NEAR(half_second.at(1), kCoulomb, 0.05 * kCoulomb);
+  EXPECT_NEAR(half_second.at(2), kViscous, 0.05 * kViscous);
+  EXPECT_THAT(result_.notes, testing::Contains(testing::StartsWith("effect.coulomb_friction.torque is 2")));
 }
 
 TEST_F(Emps, WithoutFrictionTheErrorIsTensOfTimesLarger) {

@@ -1,0 +1,56 @@
+#include "fitting/stage_drift.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+FittedValue fitted(double value, double half) {
+  FittedValue result;
+  result.address = "body.arm.mass";
+  result.value = value;
+  result.lower_95 = value - half;
+  result.upper_95 = value + half;
+  return result;
+}
+
+std::vector<FitStage> stages(double over_half_a_second) {
+  FitStage segments, whole;
+  segments.segment = 0.5;
+  segments.values = {over_half_a_second};
+  whole.values = {0.0};
+  return {segments, whole};
+}
+
+TEST(DriftSentences, NameAValueThatMovesWithTheLengthOfSegments) {
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.1)}),
+              testing::ElementsAre("body.arm.mass is 2 over 0.5 s but 1 over whole trials: a model that lacks nothing "
+                                   "tells the same over any length"));
+}
+
+TEST(DriftSentences, AreSilentWithinTheIntervalAndAboutSmallChanges) {
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.6)}), testing::IsEmpty());
+  EXPECT_THAT(drift_sentences(stages(1.1), {fitted(1.0, 0.01)}), testing::IsEmpty());
+}
+
+TEST(DriftSentences, NameAValueThatEndedAtItsBound) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(0.0, nothing)}), testing::SizeIs(1));
+}
+
+TEST(DriftSentences, NeedTwoStages) {
+  EXPECT_THAT(drift_sentences({stages(2.0).back()}, {fitted(1.0, 0.1)}), testing::IsEmpty());
+}
+
+TEST(Moved, CountsAFifthOfTheLargerValue) {
+  EXPECT_FALSE(moved({1.0, 5.0}, {1.2, 5.0}));
+  EXPECT_TRUE(moved({1.0, 5.0}, {1.3, 5.0}));
+  EXPECT_TRUE(moved({0.0}, {1e-9}));
+  EXPECT_FALSE(moved({0.0}, {0.0}));
+}
+
+}  // namespace
+}  // namespace lacuna
