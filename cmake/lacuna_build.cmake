@@ -22,7 +22,7 @@ add_compile_options(-ffp-contract=off)
 
 # All plugin libraries of this project: what runs the program depends on them.
 add_custom_target(all_plugins)
-# What the label `short` promises runs in seconds, sanitizers included: built by itself for them.
+# The tests labelled `short`, with as much of the house as they need: what CI builds under the sanitizers.
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
@@ -34,9 +34,12 @@ function(lacuna_add_room name)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
 endfunction()
 
-# A test program of GoogleTest; each TEST is a test of ctest.
+# A test program of GoogleTest; each TEST is a test of ctest. Its label is one of
+#   short    seconds even under sanitizers, and worth it: rooms that handle memory by hand, threads or foreign input
+#   medium   the others (the default); nothing above evaluation and fitting is short, so that CI need not build it twice
+#   long     half a minute and more; begun first
 function(lacuna_add_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINKS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABELS;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # s
   endif()
@@ -48,8 +51,13 @@ function(lacuna_add_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE
     LACUNA_SOURCE_DIRECTORY="${PROJECT_SOURCE_DIR}" LACUNA_BINARY_DIRECTORY="${CMAKE_BINARY_DIR}")
-  if("short" IN_LIST ARG_LABELS)
+  if(ARG_LABELS STREQUAL "short")
     add_dependencies(short_tests ${name})
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+  set(cost 0)
+  if(ARG_LABELS STREQUAL "long")
+    set(cost 1000)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT} COST ${cost})
 endfunction()

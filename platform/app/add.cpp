@@ -7,6 +7,7 @@
 #include "config/effects_editor.h"
 #include "report/change_text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,6 +5,8 @@
 #include "config/file_references.h"
 #include "evaluation/model_definition.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <memory>
 

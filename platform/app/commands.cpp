@@ -5,6 +5,8 @@
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <string>

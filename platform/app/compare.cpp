@@ -7,6 +7,7 @@
 #include "report/comparison_text.h"
 #include "report/times_floor_text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "report/comparison_json.h"
 #include "report/comparison_text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

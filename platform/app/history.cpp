@@ -4,6 +4,7 @@
 #include "app/workbench.h"
 #include "report/history_text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

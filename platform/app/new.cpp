@@ -4,6 +4,7 @@
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cerrno>

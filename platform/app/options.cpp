@@ -1,5 +1,7 @@
 #include "app/options.h"
 
+#include <CLI/CLI.hpp>
+
 namespace lacuna {
 namespace {
 

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "loading/plugin_catalog.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

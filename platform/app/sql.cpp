@@ -4,6 +4,8 @@
 #include "storage/query.h"
 #include "storage/query_output.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

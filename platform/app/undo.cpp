@@ -9,6 +9,7 @@
 #include "report/change_text.h"
 #include "report/times_floor_text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
