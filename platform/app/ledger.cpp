@@ -71,17 +71,17 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const FitResul
   store_.record_fit(revision.id, fit_record(fit, rig.experiment.fit, settings(rig)));
 }
 
-std::vector<TrialId> Ledger::trials_of(const Rig& rig) {
+std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials) {
   std::vector<TrialId> ids;
-  for (const Trial& trial : rig.trials) ids.push_back(store_.find_or_add_trial(experiment_, trial_record(trial)));
+  for (const Trial& trial : trials) ids.push_back(store_.find_or_add_trial(experiment_, trial_record(trial)));
   return ids;
 }
 
-void Ledger::keep(const StoredRevision& revision, const Rig& rig, const Comparison& comparison, bool refitted,
-                  std::optional<int> look, double step) {
+void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
+                  const Comparison& comparison, bool refitted, std::optional<int> look, double step) {
   Transaction transaction(database_);
-  const std::vector<TrialId> trials = trials_of(rig);
-  ComparisonRecord record = comparison_record(comparison, trials);
+  const std::vector<TrialId> ids = ids_of(trials);
+  ComparisonRecord record = comparison_record(comparison, ids);
   record.kind = refitted ? ComparisonKind::refitted : ComparisonKind::as_written;
   record.look = look;
   record.step = step;
@@ -91,8 +91,8 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const Comparis
   }
   const ComparisonId id = store_.record_comparison(revision.id, record);
   for (std::size_t i = 0; i < comparison.trials.size(); ++i) {
-    store_.record_trace(trials[i], TraceKind::measured, rig.trials[i].measured, TracePrecision::float64);
-    store_.record_trace(trials[i], TraceKind::predicted, predicted_series(rig.trials[i], comparison.trials[i]),
+    store_.record_trace(ids[i], TraceKind::measured, trials[i].measured, TracePrecision::float64);
+    store_.record_trace(ids[i], TraceKind::predicted, predicted_series(trials[i], comparison.trials[i]),
                         TracePrecision::float32, id);
   }
   transaction.commit();

@@ -30,9 +30,9 @@ class Ledger {
   /// The fit of that revision with these settings, where it was made before.
   std::optional<FitResult> known_fit(const StoredRevision& revision, const Rig& rig) const;
   void keep(const StoredRevision& revision, const Rig& rig, const FitResult& fit);
-  /// Stores scores, floors, measured and predicted series.
-  void keep(const StoredRevision& revision, const Rig& rig, const Comparison& comparison, bool refitted,
-            std::optional<int> look, double step);
+  /// Stores scores, floors, measured and predicted series of the trials compared.
+  void keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
+            const Comparison& comparison, bool refitted, std::optional<int> look, double step);
 
   /// Counts a look at the held-out trials before anything of them is shown.
   int count_look(const StoredRevision& revision);
@@ -44,7 +44,7 @@ class Ledger {
 
  private:
   std::string settings(const Rig& rig) const;
-  std::vector<TrialId> trials_of(const Rig& rig);
+  std::vector<TrialId> ids_of(const std::vector<Trial>& trials);
 
   Database database_;
   ResultStore store_;

@@ -45,9 +45,8 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
                       .threads = threads_,
                       .progress = line.callback()};
   Compared compared{compare(task), look};
-  if (with_held_out)
-    ledger_.keep(revision_, rig_, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
-                 rig_.definition.engine.step / rig_.definition.engine.substeps);
+  ledger_.keep(revision_, rig_, trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
+               rig_.definition.engine.step / rig_.definition.engine.substeps);
   return compared;
 }
 

@@ -35,21 +35,29 @@ std::string quantity(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "-";
 }
 
+/// The row's bar; where other rows have a held-out error and this one has none, it says what it counts.
+std::string bar(const HistoryRow& row, double largest, bool held_out_known) {
+  if (!std::isfinite(row.times_floor)) return "not compared";
+  const std::string drawn = text_bar(row.times_floor / largest, kBarWidth);
+  return held_out_known && !std::isfinite(row.held_out_rmse) ? drawn + " fit files" : drawn;
+}
+
 std::string channel_table(const std::vector<HistoryRow>& rows, const std::string& channel) {
   double largest = 0.0;
   const HistoryRow* with_floor = nullptr;
+  bool held_out_known = false;
   for (const HistoryRow& row : rows) {
     if (std::isfinite(row.times_floor)) largest = std::max(largest, row.times_floor);
     if (std::isfinite(row.floor)) with_floor = &row;
+    held_out_known = held_out_known || std::isfinite(row.held_out_rmse);
   }
   std::vector<std::vector<std::string>> table = {{"rev", channel, "fit", "held out", "× floor", ""}};
   std::vector<std::string> bars = {""};
   for (const HistoryRow& row : rows) {
-    const bool known = std::isfinite(row.times_floor);
     table.push_back({fmt::format("{}{}", row.number, row.current ? "*" : ""), row.change,
                      quantity(row.fit_rmse, row.unit), quantity(row.held_out_rmse, row.unit),
                      times_floor_text(row.times_floor)});
-    bars.push_back(known ? text_bar(row.times_floor / largest, kBarWidth) : "not compared");
+    bars.push_back(bar(row, largest, held_out_known));
   }
   if (with_floor) {
     table.push_back({"", "floor", "", quantity(with_floor->floor, with_floor->unit), "1.0"});

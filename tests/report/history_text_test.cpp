@@ -1,0 +1,42 @@
+#include "report/history_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+HistoryRow row(int number, const std::string& change, double fit, double held_out, double times_floor) {
+  HistoryRow row;
+  row.number = number;
+  row.change = change;
+  row.channel = "angle";
+  row.unit = "rad";
+  row.fit_rmse = fit;
+  row.held_out_rmse = held_out;
+  row.floor = 1e-3;
+  row.times_floor = times_floor;
+  return row;
+}
+
+TEST(HistoryText, SaysWhichErrorsAreOfTheFitFilesAlone) {
+  const std::string text =
+      history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0), row(2, "friction", 1e-3, 1e-3, 1.0)}, 1);
+  EXPECT_THAT(text, HasSubstr("-      8.0  ████████████████████████ fit files\n"));
+  EXPECT_THAT(text, HasSubstr("1.00 mrad      1.0  ███\n"));
+  EXPECT_THAT(text, HasSubstr("held-out looks 1\n"));
+}
+
+TEST(HistoryText, TakesFitFilesForGrantedWhereNothingIsHeldOut) {
+  EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0)}, 0), Not(HasSubstr("fit files")));
+}
+
+TEST(HistoryText, ShowsRevisionsThatWereNeverCompared) {
+  EXPECT_THAT(history_text({row(1, "rigid", kNotKnown, kNotKnown, kNotKnown)}, 0), HasSubstr("not compared"));
+}
+
+}  // namespace
+}  // namespace lacuna
