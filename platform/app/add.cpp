@@ -5,6 +5,8 @@
 #include "app/text_diff.h"
 #include "app/workbench.h"
 #include "config/effects_editor.h"
+#include "config/value.h"
+#include "foundation/problem.h"
 #include "report/change_text.h"
 
 #include <CLI/CLI.hpp>
@@ -44,9 +46,16 @@ std::pair<std::string, double> parse_start(const std::string& text) {
   } catch (const std::exception&) {
     // said below
   }
-  ProblemList problems;
-  problems.add({}, "--start " + text + ": write it as parameter=number, in SI units, such as --start torque=0.1");
-  throw BadInput(problems.all());
+  throw_problem({}, "--start " + text + ": write it as parameter=number, in SI units, as in --start torque=0.1");
+}
+
+/// Those that the editor of the list would meet later, and say less well.
+void check_id(const std::string& id, const EffectList& effects) {
+  if (!id.empty() && !is_element_name(id))
+    throw_problem({}, "--id " + id + ": cannot be a name; use letters, digits, _ and -");
+  for (const EffectEntry& entry : effects)
+    if (entry.id == id)
+      throw_problem({}, "--id " + id + ": is taken by a " + entry.effect + " of the model; choose another name");
 }
 
 EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
@@ -60,18 +69,19 @@ EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
 }
 
 void run_add(const AddOptions& options) {
+  check_output(options.json);
   const std::string text = read_text(options.experiment);
   Rig base = open_rig(options);
+  check_id(options.id, base.experiment.model.effects);
   const EffectEntry entry = entry_of(options, base.experiment.model.effects);
   const std::string edited = insert_effect(text, entry);
   Rig extended = open_rig(options, edited, base.catalog);  // everything is checked before the file is touched
 
-  const RevisionErrors before = errors_of(options, std::move(base));
+  const RevisionErrors before = errors_before_edit(options, std::move(base));
+  const RevisionErrors after = errors_before_edit(options, std::move(extended));
   replace_text(options.experiment, text, edited);
-  if (!takes_standard_output(options.json)) fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
-  const RevisionErrors after = errors_of(options, std::move(extended));
-
   if (!takes_standard_output(options.json)) {
+    fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
     fmt::print("{}", change_text(before, after));
     fmt::print("undo: lacuna undo {0}\n→ lacuna compare {0}\n", options.experiment.string());
   }

@@ -1,9 +1,12 @@
 #include "app/check_summary.h"
 #include "app/commands.h"
 #include "app/options.h"
-#include "config/experiment_reader.h"
+#include "app/rig.h"
 #include "config/file_references.h"
-#include "evaluation/model_definition.h"
+#include "evaluation/trial_predictor.h"
+#include "fitting/disturbance.h"
+
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
@@ -17,17 +20,30 @@ struct CheckOptions : CommonOptions {
   std::string reference;
 };
 
+/// What a fit or a comparison would stop at before it simulates anything.
+std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
+  const SourceLocation file{options.experiment.string(), 0, 0};
+  std::vector<Problem> problems;
+  if (rig.count(false) == 0)
+    problems.push_back({file, "every trial is held out: name at least one under target.files to fit to"});
+  try {
+    const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
+    disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
+  } catch (const Error& error) {
+    problems.push_back({file, error.what()});
+  }
+  return problems;
+}
+
 void check(const CheckOptions& options) {
   if (!options.reference.empty()) {
     std::fputs(file_reference(options.reference).c_str(), stdout);
     return;
   }
-  const Experiment experiment = read_experiment(options.experiment, options.overrides);
-  const PluginCatalog catalog(plugin_search_path(options.plugin_paths));
-  const ModelDefinition definition = define_model(experiment, catalog);
-  const Recording recording = read_recording(experiment.target.recording, definition.structure.robot);
-  std::printf("%s: ok\n%s", options.experiment.string().c_str(),
-              check_summary(experiment, definition, recording).c_str());
+  const Rig rig = open_rig(options);
+  if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+  fmt::print("{}: ok\n{}", options.experiment.string(),
+             check_summary(rig.experiment, rig.definition, rig.trials, rig.notes));
 }
 
 }  // namespace

@@ -1,19 +1,16 @@
 #include "app/check_summary.h"
 
+#include "foundation/counted.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
-
-std::string counted(std::size_t count, const std::string& word) {
-  const bool in_y = word.ends_with('y');
-  if (count == 1) return "1 " + word;
-  return fmt::format("{} {}", count, in_y ? word.substr(0, word.size() - 1) + "ies" : word + "s");
-}
 
 template <class Spec>
 std::string names(const std::vector<Spec>& specs) {
@@ -42,17 +39,80 @@ std::string free_lines(const std::vector<FreeValue>& values) {
   return text.empty() ? line("free", "none") : text;
 }
 
+double duration_of(const Trial& trial) {
+  const Eigen::VectorXd& times = trial.measured.times;
+  return times.size() > 1 ? times[times.size() - 1] - times[0] : 0.0;
+}
+
+std::string trial_line(const Trial& trial) {
+  const auto samples = static_cast<std::size_t>(trial.measured.times.size());
+  const double duration = duration_of(trial);
+  std::string text = fmt::format("{}{}: {}, {}", trial.name, trial.held_out ? " (held out)" : "",
+                                 counted(samples, "sample"), format_quantity(duration, "s"));
+  if (duration > 0.0) text += fmt::format(", {:.4g} Hz", static_cast<double>(samples - 1) / duration);
+  return text;
+}
+
 std::string trial_lines(const std::vector<Trial>& trials) {
+  if (trials.empty()) return line("trials", "none");
   std::string text;
+  std::size_t samples = 0;
+  double seconds = 0.0;
   for (const Trial& trial : trials) {
-    const Eigen::VectorXd& times = trial.measured.times;
-    const double duration = times.size() > 0 ? times[times.size() - 1] - times[0] : 0.0;
-    text +=
-        line(text.empty() ? "trials" : "",
-             fmt::format("{}{}: {}, {}", trial.name, trial.held_out ? " (held out)" : "",
-                         counted(static_cast<std::size_t>(times.size()), "sample"), format_quantity(duration, "s")));
+    text += line(text.empty() ? "trials" : "", trial_line(trial));
+    samples += static_cast<std::size_t>(trial.measured.times.size());
+    seconds += duration_of(trial);
   }
-  return text.empty() ? line("trials", "none") : text;
+  if (trials.size() > 1)
+    text += line("", fmt::format("together {}, {}", counted(samples, "sample"), format_quantity(seconds, "s")));
+  return text;
+}
+
+/// Smallest and largest value of a channel in any trial, and how many values are missing.
+struct Extent {
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+  std::size_t missing = 0;
+  std::string unit;
+};
+
+void widen(Extent& extent, const TimeSeries& series, const std::string& channel) {
+  for (std::size_t c = 0; c < series.channels.size(); ++c) {
+    if (series.channels[c].name != channel) continue;
+    extent.unit = series.channels[c].unit;
+    for (const double value : series.samples.col(static_cast<Eigen::Index>(c))) {
+      if (std::isnan(value))
+        ++extent.missing;
+      else
+        extent.smallest = std::min(extent.smallest, value), extent.largest = std::max(extent.largest, value);
+    }
+  }
+}
+
+std::string mapping_text(const ColumnMapping& mapping, const Extent& extent, const char* what) {
+  std::string text = fmt::format("{}, {}: column {}", mapping.channel, what, mapping.column);
+  if (mapping.unit != "1") text += " in " + mapping.unit;
+  if (!mapping.gain_unit.empty() || mapping.gain != 1.0)
+    text += fmt::format(" × {:.7g} {}", mapping.gain, mapping.gain_unit);
+  if (extent.smallest <= extent.largest)
+    text += fmt::format(", {} to {}", format_quantity(extent.smallest, extent.unit),
+                        format_quantity(extent.largest, extent.unit));
+  if (extent.missing > 0) text += fmt::format(", {} not compared", counted(extent.missing, "value"));
+  return text;
+}
+
+std::string channel_lines(const RecordingSource& source, const std::vector<Trial>& trials) {
+  std::string text;
+  const auto add = [&](const std::vector<ColumnMapping>& mappings, const char* what, auto series_of) {
+    for (const ColumnMapping& mapping : mappings) {
+      Extent extent;
+      for (const Trial& trial : trials) widen(extent, series_of(trial), mapping.channel);
+      text += line(text.empty() ? "channels" : "", mapping_text(mapping, extent, what));
+    }
+  };
+  add(source.sensors, "measured", [](const Trial& trial) -> const TimeSeries& { return trial.measured; });
+  add(source.commands, "commanded", [](const Trial& trial) -> const TimeSeries& { return trial.commands.series; });
+  return text;
 }
 
 std::string note_lines(const std::vector<ReadingNote>& notes) {
@@ -63,13 +123,14 @@ std::string note_lines(const std::vector<ReadingNote>& notes) {
 
 }  // namespace
 
-std::string check_summary(const Experiment& experiment, const ModelDefinition& definition, const Recording& recording) {
+std::string check_summary(const Experiment& experiment, const ModelDefinition& definition,
+                          const std::vector<Trial>& trials, const std::vector<ReadingNote>& notes) {
   const RobotSpec& robot = definition.structure.robot;
   return line("robot",
               fmt::format("{} ({}), {}", robot.name, experiment.model.robot, counted(robot.bodies.size(), "body"))) +
          line("joints", names(robot.joints)) + line("actuators", names(robot.actuators)) +
          line("sensors", names(robot.sensors)) + free_lines(definition.free) + effect_lines(definition.effects) +
-         trial_lines(recording.trials) + note_lines(recording.notes);
+         trial_lines(trials) + channel_lines(experiment.target.recording, trials) + note_lines(notes);
 }
 
 }  // namespace lacuna

@@ -1,16 +1,15 @@
 #include "app/commands.h"
 
 #include "app/options.h"
+#include "app/usage_error.h"
 
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 namespace lacuna {
 namespace {
@@ -23,15 +22,6 @@ int complain(const std::exception& error, int code) {
   std::fflush(stdout);
   std::fprintf(stderr, "%s\n", error.what());
   return code;
-}
-
-/// CLI11 would only say that a command is missing.
-void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
-  const std::string word = argc > 1 ? argv[1] : "-";
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw BadInput({{{}, "there is no command \"" + word + "\"" + did_you_mean(word, names) + "; see lacuna --help"}});
 }
 
 }  // namespace
@@ -53,13 +43,12 @@ int run_program(int argc, char** argv) {
   set_command_line(argc, argv);
   watch_for_interrupts();
   try {
-    refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& help_or_version) {
     return program.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    program.exit(error);
+    std::fprintf(stderr, "%s\n", usage_sentence(program, error, argc, argv).c_str());
     return kBadInput;
   } catch (const BadInput& error) {
     return complain(error, kBadInput);

@@ -37,6 +37,8 @@ std::string advice(const Comparison& comparison, const std::string& file) {
 }
 
 void run_compare(const CompareOptions& options) {
+  check_output(options.json, options.csv);
+  make_output_folder(options.out);
   Workbench bench(options);
   const Workbench::Fitted fitted =
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();

@@ -2,6 +2,7 @@
 
 #include "foundation/address.h"
 #include "foundation/placement_unit.h"
+#include "foundation/problem.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,7 +89,8 @@ std::vector<ComponentDetails> details_of(const PluginCatalog& catalog, const std
     found.push_back(details_of(catalog, listing));
   }
   if (found.empty())
-    throw Error("there is no plugin \"" + name + "\"" + did_you_mean(name, names) + "; lacuna plugins list shows all");
+    throw_problem(
+        {}, "there is no plugin \"" + name + "\"" + did_you_mean(name, names) + "; lacuna plugins list shows all");
   return found;
 }
 

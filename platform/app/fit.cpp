@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/progress_line.h"
 #include "app/workbench.h"
+#include "foundation/counted.h"
 #include "report/comparison_json.h"
 #include "report/comparison_text.h"
 
@@ -15,11 +16,13 @@ namespace lacuna {
 namespace {
 
 void run_fit(const CommonOptions& options) {
+  check_output(options.json);
   Workbench bench(options);
   const Workbench::Fitted fitted = bench.fit_model();
   if (!takes_standard_output(options.json)) {
-    fmt::print("{} · revision {} · {} fit trials · {}\n", bench.rig().experiment.name, bench.revision().number,
-               bench.rig().count(false), fitted.known ? "known" : format_duration(fitted.result.seconds));
+    fmt::print("{} · revision {} · {} · {}\n", bench.rig().experiment.name, bench.revision().number,
+               counted(bench.rig().count(false), "fit trial"),
+               fitted.known ? "known" : format_duration(fitted.result.seconds));
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("→ lacuna compare {}\n", options.experiment.string());
   }

@@ -18,6 +18,8 @@ struct HistoryOptions : CommonOptions {
 };
 
 void run_history(const HistoryOptions& options) {
+  check_output(options.json, options.csv);
+  make_output_folder(options.out);
   Workbench bench(options);
   const bool compared =
       bench.ledger()

@@ -1,5 +1,7 @@
 #include "app/commands.h"
+#include "app/output.h"
 #include "app/rig_draft.h"
+#include "foundation/counted.h"
 #include "foundation/problem.h"
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
@@ -82,7 +84,8 @@ void print_guesses(const RigDraft& draft) {
   for (const GuessedColumn& column : guess.unused) print_column("not used", column, column.reason);
   std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
   if (draft.interval > 0.0)
-    std::printf("  %-18s %.4g Hz, %zu trials\n", "sampling", 1.0 / draft.interval, draft.recording->trials.size());
+    std::printf("  %-18s %.4g Hz, %s\n", "sampling", 1.0 / draft.interval,
+                counted(draft.recording->trials.size(), "trial").c_str());
   if (!guess.trial && draft.files.size() > 1)
     std::printf("  %-18s %s (the last file)\n", "held out", draft.files.back().filename().c_str());
 }
@@ -101,6 +104,7 @@ void print_blanks(const std::filesystem::path& file, const std::string& text) {
 
 void make_new(const NewOptions& options) {
   refuse_existing(options.experiment);
+  check_output(options.experiment.string());
   RigDraft draft = make_draft(options);
   if (draft.writes_robot) refuse_existing(draft.robot);
   const std::string problems = read_recordings(draft);
@@ -109,9 +113,9 @@ void make_new(const NewOptions& options) {
   if (draft.writes_robot) write_new(draft.robot, robot);
   write_new(draft.experiment, experiment);
 
-  std::printf("%s%s written from %zu recording%s\n", draft.experiment.c_str(),
-              draft.writes_robot ? (" and " + draft.robot.string()).c_str() : "", draft.files.size(),
-              draft.files.size() == 1 ? "" : "s");
+  std::printf("%s%s written from %s\n", draft.experiment.c_str(),
+              draft.writes_robot ? (" and " + draft.robot.string()).c_str() : "",
+              counted(draft.files.size(), "recording").c_str());
   print_guesses(draft);
   if (draft.recording)
     for (const ReadingNote& note : draft.recording->notes)

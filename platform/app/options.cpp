@@ -1,11 +1,43 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
 
 namespace lacuna {
 namespace {
 
 std::string typed;
+
+constexpr std::uint64_t kMostThreads = 1024;
+
+/// A whole number from `lower` to `upper`. CLI11's own checks would take -3 for 2^64 - 3.
+CLI::Validator whole_number(std::uint64_t lower, std::uint64_t upper) {
+  const bool bounded = upper != std::numeric_limits<std::uint64_t>::max();
+  const std::string range = bounded ? fmt::format("a whole number from {} to {}", lower, upper)
+                                    : fmt::format("a whole number, at least {}", lower);
+  return CLI::Validator(
+      [lower, upper, range](const std::string& text) {
+        std::uint64_t number = 0;
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        const bool fits = error == std::errc() && stop == end && number >= lower && number <= upper;
+        return fits ? std::string() : "must be " + range + ", but is \"" + text + "\"";
+      },
+      "");
+}
+
+/// A misspelt folder would otherwise just be one without plugins.
+CLI::Validator folder() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::error_code ignored;
+        return std::filesystem::is_directory(text, ignored) ? std::string() : "there is no folder " + text;
+      },
+      "");
+}
 
 }  // namespace
 
@@ -17,8 +49,10 @@ void set_command_line(int argc, char** argv) {
 const std::string& command_line() { return typed; }
 
 void add_plugin_path_option(CLI::App& command, CommonOptions& options) {
-  command.add_option("--plugin-path", options.plugin_paths,
-                     "Folder with plugins, searched before all others; may be repeated");
+  command
+      .add_option("--plugin-path", options.plugin_paths,
+                  "Folder with plugins, searched before all others; may be repeated")
+      ->check(folder());
 }
 
 void add_experiment_options(CLI::App& command, CommonOptions& options) {
@@ -31,8 +65,10 @@ void add_experiment_options(CLI::App& command, CommonOptions& options) {
 void add_work_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--db", options.database,
                      "Database file (default: the experiment's name with .db, in this folder)");
-  command.add_option("--threads", options.threads, "Threads (default: one a processor)")->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options.seed, "Seed, instead of the file's");
+  command.add_option("--threads", options.threads, "Threads (default: one a processor)")
+      ->check(whole_number(1, kMostThreads));
+  command.add_option("--seed", options.seed, "Seed, instead of the file's")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
   command.add_option("--json", options.json, "Results as JSON, to standard output or FILE")
       ->expected(0, 1)
       ->default_str("");

@@ -2,10 +2,34 @@
 
 #include <lacuna/error.h>
 
+#include "foundation/problem.h"
+
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& place, const std::string& message) {
+  throw_problem({place.string(), 0, 0}, message);
+}
+
+void check_file(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file for the results");
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored)) refuse(file, "cannot be written: there is no folder " + folder.string());
+  const fs::path& changed = fs::exists(file, ignored) ? file : folder;
+  if (::access(changed.c_str(), W_OK) != 0) refuse(file, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+}  // namespace
 
 void write_output(const std::string& to, const std::string& text) {
   if (to.empty()) {
@@ -18,5 +42,21 @@ void write_output(const std::string& to, const std::string& text) {
 }
 
 bool takes_standard_output(const std::optional<std::string>& option) { return option && option->empty(); }
+
+void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other) {
+  if (takes_standard_output(option) && takes_standard_output(other))
+    throw_problem({}, "--json and --csv cannot both go to standard output; give one of them a file");
+  for (const std::optional<std::string>& file : {option, other})
+    if (file && !file->empty()) check_file(*file);
+}
+
+void make_output_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) refuse(folder, "cannot be a folder for results: " + failure.message());
+  if (::access(folder.c_str(), W_OK) != 0)
+    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
+}
 
 }  // namespace lacuna

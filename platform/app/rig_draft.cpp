@@ -1,6 +1,7 @@
 #include "app/rig_draft.h"
 
 #include "config/toml_node.h"
+#include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "measurement/rest_noise.h"
 
@@ -214,11 +215,10 @@ std::string experiment_text(const RigDraft& draft) {
   const double step = step_for(draft.interval);
   std::string text = fmt::format(
       "# What is {0} a model of, and what does the model lack?\n#\n"
-      "# Drafted from {1} recording{2}. Put values where it says {3}, here and in the robot file, and mend what was\n"
-      "# guessed wrong; `lacuna check` says what is left. Then: lacuna compare {4}\n\n"
-      "[experiment]\nname = {5}\nseed = 1\n\n",
-      name, draft.files.size(), draft.files.size() == 1 ? "" : "s", kBlank, draft.experiment.filename().string(),
-      toml_text(name));
+      "# Drafted from {1}. Put values where it says {2}, here and in the robot file, and mend what was\n"
+      "# guessed wrong; `lacuna check` says what is left. Then: lacuna compare {3}\n\n"
+      "[experiment]\nname = {4}\nseed = 1\n\n",
+      name, counted(draft.files.size(), "recording"), kBlank, draft.experiment.filename().string(), toml_text(name));
   text += target_text(draft) + columns_text(draft);
   const std::string& body = draft.guess.joints.front().body();
   text += fmt::format(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "config/blank.h"
 #include "measurement/recording.h"
 #include "measurement/rig_guess.h"
 
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// What stands in a draft where the user must put a number: `mass = "FILL IN kg"`. Left as it is, `check` refuses it.
-inline constexpr const char* kBlank = "FILL IN";
 
 /// Everything that `lacuna new` knows before it writes.
 struct RigDraft {
@@ -37,7 +35,7 @@ std::string robot_text(const RigDraft& draft);
 /// The robot of the stub with blanks left at their defaults, to read the recordings with.
 RobotSpec placeholder_robot(const RigGuess& guess);
 
-/// "\"FILL IN kg\""
+/// A blank as it stands in a draft, `"FILL IN kg"` with its quotes; left as it is, `check` refuses it.
 std::string blank(const std::string& unit);
 
 /// A step for the engine: the sampling interval, or the largest part of it that is at most 2 ms. Without one, 1 ms.

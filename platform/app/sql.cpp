@@ -1,6 +1,7 @@
 #include <lacuna/error.h>
 
 #include "app/commands.h"
+#include "app/output.h"
 #include "storage/query.h"
 #include "storage/query_output.h"
 
@@ -32,8 +33,8 @@ void print_views() {
 }
 
 void query(const SqlOptions& options) {
+  check_output(options.json);
   const Database database = Database::open_read_only(options.database);
-  if (options.views) return print_views();
   const bool to_file = options.json && !options.json->empty();
   std::ofstream file;
   if (to_file) file.open(*options.json);
@@ -50,7 +51,7 @@ void query(const SqlOptions& options) {
 void add_sql_command(CLI::App& program) {
   auto options = std::make_shared<SqlOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("sql", "Query a database, read-only");
-  command->add_option("database", options->database, "Database file")->required();
+  command->add_option("database", options->database, "Database file; not needed for --views");
   command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"");
   command->add_flag("--views", options->views, "List the views, each with an example");
   CLI::Option* csv = command->add_flag("--csv", options->csv, "Results as CSV");
@@ -58,9 +59,9 @@ void add_sql_command(CLI::App& program) {
   command->add_flag("--json{}", options->json, "Results as JSON, to standard output or, with --json=FILE, to a file")
       ->excludes(csv);
   command->callback([options] {
-    if (options->sql.empty() && !options->views) {
-      throw CLI::RequiredError("a statement in quotes, or --views for what can be asked,");
-    }
+    if (options->views) return print_views();
+    if (options->database.empty()) throw CLI::RequiredError("database");
+    if (options->sql.empty()) throw CLI::RequiredError("a statement in quotes, or --views for what can be asked,");
     query(*options);
   });
 }

@@ -46,6 +46,7 @@ std::vector<std::string> to_take_back(Workbench& bench, const CommonOptions& opt
 }
 
 void run_undo(const CommonOptions& options) {
+  check_output(options.json);
   const std::string text = read_text(options.experiment);
   Rig now = open_rig(options);
   const std::shared_ptr<const PluginCatalog> catalog = now.catalog;
@@ -55,10 +56,10 @@ void run_undo(const CommonOptions& options) {
   Rig before = open_rig(options, edited, catalog);
   bench.ledger().done();
 
+  const RevisionErrors errors = errors_before_edit(options, std::move(before));
   replace_text(options.experiment, text, edited);
-  if (!takes_standard_output(options.json)) fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
-  const RevisionErrors errors = errors_of(options, std::move(before));
   if (!takes_standard_output(options.json)) {
+    fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
     fmt::print("back at revision {}\n", errors.revision);
     for (const PooledScore& score : errors.comparison.pooled)
       fmt::print("{} {}: {} × floor on the fit files\n", score.channel, format_quantity(score.rmse, score.unit),

@@ -1,6 +1,7 @@
 #include "app/workbench.h"
 
 #include "app/progress_line.h"
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
 namespace lacuna {
@@ -56,6 +57,14 @@ RevisionErrors errors_of(const CommonOptions& options, Rig rig) {
   errors.comparison = bench.compare_model(errors.fit, true, false).result;
   bench.ledger().done();
   return errors;
+}
+
+RevisionErrors errors_before_edit(const CommonOptions& options, Rig rig) {
+  try {
+    return errors_of(options, std::move(rig));
+  } catch (const Interrupted& interruption) {
+    throw Interrupted(std::string(interruption.what()) + "; " + options.experiment.string() + " is as it was");
+  }
 }
 
 }  // namespace lacuna

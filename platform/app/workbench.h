@@ -46,5 +46,8 @@ class Workbench {
 
 /// Fits the rig's model and scores it on the fit files; held-out files are not looked at.
 RevisionErrors errors_of(const CommonOptions& options, Rig rig);
+/// The same for a command that edits the experiment file only after its refits, so that whatever ends them (an
+/// error, Ctrl-C, a power cut) leaves the file as it was. Ctrl-C says so.
+RevisionErrors errors_before_edit(const CommonOptions& options, Rig rig);
 
 }  // namespace lacuna

@@ -1,4 +1,6 @@
 #include "config/experiment_schema.h"
+
+#include "config/blank.h"
 #include "foundation/unit.h"
 
 namespace lacuna {
@@ -35,7 +37,8 @@ Value<std::string> unit_name() {
   value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
     if (!plain.read(node, reading, result)) return false;
     if (parse_unit(result)) return true;
-    reading.problem(node, toml_text(result) + " is no unit; known are " + known_units());
+    reading.problem(node, is_blank(result) ? blank_complaint(result, "")
+                                           : toml_text(result) + " is no unit; known are " + known_units());
     return false;
   };
   return value;

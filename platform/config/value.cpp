@@ -1,5 +1,6 @@
 #include "config/value.h"
 
+#include "config/blank.h"
 #include "config/path_variables.h"
 #include "config/quantity.h"
 
@@ -25,6 +26,10 @@ bool dimension_fits(const Quantity& quantity, const std::string& units) {
 }
 
 bool read_quantity(const Shape& shape, const TomlNode& node, Reading& reading, double& result) {
+  if (is_blank(node.text)) {
+    reading.problem(node, blank_complaint(node.text, shape.unit.empty() ? "1" : shape.unit));
+    return false;
+  }
   try {
     const Quantity quantity = parse_quantity(node.text);
     if (!shape.unit.empty() && !dimension_fits(quantity, shape.unit)) {
@@ -181,7 +186,8 @@ Value<std::string> element_name() {
   value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
     if (!plain.read(node, reading, result)) return false;
     if (is_element_name(result)) return true;
-    reading.problem(node, toml_text(result) + " cannot be a name; use letters, digits, _ and -");
+    reading.problem(node, is_blank(result) ? blank_complaint(result, "")
+                                           : toml_text(result) + " cannot be a name; use letters, digits, _ and -");
     return false;
   };
   return value;

@@ -34,6 +34,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+constexpr std::size_t kShortestPart = 3;  // letters; shorter words are part of too much
+
+/// Whether `word` is the beginning or the end of `candidate`, set off by a point or an underscore.
+bool is_part(const std::string& word, const std::string& candidate) {
+  if (word.size() < kShortestPart || word.size() >= candidate.size()) return false;
+  const auto separates = [](char c) { return c == '.' || c == '_'; };
+  return (candidate.starts_with(word) && separates(candidate[word.size()])) ||
+         (candidate.ends_with(word) && separates(candidate[candidate.size() - word.size() - 1]));
+}
+
 }  // namespace
 
 std::string to_string(const SourceLocation& location) {
@@ -59,6 +69,12 @@ void ProblemList::throw_if_any() const {
   throw BadInput(std::move(sorted));
 }
 
+void throw_problem(SourceLocation location, std::string message) {
+  std::vector<Problem> problems;
+  problems.push_back({std::move(location), std::move(message)});
+  throw BadInput(std::move(problems));
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
   const std::string* nearest = nullptr;
   std::size_t smallest = word.size() < 2 ? 1 : std::max<std::size_t>(word.size() / 3, 1) + 1;
@@ -68,6 +84,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     smallest = distance;
     nearest = &candidate;
   }
+  for (const std::string& candidate : candidates)
+    if (nearest == nullptr && is_part(word, candidate)) nearest = &candidate;
   return nearest ? " (did you mean \"" + *nearest + "\"?)" : "";
 }
 

@@ -46,7 +46,11 @@ class ProblemList {
   std::vector<Problem> problems_;
 };
 
-/// " (did you mean \"x\"?)" for the nearest of `candidates`, or nothing if none is near.
+/// Throws `BadInput` with one problem.
+[[noreturn]] void throw_problem(SourceLocation location, std::string message);
+
+/// " (did you mean \"x\"?)" for the nearest of `candidates`, or nothing if none is near. Near is also one that
+/// `word` is a part of, up to a point or an underscore: "hinge" of "joint.hinge", "coulomb" of "coulomb_friction".
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace lacuna

@@ -134,8 +134,9 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
   for (const std::string& name : names) {
     const int index = sample.find(name);
     if (index < 0)
-      throw Error(fmt::format("{}: no column `{}`{}; the columns are {}", sample.path.string(), name,
-                              did_you_mean(name, sample.format.names), listed(sample.format.names)));
+      throw_problem({sample.path.string(), 1, 0},
+                    fmt::format("no column `{}`{}; the columns are {}", name, did_you_mean(name, sample.format.names),
+                                listed(sample.format.names)));
     GuessedColumn& column = columns[static_cast<std::size_t>(index)];
     column.role = role;
     column.reason = "you said so";

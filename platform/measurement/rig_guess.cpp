@@ -147,10 +147,10 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
     for (GuessedColumn& column : columns) {
       if (sample.find(column.name) >= 0) continue;
       if (column.role == ColumnRole::time)
-        throw Error(
-            fmt::format("{}: no column `{}`, which is the time in {}; recordings of one rig need the same "
-                        "columns",
-                        sample.path.string(), column.name, samples.front().path.string()));
+        throw_problem({sample.path.string(), 1, 0},
+                      fmt::format("no column `{}`, which is the time in {}; recordings of one rig need the same "
+                                  "columns",
+                                  column.name, samples.front().path.string()));
       column.role = ColumnRole::other;
       column.reason = fmt::format("{} does not have it", sample.path.filename().string());
     }
@@ -173,16 +173,16 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   RigGuess guess;
   const Columns times = with_role(columns, ColumnRole::time);
   if (times.empty())
-    throw Error(fmt::format("{}: no column rises as time does; name it with --time. The columns are {}",
-                            first.path.string(), listed(first.format.names)));
+    throw_problem({first.path.string(), 1, 0},
+                  "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
   guess.time = times.front();
   settle_time_unit(guess, first);
   make_joints(guess, columns);
   if (guess.joints.empty())
-    throw Error(
-        fmt::format("{}: no column looks like a position or velocity; name one with --position or --velocity. "
-                    "The columns are {}",
-                    first.path.string(), listed(first.format.names)));
+    throw_problem({first.path.string(), 1, 0},
+                  "no column looks like a position or velocity; name one with --position or --velocity. The columns "
+                  "are " +
+                      listed(first.format.names));
   attach_drives(guess, columns, first);
   name_joints(guess);
   settle_hold(guess);

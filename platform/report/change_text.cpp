@@ -1,6 +1,7 @@
 #include "report/change_text.h"
 
 #include "foundation/unit.h"
+#include "report/bound_text.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
@@ -26,12 +27,12 @@ const FittedValue* value_at(const FitResult& fit, const std::string& address) {
 }
 
 std::string error_rows(const RevisionErrors& before, const RevisionErrors& after) {
-  std::vector<std::vector<std::string>> rows = {{"fit files", "before", "after", "× floor before", "after"}};
+  std::vector<std::vector<std::string>> rows = {{"fit files", "RMSE", "", "× floor", ""}};
   for (const PooledScore& now : after.comparison.pooled) {
     const PooledScore* then = fit_score(before.comparison, now.channel);
     if (now.held_out || !then) continue;
-    rows.push_back({now.channel, format_quantity(then->rmse, then->unit), format_quantity(now.rmse, now.unit),
-                    times_floor_text(then->times_floor), times_floor_text(now.times_floor)});
+    rows.push_back({now.channel, format_quantity(then->rmse, then->unit) + " →", format_quantity(now.rmse, now.unit),
+                    times_floor_text(then->times_floor) + " →", times_floor_text(now.times_floor)});
   }
   return text_table(rows);
 }
@@ -68,7 +69,7 @@ nlohmann::ordered_json errors(const RevisionErrors& revision) {
 
 std::string change_text(const RevisionErrors& before, const RevisionErrors& after) {
   std::string text = fmt::format("revision {} → {}\n", before.revision, after.revision);
-  text += error_rows(before, after) + value_rows(before, after);
+  text += error_rows(before, after) + value_rows(before, after) + bound_text(after.fit);
   for (const std::string& sentence : after.fit.cannot_tell) text += sentence + "\n";
   return text;
 }

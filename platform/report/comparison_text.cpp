@@ -1,6 +1,8 @@
 #include "report/comparison_text.h"
 
+#include "foundation/counted.h"
 #include "foundation/unit.h"
+#include "report/bound_text.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
@@ -17,17 +19,13 @@ std::string quantity(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "-";
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string heading_line(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
   const auto held_out = static_cast<std::size_t>(
       std::count_if(comparison.trials.begin(), comparison.trials.end(), [](const auto& t) { return t.held_out; }));
-  std::string line = heading.experiment + " · " + plural(comparison.trials.size() - held_out, "fit trial");
+  std::string line = heading.experiment + " · " + counted(comparison.trials.size() - held_out, "fit trial");
   if (held_out > 0) line += fmt::format(", {} held out (look {})", held_out, heading.look);
   if (!heading.refitted) return line + " · as written, not fitted\n";
-  line += " · refitted " + plural(fit.values.size(), "value");
+  line += " · refitted " + counted(fit.values.size(), "value");
   return line + (heading.reused ? " (known)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
 }
 
@@ -139,7 +137,7 @@ std::string fit_text(const FitResult& fit) {
     rows.push_back({value.address, text.value, value.unit == "1" ? "" : value.unit, text.interval,
                     "from " + quantity(value.start, "1")});
   }
-  std::string text = text_table(rows, 1);
+  std::string text = text_table(rows, 1) + bound_text(fit);
   for (const std::string& sentence : fit.cannot_tell) text += sentence + "\n";
   for (const std::string& note : fit.notes) text += "note: " + note + "\n";
   return text;

@@ -49,8 +49,7 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
   const bool empty = is_empty(database);
   const int application = application_of(database);
   if (application != kApplicationId && !(application == 0 && empty)) {
-    throw Error(database.file().string() +
-                ": is a database of another program, not of Lacuna; name another file with --db");
+    throw Error(database.file().string() + ": is a database of another program, not of Lacuna; name another file");
   }
   const int version = version_of(database);
   if (version > migrations.back().number) {

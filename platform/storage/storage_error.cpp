@@ -11,7 +11,7 @@ namespace {
 /// What the primary code means and what to do, without the file's name in front.
 std::string sentence(int code, const std::string& message) {
   switch (code & 0xff) {
-    case SQLITE_NOTADB: return "is not a database; name another file with --db, or move this one away";
+    case SQLITE_NOTADB: return "is not a database; name another file, or move this one away";
     case SQLITE_CORRUPT:
       return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
     case SQLITE_BUSY:

@@ -2,9 +2,9 @@
 
 #include <lacuna/error.h>
 
-#include <gtest/gtest.h>
+#include "support/test_folder.h"
 
-#include <fstream>
+#include <gtest/gtest.h>
 
 namespace lacuna {
 namespace {
@@ -13,13 +13,8 @@ namespace fs = std::filesystem;
 
 class ReplaceText : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(file_) << "old\n";
-  }
-  fs::path folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-  fs::path file_ = folder_ / "rig.toml";
+  const TestFolder folder_;
+  const fs::path file_ = folder_.write("rig.toml", "old\n");
 };
 
 TEST_F(ReplaceText, WritesTheNewTextAndKeepsPermissions) {
@@ -28,7 +23,7 @@ TEST_F(ReplaceText, WritesTheNewTextAndKeepsPermissions) {
   replace_text(file_, "old\n", "new\n");
   EXPECT_EQ(read_text(file_), "new\n");
   EXPECT_EQ(fs::status(file_).permissions(), before);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(ReplaceText, RefusesAFileThatChangedMeanwhile) {

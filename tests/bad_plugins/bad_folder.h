@@ -1,6 +1,7 @@
 #pragma once
 
-#include "loading/test_folder.h"
+#include "loading/built_plugins.h"
+#include "support/test_folder.h"
 
 #include <filesystem>
 #include <string>

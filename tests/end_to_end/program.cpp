@@ -56,13 +56,16 @@ Program::~Program() {
   fs::remove_all(captured_, ignored);
 }
 
-void Program::copy_servo_pendulum() const {
+void Program::copy_experiment(const std::string& name) const {
   fs::create_directories(folder_ / "robots");
   fs::create_directories(folder_ / "data");
-  fs::copy(fs::path(kExperiments) / "servo-pendulum.toml", folder_);
+  fs::copy(fs::path(kExperiments) / name, folder_);
   fs::copy(fs::path(kExperiments) / "robots/servo-pendulum.toml", folder_ / "robots");
   fs::copy(fs::path(kExperiments) / "data/servo_pendulum", folder_ / "data/servo_pendulum");
 }
+
+void Program::copy_servo_pendulum() const { copy_experiment("servo-pendulum.toml"); }
+void Program::copy_first_steps() const { copy_experiment("first-steps.toml"); }
 
 void Program::copy_light_servo_pendulum() const {
   copy_servo_pendulum();
@@ -105,13 +108,18 @@ Outcome Program::finish(pid_t child) const {
 
 Outcome Program::run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
 
-Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const {
+Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,
+                                int signal) const {
   const pid_t child = start(arguments);
   constexpr int kPatience = 10000;  // × 1 ms; then it is signalled all the same, and the test sees what happens
-  for (int i = 0; i < kPatience && !fs::exists(folder_ / file); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int i = 0; i < kPatience && !ready(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(child, signal);
   return finish(child);
+}
+
+Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const {
+  return run_and_signal(
+      arguments, [&] { return fs::exists(folder_ / file); }, signal);
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,15 +29,21 @@ class Program {
   void copy_servo_pendulum() const;
   /// The same with half the substeps and one start, for tests that do not depend on the last tenth of the floor.
   void copy_light_servo_pendulum() const;
+  /// Copies experiments/first-steps.toml with its robot and recordings: a fit of it takes a second or two.
+  void copy_first_steps() const;
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
 
   /// Runs `lacuna` with these arguments to its end.
   Outcome run(const std::vector<std::string>& arguments) const;
-  /// Runs it, sends `signal` as soon as `file` exists in the folder, and waits for its end.
+  /// Starts it, waits until `ready` (looked at every millisecond), sends `signal`, and waits for its end.
+  Outcome run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,
+                         int signal) const;
+  /// The same, ready as soon as `file` exists in the folder.
   Outcome run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const;
 
  private:
+  void copy_experiment(const std::string& name) const;
   pid_t start(const std::vector<std::string>& arguments) const;
   Outcome finish(pid_t child) const;
 

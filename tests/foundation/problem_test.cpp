@@ -28,6 +28,12 @@ TEST(DidYouMean, SeesSwappedLetters) { EXPECT_EQ(did_you_mean("angel", {"angle"}
 
 TEST(DidYouMean, DoesNotGuessFromOneLetter) { EXPECT_EQ(did_you_mean("q", {"t"}), ""); }
 
+TEST(DidYouMean, KnowsACandidateByItsPart) {
+  EXPECT_EQ(did_you_mean("hinge", {"body.arm", "joint.hinge"}), " (did you mean \"joint.hinge\"?)");
+  EXPECT_EQ(did_you_mean("coulomb", {"viscous_friction", "coulomb_friction"}), " (did you mean \"coulomb_friction\"?)");
+  EXPECT_EQ(did_you_mean("inge", {"joint.hinge"}), "") << "not set off by a point";
+}
+
 TEST(DidYouMean, SaysNothingWhenNothingIsNear) { EXPECT_EQ(did_you_mean("banana", {"coulomb_friction"}), ""); }
 
 }  // namespace

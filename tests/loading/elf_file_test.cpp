@@ -1,6 +1,7 @@
 #include "loading/elf_file.h"
 
-#include "loading/test_folder.h"
+#include "loading/built_plugins.h"
+#include "support/test_folder.h"
 
 #include <gmock/gmock.h>
 

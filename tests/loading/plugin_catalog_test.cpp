@@ -1,7 +1,8 @@
 #include "loading/plugin_catalog.h"
 
 #include "foundation/digest.h"
-#include "loading/test_folder.h"
+#include "loading/built_plugins.h"
+#include "support/test_folder.h"
 
 #include <gmock/gmock.h>
 

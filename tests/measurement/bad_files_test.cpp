@@ -186,7 +186,7 @@ class BadFiles : public testing::TestWithParam<BadFile> {
     if (GetParam().change) GetParam().change(source);
     return source;
   }
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 class RefusedFiles : public BadFiles {};
@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(All, ReadableFiles, testing::ValuesIn(readable_files())
 
 class OddFiles : public testing::Test {
  protected:
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(OddFiles, FolderAndMissingAndUnreadableFilesAreNamed) {

@@ -55,7 +55,7 @@ class GuessRig : public testing::Test {
   RigGuess guess(const std::string& content, const ColumnHints& hints = {}) const {
     return guess_rig({sample_file(folder_.write("run.csv", content))}, hints);
   }
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(GuessRig, OfAPendulum) {

@@ -45,7 +45,7 @@ std::string mutated(std::string text, Dice& dice) {
 }
 
 TEST(MutatedFiles, AreReadOrRefused) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const std::string kSeeds[] = {"t,q,u\n0,1,2\n0.1,1.5,2.5\n0.2,2,3\n0.3,2,1\n",
                                 "# run 7\nt;q;u\ns;rad;Nm\n0,0;1,0;2\n0,1;1,5;2,5\n0,2;2;3\n",
                                 "t q u\n0 1 2\n0.1 \"1.5\" 2.5\n0.2 nan 3\n"};

@@ -76,7 +76,7 @@ class NewCommand : public testing::Test {
     return read_recording(experiment.target.recording, experiment.model.declared.value());
   }
 
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(NewCommand, DraftsTheServoPendulum) {
@@ -115,6 +115,28 @@ TEST_F(NewCommand, DraftsAServo) {
   ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
   EXPECT_THAT(text_of(robot()), HasSubstr("kind = \"position_servo\""));
   EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "rad");
+}
+
+TEST_F(NewCommand, LeavesBlanksOfWhichCheckSaysWhatIsWantedWithUnitAndExample) {
+  std::string text = "t,q1,q2,i1_A,i2\n";
+  for (int i = 0; i < 100; ++i) text += fmt::format("{},{:.4f},{:.4f},0.1,0.2\n", 0.01 * i, std::sin(0.1 * i), 0.1 * i);
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  const Outcome check = run({"check", rig().string()});
+  EXPECT_EQ(check.code, 2);
+  for (const char* sentence :
+       {"target.sensors.joint1_angle.unit: is still blank: write the unit of the column, as in \"deg\", \"mm\"",
+        "target.commands.joint1_motor.gain: is still blank: write the torque a current makes in N*m/A, as in \"0.05 "
+        "N*m/A\"",
+        "body.joint1_link.mass: is still blank: write a mass in kg, as in \"0.5 kg\"",
+        "body.joint1_link.inertia[0]: is still blank: write a moment of inertia in kg*m^2, as in \"0.002 kg*m^2\"",
+        "joint.joint2.parent: is still blank: write one of: world or joint1_link"})
+    EXPECT_THAT(check.err, HasSubstr(sentence));
+}
+
+TEST_F(NewCommand, CountsOneTrialAsOne) {
+  const Outcome outcome = run_new({folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n")});
+  EXPECT_THAT(outcome.out, HasSubstr("written from 1 recording\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("10 Hz, 1 trial\n"));
 }
 
 TEST_F(NewCommand, NeverOverwrites) {

@@ -38,7 +38,7 @@ class Plausibility : public testing::Test {
   }
   static std::string notes(const RecordingSource& source) { return notes_of(read_pendulum(source)); }
 
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(Plausibility, AGoodRecordingGetsNoNote) { EXPECT_EQ(notes(recorded({})), ""); }

@@ -14,7 +14,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 
 class ReadRecording : public testing::Test {
  protected:
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(ReadRecording, GivesSiUnitsUnderTheRobotsNames) {

@@ -2,7 +2,7 @@
 #include "config/experiment_reader.h"
 #include "evaluation/model_definition.h"
 #include "foundation/placement_unit.h"
-#include "loading/test_folder.h"
+#include "support/test_folder.h"
 #include "plugins/built_catalog.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,8 @@
 
 #include <lacuna/error.h>
 
+#include "support/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +13,6 @@
 
 namespace lacuna {
 namespace {
-
-std::filesystem::path scratch(const std::string& name) { return std::filesystem::path(testing::TempDir()) / name; }
 
 std::string content(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -35,7 +35,8 @@ Figure measured_and_residual() {
 }
 
 TEST(WriteSvg, DrawsEverySeriesWithItsLabels) {
-  const auto file = scratch("figure.svg");
+  const TestFolder folder;
+  const auto file = folder / "figure.svg";
   write_svg(measured_and_residual(), file);
   const std::string svg = content(file);
   for (const char* text :
@@ -52,14 +53,15 @@ TEST(WriteSvg, DrawsNamedTicks) {
                   {{"fit", Mark::line_points, kBlue, {0, 1}, {9.1, 0.9}, {}}},
                   1.0,
                   {"rigid", "coulomb_friction"}}}};
-  const auto file = scratch("revisions.svg");
+  const TestFolder folder;
+  const auto file = folder / "revisions.svg";
   write_svg(figure, file);
   EXPECT_NE(content(file).find("coulomb_friction"), std::string::npos);
 }
 
 TEST(WriteSvg, RefusesColumnsOfDifferentLength) {
   Figure figure{"t", "x", {{"y", {{"s", Mark::line, kBlue, {0, 1}, {1}, {}}}, 1.0, {}}}};
-  EXPECT_THROW(write_svg(figure, scratch("bad.svg")), Error);
+  EXPECT_THROW(write_svg(figure, TestFolder() / "bad.svg"), Error);
 }
 
 TEST(WriteSvg, SaysWhenTheFolderCannotBeWritten) {

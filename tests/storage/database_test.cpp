@@ -47,7 +47,7 @@ class DatabaseTest : public testing::Test {
     return sentence_of([&] { Database::open_read_only(file_); });
   }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   std::filesystem::path file_ = folder_ / "rig.db";
 };
 

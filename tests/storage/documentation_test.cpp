@@ -80,7 +80,7 @@ class DatabaseDocumentation : public testing::Test {
     return first_column("SELECT name FROM sqlite_master WHERE type IN ('view', 'table') AND name NOT LIKE 'sqlite_%'");
   }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   Database database_ = Database::open(folder_ / "rig.db");
   const Documentation documentation_ = read_documentation();
 };

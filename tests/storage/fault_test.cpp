@@ -41,7 +41,7 @@ class StorageFault : public testing::Test {
  protected:
   void begin_run(ResultStore& store) { store.begin_run({.command = "test", .seed = 1, .threads = 1}, {}); }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   std::filesystem::path file_ = folder_ / "rig.db";
 };
 

@@ -35,7 +35,7 @@ class QueryTest : public testing::Test {
     }
   }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   std::filesystem::path file_ = folder_ / "rig.db";
 };
 

@@ -17,7 +17,7 @@ class ResultStoreTest : public testing::Test {
   void begin() { store_.begin_run({.command = "lacuna fit", .seed = 7, .threads = 1}, provenance_of_this_program()); }
   ExperimentId experiment() { return store_.record_experiment({"rig", "rig.toml", "text", {}}); }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   Database database_ = Database::open(folder_ / "rig.db");
   ResultStore store_{database_};
 };

@@ -4,34 +4,13 @@
 
 #include "storage/canonical_text.h"
 #include "storage/result_store.h"
-
-#include <unistd.h>
+#include "support/test_folder.h"
 
 #include <cmath>
 #include <filesystem>
 #include <string>
 
 namespace lacuna::test {
-
-/// A folder of its own for a test, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "lacuna-storage-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline const std::string kSomeDigest(64, 'a');
 inline const std::string kOtherDigest(64, 'b');

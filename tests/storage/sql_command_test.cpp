@@ -37,7 +37,7 @@ class SqlCommand : public testing::Test {
     return code;
   }
 
-  test::TemporaryFolder folder_;
+  TestFolder folder_;
   std::string file_ = (folder_ / "rig.db").string();
   std::string said_;
   std::string complained_;
@@ -68,7 +68,7 @@ TEST_F(SqlCommand, WritesJsonToAFile) {
   std::stringstream content;
   content << std::ifstream(json).rdbuf();
   EXPECT_EQ(content.str(), "[\n{\"a\":1}\n]\n");
-  EXPECT_EQ(lacuna_sql({file_, "SELECT 1 AS a", "--json=" + (folder_ / "no/such.json").string()}), kFailed);
+  EXPECT_EQ(lacuna_sql({file_, "SELECT 1 AS a", "--json=" + (folder_ / "no/such.json").string()}), kBadInput);
   EXPECT_THAT(complained_, HasSubstr("such.json: cannot be written"));
 }
 

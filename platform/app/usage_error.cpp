@@ -1,0 +1,84 @@
+#include "app/usage_error.h"
+
+#include "foundation/problem.h"
+
+#include <CLI/CLI.hpp>
+
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+struct Place {
+  const CLI::App* command = nullptr;  ///< the innermost command that was named
+  std::string name;                   ///< "lacuna plugins show"
+  std::vector<std::string> rest;      ///< words behind its name
+};
+
+const CLI::App* subcommand(const CLI::App& command, const std::string& name) {
+  for (const CLI::App* candidate : command.get_subcommands(nullptr))
+    if (candidate->get_name() == name) return candidate;
+  return nullptr;
+}
+
+Place place_of(const CLI::App& program, int argc, char** argv) {
+  Place place{&program, program.get_name(), {argv + 1, argv + argc}};
+  while (!place.rest.empty()) {
+    const CLI::App* next = subcommand(*place.command, place.rest.front());
+    if (next == nullptr) break;
+    place.command = next;
+    place.name += " " + next->get_name();
+    place.rest.erase(place.rest.begin());
+  }
+  return place;
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* candidate : command.get_subcommands(nullptr)) names.push_back(candidate->get_name());
+  return names;
+}
+
+/// "--threads" of "--threads=2".
+std::string option_part(const std::string& word) { return word.substr(0, word.find('=')); }
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// Words that neither the program nor a command took.
+std::string complaint_of_extras(const Place& place, const std::vector<std::string>& extras) {
+  for (const std::string& word : extras)
+    if (word.starts_with('-'))
+      return "there is no option " + option_part(word) + did_you_mean(option_part(word), option_names(*place.command));
+  return "one argument too many: " + (extras.empty() ? "" : extras.front());
+}
+
+std::string complaint(const CLI::App& program, const Place& place, const CLI::ParseError& error) {
+  const std::vector<std::string> commands = subcommand_names(*place.command);
+  const bool names_none = place.rest.empty() || place.rest.front().starts_with('-');
+  if (!commands.empty() && !names_none)
+    return "there is no command \"" + place.rest.front() + "\"" + did_you_mean(place.rest.front(), commands);
+  if (!commands.empty() && place.rest.empty()) return "name a command: " + listed(commands);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return complaint_of_extras(place, program.remaining(true));
+  return error.what();
+}
+
+}  // namespace
+
+std::string usage_sentence(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
+  const Place place = place_of(program, argc, argv);
+  return place.name + ": " + complaint(program, place, error) + "; see " + place.name + " --help";
+}
+
+}  // namespace lacuna

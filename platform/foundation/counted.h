@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace lacuna {
+
+/// A number of things, as sentences say it: "1 trial", "3 trials", "2 bodies".
+std::string counted(std::size_t count, const std::string& noun);
+
+}  // namespace lacuna

@@ -1,0 +1,150 @@
+#include "end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+/// A command line that cannot be, and what is said of it.
+struct BadInputCase {
+  const char* name;
+  const char* arguments;
+  int exit_code;
+  const char* sentence;  ///< a part of it
+};
+
+void PrintTo(const BadInputCase& bad, std::ostream* out) { *out << bad.arguments; }
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream in(line);
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// The servo pendulum among files of all wrong kinds.
+class BadInputTest : public testing::TestWithParam<BadInputCase> {
+ protected:
+  void SetUp() override {
+    program_.copy_first_steps();
+    program_.write("binary.toml", std::string("\x7f\x45\x4c\x46\x00\xff\xfe", 7));
+    program_.write("empty.toml", "");
+    program_.write("empty.csv", "");
+    program_.write("one.csv", "t_s,angle_deg,torque_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
+    program_.write("shopping.db", "This was a shopping list and is kept.\n");
+    fs::create_directory(program_.folder() / "folder");
+  }
+  Program program_;
+};
+
+TEST_P(BadInputTest, IsSaidInOneVoiceAndChangesNothing) {
+  const std::string as_written = program_.read("first-steps.toml");
+  const Outcome outcome = program_.run(words_of(GetParam().arguments));
+  EXPECT_EQ(outcome.exit_code, GetParam().exit_code) << outcome.output << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr(GetParam().sentence));
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(program_.read("first-steps.toml"), as_written);
+  EXPECT_EQ(program_.read("shopping.db"), "This was a shopping list and is kept.\n");
+  EXPECT_FALSE(fs::exists(program_.folder() / "first-steps.db")) << "it was refused before the database was made";
+}
+
+constexpr const char* kAdd = "add first-steps.toml coulomb_friction --where joint.hinge";
+const std::string kAddWith = std::string(kAdd) + " ";
+const std::string kBadId = kAddWith + "--id a.b", kBadStart = kAddWith + "--start torque",
+                  kWordStart = kAddWith + "--start torque=much", kLowStart = kAddWith + "--start torque=-1",
+                  kOtherStart = kAddWith + "--start torqe=1", kOtherFixed = kAddWith + "--fixed torqe";
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLines, BadInputTest,
+    testing::Values(
+        BadInputCase{"NoCommand", "", 2, "lacuna: name a command: check, new, fit, compare, add,"},
+        BadInputCase{"UnknownCommand", "histroy", 2,
+                     "lacuna: there is no command \"histroy\" (did you mean \"history\"?)"},
+        BadInputCase{
+            "UnknownSubcommand", "plugins lits", 2,
+            "lacuna plugins: there is no command \"lits\" (did you mean \"list\"?); see lacuna plugins --help"},
+        BadInputCase{"NoExperiment", "compare", 2, "lacuna compare: experiment is required; see lacuna compare --help"},
+        BadInputCase{
+            "UnknownOption", "compare first-steps.toml --thread 3", 2,
+            "lacuna compare: there is no option --thread (did you mean \"--threads\"?); see lacuna compare --help"},
+        BadInputCase{"OneArgumentTooMany", "compare first-steps.toml other.toml", 2,
+                     "lacuna compare: one argument too many: other.toml; see lacuna compare --help"},
+        BadInputCase{"NoThreads", "compare first-steps.toml --threads 0", 2,
+                     "--threads: must be a whole number from 1 to 1024, but is \"0\""},
+        BadInputCase{"LessThanNoThreads", "fit first-steps.toml --threads -1", 2, "but is \"-1\""},
+        BadInputCase{"SeedOfLetters", "compare first-steps.toml --seed abc", 2,
+                     "--seed: must be a whole number, at least 0, but is \"abc\""},
+        BadInputCase{"SeedBelowZero", "compare first-steps.toml --seed -3", 2, "but is \"-3\""},
+        BadInputCase{"PluginsNowhere", "check first-steps.toml --plugin-path nowhere", 2,
+                     "--plugin-path: there is no folder nowhere"},
+        BadInputCase{"SetWithATypo", "check first-steps.toml --set engine.stpe=0.001", 2,
+                     "--set engine.stpe=0.001: engine: unknown key \"stpe\" (did you mean \"step\"?)"},
+        BadInputCase{"SetWithoutAValue", "check first-steps.toml --set engine.step", 2, "write KEY=VALUE"},
+        BadInputCase{"JsonAndCsvTogether", "compare first-steps.toml --json --csv", 2,
+                     "--json and --csv cannot both go to standard output"},
+        BadInputCase{"StatementMissing", "sql shopping.db", 2, "a statement in quotes, or --views"}),
+    [](const auto& bad) { return bad.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BadInputTest,
+    testing::Values(
+        BadInputCase{"ExperimentNowhere", "compare nowhere.toml", 2, "nowhere.toml: no such file"},
+        BadInputCase{"ExperimentIsAFolder", "compare folder", 2, "folder: is a folder; name a file in it"},
+        BadInputCase{"ExperimentIsBinary", "compare binary.toml", 2, "binary.toml:1:5: not TOML"},
+        BadInputCase{"ExperimentIsEmpty", "compare empty.toml", 2, "empty.toml:1:1: experiment: is missing"},
+        BadInputCase{"RecordingIsEmpty", "check first-steps.toml --set target.files=[\"empty.csv\"]", 2,
+                     "empty.csv: is empty; it needs a header line"},
+        BadInputCase{"RecordingIsAFolder", "check first-steps.toml --set target.files=[\"folder\"]", 2, "folder"},
+        BadInputCase{"NewFromAnEmptyFile", "new rig.toml --from empty.csv", 2, "empty.csv: is empty"},
+        BadInputCase{"NewFromNowhere", "new rig.toml --from nowhere.csv", 2, "nowhere.csv: there is no such file"},
+        BadInputCase{"NewFromAFolder", "new rig.toml --from folder", 2, "folder: is a folder; name the CSV files"},
+        BadInputCase{"NewFromABinaryFile", "new rig.toml --from binary.toml", 2, "is a binary file, not CSV"},
+        BadInputCase{"NewIntoNowhere", "new nowhere/rig.toml --from one.csv", 2,
+                     "nowhere/rig.toml: cannot be written: there is no folder nowhere"},
+        BadInputCase{"NewWithAnotherTime", "new rig.toml --from one.csv --time ts", 2,
+                     "one.csv:1: no column `ts` (did you mean \"t_s\"?)"},
+        BadInputCase{"PicturesIntoAFile", "compare first-steps.toml --out one.csv", 2,
+                     "one.csv: cannot be a folder for results"},
+        BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json nowhere/result.json", 2,
+                     "nowhere/result.json: cannot be written: there is no folder nowhere"},
+        BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv folder", 2, "folder: is a folder; name a file"},
+        BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 1,
+                     "shopping.db: is not a database; name another file, or move this one away"},
+        BadInputCase{"DatabaseIsAFolder", "compare first-steps.toml --db folder", 1, "folder: is a folder"},
+        BadInputCase{"DatabaseIntoNowhere", "compare first-steps.toml --db nowhere/x.db", 1, "nowhere/x.db: cannot be"},
+        BadInputCase{"QueryOfNothing", "sql nowhere.db .", 1, "nowhere.db: no such database"},
+        BadInputCase{"QueryOfAShoppingList", "sql shopping.db .", 1, "shopping.db: is not a database"}),
+    [](const auto& bad) { return bad.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Effects, BadInputTest,
+    testing::Values(
+        BadInputCase{"UnknownEffect", "add first-steps.toml coulomb --where joint.hinge", 2,
+                     "there is no effect \"coulomb\" (did you mean \"coulomb_friction\"?)"},
+        BadInputCase{"ARobotIsNoEffect", "add first-steps.toml declared --where joint.hinge", 2,
+                     "there is no effect \"declared\""},
+        BadInputCase{"PlacedNowhere", "add first-steps.toml coulomb_friction", 2,
+                     "coulomb_friction cannot be placed on the world; place it on a joint"},
+        BadInputCase{"PlacedOnABody", "add first-steps.toml coulomb_friction --where body.arm", 2,
+                     "coulomb_friction cannot be placed on a body; place it on a joint"},
+        BadInputCase{"PlacedOnABareName", "add first-steps.toml coulomb_friction --where hinge", 2,
+                     "(did you mean \"joint.hinge\"?)"},
+        BadInputCase{"IdWithAPoint", kBadId.c_str(), 2, "--id a.b: cannot be a name"},
+        BadInputCase{"StartWithoutANumber", kBadStart.c_str(), 2, "--start torque: write it as parameter=number"},
+        BadInputCase{"StartOfLetters", kWordStart.c_str(), 2, "--start torque=much: write it as parameter=number"},
+        BadInputCase{"StartOutOfRange", kLowStart.c_str(), 2, "is outside the range of coulomb_friction"},
+        BadInputCase{"StartOfAnotherParameter", kOtherStart.c_str(), 2, "(did you mean \"torque\"?)"},
+        BadInputCase{"FixedOfAnotherParameter", kOtherFixed.c_str(), 2, "(did you mean \"torque\"?)"},
+        BadInputCase{"ShowOfAPart", "plugins show coulomb", 2,
+                     "there is no plugin \"coulomb\" (did you mean \"coulomb_friction\"?)"}),
+    [](const auto& bad) { return bad.param.name; });
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+#include "end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+/// Whatever is wrong with a recording is said by `check`, before anything is fitted.
+class Check : public testing::Test {
+ protected:
+  void SetUp() override { program_.copy_first_steps(); }
+
+  /// Replaces the line `number` (from 1) of a recording.
+  void replace_line(const std::string& file, int number, const std::string& line) const {
+    std::string text = program_.read(file);
+    std::size_t begin = 0;
+    for (int i = 1; i < number; ++i) begin = text.find('\n', begin) + 1;
+    text.replace(begin, text.find('\n', begin) - begin, line);
+    program_.write(file, text);
+  }
+  Outcome check(const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> words = {"check", "first-steps.toml"};
+    words.insert(words.end(), options.begin(), options.end());
+    return program_.run(words);
+  }
+  const std::string sine_ = "data/servo_pendulum/sine.csv", chirp_ = "data/servo_pendulum/chirp.csv";
+  Program program_;
+};
+
+TEST_F(Check, SaysWhatWasRead) {
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("chirp.csv (held out): 2001 samples, 4.00 s, 500 Hz\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("together 6003 samples, 12.0 s\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("angle, measured: column angle_deg in deg, -"));
+  EXPECT_THAT(outcome.output, HasSubstr("motor, commanded: column torque_Nm in N*m, -"));
+}
+
+TEST_F(Check, NamesEveryBadPlaceOfEveryRecordingAtOnce) {
+  replace_line(sine_, 4, "0.004,zero,0.0");
+  replace_line(chirp_, 5, "0.001,0.0,0.0");
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.errors, HasSubstr("sine.csv:4: column `torque_Nm` has `zero`"));
+  EXPECT_THAT(outcome.errors, HasSubstr("chirp.csv:5: "));
+}
+
+TEST_F(Check, RefusesAColumnThatIsNotThereAndAUnitThatDoesNotFit) {
+  EXPECT_THAT(check({"--set", "target.sensors.angle.column=\"angle_dge\""}).errors,
+              HasSubstr("no column `angle_dge` (did you mean \"angle_deg\"?)"));
+  EXPECT_THAT(check({"--set", "target.sensors.angle.unit=\"mm\""}).errors, HasSubstr("cannot stand for angle"));
+  EXPECT_THAT(check({"--set", "noise.process.\"sensor.angle\"=0.1"}).errors, HasSubstr("sensor.angle"));
+}
+
+TEST_F(Check, PrintsNotesOnWhatLooksOdd) {
+  const Outcome outcome = check({"--set", "target.commands.motor.unit=\"mN*m\""});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name, but is read in mN*m"));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,41 @@
+#include "report/bound_text.h"
+
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+FittedValue value_of(const std::string& address, const std::string& unit, double value, bool lower, bool upper) {
+  FittedValue fitted;
+  fitted.address = address;
+  fitted.unit = unit;
+  fitted.value = value;
+  fitted.at_lower_bound = lower;
+  fitted.at_upper_bound = upper;
+  return fitted;
+}
+
+TEST(BoundText, SaysWhichBoundAndWhatItMeans) {
+  FitResult fit;
+  fit.values = {value_of("body.arm.mass", "kg", 0.53, false, false),
+                value_of("effect.coulomb_friction.torque", "N*m", 0.0, true, false),
+                value_of("joint.hinge.damping", "N*m*s/rad", 0.0, true, false),
+                value_of("body.carriage.mass", "kg", 500.0, false, true),
+                value_of("effect.pull.force", "N", -20.0, true, false)};
+  EXPECT_EQ(bound_text(fit),
+            "effect.coulomb_friction.torque is at its lower bound, 0.00 N*m: the data do not want this effect\n"
+            "joint.hinge.damping is at its lower bound, 0.00 N*m*s/rad: the data want none of it\n"
+            "body.carriage.mass is at its upper bound, 500 kg: the data want more: the bound is too tight, or the "
+            "value stands in for an effect that is missing\n"
+            "effect.pull.force is at its lower bound, -20.0 N: the data want less than the effect allows; another "
+            "one may be meant\n");
+}
+
+TEST(BoundText, IsEmptyWhereNoValueIsAtABound) {
+  FitResult fit;
+  fit.values = {value_of("body.arm.mass", "kg", 0.53, false, false)};
+  EXPECT_EQ(bound_text(fit), "");
+}
+
+}  // namespace
+}  // namespace lacuna
