@@ -11,7 +11,7 @@ namespace {
 constexpr int kRounds = 3;           ///< of scales and search in turn
 constexpr double kSettled = 0.05;    ///< relative change of scales that ends them
 constexpr double kRough = 1.0;       ///< precision while the scales still move
-constexpr double kLoosest = 1e-3;    ///< relative decrease of the cost that never ends a search
+constexpr double kLoosest = 1e-4;    ///< relative decrease of the cost that never ends a search
 constexpr double kSameError = 1e-2;  ///< per sample: 0.5 % of the residual
 constexpr double kHopeless = 2.0;    ///< per sample: 2.7 times the residual
 
