@@ -36,7 +36,8 @@ endfunction()
 
 # A test program of GoogleTest; each TEST is a test of ctest. Its label is one of
 #   short    seconds even under sanitizers, and worth it: rooms that handle memory by hand, threads or foreign input
-#   medium   the others (the default); nothing above evaluation and fitting is short, so that CI need not build it twice
+#   medium   the others (the default); report and app, and physics that the engine's own tests walk through too, need
+#            not be built twice in CI
 #   long     half a minute and more; begun first
 function(lacuna_add_test name)
   cmake_parse_arguments(ARG "" "LABELS;TIMEOUT" "SOURCES;LINKS" ${ARGN})
