@@ -98,8 +98,9 @@ class RobotChecker {
     check_name("actuator", actuator.name);
     expect_name(path + ".joint", "joint", actuator.joint, joints_);
     const JointSpec* joint = find_joint(actuator.joint);
-    if (joint && joint->kind != JointKind::hinge && joint->kind != JointKind::slider)
-      problem(path + ".joint", "an actuator drives a hinge or a slider, and " + actuator.joint + " is neither");
+    if (joint && (joint->kind == JointKind::fixed || joint->kind == JointKind::ball))
+      problem(path + ".joint", "an actuator drives a hinge, a slider or the first axis of a universal joint, and " +
+                                   actuator.joint + " is none of these");
     if (!(actuator.command_lower < actuator.command_upper))
       problem(path + ".command_lower", "the lower bound must lie below the upper one");
     if (actuator.transmission.ratio == 0.0) problem(path + ".transmission.ratio", "must not be 0");
@@ -134,6 +135,9 @@ class RobotChecker {
       problem(path + "." + wanted, "is missing: the " + wanted + " that it reads");
     else
       expect_name(path + "." + wanted, wanted, name, of_joint ? joints_ : bodies_);
+    const JointSpec* joint = of_joint ? find_joint(name) : nullptr;
+    if (joint && joint->kind == JointKind::fixed)
+      problem(path + ".joint", name + " is a fixed joint, which has nothing to read");
     if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
       problem(path + ".beacon", "is missing: the place from which distance is measured, [x, y, z] in m");
   }

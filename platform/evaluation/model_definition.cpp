@@ -1,10 +1,10 @@
 #include "evaluation/model_definition.h"
 
 #include "evaluation/effect_placement.h"
-#include "evaluation/robot_check.h"
 #include "evaluation/robot_values.h"
 #include "evaluation/target_check.h"
 #include "foundation/unit.h"
+#include "simulation/robot_problems.h"
 
 #include <algorithm>
 #include <optional>

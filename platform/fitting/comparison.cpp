@@ -147,9 +147,7 @@ class Comparer {
 
   void score_as_written() {
     meter_.begin_part("as written");
-    std::vector<double> written;
-    for (const FreeValue& free : task_.definition.free) written.push_back(free.start);
-    const std::vector<FreeRun> runs = free_runs(written);
+    const std::vector<FreeRun> runs = free_runs(task_.definition.start_values());
     TimeSeries::Samples residuals;
     for (std::size_t t = 0; t < trials(); ++t) {
       if (!runs[t].prediction.valid) continue;

@@ -31,8 +31,10 @@ std::unique_ptr<CompiledModel> compile_disturbed(const ModelDefinition& definiti
 CommandSeries with_command_noise(const CommandSeries& commands, std::span<const double> deviations, std::uint64_t seed,
                                  std::uint64_t draw);
 
-/// Commands with a channel more a disturbed joint: a random force that is constant for `step` s and white from
-/// step to step, or of first order with the correlation time, from `begin` to `end` (s).
+/// Commands with a channel more a disturbed joint, from `begin` to `end` (s): a random force drawn every `step` s,
+/// independently or of first order with the correlation time. Between draws it does what the commands do between
+/// samples: it stays (zero-order hold), or moves on a line to the next draw, which has the same power at low
+/// frequencies.
 CommandSeries with_random_forces(const CommandSeries& commands, const std::vector<DisturbedJoint>& joints, double step,
                                  double correlation_time, double begin, double end, std::uint64_t seed,
                                  std::uint64_t draw);

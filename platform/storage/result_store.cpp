@@ -115,11 +115,4 @@ std::optional<ExperimentId> ResultStore::find_experiment(const std::string& name
   return ExperimentId{row.integer(0)};
 }
 
-std::vector<std::string> ResultStore::experiment_names() const {
-  Statement row(database_, "SELECT name FROM experiment ORDER BY name");
-  std::vector<std::string> names;
-  while (row.step()) names.push_back(row.text(0));
-  return names;
-}
-
 }  // namespace lacuna

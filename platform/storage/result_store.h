@@ -72,7 +72,6 @@ class ResultStore {
 
   /// Nothing where the database does not know the name.
   std::optional<ExperimentId> find_experiment(const std::string& name) const;
-  std::vector<std::string> experiment_names() const;
   std::vector<StoredTrial> trials(ExperimentId experiment) const;
   std::optional<StoredRevision> current_revision(ExperimentId experiment) const;
   std::optional<StoredRevision> revision(ExperimentId experiment, int number) const;

@@ -38,6 +38,14 @@ TEST(ReadRobot, ReadsAPendulum) {
   EXPECT_NEAR(arm.inertia.yy + arm.mass * arm.com.z() * arm.com.z(), rod + bob, kTolerance);
 }
 
+TEST(ReadRobot, AnActuatorMayDriveAUniversalJoint) {
+  const RobotSpec robot = from_body("mass = 1\ninertia = [1, 1, 1]",
+                                    "[joint.cardan]\nkind = \"universal\"\nchild = \"b\"\naxis = \"x\"\naxis2 = \"y\"\n"
+                                    "[actuator.motor]\njoint = \"cardan\"\nkind = \"force\"\n");
+  ASSERT_EQ(robot.actuators.size(), 1U);
+  EXPECT_EQ(robot.actuators[0].joint, "cardan");
+}
+
 TEST(ReadRobot, SpreadsABodysMassOverItsShapes) {
   const RobotSpec robot = from_body(
       "mass = 3\nshapes = [{ kind = \"box\", size = [1, 1, 1], at = [0.5, 0, 0] },"

@@ -207,6 +207,7 @@ TEST_F(DefineModel, PlacesThatAnEffectCannotHaveAreRefused) {
 
 TEST_F(DefineModel, AnEffectsOwnReasonNotToGoThereIsAProblemOfTheFile) {
   experiment_.model.declared->joints[1].kind = JointKind::ball;
+  experiment_.model.declared->actuators.clear();
   add_effect("a", "coulomb_friction", {"joint.hinge"});
   EXPECT_THAT(problems(),
               ElementsAre(AllOf(HasSubstr("joint.hinge is a ball joint"), HasSubstr("coulomb_friction.so"))));
@@ -237,16 +238,35 @@ TEST_F(DefineModel, ARobotThatCannotBeIsRefusedWithEveryReason) {
   robot.bodies[1].inertia.xy = 5.0;
   robot.joints[0].axis = {0.0, 0.0, 2.0};
   robot.bodies[0].mass = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(problems(), testing::UnorderedElementsAre(
+                              HasSubstr("is the child of two joints"), HasSubstr("a cycle of joints"),
+                              HasSubstr("\"henge\" is not a joint of the robot (did you mean \"hinge\"?)"),
+                              HasSubstr("not positive definite"), HasSubstr("axis is not a unit vector"),
+                              HasSubstr("body \"cart\": its mass is nan")));
+}
+
+/// What `compile` refuses, a definition must refuse first, with the place in the file.
+TEST_F(DefineModel, ElementsOnJointsThatCannotHaveThemAreRefused) {
+  RobotSpec& robot = *experiment_.model.declared;
+  robot.joints[1].kind = JointKind::fixed;
   EXPECT_THAT(problems(),
-              testing::UnorderedElementsAre(HasSubstr("is the child of another joint already"),
-                                            HasSubstr("joint \"henge\" does not exist (did you mean \"hinge\"?)"),
-                                            HasSubstr("not positive definite"), HasSubstr("axis is no unit vector"),
-                                            HasSubstr("body.cart.mass is nan")));
+              testing::UnorderedElementsAre(AllOf(HasSubstr("actuator \"motor\""), HasSubstr("fixed joint")),
+                                            AllOf(HasSubstr("sensor \"angle\""), HasSubstr("fixed joint"))));
+}
+
+TEST_F(DefineModel, NamesThatCannotStandInAnAddressAreRefused) {
+  experiment_.model.declared->bodies.emplace_back().name = "left.arm";
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("\"left.arm\"; give it a name without dots")));
+}
+
+TEST_F(DefineModel, InfiniteLawsAreRefused) {
+  experiment_.model.declared->joints[0].damping = kInfinity;
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("joint.rail.damping is inf")));
 }
 
 TEST_F(DefineModel, JointsInACircleAreNoRobot) {
   experiment_.model.declared->joints[0].parent = "arm";
-  EXPECT_THAT(problems(), ElementsAre(HasSubstr("form a circle")));
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("a cycle of joints"), HasSubstr("a cycle of joints")));
 }
 
 }  // namespace

@@ -6,14 +6,25 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace lacuna::simulation {
 namespace {
 
 constexpr double kAxisTolerance = 1e-6;  // of unit length and of a right angle
 constexpr double kLargest = 1e12;        // of masses and inertias, SI
+
+/// Values that mean "no limit" or "rigid" where they are infinite.
+bool may_be_infinite(std::string_view address) {
+  static constexpr std::string_view kEndings[] = {".lower",           ".upper",           ".force_limit",
+                                                  ".command_lower",   ".command_upper",   "transmission.stiffness",
+                                                  "contact.friction", "contact.stiffness"};
+  return std::any_of(std::begin(kEndings), std::end(kEndings),
+                     [&](std::string_view end) { return address.ends_with(end); });
+}
 
 bool positive_definite(const InertiaSpec& inertia) {
   Eigen::Matrix3d matrix;
@@ -44,7 +55,9 @@ template <class Spec>
 void check_names(const std::vector<Spec>& specs, const std::string& kind, ProblemList& problems) {
   std::set<std::string> seen;
   for (const Spec& spec : specs) {
-    if (spec.name.empty()) problems.add({}, "a " + kind + " of the robot has no name");
+    if (spec.name.empty() || spec.name.find_first_of(".* ") != std::string::npos)
+      problems.add({}, "a " + kind + " of the robot is named \"" + spec.name +
+                           "\"; give it a name without dots, stars and blanks");
     if (!seen.insert(spec.name).second)
       problems.add({}, "two " + kind + "s of the robot are called \"" + spec.name + "\"; names must differ");
   }
@@ -131,11 +144,11 @@ void check_sensors(const RobotSpec& robot, ProblemList& problems) {
 void check_values(const RobotSpec& robot, ProblemList& problems) {
   RobotSpec copy = robot;
   for (const AddressedValue& value : addressed_values(copy)) {
-    const bool may_be_infinite = std::isinf(value.lower) || std::isinf(value.upper);
+    if (value.address.starts_with("body.")) continue;  // check_bodies has seen to them
     const bool inside = *value.value >= value.lower && *value.value <= value.upper;
-    if (!inside || (std::isinf(*value.value) && !may_be_infinite))
-      problems.add({}, value.address + " is " + std::to_string(*value.value) + " " + value.unit + ", outside of " +
-                           std::to_string(value.lower) + " to " + std::to_string(value.upper));
+    if (inside && (std::isfinite(*value.value) || may_be_infinite(value.address))) continue;
+    problems.add({}, value.address + " is " + std::to_string(*value.value) + " " + value.unit + ", outside of " +
+                         std::to_string(value.lower) + " to " + std::to_string(value.upper));
   }
 }
 
@@ -143,6 +156,7 @@ void check_values(const RobotSpec& robot, ProblemList& problems) {
 
 void check_robot(const RobotSpec& robot) {
   ProblemList problems;
+  if (robot.bodies.empty()) problems.add({}, "the robot has no body");
   check_names(robot.bodies, "body", problems);
   check_names(robot.joints, "joint", problems);
   check_names(robot.actuators, "actuator", problems);

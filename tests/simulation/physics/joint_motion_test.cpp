@@ -35,6 +35,20 @@ TEST(BallJoint, TurnsEvenlyAboutAFixedAxis) {
   }
 }
 
+TEST(BallJoint, DampsAllItsCoordinates) {
+  RobotSpec robot = free_joint(JointKind::ball);
+  robot.joints[0].damping = 2.0;
+  constexpr double kEnd = 0.4, kRate = 1e-2;  // rad/s
+  const double expected = std::exp(-2.0 / kInertia * kEnd);
+  for (const char* channel : {"velocity.1", "velocity.2", "velocity.3"}) {
+    const auto error = [&](double step) {
+      return SimulationRun(robot, step).from({0.0, 0.0, 0.0}, {kRate, kRate, kRate}).last(channel, kEnd) / kRate -
+             expected;
+    };
+    expect_first_order(error, 1e-3, 5e-3);
+  }
+}
+
 TEST(UniversalJoint, SwingsOnItsSpringsInBothCoordinates) {
   RobotSpec robot = free_joint(JointKind::universal);
   robot.joints[0].stiffness = 40.0;
