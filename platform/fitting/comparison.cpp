@@ -56,6 +56,7 @@ class Comparer {
     score_numerics();
     score_horizons();
     result_.pooled = pool(result_.trials, result_.floors);
+    name_unscored();
     result_.seconds = meter_.seconds();
     return std::move(result_);
   }
@@ -143,6 +144,19 @@ class Comparer {
         trial.channels.push_back(score_channel(trial, channel, result_.floors[t].channels[c]));
         if (trial.valid) trial.channels.back().from_start = from_start_[t](channel);
       }
+  }
+
+  /// A trial without a sample to score must not pass for one without error.
+  void name_unscored() {
+    for (const TrialComparison& trial : result_.trials)
+      if (trial.valid && std::all_of(trial.channels.begin(), trial.channels.end(),
+                                     [](const ChannelScore& score) { return score.samples == 0; }))
+        result_.notes.push_back(
+            fmt::format("{} is not scored: it has no measured value after the first {:g} ms, which tell its start",
+                        trial.trial, 1e3 * kHead));
+    if (result_.pooled.empty())
+      throw Error(fmt::format("there is nothing to compare: {}; check the mask, the time ranges and the model",
+                              fmt::join(result_.notes, "; ")));
   }
 
   void score_as_written() {

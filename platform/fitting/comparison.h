@@ -94,7 +94,7 @@ struct Comparison {
 
 /// Compares the model, with the values given, with every trial. Nothing is fitted but start states.
 /// Held-out trials are read here: the caller counts the look. Throws `Error` where the trials do not
-/// fit the model, and `Interrupted`.
+/// fit the model or none of them can be scored, and `Interrupted`.
 Comparison compare(const ComparisonTask& task);
 
 /// The definition compiled with twice the substeps, for the numerical share.

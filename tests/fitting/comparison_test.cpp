@@ -148,6 +148,20 @@ TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeftOut) {
   EXPECT_EQ(comparison.pooled[0].samples, comparison.trials[0].channels[0].samples);
 }
 
+TEST(Compare, ATrialThatEndsWithinItsFirst50MillisecondsIsNamed) {
+  const Comparison comparison = compare_spring({spring_trial(kNoise, 1, 1.0), spring_trial(kNoise, 2, 0.03)}, 0.5);
+  EXPECT_EQ(comparison.trials[1].channels[0].samples, 0u);
+  ASSERT_THAT(comparison.notes, SizeIs(1));
+  EXPECT_THAT(comparison.notes[0], ::testing::HasSubstr("trial 2 is not scored"));
+}
+
+TEST(Compare, NothingToScoreIsNoAgreement) {
+  Trial masked = spring_trial(kNoise, 1, 1.0);
+  masked.measured.samples.setConstant(std::nan(""));
+  EXPECT_THAT([&] { compare_spring({masked}, 0.5); },
+              ::testing::ThrowsMessage<Error>(::testing::HasSubstr("there is nothing to compare: trial 1")));
+}
+
 TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {
   const OneJointModel model(spring);
   const ModelDefinition definition = spring_definition();
