@@ -19,13 +19,15 @@ Workbench::Workbench(const CommonOptions& options, Rig rig)
 Workbench::Fitted Workbench::fit_model() {
   if (std::optional<FitResult> known = ledger_.known_fit(revision_, rig_)) return {std::move(*known), true};
   ProgressLine line(options_.quiet);
+  const std::unique_ptr<CompiledModel> coarser = compile_coarser(rig_.definition);
   FitResult result = fit({.definition = rig_.definition,
                           .model = *rig_.model,
                           .trials = rig_.trials,
                           .options = rig_.experiment.fit,
                           .seed = seed_,
                           .threads = threads_,
-                          .progress = line.callback()});
+                          .progress = line.callback(),
+                          .coarser = coarser.get()});
   ledger_.keep(revision_, rig_, result);
   return {std::move(result), false};
 }

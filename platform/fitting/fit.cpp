@@ -64,7 +64,7 @@ class Fitter {
     for (PlannedStage& stage : stages) {
       if (stage.automatic) find_horizon(stage, result_.stages.empty() ? kHead : result_.stages.back().segment);
       const bool last = &stage == &stages.back();
-      cut_into_segments(stage.length, last ? kAllSegments : kStageSegments);
+      cut_into_segments(last ? predictor_ : *scout_, stage.length, last ? kAllSegments : kStageSegments);
       refine_candidates(stage.name, last ? kFine : kMiddling);
       if (refined_ < kRivals) meter_.end_part();
       if (last && stages.size() > 1) search_anew(stage.name);
@@ -96,9 +96,20 @@ class Fitter {
                       head, horizon));
   }
 
+  /// The coarser model scouts where it can be simulated at all.
+  void choose_scout(const PlannedStage& stage) {
+    if (!task_.coarser) return;
+    coarser_ = std::make_unique<TrialPredictor>(*task_.coarser, predictor_.trials(), task_.threads);
+    cut_into_segments(*coarser_, stage.length, kExploredSegments);
+    std::vector<Eigen::VectorXd> residuals;
+    if (problem_->residuals(problem_->start(space_.to_coordinates(current_values())), residuals))
+      scout_ = coarser_.get();
+  }
+
   /// Tries all starting points, on a part of the data where there is plenty.
   void explore(const PlannedStage& stage) {
-    cut_into_segments(stage.length, kExploredSegments);
+    choose_scout(stage);
+    cut_into_segments(*scout_, stage.length, kExploredSegments);
     for (const Eigen::VectorXd& point :
          start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
       candidates_.emplace_back();
@@ -110,13 +121,13 @@ class Fitter {
     keep_rivals(candidates_, problem_->samples());
   }
 
-  void cut_into_segments(double length, std::size_t most) {
-    std::vector<Segment> segments = thinned(make_segments(predictor_, *states_, length, current_values()), most);
+  void cut_into_segments(const TrialPredictor& predictor, double length, std::size_t most) {
+    std::vector<Segment> segments = thinned(make_segments(predictor, *states_, length, current_values()), most);
     if (segments.empty())
       throw Error(
           "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
           "state has unknowns; check the mask, the time ranges and the columns");
-    auto next = std::make_unique<ShootingProblem>(predictor_, space_, std::move(segments), result_.noise);
+    auto next = std::make_unique<ShootingProblem>(predictor, space_, std::move(segments), result_.noise);
     if (problem_) next->inherit_steps(*problem_);
     finish_problem();
     problem_ = std::move(next);
@@ -175,7 +186,7 @@ class Fitter {
   void settle_heads(const PlannedStage& last) {
     candidates_.resize(1);
     const std::vector<Segment> before = problem_->segments();
-    cut_into_segments(last.length, kAllSegments);
+    cut_into_segments(predictor_, last.length, kAllSegments);
     if (same_starts(before, problem_->segments())) return;
     refine_candidates(last.name + ", once more", kFine);
     result_.stages.pop_back();
@@ -254,6 +265,8 @@ class Fitter {
   RobustLoss loss_;
   FitResult result_;
   TrialPredictor predictor_;
+  std::unique_ptr<TrialPredictor> coarser_;
+  const TrialPredictor* scout_ = &predictor_;  ///< serves all that comes before the last stage
   ParameterSpace space_;
   std::unique_ptr<StartStates> states_;
   std::unique_ptr<ShootingProblem> problem_;
@@ -273,6 +286,13 @@ std::vector<double> FitResult::parameters() const {
 FitResult fit(const FitTask& task) {
   if (task.definition.free.empty()) return as_written(task.definition);
   return Fitter(task).run();
+}
+
+std::unique_ptr<CompiledModel> compile_coarser(const ModelDefinition& definition) {
+  if (definition.engine.substeps <= 1) return nullptr;
+  EngineSettings coarser = definition.engine;
+  coarser.substeps = 1;
+  return compile(definition.structure, coarser);
 }
 
 FitResult as_written(const ModelDefinition& definition) {

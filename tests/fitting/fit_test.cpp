@@ -169,6 +169,35 @@ TEST(Fit, InvalidSimulationsInsideTheSearchDoNotEndIt) {
   EXPECT_GT(result.invalid_simulations, 0u);
 }
 
+/// The pendulum, counting how often its acceleration was asked for.
+OneJointModel counted_pendulum(std::atomic<long>& count) {
+  return OneJointModel([&count](std::span<const double> values, double q, double v, double u) {
+    ++count;
+    return pendulum(values, q, v, u);
+  });
+}
+
+TEST(Fit, ACoarserModelFindsTheMinimumThatTheModelItselfRefines) {
+  const OneJointModel coarser([](std::span<const double> values, double q, double v, double u) {
+    return 1.02 * pendulum(values, q, v, u);  // an error that would be seen in the result
+  });
+  const ModelDefinition definition = pendulum_definition();
+  const std::vector<Trial> trials = {pendulum_trial(8.0, kNoise, 3)};
+  std::atomic<long> alone = 0, refining = 0;
+  fit({definition, counted_pendulum(alone), trials, {}, 1, 2});
+  const FitResult result = fit({definition, counted_pendulum(refining), trials, {}, 1, 2, {}, &coarser});
+  expect_truth(result, 0.01);
+  EXPECT_LT(refining, alone / 2);
+}
+
+TEST(Fit, DoesWithoutACoarserModelThatCannotBeSimulated) {
+  const OneJointModel model(pendulum);
+  const OneJointModel broken([](std::span<const double>, double, double, double) { return std::nan(""); });
+  const ModelDefinition definition = pendulum_definition();
+  const std::vector<Trial> trials = {pendulum_trial(8.0, kNoise, 3)};
+  expect_truth(fit({definition, model, trials, {}, 1, 2, {}, &broken}), 0.02);
+}
+
 TEST(Fit, SaysWhenNoStartCanBeSimulated) {
   const OneJointModel model([](std::span<const double>, double, double, double) { return std::nan(""); });
   const ModelDefinition definition = pendulum_definition();
