@@ -43,11 +43,8 @@ double longest_trial(const TrialPredictor& predictor) {
 /// Why the trials cannot be cut into segments, or nothing.
 std::string why_not_cut(const TrialPredictor& predictor, const StartStates& states) {
   for (std::size_t trial = 0; trial < predictor.trials().size(); ++trial) {
-    if (states.reconstructible(trial)) continue;
-    const std::vector<std::string> missing = states.unmeasured(trial);
-    return predictor.trials()[trial].name + ": " +
-           (missing.empty() ? std::string("the robot has a body that floats")
-                            : missing.front() + " has no measured position");
+    if (const std::string obstacle = states.obstacle(trial); !obstacle.empty())
+      return predictor.trials()[trial].name + ": " + obstacle;
   }
   return "";
 }

@@ -22,6 +22,24 @@ bool has_floating_body(const RobotSpec& robot) {
                      [&](const BodySpec& body) { return !held.contains(body.name); });
 }
 
+/// What a robot's state holds besides its joint coordinates and what was commanded.
+std::string hidden_state(const RobotSpec& robot, const StateLayout& layout) {
+  if (has_floating_body(robot)) return "the robot has a body that floats";
+  const auto holds = [&](const char* name) {
+    return std::any_of(layout.begin(), layout.end(),
+                       [&](const StateSection& section) { return section.name == name && section.size > 0; });
+  };
+  if (holds("sensor_delays")) return "a sensor's readings are delayed";
+  if (holds("effects")) return "an effect has a state of its own";
+  for (const ActuatorSpec& actuator : robot.actuators) {
+    if (actuator.kind == ActuatorKind::pid && actuator.ki != 0.0)
+      return "actuator." + actuator.name + " integrates its error";
+    if (std::isfinite(actuator.transmission.stiffness))
+      return "the rotor of actuator." + actuator.name + " moves by itself";
+  }
+  return {};
+}
+
 }  // namespace
 
 double component(const StartState& start, int index) {
@@ -39,7 +57,7 @@ void set_component(StartState& start, int index, double value) {
 StartStates::StartStates(const RobotSpec& robot, const TrialPredictor& predictor,
                          const std::vector<ChannelNoise>& noise)
     : trials_(predictor.trials()), coordinates_(static_cast<int>(predictor.model().coordinates().size())) {
-  floating_ = has_floating_body(robot);
+  hidden_ = hidden_state(robot, predictor.model().state_layout());
   for (const Coordinate& coordinate : predictor.model().coordinates()) names_.push_back(coordinate.name);
   for (const Trial& trial : trials_) readings_.push_back(readings_of(robot, trial, noise));
 }
@@ -69,7 +87,10 @@ StartStates::TrialReadings StartStates::readings_of(const RobotSpec& robot, cons
   return readings;
 }
 
-bool StartStates::reconstructible(std::size_t trial) const { return !floating_ && unmeasured(trial).empty(); }
+std::string StartStates::obstacle(std::size_t trial) const {
+  const std::vector<std::string> missing = unmeasured(trial);
+  return missing.empty() ? hidden_ : missing.front() + " has no measured position";
+}
 
 std::vector<std::string> StartStates::unmeasured(std::size_t trial) const {
   std::vector<std::string> missing;

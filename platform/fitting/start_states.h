@@ -43,8 +43,11 @@ class StartStates {
   StartStates(const RobotSpec& robot, const TrialPredictor& predictor, const std::vector<ChannelNoise>& noise);
 
   int coordinates() const { return coordinates_; }
-  /// Every coordinate's position is measured in this trial and no body floats: any moment can be a start.
-  bool reconstructible(std::size_t trial) const;
+  /// Why not every moment of this trial can be a start: a coordinate whose position is not measured, a body that
+  /// floats, or a memory that no reading tells (delayed readings, states of effects, a PID's integral, a compliant
+  /// transmission's rotor), which a simulation from the middle would begin empty. Nothing where every moment can.
+  std::string obstacle(std::size_t trial) const;
+  bool reconstructible(std::size_t trial) const { return obstacle(trial).empty(); }
   /// Names of the coordinates whose position the trial does not measure.
   std::vector<std::string> unmeasured(std::size_t trial) const;
   /// The standard deviation of a measured channel of a trial.
@@ -76,7 +79,7 @@ class StartStates {
 
   const std::vector<Trial>& trials_;
   int coordinates_ = 0;
-  bool floating_ = false;
+  std::string hidden_;  ///< what of the model no measurement tells; empty: nothing
   std::vector<std::string> names_;
   std::vector<TrialReadings> readings_;
 };

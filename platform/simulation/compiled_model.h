@@ -27,8 +27,8 @@ struct State {
 };
 
 struct StateSection {
-  std::string
-      name;  ///< "clock", "positions", "velocities", "bodies", "actuators", "effects", "delay_lines", "controller" ...
+  /// "clock", "positions", "velocities", "bodies", "actuators", "effects", "sensors", "sensor_delays", "commands"
+  std::string name;
   std::size_t offset = 0;
   std::size_t size = 0;
 };

@@ -70,6 +70,22 @@ TEST(StartStates, KnowsWhatCannotBeReconstructed) {
   EXPECT_FALSE(Fixture(falling(0.0), floating).states.reconstructible(0));
 }
 
+/// Delayed readings of the past, without which a simulation from the middle of a trial reads its first value again.
+TEST(StartStates, ModelsWithAMemoryOfTheirOwnStartAtTheBeginningOnly) {
+  const auto obstacle = [](const RobotSpec& robot) {
+    const std::unique_ptr<CompiledModel> model = compile({robot, {}, {}}, {});
+    const TrialPredictor predictor(*model, {falling(0.0)}, 1);
+    return StartStates(robot, predictor, {{"angle", "rad", 1e-3, ""}}).obstacle(0);
+  };
+  RobotSpec robot = one_joint_robot();
+  EXPECT_EQ(obstacle(robot), "");
+  robot.sensors[0].delay = 0.02;
+  EXPECT_EQ(obstacle(robot), "a sensor's readings are delayed");
+  robot = one_joint_robot();
+  robot.actuators[0].transmission.stiffness = 100.0;
+  EXPECT_EQ(obstacle(robot), "the rotor of actuator.motor moves by itself");
+}
+
 TEST(FitHead, FindsTheStartWithinItsStatedUncertainty) {
   const Fixture f(falling(1e-3));
   const StartEstimate estimate = fit_head(f.predictor, f.states, f.predictor.whole(0), {}, 0);

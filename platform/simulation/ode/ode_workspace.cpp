@@ -117,7 +117,8 @@ std::vector<std::pair<std::string, std::size_t>> OdeWorkspace::sections() const 
           {"actuators", kDoublesPerActuator * memories.size()},
           {"effects", model_.effects().state_size()},
           {"sensors", readings},
-          {"delay_lines", sensors.memory_size() - readings + drive.lines_size()}};
+          {"sensor_delays", sensors.memory_size() - readings},
+          {"commands", drive.lines_size()}};
 }
 
 void OdeWorkspace::save(double origin, std::uint64_t step, State& state) const {
