@@ -3,7 +3,7 @@
 #include "fitting/covariance.h"
 #include "fitting/identifiability.h"
 #include "fitting/progress_meter.h"
-#include "fitting/refinement.h"
+#include "fitting/refine_all.h"
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
@@ -60,6 +60,7 @@ class Fitter {
   FitResult run() {
     std::vector<PlannedStage> stages = plan_stages(task_.options, predictor_, *states_, result_.notes);
     meter_.set_parts(std::max(task_.options.starts, 1) + kRivals * static_cast<int>(stages.size()) + 1);
+    leave_out_empty(stages);
     explore(stages.front());
     for (PlannedStage& stage : stages) {
       if (stage.automatic) find_horizon(stage, result_.stages.empty() ? kHead : result_.stages.back().segment);
@@ -81,6 +82,18 @@ class Fitter {
  private:
   std::vector<double> current_values() const {
     return candidates_.empty() ? result_.parameters() : space_.to_values(candidates_.front().values);
+  }
+
+  /// Segments that hold no more samples than their start has unknowns tell nothing.
+  void leave_out_empty(std::vector<PlannedStage>& stages) {
+    for (std::size_t i = 0; i + 1 < stages.size();) {
+      if (!make_segments(predictor_, *states_, stages[i].length, current_values()).empty()) {
+        ++i;
+        continue;
+      }
+      result_.notes.push_back(stages[i].name + " hold too few samples to tell anything: left out");
+      stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i));
+    }
   }
 
   /// As long as a start stays certain that was estimated over the longest segments so far.
@@ -128,43 +141,47 @@ class Fitter {
           "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
           "state has unknowns; check the mask, the time ranges and the columns");
     auto next = std::make_unique<ShootingProblem>(predictor, space_, std::move(segments), result_.noise);
-    if (problem_) next->inherit_steps(*problem_);
+    if (problem_) next->set_steps(problem_->steps());
     finish_problem();
     problem_ = std::move(next);
   }
 
   void refine_candidates(const std::string& stage, double precision) {
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      meter_.begin_part(fmt::format("{}, {} of {}", stage, i + 1, candidates_.size()));
-      candidates_[i] = refine(*problem_, candidates_[i].values, search(precision));
-      meter_.end_part();
-    }
+    candidates_ = refine_all(*problem_, starts_of(candidates_), search(precision), meter_, stage);
     refined_ = static_cast<int>(candidates_.size());
+    order_candidates();
+  }
+
+  static std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates) {
+    std::vector<Eigen::VectorXd> starts;
+    for (const Candidate& candidate : candidates) starts.push_back(candidate.values);
+    return starts;
+  }
+
+  void order_candidates() {
     agreeing_ = rank(candidates_, problem_->samples());
     if (!candidates_.front().valid)
       throw Error("the model cannot be simulated from any of " + std::to_string(candidates_.size()) +
                   " starting points: " + problem_->last_reason() + "; check the start values and bounds of [model]");
+    problem_->set_steps(candidates_.front().steps);
   }
 
-  RefinementOptions search(double precision) {
-    return {loss_, task_.options.max_iterations, precision, [this](int iteration) { meter_.report(iteration); }};
-  }
+  RefinementOptions search(double precision) const { return {loss_, task_.options.max_iterations, precision, {}}; }
 
   /// Where a model lacks something, short segments may lead far away from the values that predict whole trials
   /// best. Where the values moved on the way, all starting points are tried once more.
   void search_anew(const std::string& stage) {
     if (!moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) return;
-    meter_.add_parts(result_.starts);
-    for (const Eigen::VectorXd& point :
-         start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
-      meter_.begin_part(stage + ", anew");
-      Candidate other = refine(*problem_, point, search(kCoarse));
-      if (other.valid && other.objective < candidates_.front().objective)
-        candidates_.push_back(refine(*problem_, other.values, search(kFine)));
-      ++refined_;
-      agreeing_ = rank(candidates_, problem_->samples());
-      meter_.end_part();
-    }
+    const std::vector<Eigen::VectorXd> points =
+        start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed);
+    meter_.add_parts(2 * static_cast<int>(points.size()));
+    std::vector<Candidate> others = refine_all(*problem_, points, search(kCoarse), meter_, stage + ", anew");
+    refined_ += static_cast<int>(others.size());
+    const double best = candidates_.front().objective;
+    std::erase_if(others, [&](const Candidate& other) { return !other.valid || other.objective >= best; });
+    others = refine_all(*problem_, starts_of(others), search(kFine), meter_, stage + ", anew");
+    candidates_.insert(candidates_.end(), others.begin(), others.end());
+    order_candidates();
   }
 
   void record(const PlannedStage& planned) {

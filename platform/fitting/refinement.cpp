@@ -81,6 +81,7 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
   candidate.search.iterations = iterations;
   candidate.values = point.values;
   candidate.scales = problem.scales();
+  candidate.steps = problem.steps();
   summarise(problem, options.loss, candidate);
   return candidate;
 }

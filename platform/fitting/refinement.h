@@ -13,6 +13,7 @@ struct Candidate {
   bool valid = false;
   LeastSquaresResult search;
   std::vector<double> scales;  ///< of the channels, under which `search` ended
+  std::vector<double> steps;   ///< of differences, as the search left them
   double objective = 0.0;      ///< what candidates are compared by: Σ 2 log scale + bounded loss (see .cpp)
   double residual = 0.0;       ///< RMS of residual over sensor noise
 };

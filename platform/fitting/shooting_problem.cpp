@@ -53,6 +53,24 @@ ShootingProblem::ShootingProblem(const TrialPredictor& predictor, const Paramete
   predictions_.resize(static_cast<std::size_t>(predictor_.workers()));
 }
 
+ShootingProblem::ShootingProblem(const ShootingProblem& other, const TrialPredictor& predictor)
+    : predictor_(predictor),
+      space_(other.space_),
+      segments_(other.segments_),
+      noise_(other.noise_),
+      channel_of_(other.channel_of_),
+      scales_(other.scales_),
+      steps_(other.steps_),
+      columns_(other.columns_),
+      predictions_(static_cast<std::size_t>(predictor.workers())),
+      samples_(other.samples_) {}
+
+void ShootingProblem::count_in(const ShootingProblem& other) {
+  simulations_ += other.simulations_;
+  invalid_ += other.invalid_;
+  if (!other.reason_.empty()) reason_ = other.reason_;
+}
+
 FitPoint ShootingProblem::start(const Eigen::VectorXd& values) const {
   FitPoint point{values, {}};
   for (const Segment& segment : segments_) {

@@ -26,7 +26,10 @@ class ShootingProblem : public SegmentedProblem {
  public:
   ShootingProblem(const TrialPredictor& predictor, const ParameterSpace& space, std::vector<Segment> segments,
                   const std::vector<ChannelNoise>& noise);
+  /// The same problem, simulated at another predictor's desks; nothing is counted yet.
+  ShootingProblem(const ShootingProblem& other, const TrialPredictor& predictor);
 
+  const TrialPredictor& predictor() const { return predictor_; }
   const Eigen::VectorXd& lower() const override { return space_.lower(); }
   const Eigen::VectorXd& upper() const override { return space_.upper(); }
   Eigen::Index robust_rows(std::size_t k) const override { return static_cast<Eigen::Index>(segments_[k].rows.size()); }
@@ -48,9 +51,14 @@ class ShootingProblem : public SegmentedProblem {
   void set_scales(std::vector<double> scales) { scales_ = std::move(scales); }
   const std::vector<ChannelNoise>& noise() const { return noise_; }
 
-  /// Begins with the difference steps that another problem of the same model has found.
-  void inherit_steps(const ShootingProblem& other) { steps_ = other.steps_; }
+  /// Difference steps, which follow the residual; another problem of the same model may begin with them.
+  const std::vector<double>& steps() const { return steps_; }
+  void set_steps(std::vector<double> steps) { steps_ = std::move(steps); }
 
+  /// Simulations that a derivative needs and that do not wait for each other.
+  std::size_t simulations_at_once() const { return columns_.size(); }
+  /// Adds the counts of another problem, and its last reason.
+  void count_in(const ShootingProblem& other);
   std::uint64_t simulations() const { return simulations_; }
   std::uint64_t invalid_simulations() const { return invalid_; }
   const std::string& last_reason() const { return reason_; }

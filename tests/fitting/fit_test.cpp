@@ -83,14 +83,30 @@ TEST(Fit, ScoresNothingOfTheFirst50MillisecondsWhenTheStartComesFromData) {
   EXPECT_EQ(result.samples, 801u - 11u);
 }
 
+void expect_same_digits(const FitResult& a, const FitResult& b) {
+  EXPECT_EQ(a.parameters(), b.parameters());
+  EXPECT_EQ(a.simulations, b.simulations);
+  for (std::size_t i = 0; i < a.values.size(); ++i) EXPECT_EQ(a.values[i].standard_error, b.values[i].standard_error);
+}
+
 TEST(Fit, GivesTheSameDigitsForAnyNumberOfThreads) {
   const std::vector<Trial> trials = {pendulum_trial(3.0, kNoise, 3), pendulum_trial(2.0, kNoise, 4)};
-  const FitResult one = fit_pendulum(trials, {}, 1);
-  const FitResult two = fit_pendulum(trials, {}, 2);
-  EXPECT_EQ(one.parameters(), two.parameters());
-  EXPECT_EQ(one.simulations, two.simulations);
-  for (std::size_t i = 0; i < one.values.size(); ++i)
-    EXPECT_EQ(one.values[i].standard_error, two.values[i].standard_error);
+  expect_same_digits(fit_pendulum(trials, {}, 1), fit_pendulum(trials, {}, 2));
+}
+
+TEST(Fit, GivesTheSameDigitsWhereStartsRunSideBySide) {
+  FitSection options;
+  options.method = "free_run";  // one trial: five simulations at a time, so that sixteen threads serve four starts
+  const std::vector<Trial> trials = {pendulum_trial(3.0, kNoise, 3)};
+  expect_same_digits(fit_pendulum(trials, options, 1), fit_pendulum(trials, options, 16));
+}
+
+TEST(Fit, LeavesOutSegmentsThatHoldTooFewSamples) {
+  const std::vector<Trial> trials = {
+      record(OneJointModel(pendulum), kTruth, regular_times(81, 10.0), two_sines(8.0, 1.5), {{0.3}, {0.0}}, kNoise, 3)};
+  const FitResult result = fit_pendulum(trials);
+  expect_truth(result, 0.05);
+  EXPECT_THAT(result.notes, Contains("segments of 0.1 s hold too few samples to tell anything: left out"));
 }
 
 TEST(Fit, HuberIsNotPulledByWildReadings) {
