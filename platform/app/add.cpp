@@ -94,12 +94,21 @@ void add_add_command(CLI::App& program) {
   auto options = std::make_shared<AddOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model and fit it again");
   add_experiment_options(*command, *options);
-  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")->required();
-  command->add_option("--where", options->where,
-                      "Element to place it on, such as joint.hinge; may be repeated; none: the world");
-  command->add_option("--id", options->id, "Name of this placement (default: the effect's)");
-  command->add_option("--start", options->start, "Start value of a parameter: torque=0.1; may be repeated");
-  command->add_option("--fixed", options->fixed, "Parameter that is not fitted; may be repeated");
+  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")
+      ->required()
+      ->option_text("NAME");
+  command
+      ->add_option("--where", options->where,
+                   "Element to place it on, such as joint.hinge; may be repeated; none: the world")
+      ->allow_extra_args(false)
+      ->option_text("ELEMENT");
+  command->add_option("--id", options->id, "Name of this placement (default: the effect's)")->option_text("NAME");
+  command->add_option("--start", options->start, "Start value of a parameter, in SI units: torque=0.1; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PARAMETER=NUMBER");
+  command->add_option("--fixed", options->fixed, "Parameter that is not fitted; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PARAMETER");
   add_work_options(*command, *options);
   command->callback([options] { run_add(*options); });
 }

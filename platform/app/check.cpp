@@ -20,6 +20,8 @@ struct CheckOptions : CommonOptions {
   std::string reference;
 };
 
+std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
 /// What a fit or a comparison would stop at before it simulates anything.
 std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   const SourceLocation file{options.experiment.string(), 0, 0};
@@ -52,9 +54,11 @@ void add_check_command(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("check", "Check an experiment file and everything it names");
   add_experiment_options(*command, *options);
-  CLI::Option* reference =
-      command->add_option("--print-reference", options->reference, "Print a reference of file keys instead")
-          ->check(CLI::IsMember(file_reference_names()));
+  CLI::Option* reference = command
+                               ->add_option("--print-reference", options->reference,
+                                            "Print a reference of file keys instead: " + listed(file_reference_names()))
+                               ->option_text("NAME")
+                               ->check(CLI::IsMember(file_reference_names()));
   CLI::Option* experiment = command->get_option("experiment");
   experiment->required(false)->excludes(reference);
   command->callback([options, experiment, reference] {

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <memory>
 #include <string>
 
 namespace lacuna {
@@ -24,11 +25,22 @@ int complain(const std::exception& error, int code) {
   return code;
 }
 
+/// CLI11 prints what a flag stands for without its value, as in --json{}.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));
+  }
+};
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
   CLI::App program("Finds what a robot model is missing.", "lacuna");
   program.require_subcommand(1);
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
   add_new_command(program);

@@ -70,10 +70,8 @@ void add_compare_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command->add_flag("--as-is", options->as_is, "Do not fit: compare with the values as they are written");
-  command->add_option("--csv", options->csv, "Scores as CSV, to standard output or FILE")
-      ->expected(0, 1)
-      ->default_str("");
-  command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)");
+  add_result_option(*command, "csv", options->csv, "Scores as CSV, to standard output or FILE");
+  command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)")->option_text("FOLDER");
   command->callback([options] { run_compare(*options); });
 }
 

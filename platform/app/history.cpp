@@ -45,10 +45,8 @@ void add_history_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("history", "Error by revision of the model");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  command->add_option("--csv", options->csv, "The table as CSV, to standard output or FILE")
-      ->expected(0, 1)
-      ->default_str("");
-  command->add_option("--out", options->out, "Folder for the picture (SVG)");
+  add_result_option(*command, "csv", options->csv, "The table as CSV, to standard output or FILE");
+  command->add_option("--out", options->out, "Folder for the picture (SVG)")->option_text("FOLDER");
   command->callback([options] { run_history(*options); });
 }
 

@@ -133,13 +133,31 @@ void make_new(const NewOptions& options) {
 void add_new_command(CLI::App& program) {
   auto options = std::make_shared<NewOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("new", "Draft an experiment file and a robot for measured files");
-  command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")->required();
-  command->add_option("--from", options->files, "Measured files (CSV); the last of several is held out")->required();
-  command->add_option("--robot", options->robot, "Robot file that is there already, instead of a draft");
-  command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess");
-  command->add_option("--position", options->hints.positions, "Columns that are joint positions, instead of a guess");
-  command->add_option("--velocity", options->hints.velocities, "Columns that are joint velocities, instead of a guess");
-  command->add_option("--command", options->hints.commands, "Columns that are commands, instead of a guess");
+  command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")
+      ->required()
+      ->option_text("FILE");
+  command->add_option("--from", options->files, "Measured files (CSV), required; the last of several is held out")
+      ->required()
+      ->option_text("FILE ...");
+  command->add_option("--robot", options->robot, "Robot file that is there already, instead of a draft")
+      ->option_text("FILE");
+  command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess")
+      ->option_text("COLUMN");
+  command
+      ->add_option("--position", options->hints.positions,
+                   "Column that is a joint position, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
+  command
+      ->add_option("--velocity", options->hints.velocities,
+                   "Column that is a joint velocity, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
+  command
+      ->add_option("--command", options->hints.commands,
+                   "Column that is a command, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
   command->callback([options] { make_new(*options); });
 }
 

@@ -48,30 +48,40 @@ void set_command_line(int argc, char** argv) {
 
 const std::string& command_line() { return typed; }
 
+void add_result_option(CLI::App& command, const std::string& name, std::optional<std::string>& file,
+                       const std::string& description) {
+  command.add_flag("--" + name + "{}", file, description)->option_text("[=FILE]");
+}
+
 void add_plugin_path_option(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--plugin-path", options.plugin_paths,
                   "Folder with plugins, searched before all others; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER")
       ->check(folder());
 }
 
 void add_experiment_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("experiment", options.experiment, "Experiment file (TOML)")->required();
-  command.add_option("--set", options.overrides,
-                     "Override a key of the file: --set engine.step=0.0005; may be repeated");
+  command.add_option("experiment", options.experiment, "Experiment file (TOML)")->required()->option_text("FILE");
+  command
+      .add_option("--set", options.overrides, "Override a key of the file: --set engine.step=0.0005; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
   add_plugin_path_option(command, options);
 }
 
 void add_work_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--db", options.database,
-                     "Database file (default: the experiment's name with .db, in this folder)");
+  command
+      .add_option("--db", options.database, "Database file (default: the experiment's name with .db, in this folder)")
+      ->option_text("FILE");
   command.add_option("--threads", options.threads, "Threads (default: one a processor)")
+      ->option_text("N")
       ->check(whole_number(1, kMostThreads));
   command.add_option("--seed", options.seed, "Seed, instead of the file's")
+      ->option_text("N")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
-  command.add_option("--json", options.json, "Results as JSON, to standard output or FILE")
-      ->expected(0, 1)
-      ->default_str("");
+  add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
   command.add_flag("--quiet", options.quiet, "Print results only");
 }
 

@@ -31,6 +31,10 @@ const std::string& command_line();
 /// Adds the experiment argument, --set and --plugin-path.
 void add_experiment_options(CLI::App& command, CommonOptions& options);
 void add_plugin_path_option(CLI::App& command, CommonOptions& options);
+/// Adds an option such as --json[=FILE]; without a file, "", which is standard output. The file stands behind an equals
+/// sign, so that the option never takes the word after it.
+void add_result_option(CLI::App& command, const std::string& name, std::optional<std::string>& file,
+                       const std::string& description);
 /// Adds --db, --threads, --seed, --json and --quiet.
 void add_work_options(CLI::App& command, CommonOptions& options);
 

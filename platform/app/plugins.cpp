@@ -24,9 +24,7 @@ struct PluginsOptions {
 
 void add_plugins_options(CLI::App& command, CommonOptions& options) {
   add_plugin_path_option(command, options);
-  command.add_option("--json", options.json, "Results as JSON, to standard output or FILE")
-      ->expected(0, 1)
-      ->default_str("");
+  add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
 }
 
 Json listing_json(const PluginListing& listing) {
@@ -82,7 +80,7 @@ void add_plugins_command(CLI::App& program) {
   add_plugins_options(*list, options->common);
   list->callback([options] { list_plugins(*options); });
   CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, of an effect, its physics");
-  show->add_option("name", options->name, "The plugin's name")->required();
+  show->add_option("name", options->name, "The plugin's name")->required()->option_text("NAME");
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });
 }

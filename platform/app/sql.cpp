@@ -1,6 +1,7 @@
 #include <lacuna/error.h>
 
 #include "app/commands.h"
+#include "app/options.h"
 #include "app/output.h"
 #include "storage/query.h"
 #include "storage/query_output.h"
@@ -51,13 +52,13 @@ void query(const SqlOptions& options) {
 void add_sql_command(CLI::App& program) {
   auto options = std::make_shared<SqlOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("sql", "Query a database, read-only");
-  command->add_option("database", options->database, "Database file; not needed for --views");
-  command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"");
+  command->add_option("database", options->database, "Database file; not needed for --views")->option_text("FILE");
+  command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"")
+      ->option_text("STATEMENT");
   command->add_flag("--views", options->views, "List the views, each with an example");
   CLI::Option* csv = command->add_flag("--csv", options->csv, "Results as CSV");
-  // A flag, so that it does not take the statement after it for its file.
-  command->add_flag("--json{}", options->json, "Results as JSON, to standard output or, with --json=FILE, to a file")
-      ->excludes(csv);
+  add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
+  command->get_option("--json")->excludes(csv);
   command->callback([options] {
     if (options->views) return print_views();
     if (options->database.empty()) throw CLI::RequiredError("database");

@@ -75,8 +75,7 @@ std::vector<FitStageRecord> stages_of(const Database& database, FitId fit) {
 FitId ResultStore::record_fit(RevisionId revision, const FitRecord& f) {
   Transaction transaction(database_);
   const FitId id{next_id("fit")};
-  const std::optional<std::string> covariance =
-      f.covariance.size() > 0 ? std::optional(matrix_text(f.covariance)) : std::nullopt;
+  const std::string covariance = matrix_text(f.covariance);
   Statement(database_,
             "INSERT INTO fit (id, revision, settings, method, loss, loss_scale, converged, residual, samples,"
             " simulations, invalid_simulations, starts, agreeing, correlation_time, covariance, cannot_tell, notes)"

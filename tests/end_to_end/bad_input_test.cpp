@@ -89,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{"SetWithoutAValue", "check first-steps.toml --set engine.step", 2, "write KEY=VALUE"},
         BadInputCase{"JsonAndCsvTogether", "compare first-steps.toml --json --csv", 2,
                      "--json and --csv cannot both go to standard output"},
+        BadInputCase{"SetTakesOneValueOnly", "check --set engine.step=0.001 first-steps.toml other.toml", 2,
+                     "one argument too many: other.toml"},
         BadInputCase{"StatementMissing", "sql shopping.db", 2, "a statement in quotes, or --views"}),
     [](const auto& bad) { return bad.param.name; });
 
@@ -112,9 +114,9 @@ INSTANTIATE_TEST_SUITE_P(
                      "one.csv:1: no column `ts` (did you mean \"t_s\"?)"},
         BadInputCase{"PicturesIntoAFile", "compare first-steps.toml --out one.csv", 2,
                      "one.csv: cannot be a folder for results"},
-        BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json nowhere/result.json", 2,
+        BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json=nowhere/result.json", 2,
                      "nowhere/result.json: cannot be written: there is no folder nowhere"},
-        BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv folder", 2, "folder: is a folder; name a file"},
+        BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv=folder", 2, "folder: is a folder; name a file"},
         BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 1,
                      "shopping.db: is not a database; name another file, or move this one away"},
         BadInputCase{"DatabaseIsAFolder", "compare first-steps.toml --db folder", 1, "folder: is a folder"},

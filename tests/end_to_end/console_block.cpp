@@ -19,12 +19,13 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-/// A line without what may differ: bars, and the seconds that a fit took.
+/// A line without what may differ: bars, the seconds that a fit took, and the width of a table's columns.
 std::string comparable(const std::string& line) {
   static const std::regex kBar("(█|▉|▊|▋|▌|▍|▎|▏)+"), kSeconds("(fitted [0-9]+ values?), [0-9.]+ m?s\\b"),
-      kBlanks("\\s+");
+      kBlanks("\\s+"), kRule("-{3,}");
   std::string text = std::regex_replace(line, kBar, "");
   text = std::regex_replace(text, kSeconds, "$1");
+  text = std::regex_replace(text, kRule, "---");
   text = std::regex_replace(text, kBlanks, " ");
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;

@@ -20,6 +20,14 @@ TEST(ExitCode, IsZeroForHelpWhichListsTheCommands) {
     EXPECT_THAT(help.output, HasSubstr(std::string("\n  ") + command + " "));
 }
 
+TEST(ExitCode, IsZeroForAModelWithoutFreeValues) {
+  const Program program;
+  program.copy_first_steps();
+  const Outcome outcome = program.run({"compare", "first-steps.toml", "--set", "model.free={}"});
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("refitted 0 values"));
+}
+
 TEST(ExitCode, IsTwoForAWordThatIsNoCommand) {
   const Outcome outcome = Program().run({"histroy"});
   EXPECT_EQ(outcome.exit_code, kBadInput);

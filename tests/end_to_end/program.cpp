@@ -37,12 +37,12 @@ std::string content(const fs::path& file) {
 }
 
 /// Between fork and exec only what is safe there.
-[[noreturn]] void become(char* const* arguments, const char* folder, int output, int errors) {
+[[noreturn]] void become(const char* program, char* const* arguments, const char* folder, int output, int errors) {
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
-  if (chdir(folder) == 0) execv(kProgram, arguments);
+  if (chdir(folder) == 0) execv(program, arguments);
   _exit(127);
 }
 
@@ -84,6 +84,10 @@ std::string Program::read(const std::string& file) const { return content(folder
 pid_t Program::start(const std::vector<std::string>& arguments) const {
   std::vector<std::string> words = {"lacuna"};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  return start_program(kProgram, words);
+}
+
+pid_t Program::start_program(const std::string& program, std::vector<std::string> words) const {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
@@ -92,7 +96,7 @@ pid_t Program::start(const std::vector<std::string>& arguments) const {
   const int output = open((captured_ / "output").c_str(), kHow, 0600);
   const int errors = open((captured_ / "errors").c_str(), kHow, 0600);
   const pid_t child = fork();
-  if (child == 0) become(pointers.data(), folder_.c_str(), output, errors);
+  if (child == 0) become(program.c_str(), pointers.data(), folder_.c_str(), output, errors);
   close(output);
   close(errors);
   if (child < 0) throw std::runtime_error("no process could be started");
@@ -107,6 +111,10 @@ Outcome Program::finish(pid_t child) const {
 }
 
 Outcome Program::run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
+
+Outcome Program::shell(const std::string& line) const {
+  return finish(start_program("/bin/sh", {"sh", "-c", "PATH=" LACUNA_BINARY_DIRECTORY "/bin:$PATH; " + line}));
+}
 
 Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,
                                 int signal) const {

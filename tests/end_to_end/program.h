@@ -36,6 +36,8 @@ class Program {
 
   /// Runs `lacuna` with these arguments to its end.
   Outcome run(const std::vector<std::string>& arguments) const;
+  /// Runs a line as a shell takes it, in which `lacuna` is this build's.
+  Outcome shell(const std::string& line) const;
   /// Starts it, waits until `ready` (looked at every millisecond), sends `signal`, and waits for its end.
   Outcome run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,
                          int signal) const;
@@ -45,6 +47,7 @@ class Program {
  private:
   void copy_experiment(const std::string& name) const;
   pid_t start(const std::vector<std::string>& arguments) const;
+  pid_t start_program(const std::string& program, std::vector<std::string> words) const;
   Outcome finish(pid_t child) const;
 
   std::filesystem::path folder_;

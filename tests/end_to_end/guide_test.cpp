@@ -1,0 +1,108 @@
+#include "end_to_end/guide.h"
+
+#include "end_to_end/console_block.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace lacuna {
+namespace {
+
+constexpr double kFigureTolerance = 0.05;  // of a figure in a document: compilers and processors differ in last digits
+
+/// The guides that take the small rig of experiments/first-steps.toml; a fit of it takes a second or two.
+class Guide : public testing::TestWithParam<const char*> {};
+
+TEST_P(Guide, PrintsWhatItSays) {
+  const std::vector<GuideStep> steps = guide_steps(source_file(GetParam()));
+  ASSERT_FALSE(steps.empty()) << GetParam() << " has no steps";
+  const Program program;
+  program.copy_first_steps();
+  for (const GuideStep& step : steps) {
+    SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(step.line));
+    if (!step.file.empty()) {
+      program.write(step.file, edited(program.read(step.file), step.lines));
+      continue;
+    }
+    const Outcome outcome = program.shell(step.command);
+    EXPECT_EQ(outcome.exit_code, step.exit_code) << outcome.errors;
+    const std::string& printed = outcome.exit_code == 0 ? outcome.output : outcome.errors;
+    EXPECT_EQ(difference(step.lines, lines_of(printed), kFigureTolerance), "") << printed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Guides, Guide,
+                         testing::Values("docs/tutorials/first-steps.md", "docs/how-to/use-your-own-csv.md",
+                                         "docs/how-to/query-the-database.md", "docs/reference/commands.md"),
+                         [](const auto& guide) {
+                           const std::string path = guide.param;
+                           const std::size_t begin = path.rfind('/') + 1;
+                           return std::regex_replace(path.substr(begin, path.rfind('.') - begin), std::regex("-"), "_");
+                         });
+
+/// Commands that `help` lists, each behind `before`.
+std::vector<std::string> listed_commands(const std::string& help, const std::string& before) {
+  std::vector<std::string> commands;
+  bool inside = false;
+  for (const std::string& line : lines_of(help)) {
+    std::smatch found;
+    if (inside && std::regex_match(line, found, std::regex("  ([a-z]+) .*")))
+      commands.push_back(before + found[1].str());
+    if (line == "Subcommands:") inside = true;
+  }
+  return commands;
+}
+
+TEST(CommandReference, HasTheHelpOfEveryCommand) {
+  const Program program;
+  std::vector<std::string> commands = listed_commands(program.run({"--help"}).output, "lacuna ");
+  const std::vector<std::string> plugins =
+      listed_commands(program.run({"plugins", "--help"}).output, "lacuna plugins ");
+  commands.insert(commands.end(), plugins.begin(), plugins.end());
+  ASSERT_GE(commands.size(), 10U);
+  const std::string text = source_file("docs/reference/commands.md");
+  for (const std::string& command : commands) {
+    if (command == "lacuna plugins") continue;  // its commands are
+    EXPECT_THAT(text, testing::HasSubstr("\n$ " + command + " --help\n"));
+    EXPECT_THAT(text, testing::HasSubstr("\n## `" + command + "`\n"));
+  }
+}
+
+/// The words of a picture, one a line.
+std::vector<std::string> words_of_picture(const std::string& svg) {
+  static const std::regex kText("<text[^>]*>(?:<tspan[^>]*>)?([^<]*)");
+  std::vector<std::string> words;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), kText), end; found != end; ++found)
+    words.push_back((*found)[1]);
+  return words;
+}
+
+TEST(FirstStepsPicture, IsWhatCompareDraws) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.run({"compare", "first-steps.toml", "--out", "pictures"}).exit_code, 0);
+  const std::vector<std::string> shown = words_of_picture(source_file("docs/pictures/first-steps-rigid.svg"));
+  ASSERT_THAT(shown, testing::Contains(testing::HasSubstr("chirp.csv (held out)")));
+  EXPECT_EQ(difference(shown, words_of_picture(program.read("pictures/chirp.csv-angle.svg")), kFigureTolerance), "");
+}
+
+TEST(GuideSteps, AreCommandsWithTheirOutputAndEdits) {
+  const std::vector<GuideStep> steps = guide_steps(
+      "text\n```toml\na = 1\n```\n```toml rig.toml\nb = 2\n```\n```console\n$ lacuna x > y\nno\n(exit code 2)\n```\n");
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].file, "rig.toml");
+  EXPECT_EQ(steps[0].lines, std::vector<std::string>{"b = 2"});
+  EXPECT_EQ(steps[1].command, "lacuna x > y");
+  EXPECT_EQ(steps[1].lines, std::vector<std::string>{"no"});
+  EXPECT_EQ(steps[1].exit_code, 2);
+}
+
+TEST(GuideSteps, EditTheLinesThatSetTheSameKeys) {
+  EXPECT_EQ(edited("# a = 1\nb = 2\nc = 3\n", {"b = 5", "new = 6", "a = 7"}), "a = 7\nb = 5\nnew = 6\nc = 3\n");
+  EXPECT_THROW(edited("a = 1\n", {"b = 2"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace lacuna
