@@ -66,6 +66,7 @@ void check_names(const std::vector<Spec>& specs, const std::string& kind, Proble
 template <class Spec>
 std::vector<std::string> names_of(const std::vector<Spec>& specs) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const Spec& spec : specs) names.push_back(spec.name);
   return names;
 }
