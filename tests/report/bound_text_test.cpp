@@ -31,6 +31,18 @@ TEST(BoundText, SaysWhichBoundAndWhatItMeans) {
             "one may be meant\n");
 }
 
+TEST(BoundText, DoesNotDismissAnEffectThatShorterSegmentsShow) {
+  FitResult fit;
+  fit.values = {value_of("effect.coulomb_friction.torque", "N", 0.0, true, false)};
+  fit.stages.resize(2);
+  fit.stages[0].values = {19.9};
+  fit.stages[1].values = {0.0};
+  EXPECT_EQ(
+      bound_text(fit),
+      "effect.coulomb_friction.torque is at its lower bound, 0.00 N: whole trials want none of it, though shorter "
+      "segments do: something else is missing, too\n");
+}
+
 TEST(BoundText, IsEmptyWhereNoValueIsAtABound) {
   FitResult fit;
   fit.values = {value_of("body.arm.mass", "kg", 0.53, false, false)};
