@@ -51,20 +51,23 @@ WHERE comparison.id = (
 CREATE VIEW error_by_revision AS
 WITH pooled AS (
   SELECT experiment, revision, channel, unit, held_out,
-         sqrt(sum(samples * rmse * rmse) / sum(samples)) AS rmse,
-         sqrt(sum(samples * floor * floor) / sum(iif(floor IS NULL, 0, samples))) AS floor
+         sum(rmse IS NULL) AS failed,
+         iif(sum(rmse IS NULL) = 0, sqrt(sum(samples * rmse * rmse) / sum(samples)), NULL) AS rmse,
+         iif(sum(rmse IS NOT NULL AND floor IS NULL) = 0,
+             sqrt(sum(iif(rmse IS NULL, NULL, samples * floor * floor)) / sum(iif(rmse IS NULL, NULL, samples))),
+             NULL) AS floor
   FROM latest_comparison
-  WHERE rmse IS NOT NULL
+  WHERE samples > 0
   GROUP BY experiment, revision, channel, unit, held_out),
 sides AS (
-  SELECT experiment, revision, channel, unit,
+  SELECT experiment, revision, channel, unit, max(held_out) AS looked, sum(failed) AS failed_trials,
          max(iif(held_out = 0, rmse, NULL)) AS fit_rmse, max(iif(held_out = 1, rmse, NULL)) AS held_out_rmse,
          max(iif(held_out = 0, floor, NULL)) AS fit_floor, max(iif(held_out = 1, floor, NULL)) AS held_out_floor
   FROM pooled
   GROUP BY experiment, revision, channel, unit)
 SELECT sides.experiment, sides.revision, revision.change, sides.channel, sides.unit, fit_rmse, held_out_rmse,
        coalesce(held_out_floor, fit_floor) AS floor,
-       iif(held_out_rmse IS NULL, fit_rmse / fit_floor, held_out_rmse / held_out_floor) AS times_floor
+       iif(looked, held_out_rmse / held_out_floor, fit_rmse / fit_floor) AS times_floor, failed_trials
 FROM sides
 JOIN experiment ON experiment.name = sides.experiment
 JOIN revision ON revision.experiment = experiment.id AND revision.number = sides.revision;

@@ -2,15 +2,14 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/workbench.h"
+#include "report/advice_text.h"
 #include "report/comparison_json.h"
 #include "report/comparison_pictures.h"
 #include "report/comparison_text.h"
-#include "report/times_floor_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace lacuna {
@@ -21,20 +20,6 @@ struct CompareOptions : CommonOptions {
   std::optional<std::string> csv;
   std::filesystem::path out;
 };
-
-/// An error this close to the floor leaves nothing to find.
-constexpr double kAtTheFloor = 1.2;
-
-std::string advice(const Comparison& comparison, const std::string& file) {
-  double worst = 0.0;
-  for (const PooledScore& pooled : comparison.pooled)
-    if (!pooled.held_out) worst = std::max(worst, pooled.times_floor);
-  if (worst <= kAtTheFloor) return fmt::format("model is at the floor ({} ×)\n", times_floor_text(worst));
-  return fmt::format(
-      "model is above the floor ({} ×): an effect may be missing → lacuna plugins list, "
-      "lacuna add {} EFFECT --where ELEMENT\n",
-      times_floor_text(worst), file);
-}
 
 void run_compare(const CompareOptions& options) {
   check_output(options.json, options.csv);
@@ -49,7 +34,7 @@ void run_compare(const CompareOptions& options) {
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     fmt::print("{}", fit_text(fitted.result));
-    fmt::print("{}", advice(compared.result, options.experiment.string()));
+    fmt::print("{}", advice_text(compared.result, options.experiment.string()));
   }
   if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result));
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));

@@ -5,8 +5,8 @@
 #include "app/text_diff.h"
 #include "app/workbench.h"
 #include "config/effects_editor.h"
-#include "foundation/unit.h"
 #include "report/change_text.h"
+#include "report/error_text.h"
 #include "report/times_floor_text.h"
 
 #include <CLI/CLI.hpp>
@@ -62,7 +62,7 @@ void run_undo(const CommonOptions& options) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
     fmt::print("back at revision {}\n", errors.revision);
     for (const PooledScore& score : errors.comparison.pooled)
-      fmt::print("{} {}: {} × floor on the fit files\n", score.channel, format_quantity(score.rmse, score.unit),
+      fmt::print("{} {}: {} × floor on the fit files\n", score.channel, error_text(score),
                  times_floor_text(score.times_floor));
   }
   if (options.json) write_output(*options.json, change_json("undo", errors, errors));

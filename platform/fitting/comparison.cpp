@@ -118,10 +118,13 @@ class Comparer {
       comparison.times = trial.measured.times;
       comparison.measured = trial.measured.samples;
       comparison.predicted = run.prediction.samples;
-      if (comparison.valid)
+      if (comparison.valid) {
         predictor_.residuals(predictor_.whole(result_.trials.size()), run.prediction, comparison.residuals);
-      else
+      } else {
+        comparison.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
+        comparison.residuals = comparison.predicted;
         result_.notes.push_back(trial.name + " cannot be simulated and is not scored: " + run.prediction.reason);
+      }
       result_.trials.push_back(std::move(comparison));
     }
     meter_.end_part();
@@ -154,7 +157,7 @@ class Comparer {
         result_.notes.push_back(
             fmt::format("{} is not scored: it has no measured value after the first {:g} ms, which tell its start",
                         trial.trial, 1e3 * kHead));
-    if (result_.pooled.empty())
+    if (std::none_of(result_.pooled.begin(), result_.pooled.end(), [](const auto& one) { return one.samples > 0; }))
       throw Error(fmt::format("there is nothing to compare: {}; check the mask, the time ranges and the model",
                               fmt::join(result_.notes, "; ")));
   }

@@ -29,7 +29,7 @@ struct ComparisonTask {
 struct ChannelScore {
   std::string channel;
   std::string unit;
-  std::size_t samples = 0;          ///< that were scored; 0: all figures are NaN
+  std::size_t samples = 0;          ///< to score; 0, or a trial that cannot be simulated: all figures are NaN
   double rmse = 0.0;                ///< channel unit
   double floor = 0.0;               ///< channel unit
   double times_floor = 0.0;         ///< rmse/floor
@@ -66,15 +66,19 @@ struct TrialComparison {
   TimeSeries::Samples measured, predicted, residuals;
 };
 
-/// A channel over all fit trials, or over all held-out trials.
+/// A channel over all fit trials, or over all held-out trials. Where one of them cannot be simulated there is no error
+/// of them all: `rmse` and `times_floor` are NaN, so that a model never gains by failing on its hardest trial. The
+/// other figures are then of the trials that could be simulated.
 struct PooledScore {
   std::string channel;
   std::string unit;
   bool held_out = false;
-  std::size_t samples = 0;
+  std::size_t samples = 0;  ///< that were scored
+  int failed_trials = 0;    ///< with values to score, but no prediction of them
   double rmse = 0.0;
-  double floor = 0.0;
+  double floor = 0.0;  ///< NaN where it is not known of one trial
   double times_floor = 0.0;
+  double from_start = 0.0;  ///< see ChannelScore
   double rmse_as_written = 0.0;
   std::optional<double> numerical;
   std::string worst_trial;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -36,7 +37,11 @@ Departure departure(const CompiledModel& model, const Trial& trial, CommandSerie
   return {true, (prediction.samples - base.samples).bottomRows(rows).colwise().squaredNorm().transpose()};
 }
 
-/// RMS over draws and scored samples, a value a channel.
+Eigen::VectorXd unknown(Eigen::Index channels) {
+  return Eigen::VectorXd::Constant(channels, std::numeric_limits<double>::quiet_NaN());
+}
+
+/// RMS over draws and scored samples, a value a channel; NaN where no draw could be simulated.
 Eigen::VectorXd rms(const std::vector<Departure>& draws, Eigen::Index channels, Eigen::Index rows) {
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(channels);
   double count = 0.0;
@@ -45,13 +50,18 @@ Eigen::VectorXd rms(const std::vector<Departure>& draws, Eigen::Index channels, 
       squares += draw.squares;
       count += static_cast<double>(rows);
     }
-  return count > 0.0 ? Eigen::VectorXd((squares / count).cwiseSqrt()) : squares;
+  return count > 0.0 ? Eigen::VectorXd((squares / count).cwiseSqrt()) : unknown(channels);
+}
+
+std::string part(const std::string& cause, double size, const std::string& unit) {
+  if (std::isnan(size)) return "; what " + cause + " adds is not known, for no run with it could be simulated";
+  return size > 0.0 ? "; " + cause + " adds " + format_quantity(size, unit) : "";
 }
 
 std::string sentence(const FloorValue& value, const std::string& sensor_origin) {
   std::string text = sensor_origin;
-  if (value.input > 0.0) text += "; command noise adds " + format_quantity(value.input, value.unit);
-  if (value.process > 0.0) text += "; random force adds " + format_quantity(value.process, value.unit);
+  text += part("command noise", value.input, value.unit);
+  text += part("random force", value.process, value.unit);
   return text;
 }
 
@@ -95,7 +105,7 @@ class Propagation {
     const TrialPredictor predictor(task_.model, {trial}, 1);
     Prediction base;
     predictor.predict(predictor.whole(0), task_.values, start, 0, base);
-    if (!base.valid) return Eigen::VectorXd::Zero(channels);
+    if (!base.valid) return unknown(channels);
     std::vector<Departure> draws(kNoiseDraws);
     parallel_for(draws.size(), task_.threads, [&](std::size_t draw, int) {
       draws[draw] = departure(model, trial, forces ? forced(trial, index, draw) : noisy(trial, index, draw), start,

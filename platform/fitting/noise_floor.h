@@ -27,7 +27,8 @@ struct ChannelNoise {
 std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials);
 
 /// What remains of a free run's error in one channel when the model is right; channel unit, RMS over
-/// the scored time. The three parts add as squares.
+/// the scored time. The three parts add as squares. A part that no disturbed run could show is NaN, and so is the
+/// total.
 struct FloorValue {
   std::string channel;
   std::string unit;

@@ -1,7 +1,7 @@
 #include "report/change_text.h"
 
-#include "foundation/unit.h"
 #include "report/bound_text.h"
+#include "report/error_text.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
@@ -31,8 +31,8 @@ std::string error_rows(const RevisionErrors& before, const RevisionErrors& after
   for (const PooledScore& now : after.comparison.pooled) {
     const PooledScore* then = fit_score(before.comparison, now.channel);
     if (now.held_out || !then) continue;
-    rows.push_back({now.channel, format_quantity(then->rmse, then->unit) + " →", format_quantity(now.rmse, now.unit),
-                    times_floor_text(then->times_floor) + " →", times_floor_text(now.times_floor)});
+    rows.push_back({now.channel, error_text(*then) + " →", error_text(now), times_floor_text(then->times_floor) + " →",
+                    times_floor_text(now.times_floor)});
   }
   return text_table(rows);
 }
@@ -54,6 +54,7 @@ nlohmann::ordered_json errors(const RevisionErrors& revision) {
     if (!score.held_out)
       channels.push_back({{"channel", score.channel},
                           {"unit", score.unit},
+                          {"failed_trials", score.failed_trials},
                           {"rmse", score.rmse},
                           {"floor", score.floor},
                           {"times_floor", score.times_floor}});

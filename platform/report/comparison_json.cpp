@@ -23,6 +23,7 @@ ordered_json document(const ChannelScore& score) {
           {"bias", score.bias},
           {"max_error", score.max_error},
           {"max_error_time_s", score.max_error_time},
+          {"from_start", score.from_start},
           {"rmse_as_written", score.rmse_as_written},
           {"numerical", optional_number(score.numerical)}};
 }
@@ -40,9 +41,11 @@ ordered_json document(const PooledScore& score) {
   return {{"channel", score.channel},
           {"unit", score.unit},
           {"held_out", score.held_out},
+          {"failed_trials", score.failed_trials},
           {"rmse", score.rmse},
           {"floor", score.floor},
           {"times_floor", score.times_floor},
+          {"from_start", score.from_start},
           {"rmse_as_written", score.rmse_as_written},
           {"numerical", optional_number(score.numerical)},
           {"floor_origin", score.floor_origin}};

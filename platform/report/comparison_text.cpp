@@ -15,6 +15,9 @@
 namespace lacuna {
 namespace {
 
+/// Shares of the floor below which what the start leaves uncertain is not worth a word.
+constexpr double kStartWorthASay = 0.1;
+
 std::string quantity(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "-";
 }
@@ -43,7 +46,7 @@ std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelSc
           quantity(score.rmse, score.unit),
           times_floor_text(score.times_floor),
           quantity(score.max_error, score.unit),
-          fmt::format("{:.2f} s", score.max_error_time)};
+          std::isfinite(score.max_error_time) ? fmt::format("{:.2f} s", score.max_error_time) : "-"};
 }
 
 /// Root of the mean square over the fit trials, or the held-out ones, of a channel's error over one horizon; NaN
@@ -93,6 +96,8 @@ std::string floor_line(const Comparison& comparison, const PooledScore& pooled) 
   double numerical = 0.0;
   for (const PooledScore& other : comparison.pooled)
     if (other.channel == pooled.channel && other.numerical) numerical = std::max(numerical, *other.numerical);
+  if (pooled.from_start > kStartWorthASay * pooled.floor)
+    line += " · start " + quantity(pooled.from_start, pooled.unit);
   return line + " · numerical " + quantity(numerical, pooled.unit) + "\n";
 }
 
@@ -124,8 +129,6 @@ std::string comparison_text(const ComparisonHeading& heading, const Comparison& 
     shown.push_back(pooled.channel);
     text += channel_block(heading, comparison, pooled);
   }
-  for (const TrialComparison& trial : comparison.trials)
-    if (!trial.valid) text += trial.trial + ": " + trial.reason + "\n";
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;
 }

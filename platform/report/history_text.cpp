@@ -1,5 +1,6 @@
 #include "report/history_text.h"
 
+#include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "report/figure.h"
 #include "report/text_table.h"
@@ -37,7 +38,9 @@ std::string quantity(double value, const std::string& unit) {
 
 /// The row's bar; where other rows have a held-out error and this one has none, it says what it counts.
 std::string bar(const HistoryRow& row, double largest, bool held_out_known) {
-  if (!std::isfinite(row.times_floor)) return "not compared";
+  if (row.failed_trials > 0) return counted(static_cast<std::size_t>(row.failed_trials), "trial") + " failed";
+  if (!std::isfinite(row.times_floor))
+    return std::isfinite(row.fit_rmse) || std::isfinite(row.held_out_rmse) ? "floor not known" : "not compared";
   const std::string drawn = text_bar(row.times_floor / largest, kBarWidth);
   return held_out_known && !std::isfinite(row.held_out_rmse) ? drawn + " fit files" : drawn;
 }
@@ -113,16 +116,18 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
                          {"fit_rmse", row.fit_rmse},
                          {"held_out_rmse", row.held_out_rmse},
                          {"floor", row.floor},
-                         {"times_floor", row.times_floor}});
+                         {"times_floor", row.times_floor},
+                         {"failed_trials", row.failed_trials}});
   return nlohmann::ordered_json{{"held_out_looks", held_out_looks}, {"revisions", revisions}}.dump(2) + "\n";
 }
 
 std::string history_csv(const std::vector<HistoryRow>& rows) {
-  std::string text = "revision,parent,change,current,channel,unit,fit_rmse,held_out_rmse,floor,times_floor\n";
+  std::string text =
+      "revision,parent,change,current,channel,unit,fit_rmse,held_out_rmse,floor,times_floor,failed_trials\n";
   for (const HistoryRow& row : rows)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", row.number, row.parent ? std::to_string(*row.parent) : "",
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.number, row.parent ? std::to_string(*row.parent) : "",
                         row.change, row.current ? 1 : 0, row.channel, row.unit, row.fit_rmse, row.held_out_rmse,
-                        row.floor, row.times_floor);
+                        row.floor, row.times_floor, row.failed_trials);
   return text;
 }
 

@@ -148,9 +148,9 @@ struct ScoreRecord {
   TrialId trial;
   std::string channel;
   std::string unit;
-  double horizon = 0.0;  ///< s; 0: one free run of the whole trial
-  std::int64_t samples = 0;
-  double rmse = kNotKnown;
+  double horizon = 0.0;                ///< s; 0: one free run of the whole trial
+  std::int64_t samples = 0;            ///< to score
+  double rmse = kNotKnown;             ///< not known: no samples, or the trial cannot be simulated
   double normalised_rmse = kNotKnown;  ///< rmse / standard deviation of the measured channel
   double theil_u = kNotKnown;
   double bias = kNotKnown;        ///< mean of measured − predicted
@@ -217,7 +217,8 @@ struct HistoryRow {
   double fit_rmse = kNotKnown;
   double held_out_rmse = kNotKnown;
   double floor = kNotKnown;
-  double times_floor = kNotKnown;  ///< held-out RMSE (without one, fit RMSE) / floor
+  double times_floor = kNotKnown;  ///< held-out RMSE (if never looked at, fit RMSE) / floor
+  int failed_trials = 0;           ///< that cannot be simulated; the error of their side is then not known
 };
 
 }  // namespace lacuna

@@ -149,7 +149,7 @@ std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
   const std::optional<StoredRevision> current = current_revision(experiment);
   Statement row(database_,
                 "SELECT r.id, r.number, p.number, r.change, e.channel, e.unit, e.fit_rmse, e.held_out_rmse, e.floor,"
-                " e.times_floor FROM revision AS r JOIN experiment AS x ON x.id = r.experiment"
+                " e.times_floor, e.failed_trials FROM revision AS r JOIN experiment AS x ON x.id = r.experiment"
                 " LEFT JOIN revision AS p ON p.id = r.parent"
                 " LEFT JOIN error_by_revision AS e ON e.experiment = x.name AND e.revision = r.number"
                 " WHERE r.experiment = ? ORDER BY r.number, e.channel");
@@ -166,7 +166,8 @@ std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
                     .fit_rmse = row.real(6),
                     .held_out_rmse = row.real(7),
                     .floor = row.real(8),
-                    .times_floor = row.real(9)});
+                    .times_floor = row.real(9),
+                    .failed_trials = row.number(10)});
   }
   return rows;
 }

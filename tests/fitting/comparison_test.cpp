@@ -130,7 +130,8 @@ TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
   EXPECT_FALSE(compare_spring(trials, 0.5).trials[0].channels[0].numerical.has_value());
 }
 
-TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeftOut) {
+/// The spring's model, but for angles beyond 0.6 rad, and a trial on either side.
+Comparison compare_spring_that_fails_beyond(bool fails_held_out) {
   const OneJointModel model([](std::span<const double> p, double q, double v, double u) {
     return q > 0.6 ? std::nan("") : spring(p, q, v, u);
   });
@@ -139,13 +140,47 @@ TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeftOut) {
   const ModelDefinition definition = spring_definition();
   const NoiseSection noise;
   Trial low = spring_trial(kNoise, 1, 1.0);
+  high.held_out = fails_held_out;
   const std::vector<Trial> trials = {low, high};
-  const Comparison comparison = compare({definition, model, trials, noise, {0.5}});
+  return compare({definition, model, trials, noise, {0.5}});
+}
+
+TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeavesNoErrorOfAll) {
+  const Comparison comparison = compare_spring_that_fails_beyond(false);
   EXPECT_TRUE(comparison.trials[0].valid);
   EXPECT_FALSE(comparison.trials[1].valid);
   ASSERT_THAT(comparison.notes, SizeIs(1));
   EXPECT_THAT(comparison.notes[0], ::testing::HasSubstr("trial 2 cannot be simulated"));
+  EXPECT_EQ(comparison.trials[1].channels[0].samples, 1001u - 11u);  // that it owes a prediction of
+  EXPECT_TRUE(std::isnan(comparison.trials[1].channels[0].rmse));
+  EXPECT_TRUE(comparison.trials[1].predicted.array().isNaN().all());
+  ASSERT_THAT(comparison.pooled, SizeIs(1));
+  EXPECT_EQ(comparison.pooled[0].failed_trials, 1);
+  EXPECT_TRUE(std::isnan(comparison.pooled[0].rmse));
+  EXPECT_TRUE(std::isnan(comparison.pooled[0].times_floor));
   EXPECT_EQ(comparison.pooled[0].samples, comparison.trials[0].channels[0].samples);
+}
+
+TEST(Compare, AFailedHeldOutTrialLeavesTheErrorOfTheFitTrials) {
+  const Comparison comparison = compare_spring_that_fails_beyond(true);
+  ASSERT_THAT(comparison.pooled, SizeIs(2));
+  EXPECT_EQ(comparison.pooled[0].failed_trials, 0);
+  EXPECT_EQ(comparison.pooled[0].rmse, comparison.trials[0].channels[0].rmse);
+  EXPECT_TRUE(comparison.pooled[1].held_out);
+  EXPECT_EQ(comparison.pooled[1].failed_trials, 1);
+  EXPECT_TRUE(std::isnan(comparison.pooled[1].rmse));
+}
+
+TEST(Compare, TheShareOfTheStartIsPooledLikeTheFloor) {
+  const Comparison comparison = compare_spring({spring_trial(kNoise, 1), spring_trial(kNoise, 2, 2.5)}, 0.5);
+  const ChannelScore& one = comparison.trials[0].channels[0];
+  const ChannelScore& two = comparison.trials[1].channels[0];
+  const auto samples = [](const ChannelScore& score) { return static_cast<double>(score.samples); };
+  const double mean_square =
+      (samples(one) * one.from_start * one.from_start + samples(two) * two.from_start * two.from_start) /
+      (samples(one) + samples(two));
+  EXPECT_NEAR(comparison.pooled[0].from_start, std::sqrt(mean_square), 1e-12);
+  EXPECT_NE(one.from_start, two.from_start);
 }
 
 TEST(Compare, ATrialThatEndsWithinItsFirst50MillisecondsIsNamed) {

@@ -97,6 +97,25 @@ TEST(NoiseFloor, CommandNoisePassesThroughTheModel) {
   EXPECT_THAT(floor.origin, HasSubstr("command noise adds"));
 }
 
+TEST(NoiseFloor, IsNotKnownWhereNoDisturbedRunCanBeSimulated) {
+  // Still only under no command at all: the undisturbed run works, each disturbed one fails.
+  const OneJointModel model(
+      [](std::span<const double>, double, double, double u) { return u == 0.0 ? 0.0 : std::nan(""); });
+  const ModelDefinition definition = define({}, one_joint_robot());
+  Trial trial = trial_of(Eigen::VectorXd::Zero(101));
+  trial.commands = two_sines(1.0, 0.0);
+  trial.command_noise = {0.1};
+  trial.sensor_noise = {1e-4};
+  const std::vector<ChannelNoise> sensors = sensor_noise(one_joint_robot(), {trial});
+  const NoiseSection noise;
+  const FloorValue floor =
+      noise_floor({definition, model, {trial}, noise, {}, sensors, {{{{0.0}, {0.0}}, 0}}}).front().channels.front();
+  EXPECT_TRUE(std::isnan(floor.input));
+  EXPECT_TRUE(std::isnan(floor.total));
+  EXPECT_EQ(floor.sensor, 1e-4);
+  EXPECT_THAT(floor.origin, HasSubstr("what command noise adds is not known"));
+}
+
 TEST(NoiseFloor, RandomForceActsThroughTheEngine) {
   // A free mass of 2 kg under a force that is white from step to step: position error σ h²/m √(k³/3) after k steps,
   // whose RMS over n steps is σ h²/m √(n³/12).

@@ -38,5 +38,18 @@ TEST(HistoryText, ShowsRevisionsThatWereNeverCompared) {
   EXPECT_THAT(history_text({row(1, "rigid", kNotKnown, kNotKnown, kNotKnown)}, 0), HasSubstr("not compared"));
 }
 
+TEST(HistoryText, SaysWhichRevisionFailedOnATrial) {
+  HistoryRow failed = row(2, "friction", kNotKnown, 1e-3, 1.0);
+  failed.failed_trials = 1;
+  const std::vector<HistoryRow> rows = {row(1, "rigid", 8e-3, 8e-3, 8.0), failed};
+  EXPECT_THAT(history_text(rows, 1), HasSubstr("1.0  1 trial failed\n"));
+  EXPECT_THAT(history_json(rows, 1), HasSubstr("\"failed_trials\": 1"));
+  EXPECT_THAT(history_csv(rows), HasSubstr(",1,1\n"));
+}
+
+TEST(HistoryText, SaysWhereTheFloorIsNotKnown) {
+  EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, kNotKnown)}, 0), HasSubstr("floor not known"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -179,6 +179,68 @@ TEST_F(ResultStoreTest, AComparisonWithoutHeldOutTrialsKeepsTheEarlierLook) {
   EXPECT_EQ(store_.latest_comparison(small.rigid, ComparisonKind::refitted, true)->id, small.first_comparison);
 }
 
+/// The scores of the small database, and a trial of 1000 samples without a prediction.
+ComparisonRecord with_failed_trial(const SmallDatabase& small, TrialId failed) {
+  ComparisonRecord record = test::comparison_of(small, {}, 3, 0.01);
+  record.fit = std::nullopt;
+  record.scores.push_back({.trial = failed, .channel = "angle", .unit = "rad", .samples = 1000, .floor = 0.5});
+  return record;
+}
+
+TEST_F(ResultStoreTest, AFailedFitTrialLeavesNoErrorOfTheFitTrials) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  const TrialId hard =
+      store_.find_or_add_trial(small.experiment, {"hard", "h.csv", std::string(64, 'c'), false, 10.0, 1000});
+  store_.record_comparison(small.with_friction, with_failed_trial(small, hard));
+  const std::vector<HistoryRow> rows = store_.history(small.experiment);
+  EXPECT_EQ(rows[0].failed_trials, 0);
+  EXPECT_EQ(rows[1].failed_trials, 1);
+  EXPECT_TRUE(std::isnan(rows[1].fit_rmse));
+  EXPECT_NEAR(rows[1].held_out_rmse, 0.012 * 0.01, 1e-15);
+  EXPECT_NEAR(rows[1].floor, 0.001, 1e-15) << "of the trials that were scored";
+}
+
+TEST_F(ResultStoreTest, AFailedHeldOutTrialIsNotReplacedByTheFitTrials) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  const TrialId hard =
+      store_.find_or_add_trial(small.experiment, {"hard", "h.csv", std::string(64, 'c'), true, 10.0, 1000});
+  store_.record_comparison(small.with_friction, with_failed_trial(small, hard));
+  const HistoryRow row = store_.history(small.experiment)[1];
+  EXPECT_EQ(row.failed_trials, 1);
+  EXPECT_NEAR(row.fit_rmse, 0.009 * 0.01, 1e-15);
+  EXPECT_TRUE(std::isnan(row.held_out_rmse));
+  EXPECT_TRUE(std::isnan(row.times_floor));
+}
+
+TEST_F(ResultStoreTest, ATrialWithoutAValueToScoreIsNoFailure) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  const TrialId empty =
+      store_.find_or_add_trial(small.experiment, {"hard", "h.csv", std::string(64, 'c'), true, 0.03, 3});
+  ComparisonRecord record = with_failed_trial(small, empty);
+  record.scores.back().samples = 0;
+  store_.record_comparison(small.with_friction, record);
+  const HistoryRow row = store_.history(small.experiment)[1];
+  EXPECT_EQ(row.failed_trials, 0);
+  EXPECT_NEAR(row.held_out_rmse, 0.012 * 0.01, 1e-15);
+}
+
+TEST_F(ResultStoreTest, AFloorThatIsNotKnownOfOneTrialIsNotKnownOfThemAll) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  const TrialId other =
+      store_.find_or_add_trial(small.experiment, {"hard", "h.csv", std::string(64, 'c'), true, 10.0, 1000});
+  ComparisonRecord record = with_failed_trial(small, other);
+  record.scores.back().rmse = 0.012 * 0.01;
+  record.scores.back().floor = kNotKnown;
+  store_.record_comparison(small.with_friction, record);
+  const HistoryRow row = store_.history(small.experiment)[1];
+  EXPECT_NEAR(row.held_out_rmse, 0.012 * 0.01, 1e-15);
+  EXPECT_TRUE(std::isnan(row.times_floor));
+}
+
 TEST_F(ResultStoreTest, ARevisionThatWasNeverComparedStandsInHistoryWithoutErrors) {
   begin();
   const ExperimentId rig = experiment();

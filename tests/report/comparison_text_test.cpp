@@ -1,0 +1,78 @@
+#include "report/comparison_text.h"
+
+#include "report/comparison_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A comparison of one scored trial with a floor of 1 mrad.
+Comparison one_trial(double from_start) {
+  ChannelScore score;
+  score.channel = "angle";
+  score.unit = "rad";
+  score.samples = 100;
+  score.rmse = 2e-3;
+  score.floor = 1e-3;
+  score.times_floor = 2.0;
+  score.max_error_time = 0.5;
+  score.from_start = from_start;
+  TrialComparison trial;
+  trial.trial = "sine";
+  trial.channels = {score};
+  PooledScore pooled;
+  pooled.channel = "angle";
+  pooled.unit = "rad";
+  pooled.samples = 100;
+  pooled.floor = 1e-3;
+  pooled.from_start = from_start;
+  Comparison comparison;
+  comparison.trials = {trial};
+  comparison.pooled = {pooled};
+  return comparison;
+}
+
+FitResult as_written_fit() {
+  FittedValue value;
+  value.address = "body.arm.mass";
+  value.unit = "kg";
+  value.start = value.value = 0.5;
+  value.standard_error = value.lower_95 = value.upper_95 = std::nan("");
+  FitResult fit;
+  fit.values = {value};
+  return fit;
+}
+
+TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {
+  EXPECT_THAT(comparison_text({}, one_trial(4e-4), {}), HasSubstr("floor 1.00 mrad · start 400 µrad · numerical"));
+  EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("start 90")));
+}
+
+TEST(ComparisonText, AnUnscoredTrialHasNoWorstMoment) {
+  Comparison comparison = one_trial(0.0);
+  ChannelScore& score = comparison.trials[0].channels[0];
+  score.samples = 0;
+  score.rmse = score.times_floor = score.max_error = score.max_error_time = std::nan("");
+  EXPECT_THAT(comparison_text({}, comparison, {}), Not(HasSubstr("nan")));
+}
+
+TEST(FitText, ValuesThatWereNotFittedHaveNoInterval) {
+  EXPECT_THAT(fit_text(as_written_fit()), AllOf(HasSubstr("0.500"), Not(HasSubstr("nan")), Not(HasSubstr("["))));
+}
+
+TEST(ComparisonJson, HoldsTheShareOfTheStartAndFailedTrials) {
+  const std::string text = comparison_json({}, one_trial(0.25), {});
+  EXPECT_THAT(text, HasSubstr("\"from_start\": 0.25"));
+  EXPECT_THAT(text, HasSubstr("\"failed_trials\": 0"));
+}
+
+}  // namespace
+}  // namespace lacuna
