@@ -70,6 +70,7 @@ EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
 
 void run_add(const AddOptions& options) {
   check_output(options.json);
+  check_replaceable(options.experiment);
   const std::string text = read_text(options.experiment);
   Rig base = open_rig(options);
   check_id(options.id, base.experiment.model.effects);

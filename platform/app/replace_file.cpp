@@ -2,6 +2,8 @@
 
 #include <lacuna/error.h>
 
+#include "foundation/problem.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -52,6 +54,15 @@ std::string read_text(const std::filesystem::path& file) {
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) throw Error(file.string() + ": cannot be read; check that the file exists and its permissions");
   return text;
+}
+
+void check_replaceable(const std::filesystem::path& file) {
+  std::error_code failure;
+  const std::filesystem::path real = std::filesystem::canonical(file, failure);
+  if (failure) return;  // reading it says more
+  if (::access(real.c_str(), W_OK) != 0 || ::access(real.parent_path().c_str(), W_OK) != 0)
+    throw_problem({file.string(), 0, 0}, std::string("may not be changed (") + std::strerror(errno) +
+                                             "); check the permissions of the file and of its folder");
 }
 
 void replace_text(const std::filesystem::path& file, const std::string& expected, const std::string& text) {

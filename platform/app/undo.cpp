@@ -47,6 +47,7 @@ std::vector<std::string> to_take_back(Workbench& bench, const CommonOptions& opt
 
 void run_undo(const CommonOptions& options) {
   check_output(options.json);
+  check_replaceable(options.experiment);
   const std::string text = read_text(options.experiment);
   Rig now = open_rig(options);
   const std::shared_ptr<const PluginCatalog> catalog = now.catalog;

@@ -2,9 +2,14 @@
 
 #include <lacuna/error.h>
 
+#include "foundation/problem.h"
 #include "support/test_folder.h"
 
 #include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cstdio>
 
 namespace lacuna {
 namespace {
@@ -29,6 +34,24 @@ TEST_F(ReplaceText, WritesTheNewTextAndKeepsPermissions) {
 TEST_F(ReplaceText, RefusesAFileThatChangedMeanwhile) {
   EXPECT_THROW(replace_text(file_, "older\n", "new\n"), Error);
   EXPECT_EQ(read_text(file_), "old\n");
+}
+
+TEST_F(ReplaceText, IsKnownToFailBeforehandWhereTheFileMayNotBeWritten) {
+  EXPECT_NO_THROW(check_replaceable(file_));
+  fs::permissions(folder_.path(), fs::perms(0755));
+  fs::permissions(file_, fs::perms(0444));
+  const auto check_as_another_user = [this] {
+    constexpr uid_t kNobody = 65534;
+    if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(1);
+    try {
+      check_replaceable(file_);
+    } catch (const BadInput& error) {
+      std::fputs(error.what(), stderr);
+      ::_exit(2);
+    }
+    ::_exit(0);
+  };
+  EXPECT_EXIT(check_as_another_user(), testing::ExitedWithCode(2), "rig.toml: may not be changed");
 }
 
 TEST_F(ReplaceText, FollowsSymbolicLinks) {
