@@ -63,7 +63,7 @@ const PooledScore* furthest(const Comparison& comparison) {
 }  // namespace
 
 std::string advice_text(const Comparison& comparison, const std::string& file) {
-  if (const std::string failed = failed_text(comparison); !failed.empty()) return failed;
+  if (std::string failed = failed_text(comparison); !failed.empty()) return failed;
   if (const PooledScore* score = without_floor(comparison); score != nullptr)
     return fmt::format("the floor of {} is not known: {}\n", score->channel, score->floor_origin);
   const PooledScore* worst = furthest(comparison);
