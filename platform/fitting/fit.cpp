@@ -104,8 +104,7 @@ class Fitter {
     if (stage.length > 0.0)
       result_.notes.push_back(
           fmt::format("a start estimated over {:.3g} s stays certain to twice the noise for {:.3g} s: the last stage's "
-                      "segments are "
-                      "that long",
+                      "segments are that long",
                       head, horizon));
   }
 
