@@ -153,6 +153,7 @@ class Fitter {
 
   static std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates) {
     std::vector<Eigen::VectorXd> starts;
+    starts.reserve(candidates.size());
     for (const Candidate& candidate : candidates) starts.push_back(candidate.values);
     return starts;
   }
