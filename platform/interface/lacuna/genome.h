@@ -1,0 +1,51 @@
+#pragma once
+
+#include <lacuna/random_stream.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+enum class GeneKind {
+  real,     ///< any number within the bounds
+  integer,  ///< a whole number within the bounds
+};
+
+/// What one number of a genome may be.
+struct Gene {
+  std::string name;  ///< an address such as "body.torso.mass", or what an encoding calls it
+  std::string unit;  ///< "1" where it has none
+  GeneKind kind = GeneKind::real;
+  double lower = 0.0;
+  double upper = 1.0;
+};
+
+/// The genes of every genome of one encoding. Mutations and searches see this and nothing of what a genome means.
+struct GenomeLayout {
+  std::vector<Gene> genes;
+  /// Genes that belong together, such as those of one body part: `row` genes each; 0: no rows. A crossover does not
+  /// cut inside a row.
+  std::size_t row = 0;
+
+  std::size_t size() const { return genes.size(); }
+};
+
+/// One value a gene, in the layout's order.
+using Genome = std::vector<double>;
+
+/// Uniform within a gene's bounds; a whole number where the gene is one.
+inline double uniform_value(const Gene& gene, RandomStream& random) {
+  if (gene.kind == GeneKind::real) return random.uniform(gene.lower, gene.upper);
+  return gene.lower + static_cast<double>(random.index(static_cast<std::size_t>(gene.upper - gene.lower) + 1));
+}
+
+inline Genome uniform_genome(const GenomeLayout& layout, RandomStream& random) {
+  Genome genome;
+  for (const Gene& gene : layout.genes) genome.push_back(uniform_value(gene, random));
+  return genome;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <lacuna/genome.h>
+#include <lacuna/parameter.h>
+#include <lacuna/random_stream.h>
+#include <lacuna/robot_spec.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// One number of a model that may vary, within its search bounds.
+struct FreeParameter {
+  std::string address;  ///< `body.torso.mass`
+  std::string unit;     ///< SI
+  double lower = 0.0;
+  double upper = 0.0;
+  double start = 0.0;  ///< where nothing is known better
+};
+
+/// What an encoding's models are made from.
+struct ModelSpace {
+  const RobotSpec& robot;           ///< the experiment's robot, start values in place
+  std::vector<FreeParameter> free;  ///< what the experiment frees, effects' parameters included
+  double step = 0.0;                ///< the control period, s
+};
+
+/// A model as a genome says it.
+struct ModelProposal {
+  std::vector<double> values;      ///< of `ModelSpace::free`, in its order, SI
+  std::optional<RobotSpec> robot;  ///< a body of its own; nothing: the experiment's
+};
+
+/// What a genome of models means. Const and shared by threads; the same genome gives the same model.
+class ModelEncoding {
+ public:
+  virtual ~ModelEncoding() = default;
+
+  /// One sentence for `lacuna plugins`.
+  virtual std::string summary() const = 0;
+  virtual ParameterDeclarations parameters() const { return {}; }
+  /// Throws `Error` where the space has nothing to encode.
+  virtual GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const = 0;
+  /// A genome of a random model; uniform within the genes' bounds unless an encoding knows better.
+  virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {
+    return uniform_genome(layout, random);
+  }
+  /// The model of a genome that fits the layout. Two genomes with equal proposals are one phenotype.
+  virtual ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
+                               std::span<const double> genome) const = 0;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <lacuna/genome.h>
+#include <lacuna/parameter.h>
+#include <lacuna/random_stream.h>
+
+#include <span>
+#include <string>
+
+namespace lacuna {
+
+/// Makes a genome from one or several others. Const and shared by threads; the same arguments and stream give the same
+/// child.
+class MutationOperator {
+ public:
+  virtual ~MutationOperator() = default;
+
+  /// One sentence for `lacuna plugins`.
+  virtual std::string summary() const = 0;
+  virtual ParameterDeclarations parameters() const { return {}; }
+  /// How many genomes a child is made from; a crossover takes two.
+  virtual std::size_t parents() const { return 1; }
+  /// `parents`: as many as `parents()` says, each fitting the layout. The child fits it, too.
+  virtual Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
+                      RandomStream& random) const = 0;
+};
+
+}  // namespace lacuna

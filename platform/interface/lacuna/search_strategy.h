@@ -1,0 +1,77 @@
+#pragma once
+
+#include <lacuna/genome.h>
+#include <lacuna/parameter.h>
+#include <lacuna/random_stream.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What a search asks its host for: genomes of the encoding at hand.
+class Breeder {
+ public:
+  virtual ~Breeder() = default;
+  virtual Genome random(RandomStream& random) const = 0;
+  /// A child of some of `parents` by the experiment's mutation operators. `used` receives the indices of the parents
+  /// it was made from.
+  virtual Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const = 0;
+};
+
+/// What is searched.
+struct SearchTask {
+  const GenomeLayout& layout;
+  const Breeder& breeder;
+  std::vector<std::uint64_t> key;  ///< of all random streams of the search; a search adds generation and individual
+  std::vector<Genome> seeds;       ///< known good genomes to start from; may be none
+};
+
+/// A genome and where it came from.
+struct Individual {
+  std::uint64_t number = 0;  ///< counted through the search
+  Genome genome;
+  std::vector<std::uint64_t> parents;  ///< numbers
+};
+
+/// A search under way. Smaller scores are better; infinite ones are invalid. Used by one thread at a time.
+class Search {
+ public:
+  virtual ~Search() = default;
+
+  virtual bool finished() const = 0;
+  /// The individuals of this generation that have no score yet.
+  virtual const std::vector<Individual>& ask() = 0;
+  /// A score above this cannot change what the generation leaves behind; fixed when the generation begins. Nothing:
+  /// every score counts in full.
+  virtual std::optional<double> abandon_above() const { return std::nullopt; }
+  /// One score for each individual asked; ends the generation. An evaluation that was abandoned is told as any
+  /// number above the bar.
+  virtual void tell(std::span<const double> scores) = 0;
+  /// The best so far, best first, as many as the search keeps; their scores.
+  virtual std::vector<Individual> best() const = 0;
+  virtual std::vector<double> best_scores() const = 0;
+  virtual int generation() const = 0;
+  /// The state between two generations as numbers, and back: going on gives the same digits.
+  virtual std::vector<double> save() const = 0;
+  virtual void load(std::span<const double> state) = 0;
+};
+
+/// Makes searches. Const and shared by threads.
+class SearchStrategy {
+ public:
+  virtual ~SearchStrategy() = default;
+
+  /// One sentence for `lacuna plugins`.
+  virtual std::string summary() const = 0;
+  /// Population, generations and the like.
+  virtual ParameterDeclarations parameters() const { return {}; }
+  /// The task must live as long as the search. Throws `Error` for parameters that make no search.
+  virtual std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const = 0;
+};
+
+}  // namespace lacuna

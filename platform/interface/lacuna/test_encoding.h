@@ -1,0 +1,43 @@
+#pragma once
+
+#include <lacuna/genome.h>
+#include <lacuna/parameter.h>
+#include <lacuna/random_stream.h>
+#include <lacuna/test.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What a test can see and drive.
+struct TestSpace {
+  std::vector<Channel> sensors;    ///< in the robot's order
+  std::vector<Channel> actuators;  ///< in the robot's order; commands in these units
+  std::vector<double> lower;       ///< smallest command, one an actuator
+  std::vector<double> upper;       ///< largest command
+  double control_period = 0.0;     ///< s
+  double duration = 0.0;           ///< s
+};
+
+/// What a genome of tests means. Const and shared by threads; the same genome gives the same test.
+class TestEncoding {
+ public:
+  virtual ~TestEncoding() = default;
+
+  /// One sentence for `lacuna plugins`.
+  virtual std::string summary() const = 0;
+  virtual ParameterDeclarations parameters() const { return {}; }
+  /// Throws `Error` where the space cannot be driven.
+  virtual GenomeLayout layout(const TestSpace& space, std::span<const double> parameters) const = 0;
+  /// A genome of a random test; uniform within the genes' bounds unless an encoding knows better.
+  virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {
+    return uniform_genome(layout, random);
+  }
+  /// The test of a genome that fits the layout.
+  virtual Test decode(const TestSpace& space, std::span<const double> parameters,
+                      std::span<const double> genome) const = 0;
+};
+
+}  // namespace lacuna
