@@ -3,6 +3,7 @@
 #include "foundation/address.h"
 #include "foundation/placement_unit.h"
 #include "foundation/problem.h"
+#include "loading/component_kinds.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,21 +24,25 @@ std::vector<std::string> placement_names(const EffectDescription& effect) {
 }
 
 ParameterDeclarations parameters_of(const PluginCatalog& catalog, const PluginListing& listing) {
-  const auto ask = [&](const ComponentOrigin& origin, const auto& component) {
-    return guarded_call(origin, "parameters", [&] { return component.parameters(); });
-  };
-  const std::string& name = listing.name;
-  if (listing.kind == "robot") return ask(catalog.robot_origin(name), catalog.robot(name));
-  if (listing.kind == "metric") return ask(catalog.metric_origin(name), catalog.metric(name));
-  return ask(catalog.target_origin(name), *catalog.make_target(name));
+  ParameterDeclarations parameters;
+  for_each_component_kind([&]<class Interface>(std::type_identity<Interface>) {
+    if constexpr (!std::is_same_v<Interface, PhysicalEffect>) {
+      if (listing.kind != ComponentKind<Interface>::noun) return;
+      const auto component = catalog.make<Interface>(listing.name);
+      parameters =
+          guarded_call(catalog.origin<Interface>(listing.name), "parameters", [&] { return component->parameters(); });
+    }
+  });
+  return parameters;
 }
 
 ComponentDetails details_of(const PluginCatalog& catalog, const PluginListing& listing) {
   ComponentDetails details;
   details.listing = listing;
   if (listing.kind == "effect") {
-    const PhysicalEffect& effect = catalog.effect(listing.name);
-    details.effect = guarded_call(catalog.effect_origin(listing.name), "describe", [&] { return effect.describe(); });
+    const PhysicalEffect& effect = catalog.get<PhysicalEffect>(listing.name);
+    details.effect =
+        guarded_call(catalog.origin<PhysicalEffect>(listing.name), "describe", [&] { return effect.describe(); });
     details.parameters = details.effect->parameters;
   } else {
     details.parameters = parameters_of(catalog, listing);

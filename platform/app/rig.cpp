@@ -17,8 +17,8 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
                                [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
   const std::string& target = rig.experiment.target.kind;
-  rig.trials = guarded_call(rig.catalog->target_origin(target), "reading the recorded trials", [&] {
-    return rig.catalog->make_target(target)->recorded({.trials = &reader, .simulator = nullptr});
+  rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials", [&] {
+    return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader, .simulator = nullptr});
   });
   return rig;
 }

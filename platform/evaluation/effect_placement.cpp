@@ -61,7 +61,7 @@ class EntryCheck {
   EntryCheck(std::string key, EffectEntry entry, const PluginCatalog& catalog, Complaints& complaints)
       : key_(std::move(key)),
         entry_(std::move(entry)),
-        origin_(catalog.effect_origin(entry_.effect)),
+        origin_(catalog.origin<PhysicalEffect>(entry_.effect)),
         catalog_(catalog),
         complaints_(complaints) {}
 
@@ -85,7 +85,7 @@ class EntryCheck {
 
   bool find_plugin() {
     try {
-      placed_.effect = &catalog_.effect(entry_.effect);
+      placed_.effect = &catalog_.get<PhysicalEffect>(entry_.effect);
       description_ = guarded_call(origin_, "describe", [this] { return placed_.effect->describe(); });
     } catch (const Error& error) {
       complain(".effect", error.what());

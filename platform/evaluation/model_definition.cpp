@@ -41,9 +41,9 @@ std::optional<std::vector<double>> robot_parameters(const Experiment& experiment
 
 /// The robot as its plugin makes it; one without bodies where that fails.
 RobotSpec build_robot(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints) {
-  const ComponentOrigin origin = catalog.robot_origin(experiment.model.robot);
+  const ComponentOrigin origin = catalog.origin<RobotDefinition>(experiment.model.robot);
   try {
-    const RobotDefinition& plugin = catalog.robot(experiment.model.robot);
+    const RobotDefinition& plugin = catalog.get<RobotDefinition>(experiment.model.robot);
     const std::optional<std::vector<double>> parameters = robot_parameters(
         experiment, guarded_call(origin, "parameters", [&] { return plugin.parameters(); }), complaints);
     if (!parameters) return {};

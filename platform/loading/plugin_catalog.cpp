@@ -1,6 +1,6 @@
 #include "loading/plugin_catalog.h"
 
-#include "loading/plugin_table.h"
+#include "loading/component_kinds.h"
 
 #include <sys/stat.h>
 
@@ -55,11 +55,20 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
   return files;
 }
 
+template <class Interface>
+std::string summary_of(const Interface& component) {
+  if constexpr (std::is_same_v<Interface, PhysicalEffect>)
+    return component.describe().summary;
+  else
+    return component.summary();
+}
+
 std::string summary_of(std::string_view kind, const void* component) {
-  if (kind == "physical_effect") return static_cast<const PhysicalEffect*>(component)->describe().summary;
-  if (kind == "robot_definition") return static_cast<const RobotDefinition*>(component)->summary();
-  if (kind == "fitness_metric") return static_cast<const FitnessMetric*>(component)->summary();
-  return static_cast<const TargetSystem*>(component)->summary();
+  std::string summary;
+  for_component_kind(kind, [&]<class Interface>(std::type_identity<Interface>) {
+    summary = summary_of(*static_cast<const Interface*>(component));
+  });
+  return summary;
 }
 
 }  // namespace
@@ -148,21 +157,7 @@ void* PluginCatalog::shared_component(const std::shared_ptr<Entry>& entry) {
   return entry->made;
 }
 
-const PhysicalEffect& PluginCatalog::effect(const std::string& name) const {
-  return *static_cast<const PhysicalEffect*>(shared_component(find("physical_effect", name)));
-}
-
-const RobotDefinition& PluginCatalog::robot(const std::string& name) const {
-  return *static_cast<const RobotDefinition*>(shared_component(find("robot_definition", name)));
-}
-
-const FitnessMetric& PluginCatalog::metric(const std::string& name) const {
-  return *static_cast<const FitnessMetric*>(shared_component(find("fitness_metric", name)));
-}
-
-std::unique_ptr<TargetSystem> PluginCatalog::make_target(const std::string& name) const {
-  return std::unique_ptr<TargetSystem>(static_cast<TargetSystem*>(find("target_system", name)->make()));
-}
+void* PluginCatalog::new_component(const std::shared_ptr<Entry>& entry) { return entry->make(); }
 
 std::vector<PluginListing> PluginCatalog::list() const {
   std::vector<PluginListing> listings;

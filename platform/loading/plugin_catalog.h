@@ -15,7 +15,7 @@ namespace lacuna {
 
 /// What `plugins list` shows of a component.
 struct PluginListing {
-  std::string kind;  ///< "effect", "robot", "metric", "target"
+  std::string kind;  ///< as users call it: "effect", "robot", "test fitness"; see `ComponentKind`
   std::string name;
   std::string summary;
   std::filesystem::path file;
@@ -34,18 +34,23 @@ class PluginCatalog {
   /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
-  /// Each throws `Error` for a name that no plugin has, or that two have, and where making the component fails.
-  const PhysicalEffect& effect(const std::string& name) const;
-  const RobotDefinition& robot(const std::string& name) const;
-  const FitnessMetric& metric(const std::string& name) const;
-  /// Targets have a state of their own: a new one each time.
-  std::unique_ptr<TargetSystem> make_target(const std::string& name) const;
-
+  /// The component of that interface and name: `get<PhysicalEffect>("viscous_friction")`. Throws `Error` for a name
+  /// that no plugin has, or that two have, and where making the component fails.
+  template <class Interface>
+  const Interface& get(const std::string& name) const {
+    return *static_cast<const Interface*>(shared_component(find(ComponentKind<Interface>::name, name)));
+  }
+  /// A new one, for kinds that have a state of their own, such as targets.
+  template <class Interface>
+  std::unique_ptr<Interface> make(const std::string& name) const {
+    return std::unique_ptr<Interface>(
+        static_cast<Interface*>(new_component(find(ComponentKind<Interface>::name, name))));
+  }
   /// How messages name the component of that kind and name, whether it exists or not.
-  ComponentOrigin effect_origin(const std::string& name) const { return origin("physical_effect", name); }
-  ComponentOrigin robot_origin(const std::string& name) const { return origin("robot_definition", name); }
-  ComponentOrigin metric_origin(const std::string& name) const { return origin("fitness_metric", name); }
-  ComponentOrigin target_origin(const std::string& name) const { return origin("target_system", name); }
+  template <class Interface>
+  ComponentOrigin origin(const std::string& name) const {
+    return origin(ComponentKind<Interface>::name, name);
+  }
 
   /// Every component, by kind and name, with its summary.
   std::vector<PluginListing> list() const;
@@ -61,6 +66,7 @@ class PluginCatalog {
   const std::shared_ptr<Entry>& find(std::string_view kind, const std::string& name) const;
   std::string missing(std::string_view kind, const std::string& name) const;
   static void* shared_component(const std::shared_ptr<Entry>& entry);
+  static void* new_component(const std::shared_ptr<Entry>& entry);
 
   std::vector<std::filesystem::path> folders_;
   std::vector<std::shared_ptr<Entry>> entries_;  // shared: a component that was made outlives its catalog

@@ -1,5 +1,7 @@
 #include "loading/plugin_table.h"
 
+#include "loading/component_kinds.h"
+
 #include <algorithm>
 #include <cstring>
 #include <span>
@@ -9,6 +11,14 @@ namespace lacuna {
 namespace {
 
 constexpr const char* kRebuild = "; build it again with this program's headers, compiler and settings";
+
+std::string known_kinds() {
+  std::string kinds;
+  for_each_component_kind([&]<class Interface>(std::type_identity<Interface>) {
+    kinds += (kinds.empty() ? "" : ", ") + std::string(ComponentKind<Interface>::name);
+  });
+  return kinds;
+}
 
 std::string_view text_or_empty(const char* text) { return text == nullptr ? std::string_view() : text; }
 
@@ -50,7 +60,7 @@ std::string component_problem(std::span<const ComponentEntry> components) {
     const std::string name(text_or_empty(component.name));
     if (component_noun(text_or_empty(component.kind)).empty())
       return "has a component \"" + name + "\" of the unknown kind \"" + std::string(text_or_empty(component.kind)) +
-             "\"; this program knows physical_effect, robot_definition, target_system, fitness_metric";
+             "\"; this program knows " + known_kinds();
     if (!is_lower_snake(name)) return "has a component named \"" + name + "\"; use lower-case letters, digits and _";
     if (component.create == nullptr) return "has no factory for its component \"" + name + "\"" + kRebuild;
   }
@@ -58,14 +68,6 @@ std::string component_problem(std::span<const ComponentEntry> components) {
 }
 
 }  // namespace
-
-std::string component_noun(std::string_view kind) {
-  if (kind == ComponentKind<PhysicalEffect>::name) return "effect";
-  if (kind == ComponentKind<RobotDefinition>::name) return "robot";
-  if (kind == ComponentKind<TargetSystem>::name) return "target";
-  if (kind == ComponentKind<FitnessMetric>::name) return "metric";
-  return {};
-}
 
 std::string table_problem(const PluginTable* table) {
   if (table == nullptr || std::memcmp(table->magic, kPluginMagic, sizeof(kPluginMagic)) != 0)

@@ -11,7 +11,4 @@ namespace lacuna {
 /// read no further than its version.
 std::string table_problem(const PluginTable* table);
 
-/// What users call a component of this kind: "effect" for "physical_effect"; empty: no such kind.
-std::string component_noun(std::string_view kind);
-
 }  // namespace lacuna

@@ -60,6 +60,7 @@ struct SimulationOptions {
       imperfections;  ///< none: ideal readings (delay, effects, scale and offset still apply)
   bool record_commands =
       false;  ///< also return the commands as sent (before delay, gain, effects), a row an output sample
+  bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, a row an output sample
   bool save_final_state = false;
 };
 
@@ -67,11 +68,12 @@ enum class Ending { completed, stopped, invalid };
 
 struct SimulationResult {
   Ending ending = Ending::completed;
-  std::string reason;       ///< why it is invalid, a sentence
-  TimeSeries readings;      ///< output times × sensor channels; rows after an early end are NaN
-  TimeSeries commands;      ///< if asked for
-  State final_state;        ///< if asked for
-  std::uint64_t steps = 0;  ///< integration steps taken
+  std::string reason;         ///< why it is invalid, a sentence
+  TimeSeries readings;        ///< output times × sensor channels; rows after an early end are NaN
+  TimeSeries commands;        ///< if asked for
+  TimeSeries centre_of_mass;  ///< if asked for: x, y, z in the world, m
+  State final_state;          ///< if asked for
+  std::uint64_t steps = 0;    ///< integration steps taken
 };
 
 /// Memory that one thread simulates in. Belongs to the model that made it.

@@ -19,7 +19,7 @@ void expect_one_problem(const std::filesystem::path& folder, const std::string& 
   const PluginCatalog catalog({built_plugins(), folder});
   EXPECT_THAT(catalog.problems(),
               ElementsAre(AllOf(HasSubstr((folder / file).string()), HasSubstr(what), HasSubstr(what_to_do))));
-  EXPECT_EQ(catalog.effect("viscous_friction").describe().parameters.size(), 1U);
+  EXPECT_EQ(catalog.get<PhysicalEffect>("viscous_friction").describe().parameters.size(), 1U);
 }
 
 TEST(BadPlugin, WithoutTheSymbol) {
@@ -91,14 +91,14 @@ TEST(BadPlugin, OfANameThatIsTakenNamesBothFiles) {
             HasSubstr((built_plugins() / "coulomb_friction.so").string()),
             HasSubstr((folder.path() / "duplicate.so").string()), HasSubstr("take one of them out"));
   EXPECT_THAT(catalog.problems(), ElementsAre(names_both));
-  EXPECT_THAT([&] { catalog.effect("coulomb_friction"); }, ThrowsMessage<Error>(names_both));
-  EXPECT_NO_THROW(catalog.effect("viscous_friction"));
+  EXPECT_THAT([&] { catalog.get<PhysicalEffect>("coulomb_friction"); }, ThrowsMessage<Error>(names_both));
+  EXPECT_NO_THROW(catalog.get<PhysicalEffect>("viscous_friction"));
 }
 
 TEST(BadPlugin, ThatIsAskedForBringsItsProblem) {
   const BadFolder folder("other_layout");
   const PluginCatalog catalog({folder.path()});
-  EXPECT_THAT([&] { catalog.effect("other_layout"); },
+  EXPECT_THAT([&] { catalog.get<PhysicalEffect>("other_layout"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("no effect \"other_layout\""), HasSubstr("lays out"))));
 }
 
@@ -106,13 +106,13 @@ TEST(BadPlugin, WhoseFactoryThrowsNamesComponentAndFile) {
   const BadFolder folder("throwing");
   const PluginCatalog catalog({folder.path()});
   EXPECT_THAT(catalog.problems(), IsEmpty());
-  EXPECT_THAT([&] { catalog.effect("throws_in_factory"); },
+  EXPECT_THAT([&] { catalog.get<PhysicalEffect>("throws_in_factory"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("effect \"throws_in_factory\""), HasSubstr("throwing.so"),
                                          HasSubstr("its factory threw std::runtime_error (no licence found)"),
                                          HasSubstr("repair it"))));
-  EXPECT_THAT([&] { catalog.effect("throws_foreign_in_factory"); },
+  EXPECT_THAT([&] { catalog.get<PhysicalEffect>("throws_foreign_in_factory"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("an object of type rig::Trouble"), HasSubstr("repair it"))));
-  EXPECT_NO_THROW(catalog.effect("harmless"));
+  EXPECT_NO_THROW(catalog.get<PhysicalEffect>("harmless"));
 }
 
 TEST(BadPlugin, ThatCannotDescribeItselfIsListedWithItsProblem) {

@@ -9,7 +9,7 @@ namespace lacuna {
 
 RobotSpec bench_quadruped() {
   static const PluginCatalog catalog({LACUNA_PLUGINS_DIRECTORY});
-  const RobotDefinition& definition = catalog.robot("quadruped");
+  const RobotDefinition& definition = catalog.get<RobotDefinition>("quadruped");
   std::vector<double> defaults;
   for (const ParameterDeclaration& parameter : definition.parameters()) defaults.push_back(parameter.default_value);
   RobotSpec robot = definition.build({.parameters = defaults, .declared = nullptr});

@@ -6,7 +6,7 @@ namespace lacuna {
 
 const PhysicalEffect& test_effect(const std::string& name) {
   static const PluginCatalog catalog({LACUNA_TEST_EFFECTS_DIRECTORY});
-  return catalog.effect(name);
+  return catalog.get<PhysicalEffect>(name);
 }
 
 }  // namespace lacuna

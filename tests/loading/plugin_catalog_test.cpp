@@ -21,19 +21,19 @@ using testing::ThrowsMessage;
 TEST(PluginCatalog, FindsTheComponentsOfTheBuild) {
   const PluginCatalog catalog({built_plugins()});
   EXPECT_THAT(catalog.problems(), IsEmpty());
-  EXPECT_THAT(catalog.effect("coulomb_friction").describe().equation, HasSubstr("torque*sgn(v)"));
+  EXPECT_THAT(catalog.get<PhysicalEffect>("coulomb_friction").describe().equation, HasSubstr("torque*sgn(v)"));
 }
 
 TEST(PluginCatalog, MakesAComponentOnce) {
   const PluginCatalog catalog({built_plugins()});
-  EXPECT_EQ(&catalog.effect("coulomb_friction"), &catalog.effect("coulomb_friction"));
+  EXPECT_EQ(&catalog.get<PhysicalEffect>("coulomb_friction"), &catalog.get<PhysicalEffect>("coulomb_friction"));
 }
 
 TEST(PluginCatalog, ComponentsOutliveTheCatalog) {
   const PhysicalEffect* effect = nullptr;
   {
     const PluginCatalog catalog({built_plugins()});
-    effect = &catalog.effect("coulomb_friction");
+    effect = &catalog.get<PhysicalEffect>("coulomb_friction");
   }
   EXPECT_EQ(effect->describe().parameters.front().name, "torque");
 }
@@ -46,7 +46,7 @@ TEST(PluginCatalog, RecordsTheDigestOfEachFile) {
 TEST(PluginCatalog, AMissingNameBringsTheNearestOneAndTheFolders) {
   const PluginCatalog catalog({built_plugins()});
   EXPECT_THAT(
-      [&] { catalog.effect("coulomb_fricton"); },
+      [&] { catalog.get<PhysicalEffect>("coulomb_fricton"); },
       ThrowsMessage<Error>(AllOf(HasSubstr("no effect \"coulomb_fricton\""),
                                  HasSubstr("did you mean \"coulomb_friction\""), HasSubstr(built_plugins().string()))));
 }

@@ -19,7 +19,7 @@ class JointEffects : public testing::TestWithParam<JointKind> {
   /// A joint that starts at `velocity` with this effect on it.
   static SimulationRun with(const std::string& effect, double value, double velocity) {
     SimulationRun run(one_joint(GetParam(), kInertia), kStep);
-    run.place(built_catalog().effect(effect), ElementKind::joint, {0}, {value});
+    run.place(built_catalog().get<PhysicalEffect>(effect), ElementKind::joint, {0}, {value});
     run.from({0.0}, {velocity});
     return run;
   }

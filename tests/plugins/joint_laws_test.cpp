@@ -25,7 +25,7 @@ RobotSpec row_of_joints() {
 RobotSpec amended(const std::string& effect, double value, std::vector<int> joints) {
   RobotSpec robot = row_of_joints();
   const std::array<double, 1> parameters = {value};
-  built_catalog().effect(effect).amend(robot, {parameters, joints, ElementKind::joint, 0.001});
+  built_catalog().get<PhysicalEffect>(effect).amend(robot, {parameters, joints, ElementKind::joint, 0.001});
   return robot;
 }
 
@@ -53,7 +53,7 @@ TEST(JointLaws, EffectsRefuseJointsWithoutThem) {
 
 TEST(JointLaws, AtTheirNeutralValueEffectsChangeNothing) {
   for (const char* effect : {"coulomb_friction", "viscous_friction", "joint_offset_torque"}) {
-    const double neutral = built_catalog().effect(effect).describe().parameters[0].default_value;
+    const double neutral = built_catalog().get<PhysicalEffect>(effect).describe().parameters[0].default_value;
     const JointSpec joint = amended(effect, neutral, {0}).joints[0];
     EXPECT_EQ(joint.dry_friction, 0.0);
     EXPECT_EQ(joint.damping, 0.0);

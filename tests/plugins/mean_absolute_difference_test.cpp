@@ -19,7 +19,7 @@ constexpr double kTolerance = 1e-15;  // of a handful of additions of order one
 using Sample = std::array<double, 2>;
 
 std::unique_ptr<ScoreAccumulator> accumulator(std::size_t samples) {
-  return built_catalog().metric("mean_absolute_difference").accumulator({1, samples, 2}, {});
+  return built_catalog().get<FitnessMetric>("mean_absolute_difference").accumulator({1, samples, 2}, {});
 }
 
 TEST(MeanAbsoluteDifference, IsTheMeanOverSamplesAndChannels) {

@@ -28,7 +28,7 @@ class QuadrupedTest : public testing::Test {
   const BodySpec& body(const std::string& name) const { return named(robot_.bodies, name); }
   const JointSpec& joint(const std::string& name) const { return named(robot_.joints, name); }
 
-  const RobotDefinition& plugin_ = built_catalog().robot("quadruped");
+  const RobotDefinition& plugin_ = built_catalog().get<RobotDefinition>("quadruped");
   std::vector<double> values_;
   RobotSpec robot_;
 };

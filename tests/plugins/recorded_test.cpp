@@ -20,24 +20,24 @@ class TwoTrials : public TrialReader {
 
 TEST(Recorded, HandsOnWhatTheHostReads) {
   const TwoTrials reader;
-  const std::vector<Trial> trials = built_catalog().make_target("recorded")->recorded({.trials = &reader});
+  const std::vector<Trial> trials = built_catalog().make<TargetSystem>("recorded")->recorded({.trials = &reader});
   ASSERT_EQ(trials.size(), 2U);
   EXPECT_EQ(trials[1].name, "chirp");
 }
 
 TEST(Recorded, WithoutAReaderSaysWhatToName) {
-  const auto target = built_catalog().make_target("recorded");
+  const auto target = built_catalog().make<TargetSystem>("recorded");
   EXPECT_THAT([&] { target->recorded({}); }, ThrowsMessage<Error>(HasSubstr("[target]")));
 }
 
 TEST(Recorded, TakesNoTests) {
-  const auto target = built_catalog().make_target("recorded");
+  const auto target = built_catalog().make<TargetSystem>("recorded");
   EXPECT_FALSE(target->takes_tests());
   EXPECT_THAT([&] { target->carry_out({}, {}); }, ThrowsMessage<Error>(HasSubstr("takes no tests")));
 }
 
 TEST(Recorded, EachTargetIsItsOwn) {
-  EXPECT_NE(built_catalog().make_target("recorded"), built_catalog().make_target("recorded"));
+  EXPECT_NE(built_catalog().make<TargetSystem>("recorded"), built_catalog().make<TargetSystem>("recorded"));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <lacuna/random_stream.h>
 #include <lacuna/robot_spec.h>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,19 +18,18 @@ struct FreeParameter {
   double lower = 0.0;
   double upper = 0.0;
   double start = 0.0;  ///< where nothing is known better
+  Scale scale = Scale::linear;
 };
 
 /// What an encoding's models are made from.
 struct ModelSpace {
   const RobotSpec& robot;           ///< the experiment's robot, start values in place
   std::vector<FreeParameter> free;  ///< what the experiment frees, effects' parameters included
-  double step = 0.0;                ///< the control period, s
 };
 
 /// A model as a genome says it.
 struct ModelProposal {
-  std::vector<double> values;      ///< of `ModelSpace::free`, in its order, SI
-  std::optional<RobotSpec> robot;  ///< a body of its own; nothing: the experiment's
+  std::vector<double> values;  ///< of `ModelSpace::free`, in its order, SI, within their bounds
 };
 
 /// What a genome of models means. Const and shared by threads; the same genome gives the same model.

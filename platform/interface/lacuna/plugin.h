@@ -1,9 +1,15 @@
 #pragma once
 
 #include <lacuna/fitness_metric.h>
+#include <lacuna/model_encoding.h>
+#include <lacuna/mutation_operator.h>
+#include <lacuna/objective_metric.h>
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_definition.h>
+#include <lacuna/search_strategy.h>
 #include <lacuna/target_system.h>
+#include <lacuna/test_encoding.h>
+#include <lacuna/test_fitness.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +20,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 1;
+inline constexpr std::uint32_t kInterfaceVersion = 2;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -24,9 +30,8 @@ struct TypeLayout {
   std::uint64_t alignment;
 };
 
-/// `kind` is the interface class's name in lower_snake: "physical_effect", "robot_definition",
-/// "target_system", "fitness_metric". `create` returns a `new` object as a pointer to that
-/// class, cast to void*; the host owns it until the process ends.
+/// `kind` is the interface class's name in lower_snake, as in `ComponentKind` below. `create` returns a `new` object as
+/// a pointer to that class, cast to void*; the host owns it until the process ends.
 struct ComponentEntry {
   const char* kind;
   const char* name;
@@ -91,27 +96,72 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(Trial),
     LACUNA_LAYOUT_(TargetServices),
     LACUNA_LAYOUT_(ComparisonShape),
+    LACUNA_LAYOUT_(RandomStream),
+    LACUNA_LAYOUT_(Gene),
+    LACUNA_LAYOUT_(GenomeLayout),
+    LACUNA_LAYOUT_(ModelSpace),
+    LACUNA_LAYOUT_(ModelProposal),
+    LACUNA_LAYOUT_(TestSpace),
+    LACUNA_LAYOUT_(SearchTask),
+    LACUNA_LAYOUT_(Individual),
+    LACUNA_LAYOUT_(ScoredIndividual),
+    LACUNA_LAYOUT_(TestPrediction),
+    LACUNA_LAYOUT_(ObjectiveScore),
 };
 #undef LACUNA_LAYOUT_
 
-/// The interface class that a component's kind stands for.
+/// What an interface class is called in a plugin's table (`name`) and in messages (`noun`).
 template <class Interface>
 struct ComponentKind;
 template <>
 struct ComponentKind<PhysicalEffect> {
   static constexpr const char* name = "physical_effect";
+  static constexpr const char* noun = "effect";
 };
 template <>
 struct ComponentKind<RobotDefinition> {
   static constexpr const char* name = "robot_definition";
+  static constexpr const char* noun = "robot";
 };
 template <>
 struct ComponentKind<TargetSystem> {
   static constexpr const char* name = "target_system";
+  static constexpr const char* noun = "target";
 };
 template <>
 struct ComponentKind<FitnessMetric> {
   static constexpr const char* name = "fitness_metric";
+  static constexpr const char* noun = "metric";
+};
+template <>
+struct ComponentKind<ModelEncoding> {
+  static constexpr const char* name = "model_encoding";
+  static constexpr const char* noun = "model encoding";
+};
+template <>
+struct ComponentKind<TestEncoding> {
+  static constexpr const char* name = "test_encoding";
+  static constexpr const char* noun = "test encoding";
+};
+template <>
+struct ComponentKind<MutationOperator> {
+  static constexpr const char* name = "mutation_operator";
+  static constexpr const char* noun = "mutation";
+};
+template <>
+struct ComponentKind<SearchStrategy> {
+  static constexpr const char* name = "search_strategy";
+  static constexpr const char* noun = "search";
+};
+template <>
+struct ComponentKind<TestFitness> {
+  static constexpr const char* name = "test_fitness";
+  static constexpr const char* noun = "test fitness";
+};
+template <>
+struct ComponentKind<ObjectiveMetric> {
+  static constexpr const char* name = "objective_metric";
+  static constexpr const char* noun = "objective metric";
 };
 
 /// An entry of the component list: `component<PhysicalEffect, ViscousFriction>("viscous_friction")`.

@@ -18,12 +18,12 @@ class Breeder {
  public:
   virtual ~Breeder() = default;
   virtual Genome random(RandomStream& random) const = 0;
-  /// A child of some of `parents` by the experiment's mutation operators. `used` receives the indices of the parents
-  /// it was made from.
+  /// A child of some of `parents`, chosen at random, by the experiment's mutation operators. `used` receives the
+  /// indices of the parents it was made from.
   virtual Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const = 0;
 };
 
-/// What is searched.
+/// What is searched. Layout and breeder must outlive the search.
 struct SearchTask {
   const GenomeLayout& layout;
   const Breeder& breeder;
@@ -36,6 +36,11 @@ struct Individual {
   std::uint64_t number = 0;  ///< counted through the search
   Genome genome;
   std::vector<std::uint64_t> parents;  ///< numbers
+};
+
+struct ScoredIndividual {
+  Individual individual;
+  double score = 0.0;
 };
 
 /// A search under way. Smaller scores are better; infinite ones are invalid. Used by one thread at a time.
@@ -53,9 +58,10 @@ class Search {
   /// number above the bar.
   virtual void tell(std::span<const double> scores) = 0;
   /// The best so far, best first, as many as the search keeps; their scores.
-  virtual std::vector<Individual> best() const = 0;
-  virtual std::vector<double> best_scores() const = 0;
+  virtual std::vector<ScoredIndividual> best() const = 0;
+  /// Generations told so far, and how many there will be at most.
   virtual int generation() const = 0;
+  virtual int generations() const = 0;
   /// The state between two generations as numbers, and back: going on gives the same digits.
   virtual std::vector<double> save() const = 0;
   virtual void load(std::span<const double> state) = 0;
@@ -70,7 +76,7 @@ class SearchStrategy {
   virtual std::string summary() const = 0;
   /// Population, generations and the like.
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// The task must live as long as the search. Throws `Error` for parameters that make no search.
+  /// Throws `Error` for parameters that make no search.
   virtual std::unique_ptr<Search> begin(const SearchTask& task, std::span<const double> parameters) const = 0;
 };
 

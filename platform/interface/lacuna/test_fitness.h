@@ -4,8 +4,6 @@
 #include <lacuna/test.h>
 #include <lacuna/time_series.h>
 
-#include <Eigen/Core>
-
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +12,8 @@ namespace lacuna {
 
 /// What one model says a test would give.
 struct TestPrediction {
-  TimeSeries sensors;                           ///< sample times × sensor channels
-  std::vector<Eigen::Vector3d> centre_of_mass;  ///< of the whole robot at each sample time; world frame, m
-  bool valid = true;                            ///< false: the model could not carry the test out to its end
+  TimeSeries sensors;         ///< sample times × sensor channels
+  TimeSeries centre_of_mass;  ///< of the whole robot, the same times × x, y, z; world frame, m
 };
 
 /// How good a test is, judged on models' predictions of it alone. Larger is better. Const and shared by threads.
@@ -29,7 +26,7 @@ class TestFitness {
   virtual ParameterDeclarations parameters() const { return {}; }
   /// How many of the best models, best first, must predict the test.
   virtual std::size_t models(std::span<const double> parameters) const = 0;
-  /// `predictions`: one a model, best first; all of them valid.
+  /// `predictions`: one a model, best first; each reaches the test's end. Not finite: the test is worth nothing.
   virtual double score(const Test& test, std::span<const TestPrediction> predictions,
                        std::span<const double> parameters) const = 0;
 };

@@ -39,6 +39,7 @@ void Bodies::create(dWorldID world, const RobotSpec& robot) {
     poses_.push_back(
         {dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body)});
     set_mass(body, spec);
+    masses_.push_back(spec.mass);
     const Eigen::Quaterniond orientation = spec.orientation.normalized();
     set_pose(body, spec.position + orientation * spec.com, orientation);
   }
@@ -48,6 +49,17 @@ void Bodies::destroy() {
   for (const dBodyID body : ids_) dBodyDestroy(body);
   ids_.clear();
   poses_.clear();
+  masses_.clear();
+}
+
+Eigen::Vector3d Bodies::centre_of_mass() const {
+  Eigen::Vector3d sum(0.0, 0.0, 0.0);
+  double mass = 0.0;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    sum += masses_[i] * poses_[i].x();
+    mass += masses_[i];
+  }
+  return mass > 0.0 ? Eigen::Vector3d(sum / mass) : sum;
 }
 
 void Bodies::place(std::span<const simulation::BodyMotion> motions) {

@@ -54,6 +54,9 @@ class Bodies {
   /// What is wrong with an exploded body, without a subject: "moves at ...".
   std::string describe(int body) const;
 
+  /// Of all bodies together, in the world, m.
+  Eigen::Vector3d centre_of_mass() const;
+
   std::size_t size() const { return ids_.size(); }
   dBodyID id(int body) const { return body < 0 ? nullptr : ids_[static_cast<std::size_t>(body)]; }
   Pose pose(int body) const;
@@ -61,6 +64,7 @@ class Bodies {
  private:
   std::vector<dBodyID> ids_;
   std::vector<Pose> poses_;
+  std::vector<double> masses_;  // kg
 };
 
 }  // namespace lacuna::ode

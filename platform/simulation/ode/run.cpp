@@ -25,6 +25,11 @@ void size_series(TimeSeries& series, const std::vector<Channel>& channels, std::
   series.samples.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
+const std::vector<Channel>& centre_of_mass_channels() {
+  static const std::vector<Channel> channels = {{"x", "m"}, {"y", "m"}, {"z", "m"}};
+  return channels;
+}
+
 }  // namespace
 
 Run::Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions& options, SimulationResult& result)
@@ -101,6 +106,10 @@ void Run::prepare_result() {
     size_series(result_.commands, command_channels(model_.structure().robot), options_.output_times);
   else
     result_.commands = {};
+  if (options_.record_centre_of_mass)
+    size_series(result_.centre_of_mass, centre_of_mass_channels(), options_.output_times);
+  else
+    result_.centre_of_mass = {};
   result_.final_state.values.clear();
   if (options_.save_final_state)
     result_.final_state.values.reserve(model_.state_size() + ws_.drive.controller_state_size());
@@ -114,6 +123,7 @@ void Run::begin() {
     begin_at_saved_state();
   else
     begin_at_coordinates();
+  if (options_.record_centre_of_mass) centre_ = ws_.mechanism->bodies().centre_of_mass();
   const double steps = std::ceil((options_.end_time - origin_) / h_ - kSameTime);
   if (steps > 1e15) throw Error("the simulation has too many steps");
   last_step_ = std::max(step_, static_cast<std::uint64_t>(std::max(0.0, steps)));
@@ -160,6 +170,10 @@ void Run::advance() {
   ws_.mechanism->step(ws_.loads, contact_);
   ++step_;
   ++result_.steps;
+  if (options_.record_centre_of_mass) {
+    centre_before_ = centre_;
+    centre_ = ws_.mechanism->bodies().centre_of_mass();
+  }
   settle_actuators();
   ws_.sum_joint_forces();
   sense(time(step_));
@@ -266,6 +280,8 @@ bool Run::write_outputs(double before, double now) {
           share == 1.0 ? now_readings[i] : ws_.readings_before[i] + share * (now_readings[i] - ws_.readings_before[i]);
     impair(wanted);
     const auto row = static_cast<Eigen::Index>(next_output_);
+    if (options_.record_centre_of_mass)
+      result_.centre_of_mass.samples.row(row) = (centre_before_ + share * (centre_ - centre_before_)).transpose();
     std::copy(ws_.output_row.begin(), ws_.output_row.end(), result_.readings.samples.row(row).begin());
     if (options_.stop_when && options_.stop_when(next_output_, ws_.output_row)) return false;
   }

@@ -54,6 +54,7 @@ class Run {
   std::size_t next_output_ = 0, next_command_output_ = 0;
   ContactSpec contact_;
   Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
+  Eigen::Vector3d centre_{0.0, 0.0, 0.0}, centre_before_{0.0, 0.0, 0.0};  // of mass, if recorded, m
 };
 
 }  // namespace lacuna::ode
