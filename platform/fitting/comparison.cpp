@@ -64,16 +64,14 @@ class Comparer {
  private:
   std::size_t trials() const { return task_.trials.size(); }
 
-  /// RMS over the scored time of what each start component's standard error changes, added as squares.
+  /// RMS over the scored time of what the start may be wrong by does to the prediction.
   Eigen::VectorXd effect_of_start(std::size_t trial, const FreeRun& run, int worker) const {
     const Stretch whole = predictor_.whole(trial);
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(run.prediction.samples.cols());
     Prediction moved;
-    for (int index = 0; index < run.start.deviation.size(); ++index) {
-      if (!run.start.tells(index)) continue;
-      StartState start = run.start.start;
-      set_component(start, index, component(start, index) + run.start.deviation(index));
-      predictor_.predict(whole, task_.values, start, worker, moved);
+    for (Eigen::Index axis = 0; axis < run.start.axes.cols(); ++axis) {
+      if (run.start.axes.col(axis).isZero(0.0)) continue;
+      predictor_.predict(whole, task_.values, moved_along(run.start, axis), worker, moved);
       if (!moved.valid) continue;
       const TimeSeries::Samples change = moved.samples - run.prediction.samples;
       for (Eigen::Index c = 0; c < squares.size(); ++c)

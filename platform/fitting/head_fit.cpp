@@ -1,16 +1,21 @@
 #include "fitting/head_fit.h"
 
 #include "fitting/least_squares.h"
+#include "fitting/local_polynomial.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
 
 constexpr double kWeak = 30.0;  ///< the guess pulls with so many times its deviation: enough to keep the search regular
+constexpr double kShorter = 0.7;    ///< axes that the head refuses are shortened by this
+constexpr int kMostShorter = 30;    ///< so many times, which is 1/40 000
+constexpr double kAllowance = 2.0;  ///< squared error that one deviation may add, over what a linear model adds
 
 /// Residuals of one head as a function of the unknown components of its start; no shared values.
 class HeadProblem : public SegmentedProblem {
@@ -21,6 +26,10 @@ class HeadProblem : public SegmentedProblem {
     guess_ = states.from_samples(head, head.first);
     for (int index = 0; index < guess_.deviation.size(); ++index)
       if (guess_.tells(index)) unknown_.push_back(index);
+    const TimeSeries& measured = predictor.trials()[head.trial].measured;
+    for (Eigen::Index channel = 0; channel < measured.samples.cols(); ++channel)
+      deviations_.push_back(states.deviation(head.trial, channel) *
+                            repetition(measured, channel, {head.first, head.last}));
   }
 
   const StartEstimate& guess() const { return guess_; }
@@ -37,6 +46,23 @@ class HeadProblem : public SegmentedProblem {
     for (std::size_t j = 0; j < unknown_.size(); ++j)
       set_component(start, unknown_[j], state(static_cast<Eigen::Index>(j)));
     return start;
+  }
+
+  /// RMS of the residuals over their noise, of readings and prior together.
+  double misfit(const Eigen::VectorXd& residuals) const {
+    double squares = residuals.tail(static_cast<Eigen::Index>(unknown_.size())).squaredNorm();
+    const Eigen::Index rows = head_.size();
+    for (std::size_t channel = 0; channel < deviations_.size(); ++channel) {
+      const double repeated = deviations_[channel] / states_.deviation(head_.trial, static_cast<Eigen::Index>(channel));
+      squares += repeated * repeated * residuals.segment(static_cast<Eigen::Index>(channel) * rows, rows).squaredNorm();
+    }
+    return std::sqrt(squares / static_cast<double>(residuals.size()));
+  }
+
+  /// Squared residuals at a state; infinite where it cannot be simulated.
+  double cost(const Eigen::VectorXd& state) {
+    Eigen::VectorXd residuals;
+    return whitened(state, residuals) ? residuals.squaredNorm() : std::numeric_limits<double>::infinity();
   }
 
   const Eigen::VectorXd& lower() const override { return nothing_; }
@@ -73,7 +99,7 @@ class HeadProblem : public SegmentedProblem {
     Eigen::Index row = 0;
     for (Eigen::Index channel = 0; channel < difference_.cols(); ++channel)
       for (Eigen::Index i = 0; i < difference_.rows(); ++i) {
-        const double value = difference_(i, channel) / states_.deviation(head_.trial, channel);
+        const double value = difference_(i, channel) / deviations_[static_cast<std::size_t>(channel)];
         r(row++) = std::isfinite(value) ? value : 0.0;
       }
     for (Eigen::Index j = 0; j < state.size(); ++j) {
@@ -90,17 +116,31 @@ class HeadProblem : public SegmentedProblem {
   int worker_;
   StartEstimate guess_;
   std::vector<int> unknown_;
+  std::vector<double> deviations_;  ///< per measured channel, of readings as if they were independent
   Eigen::VectorXd nothing_;
   Prediction prediction_;
   TimeSeries::Samples difference_;
 };
 
-Eigen::VectorXd deviations(const Eigen::MatrixXd& jacobian) {
-  const Eigen::MatrixXd information = jacobian.transpose() * jacobian;
-  const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::MatrixXd covariance = scaled.ldlt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
-  return scale.cwiseProduct(covariance.diagonal().cwiseMax(0.0).cwiseSqrt());
+/// Directions in which a linear problem's solution is uncertain, each one standard deviation long, in columns.
+Eigen::MatrixXd principal_axes(const Eigen::MatrixXd& jacobian) {
+  const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
+  const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.transpose() * scaled);
+  const double least = std::numeric_limits<double>::epsilon() * eigen.eigenvalues().maxCoeff();
+  const Eigen::VectorXd lengths = eigen.eigenvalues().cwiseMax(least).cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * eigen.eigenvectors() * lengths.asDiagonal();
+}
+
+/// Shortens an axis until the head bears a start at its end. Where a joint sticks, small velocities change nothing and
+/// the derivative knows no limit, yet larger ones break away and contradict the head.
+Eigen::VectorXd believable(HeadProblem& problem, const FitPoint& best, double allowed, Eigen::VectorXd axis) {
+  for (int k = 0; k < kMostShorter; ++k) {
+    const Eigen::VectorXd& at = best.states[0];
+    if (std::max(problem.cost(at + axis), problem.cost(at - axis)) <= allowed) break;
+    axis *= kShorter;
+  }
+  return axis;
 }
 
 }  // namespace
@@ -133,12 +173,16 @@ StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& state
   std::vector<SegmentJacobian> jacobians;
   problem.linearize(best.point, best.residuals, jacobians);
   // A model that does not follow even the head is less certain of the start.
-  estimate.misfit = std::sqrt(std::max(1.0, best.cost / static_cast<double>(best.residuals[0].size())));
-  const Eigen::VectorXd certain = estimate.misfit * deviations(jacobians[0].state);
-  for (std::size_t j = 0; j < problem.unknown().size(); ++j) {
-    const int index = problem.unknown()[j];
-    estimate.deviation(index) = std::max(certain(static_cast<Eigen::Index>(j)), estimate.noise(index));
+  estimate.misfit = std::max(1.0, problem.misfit(best.residuals[0]));
+  const Eigen::MatrixXd axes = estimate.misfit * principal_axes(jacobians[0].state);
+  const double allowed = best.residuals[0].squaredNorm() + kAllowance * estimate.misfit * estimate.misfit;
+  estimate.axes.setZero(estimate.axes.rows(), axes.cols());
+  for (Eigen::Index axis = 0; axis < axes.cols(); ++axis) {
+    const Eigen::VectorXd bounded = believable(problem, best.point, allowed, axes.col(axis));
+    for (std::size_t j = 0; j < problem.unknown().size(); ++j)
+      estimate.axes(problem.unknown()[j], axis) = bounded(static_cast<Eigen::Index>(j));
   }
+  for (const int index : problem.unknown()) estimate.deviation(index) = estimate.axes.row(index).norm();
   return estimate;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace lacuna {
@@ -33,7 +34,22 @@ std::vector<Eigen::Index> nearby(const TimeSeries& series, Eigen::Index channel,
   }
 }
 
+constexpr int kOfOneStep = 4;  ///< readings that a line on one step of an encoder is worth
+
 }  // namespace
+
+double repetition(const TimeSeries& series, Eigen::Index channel, Range range) {
+  int readings = 0, worth = kOfOneStep;
+  double before = std::numeric_limits<double>::quiet_NaN();
+  for (Eigen::Index row = range.first; row < range.second; ++row) {
+    const double reading = series.samples(row, channel);
+    if (!std::isfinite(reading)) continue;
+    if (readings > 0 && reading != before) ++worth;
+    ++readings;
+    before = reading;
+  }
+  return readings > worth ? std::sqrt(static_cast<double>(readings) / worth) : 1.0;
+}
 
 LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index channel, Range range, Eigen::Index sample,
                                      int degree, double window, double noise) {
@@ -61,6 +77,7 @@ LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index chan
   // Where the motion is no parabola, the scatter about it says so.
   if (size > terms)
     noise = std::max(noise, (powers * coefficients - values).norm() / std::sqrt(static_cast<double>(size - terms)));
+  noise *= repetition(series, channel, {rows.front(), rows.back() + 1});
   result.value_deviation = noise * std::sqrt(covariance(0, 0));
   result.slope = terms > 1 ? coefficients(1) / span : 0.0;
   result.slope_deviation = terms > 1 ? noise * std::sqrt(covariance(1, 1)) / span : noise / window;

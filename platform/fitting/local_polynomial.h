@@ -15,6 +15,12 @@ struct LocalPolynomial {
   double slope_deviation = 0.0;
 };
 
+/// By how much the deviation of an average of these readings is larger than that of as many independent ones, at
+/// least 1. A reading that repeats the one before it (an encoder that stays on its step) carries the same error again.
+/// n readings of r runs of equal values count as r + 3: a line that stays on one step for the whole window is bounded
+/// at its ends, which makes its start as uncertain as one reading, and four readings' line has such a start.
+double repetition(const TimeSeries& series, Eigen::Index channel, std::pair<Eigen::Index, Eigen::Index> range);
+
 /// Least squares through the measured samples of `range` (first, one past last) whose times lie within
 /// `window` (s) of `sample`: half before and half after, shifted to one side at the range's ends. The
 /// window grows until it holds a point more than twice the unknowns, or all there are; the degree falls where

@@ -58,11 +58,8 @@ std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartS
   if (estimate.valid) predictor.predict(stretch, values, estimate.start, worker, base);
   if (!base.valid) return std::nullopt;
   TimeSeries::Samples variance = TimeSeries::Samples::Zero(base.samples.rows(), base.samples.cols());
-  for (int index = 0; index < estimate.deviation.size(); ++index) {
-    if (!std::isfinite(estimate.deviation(index))) continue;
-    StartState start = estimate.start;
-    set_component(start, index, component(start, index) + estimate.deviation(index));
-    predictor.predict(stretch, values, start, worker, moved);
+  for (Eigen::Index axis = 0; axis < estimate.axes.cols(); ++axis) {
+    predictor.predict(stretch, values, moved_along(estimate, axis), worker, moved);
     if (moved.valid) variance += (moved.samples - base.samples).cwiseAbs2();
   }
   const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;

@@ -54,6 +54,13 @@ void set_component(StartState& start, int index, double value) {
   (i < n ? start.positions[i] : start.velocities[i - n]) = value;
 }
 
+StartState moved_along(const StartEstimate& estimate, Eigen::Index axis, double times) {
+  StartState start = estimate.start;
+  for (int index = 0; index < estimate.axes.rows(); ++index)
+    set_component(start, index, component(start, index) + times * estimate.axes(index, axis));
+  return start;
+}
+
 StartStates::StartStates(const RobotSpec& robot, const TrialPredictor& predictor,
                          const std::vector<ChannelNoise>& noise)
     : trials_(predictor.trials()), coordinates_(static_cast<int>(predictor.model().coordinates().size())) {
@@ -116,7 +123,6 @@ StartEstimate StartStates::from_samples(const Stretch& stretch, Eigen::Index sam
   estimate.start.positions.assign(n, 0.0);
   estimate.start.velocities.assign(n, 0.0);
   estimate.deviation = Eigen::VectorXd::Constant(2 * coordinates_, std::numeric_limits<double>::infinity());
-  estimate.noise = Eigen::VectorXd::Zero(2 * coordinates_);
   for (int c = 0; c < coordinates_; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (sample == 0 && !trial.initial.empty()) {
@@ -128,6 +134,7 @@ StartEstimate StartStates::from_samples(const Stretch& stretch, Eigen::Index sam
     else
       read_coordinate(stretch, sample, c, estimate);
   }
+  estimate.axes = estimate.deviation.unaryExpr([](double d) { return std::isfinite(d) ? d : 0.0; }).asDiagonal();
   return estimate;
 }
 
@@ -135,29 +142,25 @@ void StartStates::read_coordinate(const Stretch& stretch, Eigen::Index sample, i
   const auto i = static_cast<std::size_t>(c);
   const int velocity = coordinates_ + c;
   const TimeSeries& measured = trials_[stretch.trial].measured;
-  const auto tell = [&](int index, double value, double deviation, double noise) {
+  const auto tell = [&](int index, double value, double deviation) {
     if (!(deviation < estimate.deviation(index))) return;
     set_component(estimate.start, index, value);
-    estimate.deviation(index) = std::max(deviation, noise);
-    estimate.noise(index) = noise;
+    estimate.deviation(index) = deviation;
   };
   if (const auto& reading = readings_[stretch.trial].positions[i]) {
     const double noise = deviation(stretch.trial, reading->channel);
     const double unit = std::abs(reading->scale);
     const LocalPolynomial line =
         fit_local_polynomial(measured, reading->channel, {stretch.first, stretch.last}, sample, 2, kHead, noise);
-    if (line.points > 0)
-      tell(c, (line.value - reading->offset) / reading->scale, line.value_deviation / unit, noise / unit);
-    if (line.points > 1)
-      tell(velocity, line.slope / reading->scale, line.slope_deviation / unit, noise / (unit * kHead));
+    if (line.points > 0) tell(c, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
+    if (line.points > 1) tell(velocity, line.slope / reading->scale, line.slope_deviation / unit);
   }
   if (const auto& reading = readings_[stretch.trial].velocities[i]) {
     const double noise = deviation(stretch.trial, reading->channel);
     const double unit = std::abs(reading->scale);
     const LocalPolynomial line =
         fit_local_polynomial(measured, reading->channel, {stretch.first, stretch.last}, sample, 1, kHead, noise);
-    if (line.points > 0)
-      tell(velocity, (line.value - reading->offset) / reading->scale, line.value_deviation / unit, noise / unit);
+    if (line.points > 0) tell(velocity, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
   }
 }
 

@@ -20,8 +20,10 @@ struct StartEstimate {
   bool valid = false;
   StartState start;
   Eigen::VectorXd deviation;  ///< standard deviations, 2 n; 0: exact; infinite where the data say nothing
-  Eigen::VectorXd noise;      ///< what one sample's noise does to a component; a head's deviation never falls below
-  double misfit = 1.0;        ///< RMS of the head's residuals over their noise, at least 1; part of the deviations
+  /// What may be wrong with the start, a column a direction: independent of each other, each one standard deviation
+  /// long, together the covariance of the components that data tell.
+  Eigen::MatrixXd axes;
+  double misfit = 1.0;  ///< RMS of the head's residuals over their noise, at least 1; part of the deviations
 
   /// Whether component `index` was estimated from data, rather than given or not measured.
   bool tells(int index) const { return deviation(index) > 0.0 && std::isfinite(deviation(index)); }
@@ -31,6 +33,9 @@ struct StartEstimate {
     return false;
   }
 };
+
+/// The start `times` standard deviations off along one of its axes.
+StartState moved_along(const StartEstimate& estimate, Eigen::Index axis, double times = 1.0);
 
 double component(const StartState& start, int index);
 void set_component(StartState& start, int index, double value);

@@ -143,10 +143,12 @@ TEST(Fit, HorizonInSecondsAndAutomaticHorizonCutTheLastStage) {
   options.horizon = "1.0";
   EXPECT_EQ(fit_pendulum({pendulum_trial(4.0, kNoise, 3)}, options).stages.back().segments, 4);
   options.horizon = "auto";
+  // A line through half a second tells a velocity to σ√12/(T√N) = 0.7 mrad/s: 0.2 mrad of a swing of 0.7 Hz, for ever.
+  EXPECT_EQ(fit_pendulum({pendulum_trial(4.0, kNoise, 3)}, options).stages.back().name, "free run");
+  // Through 50 ms it is 21 mrad/s, which makes twice the noise after 0.12 s, a little later under a spring.
+  options.segments = {0.05};
   const FitStage last = fit_pendulum({pendulum_trial(4.0, kNoise, 3)}, options).stages.back();
-  // One sample's noise over 50 ms leaves 0.02 rad/s uncertain, which a pendulum of 0.7 Hz turns into 4 mrad.
-  EXPECT_GT(last.segment, 0.09);
-  EXPECT_LT(last.segment, 1.0);
+  EXPECT_NEAR(last.segment, 0.13, 0.03);
   EXPECT_THAT(last.name, HasSubstr("automatic horizon"));
 }
 
