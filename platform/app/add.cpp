@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -58,6 +59,63 @@ void check_id(const std::string& id, const EffectList& effects) {
       throw_problem({}, "--id " + id + ": is taken by a " + entry.effect + " of the model; choose another name");
 }
 
+/// What the option was that became a key of the effect's entry, as it was typed.
+std::string typed(const std::string& key, const AddOptions& options) {
+  const auto element = [&](const std::string& option, const std::vector<std::string>& list) {
+    const std::size_t index = std::stoul(key.substr(key.find('[') + 1));
+    return option + (index < list.size() ? " " + list[index] : "");
+  };
+  if (key.starts_with("where[")) return element("--where", options.where);
+  if (key.starts_with("fixed[")) return element("--fixed", options.fixed);
+  if (key.starts_with("start.")) return "--start " + key.substr(6);
+  if (key == "where") return "--where";
+  return key == "id" ? "--id" : options.effect;
+}
+
+/// The experiment with the effect in it. What is wrong with the effect alone is said of the command's arguments: its
+/// entry stands in no file yet.
+Rig open_extended(const AddOptions& options, const std::string& edited, const Rig& base) {
+  try {
+    return open_rig(options, edited, base.catalog);
+  } catch (const BadInput& bad) {
+    const std::string entry = fmt::format("model.effects[{}]", base.experiment.model.effects.size());
+    ProblemList problems;
+    for (const Problem& problem : bad.problems()) {
+      const std::size_t end = problem.message.find(": ");
+      if (!problem.message.starts_with(entry) || end == std::string::npos) {
+        problems.add(problem.location, problem.message);
+        continue;
+      }
+      const std::string key = problem.message.substr(0, end).substr(std::min(end, entry.size() + 1));
+      problems.add({}, "add " + typed(key, options) + problem.message.substr(end));
+    }
+    problems.throw_if_any();
+    throw;
+  }
+}
+
+/// The element that both entries act on, "the world" where they name none; nothing if they have none in common.
+std::optional<std::string> shared_place(const EffectEntry& a, const EffectEntry& b) {
+  if (a.where.empty() && b.where.empty()) return "the world";
+  for (const std::string& element : a.where)
+    if (std::find(b.where.begin(), b.where.end(), element) != b.where.end()) return element;
+  return std::nullopt;
+}
+
+/// A second effect of one kind in one place is most often a command given twice; an id of its own says that it is not.
+void check_new(const AddOptions& options, const std::string& id, const EffectList& placed) {
+  if (!options.id.empty()) return;
+  const auto added = std::find_if(placed.begin(), placed.end(), [&](const auto& entry) { return entry.id == id; });
+  for (const EffectEntry& entry : placed) {
+    if (entry.id == id || entry.effect != options.effect) continue;
+    const std::optional<std::string> place = shared_place(entry, *added);
+    if (!place) continue;
+    throw_problem({}, fmt::format("{}: {} has one already (id {}); of two the data would tell at best what they do "
+                                  "together. To add a second one all the same, give it a name: --id {}",
+                                  options.effect, *place, entry.id, id));
+  }
+}
+
 EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
   EffectEntry entry{options.id.empty() ? free_id(options.effect, effects) : options.id,
                     options.effect,
@@ -76,7 +134,8 @@ void run_add(const AddOptions& options) {
   check_id(options.id, base.experiment.model.effects);
   const EffectEntry entry = entry_of(options, base.experiment.model.effects);
   const std::string edited = insert_effect(text, entry);
-  Rig extended = open_rig(options, edited, base.catalog);  // everything is checked before the file is touched
+  Rig extended = open_extended(options, edited, base);  // everything is checked before the file is touched
+  check_new(options, entry.id, extended.definition.effects);
 
   const RevisionErrors before = errors_before_edit(options, std::move(base));
   const RevisionErrors after = errors_before_edit(options, std::move(extended));

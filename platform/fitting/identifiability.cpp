@@ -9,41 +9,59 @@ namespace {
 constexpr double kTakesPart = 0.1;  ///< of the direction's largest component
 constexpr double kEqual = 0.03;     ///< relative changes that differ less are the same
 
-/// The direction as relative changes of the values: d value / |value|.
-Eigen::VectorXd relative_changes(const Eigen::VectorXd& direction, const Uncertainty& uncertainty,
-                                 const FitPoint& point, const ParameterSpace& space) {
-  Eigen::VectorXd changes = direction;
-  for (Eigen::Index j = 0; j < changes.size(); ++j) {
+/// A value that takes part in a direction which the data do not determine.
+struct Part {
+  std::string name;
+  std::string unit;
+  double change = 0.0;    ///< along the direction, in the value's unit
+  double relative = 0.0;  ///< the same over the value, where that is not 0
+};
+
+std::vector<Part> parts_of(const Eigen::VectorXd& direction, const Uncertainty& uncertainty, const FitPoint& point,
+                           const ParameterSpace& space, const std::vector<FreeValue>& free) {
+  std::vector<Part> parts;
+  for (Eigen::Index j = 0; j < direction.size(); ++j) {
+    if (std::abs(direction(j)) <= kTakesPart * direction.cwiseAbs().maxCoeff()) continue;
     const double value = space.to_value(j, point.values(j));
     const double change = direction(j) * uncertainty.sizes(j) * space.slope(j, point.values(j));
-    if (value != 0.0) changes(j) = change / value;
+    const FreeValue& of = free[static_cast<std::size_t>(j)];
+    parts.push_back({of.address, of.unit, change, value != 0.0 ? change / value : direction(j)});
   }
-  return changes;
+  return parts;
 }
 
-std::string join(const std::vector<std::string>& names) {
-  std::string text = names.front();
-  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+std::string names_of(const std::vector<Part>& parts) {
+  std::string text = parts.front().name;
+  for (std::size_t i = 1; i < parts.size(); ++i) text += (i + 1 == parts.size() ? " and " : ", ") + parts[i].name;
   return text;
 }
 
-/// What the data still tell of a pair or group that changes together.
-std::string what_remains(const std::vector<double>& changes) {
-  const double largest =
-      *std::max_element(changes.begin(), changes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const auto is = [&](double change, double wanted) { return std::abs(change - wanted) < kEqual * std::abs(largest); };
-  const bool together = std::all_of(changes.begin(), changes.end(), [&](double c) { return is(c, changes[0]); });
-  if (together) return changes.size() == 2 ? "only their ratio" : "only their ratios";
-  if (changes.size() == 2 && is(changes[1], -changes[0])) return "only their product";
-  return changes.size() == 2 ? "only a combination of the two" : "only combinations of them";
+bool equal(double a, double b) { return std::abs(a - b) < kEqual * std::max(std::abs(a), std::abs(b)); }
+
+/// What the data still tell of two values. Two equal values that change against each other keep their sum and their
+/// product: in a unit, such as two frictions have, the sum is meant; two plain factors keep their product.
+std::string what_remains_of_two(const Part& a, const Part& b) {
+  if (equal(a.relative, b.relative)) return "only their ratio";
+  const bool product = equal(a.relative, -b.relative);
+  const bool sum = a.unit == b.unit && equal(a.change, -b.change);
+  if (sum && (!product || a.unit != "1")) return "only their sum";
+  return product ? "only their product" : "only a combination of the two";
 }
 
-std::string sentence(const std::vector<std::string>& names, const std::vector<double>& changes) {
-  if (names.size() == 1)
-    return "the data do not show " + names.front() + ": no value within its bounds would be noticed";
-  if (names.size() == 2)
-    return "the data cannot tell " + names[0] + " from " + names[1] + " (" + what_remains(changes) + ")";
-  return "the data cannot tell " + join(names) + " apart (" + what_remains(changes) + ")";
+/// What the data still tell of a group that changes together.
+std::string what_remains(const std::vector<Part>& parts) {
+  if (parts.size() == 2) return what_remains_of_two(parts[0], parts[1]);
+  const bool together = std::all_of(parts.begin(), parts.end(),
+                                    [&](const Part& part) { return equal(part.relative, parts[0].relative); });
+  return together ? "only their ratios" : "only combinations of them";
+}
+
+std::string sentence(const std::vector<Part>& parts) {
+  if (parts.size() == 1)
+    return "the data do not show " + parts[0].name + ": no value within its bounds would be noticed";
+  if (parts.size() == 2)
+    return "the data cannot tell " + parts[0].name + " from " + parts[1].name + " (" + what_remains(parts) + ")";
+  return "the data cannot tell " + names_of(parts) + " apart (" + what_remains(parts) + ")";
 }
 
 }  // namespace
@@ -51,17 +69,8 @@ std::string sentence(const std::vector<std::string>& names, const std::vector<do
 std::vector<std::string> undetermined_sentences(const Uncertainty& uncertainty, const FitPoint& point,
                                                 const ParameterSpace& space, const std::vector<FreeValue>& free) {
   std::vector<std::string> sentences;
-  for (const Eigen::VectorXd& direction : uncertainty.undetermined) {
-    const Eigen::VectorXd changes = relative_changes(direction, uncertainty, point, space);
-    std::vector<std::string> names;
-    std::vector<double> parts;
-    for (Eigen::Index j = 0; j < direction.size(); ++j) {
-      if (std::abs(direction(j)) <= kTakesPart * direction.cwiseAbs().maxCoeff()) continue;
-      names.push_back(free[static_cast<std::size_t>(j)].address);
-      parts.push_back(changes(j));
-    }
-    sentences.push_back(sentence(names, parts));
-  }
+  for (const Eigen::VectorXd& direction : uncertainty.undetermined)
+    sentences.push_back(sentence(parts_of(direction, uncertainty, point, space, free)));
   return sentences;
 }
 

@@ -39,6 +39,7 @@ std::string quantity(double value, const std::string& unit) {
 /// The row's bar; where other rows have a held-out error and this one has none, it says what it counts.
 std::string bar(const HistoryRow& row, double largest, bool held_out_known) {
   if (row.failed_trials > 0) return counted(static_cast<std::size_t>(row.failed_trials), "trial") + " failed";
+  if (!row.fitted && row.channel.empty()) return "not fitted";
   if (!std::isfinite(row.times_floor))
     return std::isfinite(row.fit_rmse) || std::isfinite(row.held_out_rmse) ? "floor not known" : "not compared";
   const std::string drawn = text_bar(row.times_floor / largest, kBarWidth);
@@ -111,6 +112,7 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
                          {"parent", row.parent ? nlohmann::ordered_json(*row.parent) : nlohmann::ordered_json(nullptr)},
                          {"change", row.change},
                          {"current", row.current},
+                         {"fitted", row.fitted},
                          {"channel", row.channel},
                          {"unit", row.unit},
                          {"fit_rmse", row.fit_rmse},

@@ -1,5 +1,6 @@
 #include "storage/database.h"
 
+#include "foundation/problem.h"
 #include "storage/migrate.h"
 #include "storage/storage_error.h"
 
@@ -19,8 +20,10 @@ constexpr int kPauseMs = 5;
 
 std::unique_ptr<SQLite::Database> connect(const std::filesystem::path& file, const std::string& name, int flags) {
   if (std::filesystem::is_directory(file)) {
-    throw Error(file.string() + ": is a folder; name a database file");
+    throw_problem({file.string()}, "is a folder; name a database file");
   }
+  if (const std::filesystem::path folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder))
+    throw_problem({file.string()}, "cannot be opened: there is no folder " + folder.string());
   try {
     auto connection = std::make_unique<SQLite::Database>(name, flags | SQLITE_OPEN_EXRESCODE, kBusyTimeoutMs);
     connection->exec("PRAGMA foreign_keys = ON");
@@ -95,7 +98,7 @@ Database Database::open(const std::filesystem::path& file) {
 
 Database Database::open_read_only(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
-    throw Error(file.string() + ": no such database; `lacuna compare` makes one from an experiment file");
+    throw_problem({file.string()}, "no such database; `lacuna compare` makes one from an experiment file");
   }
   Database database(file);
   database.connection_ = connect(file, file.string(), SQLITE_OPEN_READONLY);

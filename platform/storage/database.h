@@ -29,9 +29,9 @@ inline constexpr int kApplicationId = 0x4C61636E;
 
 /// A connection to a database file. Foreign keys are enforced; writing goes through a
 /// write-ahead log that survives a crash and a power cut once `commit` has returned.
-/// One thread at a time. Everything throws `Error` with a sentence that names the file: not a
-/// database, not ours, newer than this program, damaged, locked by another writer, read-only,
-/// disk full, moved or deleted while open.
+/// One thread at a time. Everything throws `Error` with a sentence that names the file: newer than
+/// this program, damaged, locked by another writer, read-only, disk full, moved or deleted while
+/// open; `BadInput` where the wrong file was named: none, a folder, no database, not ours.
 class Database {
  public:
   /// Opens for writing; creates the file or brings it up to date, keeping a copy

@@ -1,6 +1,7 @@
 #include "storage/migrate.h"
 
 #include "foundation/digest.h"
+#include "foundation/problem.h"
 #include "storage/statement.h"
 #include "storage/storage_error.h"
 
@@ -49,7 +50,7 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
   const bool empty = is_empty(database);
   const int application = application_of(database);
   if (application != kApplicationId && !(application == 0 && empty)) {
-    throw Error(database.file().string() + ": is a database of another program, not of Lacuna; name another file");
+    throw_problem({database.file().string()}, "is a database of another program, not of Lacuna; name another file");
   }
   const int version = version_of(database);
   if (version > migrations.back().number) {

@@ -212,6 +212,7 @@ struct HistoryRow {
   std::optional<int> parent;
   std::string change;
   bool current = false;  ///< the revision that the experiment used last
+  bool fitted = false;   ///< there is a fit of it; not after an interrupted or failed one
   std::string channel;
   std::string unit;
   double fit_rmse = kNotKnown;

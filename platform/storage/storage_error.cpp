@@ -1,6 +1,6 @@
 #include "storage/storage_error.h"
 
-#include <lacuna/error.h>
+#include "foundation/problem.h"
 
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
@@ -34,6 +34,7 @@ std::string sentence(int code, const std::string& message) {
 }  // namespace
 
 void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message) {
+  if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
   throw Error(file.string() + ": " + sentence(extended_code, message));
 }
 

@@ -149,7 +149,8 @@ std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
   const std::optional<StoredRevision> current = current_revision(experiment);
   Statement row(database_,
                 "SELECT r.id, r.number, p.number, r.change, e.channel, e.unit, e.fit_rmse, e.held_out_rmse, e.floor,"
-                " e.times_floor, e.failed_trials FROM revision AS r JOIN experiment AS x ON x.id = r.experiment"
+                " e.times_floor, e.failed_trials, EXISTS (SELECT 1 FROM fit AS f WHERE f.revision = r.id)"
+                " FROM revision AS r JOIN experiment AS x ON x.id = r.experiment"
                 " LEFT JOIN revision AS p ON p.id = r.parent"
                 " LEFT JOIN error_by_revision AS e ON e.experiment = x.name AND e.revision = r.number"
                 " WHERE r.experiment = ? ORDER BY r.number, e.channel");
@@ -161,6 +162,7 @@ std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
                     .parent = row.optional_number(2),
                     .change = row.text(3),
                     .current = current && current->id.value == row.integer(0),
+                    .fitted = row.integer(11) != 0,
                     .channel = row.text(4),
                     .unit = row.text(5),
                     .fit_rmse = row.real(6),

@@ -24,9 +24,14 @@ constexpr const char* kRevisionByDigest =
 constexpr const char* kRevisionByNumber =
     "SELECT r.id, r.number, p.number, r.digest, r.change FROM revision AS r LEFT JOIN revision AS p ON p.id = r.parent"
     " WHERE r.experiment = ? AND r.number = ?";
+/// What a former run left without a fit and without a comparison was interrupted or failed, and no model was built on
+/// it.
 constexpr const char* kRevisionUsedLast =
     "SELECT r.id, r.number, p.number, r.digest, r.change FROM revision_use AS u JOIN revision AS r ON r.id = u.revision"
-    " LEFT JOIN revision AS p ON p.id = r.parent WHERE r.experiment = ? ORDER BY u.run DESC, u.position DESC LIMIT 1";
+    " LEFT JOIN revision AS p ON p.id = r.parent WHERE r.experiment = ?"
+    " AND (u.run = (SELECT max(number) FROM run) OR EXISTS (SELECT 1 FROM fit WHERE fit.revision = r.id)"
+    "      OR EXISTS (SELECT 1 FROM comparison WHERE comparison.revision = r.id))"
+    " ORDER BY u.run DESC, u.position DESC LIMIT 1";
 
 }  // namespace
 

@@ -117,12 +117,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json=nowhere/result.json", 2,
                      "nowhere/result.json: cannot be written: there is no folder nowhere"},
         BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv=folder", 2, "folder: is a folder; name a file"},
-        BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 1,
+        BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 2,
                      "shopping.db: is not a database; name another file, or move this one away"},
-        BadInputCase{"DatabaseIsAFolder", "compare first-steps.toml --db folder", 1, "folder: is a folder"},
-        BadInputCase{"DatabaseIntoNowhere", "compare first-steps.toml --db nowhere/x.db", 1, "nowhere/x.db: cannot be"},
-        BadInputCase{"QueryOfNothing", "sql nowhere.db .", 1, "nowhere.db: no such database"},
-        BadInputCase{"QueryOfAShoppingList", "sql shopping.db .", 1, "shopping.db: is not a database"}),
+        BadInputCase{"DatabaseIsAFolder", "compare first-steps.toml --db folder", 2, "folder: is a folder"},
+        BadInputCase{"DatabaseIntoNowhere", "compare first-steps.toml --db nowhere/x.db", 2,
+                     "nowhere/x.db: cannot be opened: there is no folder nowhere"},
+        BadInputCase{"QueryOfNothing", "sql nowhere.db .", 2, "nowhere.db: no such database"},
+        BadInputCase{"QueryOfAShoppingList", "sql shopping.db .", 2, "shopping.db: is not a database"}),
     [](const auto& bad) { return bad.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -31,6 +31,8 @@ TEST(Add, InterruptedInItsRefitLeavesTheFileAsItWas) {
   EXPECT_EQ(outcome.exit_code, 75) << outcome.output;
   EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml is as it was"));
   EXPECT_EQ(program.read("first-steps.toml"), as_written);
+  EXPECT_THAT(program.run({"history", "first-steps.toml"}).output,
+              testing::ContainsRegex("2 +coulomb_friction +- +- +- +not fitted"));
 }
 
 TEST(Add, KilledInItsRefitLeavesTheFileAsItWasAndWorksTheNextTime) {

@@ -72,14 +72,57 @@ TEST(ExitCode, IsTwoForAnEffectThatNoPluginOffersAndTheFileStaysAsItWas) {
   EXPECT_EQ(program.read("servo-pendulum.toml"), as_written);
 }
 
-TEST(ExitCode, IsOneWhereTheDatabaseIsNoDatabase) {
+TEST(ExitCode, IsTwoForAnEffectsArgumentThatFitsNothingWhichIsNamedAsItWasTyped) {
+  const Program program;
+  program.copy_light_servo_pendulum();
+  const auto errors = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {"add", "servo-pendulum.toml"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = program.run(command);
+    EXPECT_EQ(outcome.exit_code, kBadInput);
+    EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("model.effects")));
+    return outcome.errors;
+  };
+  EXPECT_THAT(errors({"coulmb_friction", "--where", "joint.hinge"}),
+              testing::StartsWith("add coulmb_friction: there is no effect \"coulmb_friction\" (did you mean"));
+  EXPECT_THAT(errors({"coulomb_friction", "--where", "joint.hing"}), testing::StartsWith("add --where joint.hing: "));
+  EXPECT_THAT(errors({"coulomb_friction", "--where", "body.arm"}), testing::StartsWith("add --where: "));
+  EXPECT_THAT(errors({"coulomb_friction", "--where", "joint.hinge", "--start", "torqe=1"}),
+              testing::StartsWith("add --start torqe: "));
+  EXPECT_THAT(errors({"coulomb_friction", "--where", "joint.hinge", "--fixed", "torqe"}),
+              testing::StartsWith("add --fixed torqe: "));
+}
+
+TEST(ExitCode, IsTwoForAnEffectThatThePlaceHasAlreadyUnlessTheSecondIsNamed) {
+  const Program program;
+  program.copy_first_steps();
+  const std::vector<std::string> add = {"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge"};
+  ASSERT_EQ(program.run(add).exit_code, kDone);
+  const std::string once = program.read("first-steps.toml");
+  const Outcome again = program.run(add);
+  EXPECT_EQ(again.exit_code, kBadInput);
+  EXPECT_THAT(again.errors, HasSubstr("coulomb_friction: joint.hinge has one already"));
+  EXPECT_EQ(program.read("first-steps.toml"), once);
+  std::vector<std::string> named = add;
+  named.insert(named.end(), {"--id", "seal", "--fixed", "torque"});
+  EXPECT_EQ(program.run(named).exit_code, kDone);
+}
+
+TEST(ExitCode, IsTwoWhereTheDatabaseIsNoDatabaseOfOurs) {
   const Program program;
   program.copy_light_servo_pendulum();
   program.write("servo-pendulum.db", "This was a shopping list and is kept.\n");
-  const Outcome outcome = program.run({"compare", "servo-pendulum.toml"});
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  EXPECT_THAT(outcome.errors, HasSubstr("servo-pendulum.db"));
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"compare", "servo-pendulum.toml"},
+                                             {"history", "servo-pendulum.toml"},
+                                             {"sql", "servo-pendulum.db", "SELECT 1"}}) {
+    const Outcome outcome = program.run(command);
+    EXPECT_EQ(outcome.exit_code, kBadInput) << command.front();
+    EXPECT_THAT(outcome.errors, HasSubstr("servo-pendulum.db: is not a database"));
+  }
   EXPECT_EQ(program.read("servo-pendulum.db"), "This was a shopping list and is kept.\n");
+  EXPECT_EQ(program.run({"sql", "nowhere.db", "SELECT 1"}).exit_code, kBadInput);
+  EXPECT_EQ(program.run({"sql", ".", "SELECT 1"}).exit_code, kBadInput);
 }
 
 TEST(ExitCode, Is75AfterCtrlCAndTheNextRunWorks) {

@@ -45,6 +45,21 @@ TEST(Identifiability, GainAndScaleOfASensorAreKnownByTheirProductOnly) {
               ElementsAre("the data cannot tell actuator.motor.gain from body.arm.lever (only their product)"));
 }
 
+TEST(Identifiability, TwoFrictionsOfOneJointAreKnownByTheirSumOnly) {
+  FreeValue one = free_value("effect.one.damping", 0.3, 0.0, 10.0);
+  FreeValue two = free_value("effect.two.damping", 0.3, 0.0, 10.0);
+  one.unit = two.unit = "N*m*s/rad";
+  const OneJointModel::Acceleration damped = [](std::span<const double> p, double, double v, double u) {
+    return u - (p[0] + p[1]) * v;
+  };
+  const auto sum = ElementsAre("the data cannot tell effect.one.damping from effect.two.damping (only their sum)");
+  const FitResult equal = fit_slider(damped, {one, two}, {0.4, 0.4});
+  EXPECT_NEAR(equal.values[0].value + equal.values[1].value, 0.8, 0.02);
+  EXPECT_THAT(equal.cannot_tell, sum);
+  one.start = 0.1;
+  EXPECT_THAT(fit_slider(damped, {one, two}, {0.4, 0.4}).cannot_tell, sum);
+}
+
 TEST(Identifiability, NamesAValueThatNothingShows) {
   const FitResult result = fit_slider(
       [](std::span<const double> p, double, double, double u) { return u / p[0]; },

@@ -34,8 +34,15 @@ TEST(HistoryText, TakesFitFilesForGrantedWhereNothingIsHeldOut) {
   EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0)}, 0), Not(HasSubstr("fit files")));
 }
 
-TEST(HistoryText, ShowsRevisionsThatWereNeverCompared) {
-  EXPECT_THAT(history_text({row(1, "rigid", kNotKnown, kNotKnown, kNotKnown)}, 0), HasSubstr("not compared"));
+TEST(HistoryText, ShowsRevisionsThatWereNeverComparedOrNeverFitted) {
+  HistoryRow fitted = row(1, "rigid", kNotKnown, kNotKnown, kNotKnown);
+  fitted.channel.clear();
+  fitted.fitted = true;
+  HistoryRow interrupted = fitted;
+  interrupted.fitted = false;
+  EXPECT_THAT(history_text({fitted}, 0), HasSubstr("not compared"));
+  EXPECT_THAT(history_text({interrupted}, 0), HasSubstr("not fitted"));
+  EXPECT_THAT(history_json({interrupted}, 0), HasSubstr("\"fitted\": false"));
 }
 
 TEST(HistoryText, SaysWhichRevisionFailedOnATrial) {

@@ -11,7 +11,9 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -147,7 +149,7 @@ TEST_F(StorageFault, AFullDiskGivesASentenceAndLeavesTheFileIntact) {
   ChildProcess child([&](int to_parent) {
     if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
         mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=600k") != 0) {
-      return ChildProcess::say(to_parent, "no mount");
+      return ChildProcess::say(to_parent, std::string("no mount: ") + std::strerror(errno));
     }
     Database database = Database::open(file_);
     ResultStore store(database);
@@ -161,7 +163,9 @@ TEST_F(StorageFault, AFullDiskGivesASentenceAndLeavesTheFileIntact) {
     if (ask(database, "SELECT count(*) FROM experiment") > 0) ChildProcess::say(to_parent, " / with what was kept");
   });
   const std::string said = child.all();
-  if (said == "no mount") GTEST_SKIP() << "a file system of 600 kB can be mounted by root alone";
+  if (said.starts_with("no mount"))
+    GTEST_SKIP() << "a file system of 600 kB of its own cannot be mounted here (" << said
+                 << "); it takes root, and a root folder that is a mount point (not a chroot)";
   EXPECT_THAT(said, HasSubstr("the disk or the quota is full"));
   EXPECT_THAT(said, HasSubstr("intact / with what was kept"));
 }

@@ -77,6 +77,20 @@ TEST_F(ResultStoreTest, ARevisionKnowsItsParentAndWhatChanged) {
   EXPECT_EQ(swapped.change, "stribeck_friction, without coulomb_friction");
 }
 
+TEST_F(ResultStoreTest, ARevisionThatAnEarlierRunLeftUnfittedIsNobodysParentAndSaysSo) {
+  begin();
+  const ExperimentId rig = experiment();
+  store_.record_fit(store_.find_or_add_revision(rig, revision_with({})).id, {});
+  begin();
+  store_.find_or_add_revision(rig, revision_with({friction("viscous_friction")}));  // and was interrupted
+  begin();
+  EXPECT_EQ(store_.find_or_add_revision(rig, revision_with({friction("coulomb_friction")})).parent, 1);
+  const std::vector<HistoryRow> rows = store_.history(rig);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_TRUE(rows[0].fitted);
+  EXPECT_FALSE(rows[1].fitted);
+}
+
 TEST_F(ResultStoreTest, ARevisionReadsBackAsItWasWritten) {
   begin();
   const ExperimentId rig = experiment();

@@ -14,7 +14,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr int kDone = 0;
-constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 class SqlCommand : public testing::Test {
@@ -78,11 +77,11 @@ TEST_F(SqlCommand, ListsTheViewsWithExamples) {
   EXPECT_THAT(said_, HasSubstr("\n  SELECT revision, change, channel"));
 }
 
-TEST_F(SqlCommand, TellsBadInputFromFailure) {
+TEST_F(SqlCommand, SaysWhatIsWrongWithItsInput) {
   EXPECT_EQ(lacuna_sql({file_, "SELECT nowhere FROM runs"}), kBadInput);
   EXPECT_THAT(complained_, HasSubstr("SQL:1:8: no such column: nowhere"));
   EXPECT_EQ(lacuna_sql({file_}), kBadInput);
-  EXPECT_EQ(lacuna_sql({(folder_ / "none.db").string(), "SELECT 1"}), kFailed);
+  EXPECT_EQ(lacuna_sql({(folder_ / "none.db").string(), "SELECT 1"}), kBadInput);
   EXPECT_THAT(complained_, HasSubstr("none.db: no such database"));
 }
 
