@@ -2,6 +2,7 @@
 
 #include <lacuna/random_stream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -40,6 +41,18 @@ using Genome = std::vector<double>;
 inline double uniform_value(const Gene& gene, RandomStream& random) {
   if (gene.kind == GeneKind::real) return random.uniform(gene.lower, gene.upper);
   return gene.lower + static_cast<double>(random.index(static_cast<std::size_t>(gene.upper - gene.lower) + 1));
+}
+
+/// A value that may have left a gene's bounds, brought back: reflected at them as often as it takes, then rounded where
+/// the gene is a whole number. NaN stays NaN.
+inline double reflected_value(const Gene& gene, double value) {
+  const double range = gene.upper - gene.lower;
+  if (!(range > 0.0)) return gene.lower;
+  double beyond = std::fmod(value - gene.lower, 2.0 * range);
+  if (beyond < 0.0) beyond += 2.0 * range;
+  if (beyond > range) beyond = 2.0 * range - beyond;
+  const double inside = std::clamp(gene.lower + beyond, gene.lower, gene.upper);
+  return gene.kind == GeneKind::integer ? std::round(inside) : inside;
 }
 
 inline Genome uniform_genome(const GenomeLayout& layout, RandomStream& random) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lacuna/error.h>
+#include <lacuna/parameter.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace lacuna {
+
+/// The value of a parameter that counts something, such as a population. Throws `Error` where it is no whole number
+/// or below 0.
+inline std::size_t count_parameter(const ParameterDeclaration& declaration, double value) {
+  if (value >= 0.0 && value < 0x1.0p53 && std::floor(value) == value) return static_cast<std::size_t>(value);
+  throw Error(declaration.name + " = " + std::to_string(value) + " counts something; give it a whole number, such as " +
+              std::to_string(std::llround(declaration.default_value)));
+}
+
+}  // namespace lacuna
