@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <map>
 
 /// What the READMEs of plugins say is true: their tables are the declarations, their snippets run.
 namespace lacuna {
@@ -28,10 +29,25 @@ commands = { motor = { column = "torque_Nm", unit = "N*m" } }
 )";
 constexpr const char* kModel = "[model]\nfile = \"robots/servo-pendulum.toml\"\n";
 
-std::string folder_of(const std::string& kind) { return kind + "s"; }
+/// Where plugins of a kind stand.
+std::string folder_of(const std::string& kind) {
+  static const std::map<std::string, std::string> unusual = {{"model encoding", "encodings"},
+                                                             {"test encoding", "encodings"},
+                                                             {"search", "searches"},
+                                                             {"test fitness", "test_fitness"},
+                                                             {"objective metric", "objectives"}};
+  const auto found = unusual.find(kind);
+  return found == unusual.end() ? kind + "s" : found->second;
+}
 
 std::string readme_of(const PluginListing& listing) {
   return read_bytes(kSource / "plugins" / folder_of(listing.kind) / listing.name / "README.md");
+}
+
+ParameterDeclarations parameters_of(const PluginListing& listing) {
+  for (const ComponentDetails& details : details_of(built_catalog(), listing.name))
+    if (details.listing.kind == listing.kind) return details.parameters;
+  throw Error("no details of " + listing.name);
 }
 
 /// The block of that language, which a README has once.
@@ -53,11 +69,18 @@ TEST(Readme, EveryPluginHasOneWithItsParameterTable) {
   for (const PluginListing& listing : built_catalog().list()) {
     const std::string readme = readme_of(listing);
     EXPECT_THAT(readme, testing::StartsWith("# " + listing.name + "\n"));
-    const ComponentDetails details = details_of(built_catalog(), listing.name).front();
-    for (const ParameterDeclaration& parameter : details.parameters)
+    for (const ParameterDeclaration& parameter : parameters_of(listing))
       EXPECT_THAT(readme, HasSubstr(fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {} |", parameter.name,
                                                 unit_in_words(parameter.unit), parameter.default_value, parameter.lower,
                                                 parameter.upper, parameter.description)));
+  }
+}
+
+TEST(Readme, EveryOneShowsItsPluginAtWork) {
+  for (const PluginListing& listing : built_catalog().list()) {
+    if (listing.name == "declared") continue;  // its snippet is a robot file
+    const std::string readme = readme_of(listing);
+    EXPECT_THAT(snippet(readme, "toml") + snippet(readme, "console"), HasSubstr(listing.name));
   }
 }
 

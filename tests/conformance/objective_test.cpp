@@ -1,0 +1,60 @@
+#include "conformance/every_plugin.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+/// What holds for every objective metric.
+namespace lacuna {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class ObjectiveConformance : public testing::Test {
+ protected:
+  ObjectiveConformance() {
+    space_.free = {{"body.torso.mass", "kg", 1.0, 7.0, 2.0, Scale::linear},
+                   {"body.leg.mass", "kg", 1.0, 7.0, 2.0, Scale::linear},
+                   {"contact.friction", "1", 0.0, 2.0, 1.0, Scale::linear},
+                   {"sensor.t1.delay", "s", 0.0, 0.2, 0.0, Scale::linear}};
+  }
+
+  RobotSpec robot_;
+  ModelSpace space_{robot_, {}};
+  const std::vector<double> truth_ = {2.5, 1.0, 0.8, 0.07};
+};
+
+TEST_F(ObjectiveConformance, TheTruthItselfHasNoError) {
+  on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
+    const auto scores = metric.score(space_, {truth_}, truth_, parameters);
+    EXPECT_FALSE(scores.empty());
+    for (const ObjectiveScore& score : scores) EXPECT_EQ(score.value, 0.0) << score.name;
+  });
+}
+
+TEST_F(ObjectiveConformance, AnotherModelHasSomeAndNoneBelowZero) {
+  on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
+    double most = 0.0;
+    std::set<std::string> names;
+    for (const ObjectiveScore& score : metric.score(space_, {{3.0, 2.0, 1.0, 0.1}}, truth_, parameters)) {
+      EXPECT_GE(score.value, 0.0) << score.name;
+      EXPECT_FALSE(score.unit.empty()) << score.name;
+      EXPECT_TRUE(names.insert(score.name).second) << score.name << " stands twice";
+      most = std::max(most, score.value);
+    }
+    EXPECT_GT(most, 0.0);
+  });
+}
+
+TEST_F(ObjectiveConformance, WhatTheTargetDoesNotHaveIsNoError) {
+  const std::vector<double> partly = {2.5, kNan, 0.8, kNan};
+  on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
+    for (const ObjectiveScore& score : metric.score(space_, {{2.5, 6.0, 0.8, 0.1}}, partly, parameters))
+      EXPECT_EQ(score.value, 0.0) << score.name;
+  });
+}
+
+}  // namespace
+}  // namespace lacuna
