@@ -20,6 +20,7 @@ Workbench::Fitted Workbench::fit_model() {
   if (std::optional<FitResult> known = ledger_.known_fit(revision_, rig_)) return {std::move(*known), true};
   ProgressLine line(options_.quiet);
   const std::unique_ptr<CompiledModel> coarser = compile_coarser(rig_.definition);
+  const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
   FitResult result = fit({.definition = rig_.definition,
                           .model = *rig_.model,
                           .trials = rig_.trials,
@@ -27,7 +28,8 @@ Workbench::Fitted Workbench::fit_model() {
                           .seed = seed_,
                           .threads = threads_,
                           .progress = line.callback(),
-                          .coarser = coarser.get()});
+                          .coarser = coarser.get(),
+                          .finer = finer.get()});
   ledger_.keep(revision_, rig_, result);
   return {std::move(result), false};
 }

@@ -103,6 +103,7 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   result.sizes = typical_sizes(space, point, all, total_power(rows));
   result.determined.assign(at_bound.size(), true);
   result.covariance = Eigen::MatrixXd::Constant(space.size(), space.size(), kNothing);
+  result.inverse_information = Eigen::MatrixXd::Zero(space.size(), space.size());
   const TimeBlocks blocks = choose_blocks(problem, space.size(), result);
 
   std::vector<Eigen::Index> free;
@@ -115,6 +116,7 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   const double variance = total_power(rows) / memory.effective_samples;
   const Eigen::MatrixXd bread =
       scale.asDiagonal() * determined_inverse(relative, variance, free, result) * scale.asDiagonal();
+  result.inverse_information(free, free) = bread;
 
   const int degrees = std::max(1, result.blocks - static_cast<int>(free.size()));
   result.quantile = boost::math::quantile(boost::math::students_t(degrees), 0.975);

@@ -9,7 +9,9 @@ namespace lacuna {
 
 /// How certain fitted values are, in coordinates of the parameter space.
 struct Uncertainty {
-  Eigen::MatrixXd covariance;     ///< NaN where a value is at a bound or not determined
+  Eigen::MatrixXd covariance;  ///< NaN where a value is at a bound or not determined
+  /// Of the weighted least squares; 0 for values at a bound and along directions that are not determined.
+  Eigen::MatrixXd inverse_information;
   std::vector<bool> determined;   ///< per value; a value at a bound counts as determined
   double quantile = 0.0;          ///< of Student's t: half an interval is quantile × standard error
   double correlation_time = 0.0;  ///< of the residual, s

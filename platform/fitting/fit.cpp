@@ -7,6 +7,7 @@
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
+#include "fitting/step_shift.h"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@ constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
 constexpr double kFine = 0.01;
 constexpr double kMiddling = 0.1;
 constexpr double kCoarse = 1.0;
+constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
@@ -230,9 +232,37 @@ class Fitter {
       result_.notes.push_back(
           fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
                       best.search.iterations));
-    write_values(best, known);
+    const Eigen::VectorXd shift = shift_of_steps(best, jacobians, known);
+    write_values(best, known, shift);
+    note_shifts(best, known, shift);
     for (std::string& sentence : drift_sentences(result_.stages, result_.values))
       result_.notes.push_back(std::move(sentence));
+  }
+
+  /// What the integration step has moved the values by; 0 where there is no finer model or it fails.
+  Eigen::VectorXd shift_of_steps(const Candidate& best, const std::vector<SegmentJacobian>& jacobians,
+                                 const Uncertainty& known) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
+    if (!task_.finer) return none;
+    const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
+    return step_shift(*problem_, finer, best.search.point, best.search.residuals, jacobians, loss_, known)
+        .value_or(none);
+  }
+
+  void note_shifts(const Candidate& best, const Uncertainty& known, const Eigen::VectorXd& shift) {
+    std::vector<std::string> shifts;
+    for (Eigen::Index j = 0; j < space_.size(); ++j) {
+      const bool noticed = std::abs(shift(j)) > kNoticedShift * known.quantile * std::sqrt(known.covariance(j, j));
+      if (!noticed) continue;
+      const FreeValue& free = task_.definition.free[static_cast<std::size_t>(j)];
+      const double moved = space_.to_value(j, best.values(j) + shift(j)) - space_.to_value(j, best.values(j));
+      shifts.push_back(fmt::format("{} by {:+.2g}", free.address, moved));
+    }
+    if (!shifts.empty())
+      result_.notes.push_back(fmt::format(
+          "integration in infinitely short steps would move {}; the intervals reach as far, more substeps make "
+          "them narrower",
+          fmt::join(shifts, ", ")));
   }
 
   /// −1 at the lower bound, 1 at the upper, else 0.
@@ -242,7 +272,7 @@ class Fitter {
     return values(j) >= space_.upper()(j) - near ? 1 : 0;
   }
 
-  void write_values(const Candidate& best, const Uncertainty& known) {
+  void write_values(const Candidate& best, const Uncertainty& known, const Eigen::VectorXd& shift) {
     const std::vector<double> values = space_.to_values(best.values);
     Eigen::VectorXd slopes(space_.size());
     for (Eigen::Index j = 0; j < space_.size(); ++j) slopes(j) = space_.slope(j, best.values(j));
@@ -265,8 +295,9 @@ class Fitter {
       const double deviation = std::sqrt(known.covariance(j, j));
       value.standard_error = deviation * slopes(j);
       const double half = known.quantile * deviation;
-      value.lower_95 = space_.logarithmic(j) ? value.value * std::exp(-half) : value.value - half;
-      value.upper_95 = space_.logarithmic(j) ? value.value * std::exp(half) : value.value + half;
+      const double down = half + std::max(0.0, -shift(j)), up = half + std::max(0.0, shift(j));
+      value.lower_95 = space_.logarithmic(j) ? value.value * std::exp(-down) : value.value - down;
+      value.upper_95 = space_.logarithmic(j) ? value.value * std::exp(up) : value.value + up;
     }
   }
 

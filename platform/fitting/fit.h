@@ -24,9 +24,13 @@ struct FitTask {
   /// The same model with fewer substeps (`compile_coarser`), in which minima are looked for before `model` refines
   /// them; null: `model` does both.
   const CompiledModel* coarser = nullptr;
+  /// The same model with twice the substeps (`compile_finer`), which tells what the integration step does to the
+  /// values (`step_shift`); null: intervals leave that out.
+  const CompiledModel* finer = nullptr;
 };
 
-/// A free value after the fit. Intervals take into account that residuals are correlated in time.
+/// A free value after the fit. Intervals take into account that residuals are correlated in time; where
+/// `FitTask::finer` is given they reach as far as the integration step has moved the value.
 struct FittedValue {
   std::string address;
   std::string unit;
