@@ -1,0 +1,218 @@
+#include "plugins/search_problems.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double kSolved = 1e-8;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+class SearchTest : public testing::Test {
+ protected:
+  std::unique_ptr<Search> begin(const std::string& name, const std::vector<double>& parameters,
+                                std::uint64_t key = 1) const {
+    return built_catalog().get<SearchStrategy>(name).begin({layout_, breeder_, {key}, seeds_}, parameters);
+  }
+  /// Of five searches.
+  double median_evaluations(const std::string& name, const std::vector<double>& parameters,
+                            const Objective& objective) const {
+    std::vector<double> evaluations;
+    for (std::uint64_t key = 1; key <= 5; ++key)
+      evaluations.push_back(evaluations_to(kSolved, *begin(name, parameters, key), objective));
+    return median(evaluations);
+  }
+
+  GenomeLayout layout_ = problem_layout();
+  RandomBreeder breeder_{layout_};
+  std::vector<Genome> seeds_;
+};
+
+/// Its children halve the distance of their parent to the middle.
+class HalvingBreeder : public RandomBreeder {
+ public:
+  using RandomBreeder::RandomBreeder;
+  Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const override {
+    used = {random.index(parents.size())};
+    Genome child = parents[used[0]];
+    for (double& gene : child) gene = 0.5 * (gene + 0.5);
+    return child;
+  }
+};
+
+class TruncationTest : public SearchTest {
+ protected:
+  std::unique_ptr<Search> begin(const std::vector<double>& parameters) const {
+    return built_catalog().get<SearchStrategy>("truncation").begin({layout_, halving_, {1}, seeds_}, parameters);
+  }
+  HalvingBreeder halving_{layout_};
+};
+
+TEST_F(TruncationTest, ThePapersRunTakes1550Evaluations) {
+  std::size_t evaluations = 0;
+  const auto search = begin({100, 50, 30});
+  while (!search->finished()) {
+    evaluations += search->ask().size();
+    search->tell(std::vector<double>(search->ask().size(), 1.0));
+  }
+  EXPECT_EQ(evaluations, 100U + 29U * 50U);
+}
+
+TEST_F(TruncationTest, KeepsTheBestAndTheirScores) {
+  const auto search = begin({6, 3, 3});
+  search->ask();
+  search->tell(std::array{5.0, 1.0, 4.0, 2.0, 3.0, 6.0});
+  const auto numbers = [&] {
+    std::vector<std::uint64_t> all;
+    for (const ScoredIndividual& one : search->best()) all.push_back(one.individual.number);
+    return all;
+  };
+  EXPECT_THAT(numbers(), testing::ElementsAre(1, 3, 4));
+  EXPECT_EQ(search->ask().size(), 3U);
+  EXPECT_EQ(search->abandon_above(), 3.0);
+  search->tell(std::array{3.0, 1.5, 9.0});
+  EXPECT_THAT(numbers(), testing::ElementsAre(1, 7, 3)) << "of equal scores the older one is the better";
+  EXPECT_EQ(search->abandon_above(), 2.0);
+}
+
+TEST_F(TruncationTest, ChildrenAreTheSurvivorsAndNameThem) {
+  const auto search = begin({6, 3, 2});
+  const std::vector<Individual> first = search->ask();
+  EXPECT_EQ(search->abandon_above(), std::nullopt);
+  search->tell(std::array{5.0, 1.0, 4.0, 2.0, 3.0, 6.0});
+  for (const Individual& child : search->ask()) {
+    ASSERT_EQ(child.parents.size(), 1U);
+    EXPECT_THAT(child.parents[0], testing::AnyOf(1, 3, 4));
+    EXPECT_EQ(child.genome[0], 0.5 * (first[child.parents[0]].genome[0] + 0.5));
+  }
+}
+
+TEST_F(TruncationTest, BeginsWithAllSeeds) {
+  seeds_ = {Genome(kProblemGenes, 0.25), Genome(kProblemGenes, 0.75)};
+  const std::vector<Individual> first = begin({6, 3, 2})->ask();
+  EXPECT_EQ(first[0].genome, seeds_[0]);
+  EXPECT_EQ(first[1].genome, seeds_[1]);
+  EXPECT_NE(first[2].genome, seeds_[0]);
+}
+
+TEST_F(TruncationTest, RefusesSettingsThatLeaveNothingToDo) {
+  EXPECT_THAT([&] { begin({50, 50, 30}); }, ThrowsMessage<Error>(HasSubstr("keep = 50 of a population of 50")));
+  EXPECT_THAT([&] { begin({50.5, 20, 30}); }, ThrowsMessage<Error>(HasSubstr("population = 50.5")));
+}
+
+class DifferentialEvolutionTest : public SearchTest {
+ protected:
+  double solve(const Objective& objective) const {
+    return median_evaluations("differential_evolution", {40, 2000, 0.6, 0.9}, objective);
+  }
+};
+
+TEST_F(DifferentialEvolutionTest, SolvesTheSphere) { EXPECT_LT(solve(sphere), 15000); }
+TEST_F(DifferentialEvolutionTest, SolvesTheEllipsoid) { EXPECT_LT(solve(ellipsoid), 20000); }
+TEST_F(DifferentialEvolutionTest, SolvesRosenbrocksValley) { EXPECT_LT(solve(rosenbrock), 50000); }
+
+/// Without crossover but for one gene, a challenger is its target with one gene of the mutant.
+TEST_F(DifferentialEvolutionTest, ChallengersAreMutantsOfThreeOthers) {
+  constexpr double kWeight = 0.1, kRounding = 1e-12;
+  const auto search = begin("differential_evolution", {4, 2, kWeight, 0.0});
+  const std::vector<Individual> first = search->ask();
+  search->tell(std::vector<double>(4, 1.0));
+  const std::vector<Individual> challengers = search->ask();
+  for (std::size_t target = 0; target < 4; ++target) {
+    const Individual& challenger = challengers[target];
+    ASSERT_EQ(challenger.parents.size(), 2U);
+    EXPECT_EQ(challenger.parents[0], target);
+    const std::size_t base = challenger.parents[1];
+    ASSERT_NE(base, target);
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (i != target && i != base) others.push_back(i);
+    int changed = 0;
+    for (std::size_t i = 0; i < kProblemGenes; ++i) {
+      if (challenger.genome[i] == first[target].genome[i]) continue;
+      ++changed;
+      const double step = kWeight * (first[others[0]].genome[i] - first[others[1]].genome[i]);
+      const double moved = challenger.genome[i] - first[base].genome[i];
+      EXPECT_NEAR(std::abs(moved), std::abs(step), kRounding);
+    }
+    EXPECT_EQ(changed, 1);
+  }
+}
+
+TEST_F(DifferentialEvolutionTest, AChallengerWinsWhereItIsAsGood) {
+  const auto search = begin("differential_evolution", {4, 2, 0.5, 0.9});
+  search->ask();
+  search->tell(std::array{1.0, 2.0, 3.0, 4.0});
+  search->ask();
+  EXPECT_EQ(search->abandon_above(), 4.0);
+  search->tell(std::array{1.5, 2.0, 2.5, 5.0});
+  std::vector<std::uint64_t> numbers;
+  for (const ScoredIndividual& one : search->best()) numbers.push_back(one.individual.number);
+  EXPECT_THAT(numbers, testing::ElementsAre(0, 5, 6, 3));
+}
+
+TEST_F(DifferentialEvolutionTest, NeedsFour) {
+  EXPECT_THAT(
+      [&] {
+        begin("differential_evolution", {3, 2, 0.5, 0.9});
+      },
+      ThrowsMessage<Error>(HasSubstr("at least 4")));
+}
+
+class CmaEsTest : public SearchTest {
+ protected:
+  double solve(const Objective& objective) const { return median_evaluations("cma_es", {0, 2000, 0.3}, objective); }
+};
+
+TEST_F(CmaEsTest, SolvesTheSphere) { EXPECT_LT(solve(sphere), 2500); }
+TEST_F(CmaEsTest, SolvesTheTurnedEllipsoid) { EXPECT_LT(solve(turned_ellipsoid), 8000); }
+TEST_F(CmaEsTest, SolvesRosenbrocksValley) { EXPECT_LT(solve(rosenbrock), 9000); }
+
+TEST_F(CmaEsTest, PopulationIsTheTutorialsDefault) {
+  EXPECT_EQ(begin("cma_es", {0, 2, 0.3})->ask().size(), 10U);  // 4 + 3 ln 10
+  EXPECT_EQ(begin("cma_es", {24, 2, 0.3})->ask().size(), 24U);
+}
+
+/// A sphere whose centre lies outside: the best point of the box is the nearest one.
+TEST_F(CmaEsTest, FindsAnOptimumOnTheBounds) {
+  const auto centre = [](std::size_t i) { return i % 2 == 0 ? 0.4 : (i % 4 == 1 ? -0.5 : 1.7); };
+  double least = 0.0;
+  for (std::size_t i = 0; i < kProblemGenes; ++i) least += std::pow(centre(i) - std::clamp(centre(i), 0.0, 1.0), 2);
+  const Objective problem = [&](std::span<const double> x) {
+    double sum = -least;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow(x[i] - centre(i), 2);
+    return sum;
+  };
+  EXPECT_LT(solve(problem), 4000);
+}
+
+TEST_F(CmaEsTest, BeginsAtTheFirstSeedAndSamplesAroundIt) {
+  seeds_ = {Genome(kProblemGenes, 0.25)};
+  constexpr double kSigma = 0.01, kFarthest = 6.0 * kSigma;
+  const std::vector<Individual> first = begin("cma_es", {0, 2, kSigma})->ask();
+  EXPECT_EQ(first[0].genome, seeds_[0]);
+  for (const Individual& one : first)
+    for (const double gene : one.genome) EXPECT_NEAR(gene, 0.25, kFarthest);
+}
+
+TEST_F(CmaEsTest, AGenomeOfOneGeneIsNoTrouble) {
+  layout_.genes.resize(1);
+  EXPECT_LT(solve([](std::span<const double> x) { return std::pow(x[0] - 0.8, 2); }), 500);
+}
+
+TEST_F(CmaEsTest, NeedsTwo) {
+  EXPECT_THAT([&] { begin("cma_es", {1, 2, 0.3}); }, ThrowsMessage<Error>(HasSubstr("population of 1")));
+}
+
+}  // namespace
+}  // namespace lacuna
