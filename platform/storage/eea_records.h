@@ -29,11 +29,11 @@ struct ModelRow {
   std::array<std::optional<std::uint64_t>, 2> parents;
   Genome genome;
   EvaluationKind kind = EvaluationKind::full;
-  bool reused = false;                ///< an identical model was evaluated before; its scores count
-  double score = kNotKnown;           ///< of all trials so far together
-  std::vector<double> trial_scores;   ///< of trial 0, 1 ... of this run as far as they were begun; the last of an
-                                      ///< abandoned model is a lower bound
-  std::string reason;                 ///< why it is invalid
+  bool reused = false;               ///< an identical model was evaluated before; its scores count
+  double score = kNotKnown;          ///< of all trials so far together
+  std::vector<double> trial_scores;  ///< of trial 0, 1 ... of this run as far as they were begun; the last of an
+                                     ///< abandoned model is a lower bound
+  std::string reason;                ///< why it is invalid
 };
 
 /// A candidate test of one generation of an exploration phase.
@@ -50,9 +50,10 @@ struct TestRow {
 
 /// A test carried out on the target.
 struct TargetTrialRow {
-  int number = 0;              ///< within the run, from 0
-  std::uint64_t test = 0;      ///< the test's number
-  bool for_transfer = false;   ///< carried out after the last pass, to see how its test transfers; no model is fitted to it
+  int number = 0;          ///< within the run, from 0
+  std::uint64_t test = 0;  ///< the test's number
+  bool for_transfer =
+      false;  ///< carried out after the last pass, to see how its test transfers; no model is fitted to it
   double predicted_fitness = kNotKnown;  ///< of the test, by the models that chose it
   double measured_fitness = kNotKnown;   ///< of the same test on the target
 };
@@ -83,9 +84,9 @@ struct PassRow {
 struct EeaRunRecord {
   int replicate = 1;  ///< from 1
   std::string metric, fitness;
-  std::vector<FreeValueRecord> free;      ///< of the models
-  std::vector<double> truth;              ///< of each free value in a simulated target, NaN where it has none
-  std::vector<std::string> model_genes;   ///< names, in genome order
+  std::vector<FreeValueRecord> free;     ///< of the models
+  std::vector<double> truth;             ///< of each free value in a simulated target, NaN where it has none
+  std::vector<std::string> model_genes;  ///< names, in genome order
   std::vector<std::string> test_genes;
   int passes = 0;
 };

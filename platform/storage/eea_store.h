@@ -39,9 +39,9 @@ class EeaStore {
 
   /// What there is to go on from; nothing where the run never committed a checkpoint.
   std::optional<CheckpointRow> checkpoint() const;
-  std::vector<Trial> trials() const;                 ///< measured, commands, centre of mass; by number
+  std::vector<Trial> trials() const;  ///< measured, commands, centre of mass; by number
   std::vector<TargetTrialRow> trial_rows() const;
-  std::vector<ModelRow> models(int pass) const;      ///< with their trial scores, by number
+  std::vector<ModelRow> models(int pass) const;  ///< with their trial scores, by number
   std::optional<ModelRow> model(std::uint64_t number) const;
   std::optional<TestRow> test(std::uint64_t number) const;
   std::vector<PassRow> passes() const;
