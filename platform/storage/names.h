@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/records.h"
+#include "storage/eea_records.h"
 
 namespace lacuna {
 
@@ -19,12 +19,27 @@ inline const char* to_string(TraceKind kind) {
     case TraceKind::measured: return "measured";
     case TraceKind::commands: return "commands";
     case TraceKind::predicted: return "predicted";
+    case TraceKind::centre_of_mass: return "centre_of_mass";
   }
   return "";
 }
 
 inline const char* to_string(ComparisonKind kind) {
   return kind == ComparisonKind::refitted ? "refitted" : "as_written";
+}
+
+inline const char* to_string(EvaluationKind kind) {
+  switch (kind) {
+    case EvaluationKind::full: return "full";
+    case EvaluationKind::abandoned: return "abandoned";
+    case EvaluationKind::invalid: return "invalid";
+  }
+  return "";
+}
+
+inline EvaluationKind evaluation_kind_from(const std::string& text) {
+  if (text == "full") return EvaluationKind::full;
+  return text == "abandoned" ? EvaluationKind::abandoned : EvaluationKind::invalid;
 }
 
 /// NULL where neither.

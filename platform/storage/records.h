@@ -30,6 +30,7 @@ using TrialId = Id<struct TrialTable>;
 using TraceId = Id<struct TraceTable>;
 using FitId = Id<struct FitTable>;
 using ComparisonId = Id<struct ComparisonTable>;
+using ModelId = Id<struct ModelTable>;
 
 /// One call of the program that writes.
 struct RunRecord {
@@ -91,7 +92,7 @@ struct TrialRecord {
   std::int64_t samples = 0;
 };
 
-enum class TraceKind { measured, commands, predicted };
+enum class TraceKind { measured, commands, predicted, centre_of_mass };
 enum class TracePrecision { float32, float64 };
 
 enum class AtBound { neither, lower, upper };

@@ -4,6 +4,7 @@
 #include "storage/clock.h"
 #include "storage/json_text.h"
 #include "storage/names.h"
+#include "storage/row_key.h"
 #include "storage/statement.h"
 
 #include <lacuna/error.h>
@@ -13,8 +14,6 @@
 
 namespace lacuna {
 namespace {
-
-constexpr int kCounterBits = 40;
 
 std::string random_identity() {
   std::random_device device;
@@ -34,7 +33,7 @@ ResultStore::ResultStore(Database& database) : database_(database) {}
 ResultStore::~ResultStore() {
   if (!run_ || ended_ || database_.in_transaction()) return;
   try {
-    end_run(RunEnding::failed);
+    end_run_unless_ended(database_, *run_, RunEnding::failed);
   } catch (const Error&) {
     // Whatever ended the run has been reported; a run without an ending reads as "not ended".
   }
@@ -45,13 +44,7 @@ RunId ResultStore::run() const {
   return *run_;
 }
 
-std::int64_t ResultStore::next_id(const char* table) {
-  const std::int64_t first = run().value << kCounterBits;
-  const std::string sql = std::string("SELECT coalesce(max(id), ?1) + 1 FROM ") + table + " WHERE id BETWEEN ?1 AND ?2";
-  Statement statement(database_, sql.c_str());
-  statement.with(first, first + (std::int64_t{1} << kCounterBits) - 1).step();
-  return statement.integer(0);
-}
+std::int64_t ResultStore::next_id(const char* table) { return next_key(database_, table, run()); }
 
 RunId ResultStore::begin_run(const RunRecord& record, const Provenance& p) {
   Transaction transaction(database_);
@@ -73,12 +66,35 @@ RunId ResultStore::begin_run(const RunRecord& record, const Provenance& p) {
   return run;
 }
 
-void ResultStore::end_run(RunEnding ending) {
+void ResultStore::continue_run(RunId run) {
   Transaction transaction(database_);
-  Statement(database_, "UPDATE run SET ended = ?, ending = ? WHERE number = ?")
-      .run_with(utc_now(), to_string(ending), run());
+  Statement row(database_, "SELECT coalesce(ending, '') FROM run WHERE number = ?");
+  const std::string name = database_.file().string() + ": run " + std::to_string(run.value);
+  if (!row.with(run).step()) throw Error(name + " does not exist; view runs lists those that do");
+  if (row.text(0) == to_string(RunEnding::done)) throw Error(name + " is done, nothing of it is left to go on with");
+  Statement(database_, "UPDATE run SET ended = NULL, ending = NULL WHERE number = ?").run_with(run);
   transaction.commit();
+  run_ = run;
+  ended_ = false;
+}
+
+void ResultStore::end_run(RunEnding ending) {
+  set_run_ending(database_, run(), ending);
   ended_ = true;
+}
+
+void set_run_ending(Database& database, RunId run, RunEnding ending) {
+  Transaction transaction(database);
+  Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ?")
+      .run_with(utc_now(), to_string(ending), run);
+  transaction.commit();
+}
+
+void end_run_unless_ended(Database& database, RunId run, RunEnding ending) {
+  Transaction transaction(database);
+  Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ? AND ending IS NULL")
+      .run_with(utc_now(), to_string(ending), run);
+  transaction.commit();
 }
 
 void ResultStore::record_plugins(const std::vector<PluginFileRecord>& files) {

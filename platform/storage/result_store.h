@@ -24,7 +24,8 @@ namespace lacuna {
 ///     transaction.commit();
 ///     store.end_run(RunEnding::done);
 ///
-/// A run that is not ended (an exception) is stored as failed. One thread at a time. Throws
+/// A run that is not ended (an exception) is stored as failed. Replicates of an experiment are a run
+/// each: `begin_run` again, or a store each. One thread at a time. Throws
 /// `Error` with a sentence for whatever keeps the database from being read or written.
 class ResultStore {
  public:
@@ -35,6 +36,8 @@ class ResultStore {
   ResultStore& operator=(const ResultStore&) = delete;
 
   RunId begin_run(const RunRecord& run, const Provenance& provenance);
+  /// Goes on with a run of this file that did not end as `done`; it keeps its command and provenance.
+  void continue_run(RunId run);
   void end_run(RunEnding ending);
   void record_plugins(const std::vector<PluginFileRecord>& files);
 
@@ -60,7 +63,8 @@ class ResultStore {
   std::optional<StoredComparison> latest_comparison(RevisionId revision, ComparisonKind kind,
                                                     bool held_out = false) const;
 
-  /// Stores samples; a prediction belongs to a comparison, what was measured to its trial alone.
+  /// Stores samples; a prediction belongs to a comparison, what was measured to its trial alone. (Predictions of an
+  /// EEA run's models: EeaStore.)
   /// Recording the same measured trace again returns the one that is there.
   TraceId record_trace(TrialId trial, TraceKind kind, const TimeSeries& series,
                        TracePrecision precision = TracePrecision::float32,
@@ -87,7 +91,11 @@ class ResultStore {
 
   Database& database_;
   std::optional<RunId> run_;
-  bool ended_ = false;
+  bool ended_ = false;  ///< or nothing to end
 };
+
+void set_run_ending(Database& database, RunId run, RunEnding ending);
+/// For what ends a run when nothing else has.
+void end_run_unless_ended(Database& database, RunId run, RunEnding ending);
 
 }  // namespace lacuna

@@ -41,6 +41,25 @@ std::vector<std::byte> Statement::bytes(int column) {
   return {first, first + blob.getBytes()};
 }
 
+void Statement::append_bits(int column, std::string& bytes) {
+  const SQLite::Column value = statement_.getColumn(column);
+  const auto add = [&](const void* first, std::size_t size) { bytes.append(static_cast<const char*>(first), size); };
+  const int type = value.getType();
+  bytes += static_cast<char>(type);
+  if (type == SQLite::INTEGER) {
+    const std::int64_t integer = value.getInt64();
+    add(&integer, sizeof integer);
+  } else if (type == SQLite::FLOAT) {
+    const double number = value.getDouble();
+    add(&number, sizeof number);
+  } else if (type != SQLite::Null) {
+    const void* const first = value.getBlob();
+    const std::int64_t size = value.getBytes();
+    add(&size, sizeof size);
+    if (size > 0) add(first, static_cast<std::size_t>(size));
+  }
+}
+
 void Statement::restart() {
   statement_.tryReset();
   statement_.clearBindings();

@@ -44,6 +44,9 @@ class Statement {
   double real(int column);
   std::string text(int column) { return statement_.getColumn(column).getString(); }
   std::vector<std::byte> bytes(int column);
+  /// Adds what identifies the value of a column to `bytes`: its type, its length and its bits.
+  void append_bits(int column, std::string& bytes);
+  int columns() const { return statement_.getColumnCount(); }
   bool null(int column) { return statement_.getColumn(column).isNull(); }
 
  private:

@@ -1,0 +1,44 @@
+#include "storage/write_trial.h"
+
+#include "storage/names.h"
+#include "storage/row_key.h"
+#include "storage/trace_codec.h"
+
+namespace lacuna {
+
+std::optional<TraceId> find_trace(const Database& database, const TraceOwner& owner) {
+  Statement row(database,
+                "SELECT id FROM trace WHERE trial = ? AND kind = ? AND comparison IS ? AND model IS ?"
+                " ORDER BY id DESC LIMIT 1");
+  if (!row.with(owner.trial, to_string(owner.kind), owner.comparison, owner.model).step()) return std::nullopt;
+  return TraceId{row.integer(0)};
+}
+
+TraceId write_trace(const Database& database, RunId run, const TraceOwner& owner, const TimeSeries& series,
+                    TracePrecision precision) {
+  if (!owner.comparison && !owner.model && owner.kind != TraceKind::predicted) {
+    if (const std::optional<TraceId> there = find_trace(database, owner)) return *there;
+  }
+  const TraceId id{next_key(database, "trace", run)};
+  const EncodedTrace trace = encode_trace(series, precision);
+  Statement(database,
+            "INSERT INTO trace (id, trial, comparison, model, kind, channels, sample_count, precision, times, samples,"
+            " digest) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run_with(id, owner.trial, owner.comparison, owner.model, to_string(owner.kind), trace.channels,
+                trace.sample_count, to_string(precision), std::span<const std::byte>(trace.times),
+                std::span<const std::byte>(trace.samples), trace.digest);
+  return id;
+}
+
+TrialId write_trial(const Database& database, RunId run, ExperimentId experiment, const TrialRecord& record) {
+  Statement(database,
+            "INSERT INTO trial (id, experiment, name, file, digest, held_out, duration, samples)"
+            " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (experiment, digest, name, held_out) DO NOTHING")
+      .run_with(next_key(database, "trial", run), experiment, record.name, record.file, record.digest, record.held_out,
+                record.duration, record.samples);
+  Statement find(database, "SELECT id FROM trial WHERE experiment = ? AND digest = ? AND name = ? AND held_out = ?");
+  find.with(experiment, record.digest, record.name, record.held_out).step();
+  return TrialId{find.integer(0)};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,105 @@
+#include "storage/made_up_run.h"
+#include "storage/statement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace lacuna {
+namespace {
+
+using test::MadeUpDatabase;
+
+/// Twice as long as measured on a slow disk, and as the sanitizers take.
+constexpr double kFactor = 6.0;
+
+double seconds_of(const auto& action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::int64_t ask(const Database& database, const char* sql) {
+  Statement statement(database, sql);
+  EXPECT_TRUE(statement.step());
+  return statement.integer(0);
+}
+
+/// As many models, tests and scores as a run of the paper: 20 passes of 31 generations of 50 new ones.
+struct PaperRun {
+  static constexpr int kPasses = 20;
+  static constexpr int kGenerations = 31;
+  static constexpr int kNew = 50;
+  static constexpr std::size_t kModelGenes = 17;
+  static constexpr std::size_t kTestGenes = 68;
+
+  void append_tests(EeaStore& store, int pass, int generation) {
+    for (int i = 0; i < kNew; ++i) {
+      store.append(TestRow{.number = tests++,
+                           .pass = pass,
+                           .generation = generation,
+                           .parents = {tests > kNew ? std::optional(tests - kNew) : std::nullopt, std::nullopt},
+                           .genome = Genome(kTestGenes, 0.1 + static_cast<double>(i)),
+                           .fitness = 0.1 + 0.001 * i});
+    }
+  }
+  void append_models(EeaStore& store, int pass, int generation) {
+    for (int i = 0; i < kNew; ++i) {
+      ModelRow model{.number = models++, .pass = pass, .generation = generation};
+      if (models > kNew) model.parents = {models - kNew, models - kNew + 1};
+      model.genome = Genome(kModelGenes, 0.1 + static_cast<double>(i));
+      model.score = 0.3 + 0.01 * i;
+      for (int trial = 0; trial < pass; ++trial) model.trial_scores.push_back(0.1 + 0.01 * trial + 0.001 * i);
+      store.append(std::move(model));
+    }
+  }
+  std::uint64_t tests = 0;
+  std::uint64_t models = 0;
+};
+
+TEST(EeaSize, APaperRunTakesLittleTimeAndFewBytes) {
+  const TestFolder folder;
+  MadeUpDatabase filled(folder / "run.db");
+  const test::MadeUpRun made_up{.samples = 1000};
+  PaperRun run;
+  filled.store->begin(made_up.record());
+  const CheckpointRow checkpoint{std::vector<double>(100 * PaperRun::kTestGenes, 0.3)};
+  std::vector<double> commits;
+  for (int pass = 1; pass <= PaperRun::kPasses; ++pass) {
+    for (int generation = 0; generation < PaperRun::kGenerations; ++generation) {
+      run.append_tests(*filled.store, pass, generation);
+      filled.store->commit(checkpoint);
+    }
+    TargetTrialRow trial = made_up.target_trial(pass);
+    trial.test = run.tests - 1;
+    filled.store->append(trial, made_up.made_up_trial(pass));
+    for (int generation = 0; generation < PaperRun::kGenerations; ++generation) {
+      run.append_models(*filled.store, pass, generation);
+      const double seconds = seconds_of([&] { filled.store->commit(checkpoint); });
+      if (pass == PaperRun::kPasses) commits.push_back(seconds);
+    }
+  }
+  EXPECT_EQ(ask(filled.database, "SELECT count(*) FROM model_score"), 325'500);
+  EXPECT_EQ(ask(filled.database, "SELECT count(*) FROM model"), 31'000);
+  EXPECT_EQ(ask(filled.database, "SELECT count(*) FROM test"), 31'000);
+
+  std::nth_element(commits.begin(), commits.begin() + 15, commits.end());
+  RecordProperty("seconds_in_all", std::to_string(filled.store->seconds()));
+  RecordProperty("seconds_a_commit_of_1000_scores", std::to_string(commits[15]));
+  EXPECT_LT(filled.store->seconds(), 0.003 * 2000.0 * kFactor) << "0.3 % of a run";
+  EXPECT_LT(commits[15], 0.005 * kFactor) << "the median";
+
+  const double bytes =
+      static_cast<double>(ask(filled.database, "SELECT sum(pgsize) FROM dbstat WHERE name = 'model_score'"));
+  RecordProperty("bytes_a_score", std::to_string(bytes / 325'500));
+  EXPECT_LE(bytes / 325'500, 40.0);
+  EXPECT_GE(bytes / 325'500, 20.0) << "less than its numbers need: the test measures something else";
+  std::string hash;
+  const double hashing = seconds_of([&] { hash = content_hash(filled.database, filled.run); });
+  RecordProperty("seconds_of_hashing", std::to_string(hashing));
+  EXPECT_LT(hashing, 2.0 * kFactor);
+}
+
+}  // namespace
+}  // namespace lacuna
