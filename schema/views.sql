@@ -111,9 +111,120 @@ WHERE comparison.id = (SELECT max(newer.id) FROM comparison AS newer WHERE newer
 CREATE VIEW traces AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trace.kind, revision.number AS revision,
        (SELECT group_concat(json_extract(value, '$.name'), ', ') FROM json_each(trace.channels)) AS channels,
-       trace.sample_count, trial.duration, length(trace.times) + length(trace.samples) AS bytes, trace.id
+       trace.sample_count, trial.duration, length(trace.times) + length(trace.samples) AS bytes, trace.id,
+       trace.model >> 40 AS run, (trace.model & ((1 << 40) - 1)) - 1 AS model
 FROM trace
 JOIN trial ON trial.id = trace.trial
 JOIN experiment ON experiment.id = trial.experiment
 LEFT JOIN comparison ON comparison.id = trace.comparison
 LEFT JOIN revision ON revision.id = comparison.revision;
+
+-- One row a run of the algorithm (a replicate): how far it is, its best error, what it cost and how it ended.
+-- example: SELECT run, replicate, passes_done, best_score, ending FROM eea_runs ORDER BY run;
+CREATE VIEW eea_runs AS
+WITH last AS (
+  SELECT run, max(number) AS number, count(*) AS passes, sum(evaluations) AS evaluations, sum(steps) AS steps
+  FROM pass WHERE ended GROUP BY run)
+SELECT eea_run.run, experiment.name AS experiment, eea_run.replicate, coalesce(run.ending, 'not ended') AS ending,
+       coalesce(last.passes, 0) AS passes_done, eea_run.passes,
+       (SELECT best_score FROM pass WHERE pass.id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1
+          AND ended AND best_model IS NOT NULL ORDER BY id DESC LIMIT 1) AS best_score,
+       metric.name AS metric, fitness.name AS fitness,
+       (SELECT coalesce(max(id) & ((1 << 40) - 1), 0) FROM model
+        WHERE id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1) AS models,
+       (SELECT coalesce(max(id) & ((1 << 40) - 1), 0) FROM test
+        WHERE id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1) AS tests,
+       (SELECT count(*) FROM target_trial WHERE target_trial.run = eea_run.run) AS trials,
+       coalesce(last.evaluations, 0) AS evaluations, coalesce(last.steps, 0) AS steps, checkpoint.seconds, run.seed
+FROM eea_run
+JOIN run ON run.number = eea_run.run
+JOIN experiment ON experiment.id = eea_run.experiment
+JOIN metric ON metric.id = eea_run.metric
+LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness
+LEFT JOIN last ON last.run = eea_run.run
+LEFT JOIN checkpoint ON checkpoint.run = eea_run.run;
+
+-- One row a pass that has ended: the best model's error over all trials so far and what it took to find it.
+-- example: SELECT run, pass, trials, error, evaluations_so_far FROM error_by_pass ORDER BY run, pass;
+CREATE VIEW error_by_pass AS
+SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass,
+       (SELECT count(*) FROM model_score WHERE model_score.model = pass.best_model
+          AND model_score.metric = eea_run.metric) AS trials,
+       pass.best_score AS error, metric.name AS metric,
+       (pass.best_model & ((1 << 40) - 1)) - 1 AS best_model,
+       sum(pass.evaluations) OVER so_far AS evaluations_so_far, sum(pass.steps) OVER so_far AS steps_so_far
+FROM pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment
+JOIN metric ON metric.id = eea_run.metric
+WHERE pass.ended
+WINDOW so_far AS (PARTITION BY pass.run ORDER BY pass.number);
+
+-- One row a free value of the best model of a pass, beside the hidden truth of a simulated target.
+-- example: SELECT address, value, truth, unit FROM best_model WHERE pass = 2 ORDER BY run, position;
+CREATE VIEW best_model AS
+SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass,
+       (pass.best_model & ((1 << 40) - 1)) - 1 AS model, model.generation, free_value.position, free_value.address,
+       best_value.value, free_value.unit, free_value.truth, best_value.value - free_value.truth AS error,
+       free_value.lower, free_value.upper, pass.best_score
+FROM pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment
+JOIN model ON model.id = pass.best_model
+JOIN best_value ON best_value.pass = pass.id
+JOIN free_value ON free_value.run = pass.run AND free_value.position = best_value.position;
+
+-- One row an address, or group of addresses, of the best model of a pass: how far it is from the hidden truth.
+-- example: SELECT pass, address, avg(error), unit FROM parameter_error_by_pass GROUP BY pass, address ORDER BY address, pass;
+CREATE VIEW parameter_error_by_pass AS
+SELECT experiment, run, replicate, pass, address, abs(error) AS error, unit
+FROM best_model
+WHERE truth IS NOT NULL AND NOT EXISTS (
+  SELECT * FROM objective_score
+  WHERE objective_score.pass = (best_model.run << 40) + 1 + best_model.pass AND objective_score.name = best_model.address)
+UNION ALL
+SELECT experiment.name, pass.run, eea_run.replicate, pass.number, objective_score.name, objective_score.value,
+       objective_score.unit
+FROM objective_score
+JOIN pass ON pass.id = objective_score.pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment;
+
+-- One row a test that was carried out on the target: what the models that chose it predicted, and what the target did.
+-- example: SELECT run, pass, predicted, measured, gap FROM transfer_gap ORDER BY run, trial;
+CREATE VIEW transfer_gap AS
+SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, pass.number AS pass,
+       target_trial.number AS trial, (test.id & ((1 << 40) - 1)) - 1 AS test, fitness.name AS fitness,
+       predicted_fitness AS predicted, measured_fitness AS measured, measured_fitness - predicted_fitness AS gap,
+       for_transfer
+FROM target_trial
+JOIN eea_run ON eea_run.run = target_trial.run
+JOIN experiment ON experiment.id = eea_run.experiment
+JOIN test ON test.id = target_trial.test
+JOIN pass ON pass.id = test.pass
+LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness
+WHERE predicted_fitness IS NOT NULL;
+
+-- One row a pass that has ended: how many evaluations it asked for, how many of them were cut short or known, and their steps.
+-- example: SELECT run, pass, evaluations, abandoned, reused, steps FROM evaluations ORDER BY run, pass;
+CREATE VIEW evaluations AS
+SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, evaluations, abandoned, reused,
+       invalid, steps, test_evaluations, invalid_tests, test_steps
+FROM pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment
+WHERE ended;
+
+-- One row a model or test that could not be scored, and why.
+-- example: SELECT run, kind, reason, count(*) AS times FROM invalid_evaluations GROUP BY run, kind, reason ORDER BY times DESC;
+CREATE VIEW invalid_evaluations AS
+SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, failed.generation, failed.kind,
+       failed.number, failed.reason
+FROM (SELECT 'model' AS kind, pass, generation, (id & ((1 << 40) - 1)) - 1 AS number, reason
+      FROM invalid_model JOIN model ON model.id = invalid_model.model
+      UNION ALL
+      SELECT 'test', pass, generation, (id & ((1 << 40) - 1)) - 1, reason
+      FROM invalid_test JOIN test ON test.id = invalid_test.test) AS failed
+JOIN pass ON pass.id = failed.pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment;

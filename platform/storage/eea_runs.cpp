@@ -5,7 +5,7 @@ namespace lacuna {
 namespace {
 
 bool has_runs(const Database& database) {
-  Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'eea_run'");
+  Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'view' AND name = 'eea_runs'");
   return table.step();
 }
 
@@ -14,17 +14,8 @@ bool has_runs(const Database& database) {
 std::vector<EeaRunListing> eea_runs(const Database& database) {
   if (!has_runs(database)) return {};
   Statement row(database,
-                "SELECT eea_run.run, replicate, experiment.name, coalesce(ending, 'not ended'),"
-                " count(pass.id), passes, (SELECT best_score FROM pass WHERE pass.run = eea_run.run AND ended"
-                "                          AND best_model IS NOT NULL ORDER BY id DESC LIMIT 1),"
-                " (SELECT coalesce(max(id) - (eea_run.run << 40), 0) FROM model"
-                "  WHERE id BETWEEN eea_run.run << 40 AND (eea_run.run + 1 << 40) - 1),"
-                " coalesce(sum(evaluations), 0), checkpoint.seconds"
-                " FROM eea_run JOIN run ON run.number = eea_run.run"
-                " JOIN experiment ON experiment.id = eea_run.experiment"
-                " LEFT JOIN checkpoint ON checkpoint.run = eea_run.run"
-                " LEFT JOIN pass ON pass.run = eea_run.run AND pass.ended"
-                " GROUP BY eea_run.run ORDER BY eea_run.run");
+                "SELECT run, replicate, experiment, ending, passes_done, passes, best_score, models, evaluations,"
+                " seconds FROM eea_runs ORDER BY run");
   std::vector<EeaRunListing> runs;
   while (row.step()) {
     runs.push_back({.run = {row.integer(0)},

@@ -1,5 +1,5 @@
+#include "storage/made_up_run.h"
 #include "storage/query.h"
-#include "storage/small_database.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,6 +68,7 @@ class DatabaseDocumentation : public testing::Test {
   DatabaseDocumentation() {
     ResultStore store(database_);
     test::fill_small_database(store);
+    test::add_made_up_run(database_);
   }
   std::vector<std::string> first_column(const std::string& sql) const {
     Rows rows;

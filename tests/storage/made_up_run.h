@@ -163,4 +163,17 @@ class MadeUpDatabase {
   std::optional<EeaStore> store;
 };
 
+/// A finished run beside what else there is, for the examples of the documentation.
+inline void add_made_up_run(Database& database) {
+  const MadeUpRun made_up;
+  ResultStore results(database);
+  const RunId run = results.begin_run({.command = "lacuna run quadruped.toml", .seed = 3, .threads = 2}, {});
+  const ExperimentId experiment = results.record_experiment({"quadruped", "quadruped.toml", "[experiment]\n", {}});
+  std::mutex writing;
+  EeaStore store(database, writing, run, experiment);
+  store.begin(made_up.record());
+  for (int i = 0; i < made_up.commits(); ++i) made_up.commit(store, i);
+  store.end(RunEnding::done);
+}
+
 }  // namespace lacuna::test
