@@ -86,6 +86,7 @@ Database Database::open(const std::filesystem::path& file, const std::vector<Mig
   // Only now may anything be written to it: it is ours, or empty.
   keep_write_ahead_log(file, database.handle());
   database.execute("PRAGMA synchronous = FULL");
+  database.identity_ = identity_of(file);
   migrate(database, migrations);
   return database;
 }
@@ -135,17 +136,23 @@ void Database::execute(const std::string& statements) try {
   throw_storage_error(file_, error);
 }
 
-void Database::check_not_moved() const {
+bool Database::has_moved() const {
   int moved = 0;
   sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
-  if (moved != 0) {
-    throw Error(file_.string() +
-                ": was moved or deleted while it was open; nothing more is written. Put it back, or run again");
+  return moved != 0;
+}
+
+void Database::check_not_moved() {
+  if (lost_.empty() && has_moved()) {
+    lost_ = keep_what_was_committed(file_, handle(), identity_.value_or(FileIdentity{}));
   }
+  if (!lost_.empty()) throw Error(lost_);
 }
 
 Transaction::Transaction(Database& database) : database_(database), outermost_(!database.in_transaction()) {
-  if (outermost_) database_.execute("BEGIN IMMEDIATE");
+  if (!outermost_) return;
+  database_.check_not_moved();
+  database_.execute("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
@@ -162,7 +169,10 @@ void Transaction::commit() {
     open_ = false;
     return;
   }
-  database_.check_not_moved();
+  if (database_.has_moved()) {
+    database_.execute("ROLLBACK");
+    database_.check_not_moved();
+  }
   database_.execute("COMMIT");
   open_ = false;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "storage/moved_file.h"
+
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,13 +57,17 @@ class Database {
   void wait_for_writers(std::chrono::milliseconds longest);
   bool in_transaction() const;
   void execute(const std::string& statements);
-  /// Throws `Error` if the file is no longer where it was opened: what is written would be lost.
-  void check_not_moved() const;
+  /// Throws `Error` if the file is no longer where it was opened: what is written would be lost. What was committed
+  /// is kept as moved_file.h says. To be called outside of a transaction, which `has_moved` need not be.
+  void check_not_moved();
+  bool has_moved() const;
 
  private:
   explicit Database(std::filesystem::path file);
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
+  std::optional<FileIdentity> identity_;
+  std::string lost_;  ///< why nothing can be written any more
 };
 
 /// A transaction: what is not committed when it ends is rolled back. Begun inside another, it is

@@ -21,6 +21,7 @@ namespace lacuna {
 namespace {
 
 using test::ChildProcess;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 
@@ -37,6 +38,16 @@ bool is_intact(const Database& database) {
 
 void add_experiment(ResultStore& store, int number) {
   store.record_experiment({"experiment " + std::to_string(number), "rig.toml", std::string(5000, 'x'), {}});
+}
+
+template <class Action>
+std::string sentence_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
 }
 
 class StorageFault : public testing::Test {
@@ -96,27 +107,52 @@ TEST_F(StorageFault, WhatWasCommittedSurvivesAKillAtAnyMoment) {
   }
 }
 
-TEST_F(StorageFault, ADeletedFileIsNoticedAtTheNextCommit) {
-  Database database = Database::open(file_);
-  ResultStore store(database);
-  begin_run(store);
-  std::filesystem::remove(file_);
-  try {
-    add_experiment(store, 1);
-    FAIL() << "was written to a file that is gone";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("rig.db: was moved or deleted while it was open"));
-  }
+/// How many experiments a file holds by itself, without a log beside it.
+std::int64_t experiments_in(const std::filesystem::path& file) {
+  const Database database = Database::open_read_only(file);
+  EXPECT_TRUE(is_intact(database));
+  return ask(database, "SELECT count(*) FROM experiment");
 }
 
-TEST_F(StorageFault, ARenamedFolderIsNoticedAtTheNextCommit) {
+TEST_F(StorageFault, OfADeletedFileWhatWasCommittedIsKeptInACopy) {
+  {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    add_experiment(store, 1);
+    for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(file_.string() + suffix);
+    EXPECT_THAT(sentence_of([&] { add_experiment(store, 2); }),
+                AllOf(HasSubstr("rig.db: was deleted while it was open"), HasSubstr("rig.db.rescued")));
+    EXPECT_THAT(sentence_of([&] { add_experiment(store, 3); }), HasSubstr("rig.db.rescued;")) << "one copy is enough";
+  }
+  EXPECT_EQ(experiments_in(file_.string() + ".rescued"), 1);
+  EXPECT_FALSE(std::filesystem::exists(file_.string() + ".rescued-2"));
+  EXPECT_FALSE(std::filesystem::exists(file_)) << "nothing is put where the user deleted";
+}
+
+TEST_F(StorageFault, AMovedFileIsCompleteWithoutTheLogThatWasLeftBehind) {
+  const std::filesystem::path moved = folder_ / "elsewhere.db";
+  {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    begin_run(store);
+    add_experiment(store, 1);
+    std::filesystem::rename(file_, moved);
+    EXPECT_THAT(sentence_of([&] { add_experiment(store, 2); }), HasSubstr("rig.db: was moved to " + moved.string()));
+  }
+  EXPECT_EQ(experiments_in(moved), 1);
+}
+
+TEST_F(StorageFault, AFileInARenamedFolderIsComplete) {
   std::filesystem::create_directory(folder_ / "results");
   Database database = Database::open(folder_ / "results" / "rig.db");
   ResultStore store(database);
   begin_run(store);
+  add_experiment(store, 1);
   std::filesystem::rename(folder_ / "results", folder_ / "old results");
-  EXPECT_THROW(add_experiment(store, 1), Error);
+  EXPECT_THAT(sentence_of([&] { add_experiment(store, 2); }), HasSubstr("old results/rig.db while it was open"));
   EXPECT_FALSE(database.in_transaction());
+  EXPECT_EQ(experiments_in(folder_ / "old results" / "rig.db"), 1);
 }
 
 TEST_F(StorageFault, AReplacedFileIsNoticedAtTheNextCommit) {
@@ -125,7 +161,7 @@ TEST_F(StorageFault, AReplacedFileIsNoticedAtTheNextCommit) {
   begin_run(store);
   std::filesystem::rename(file_, folder_ / "aside.db");
   { Database::open(file_); }
-  EXPECT_THROW(add_experiment(store, 1), Error);
+  EXPECT_THAT(sentence_of([&] { add_experiment(store, 1); }), HasSubstr("rig.db: was replaced by another file"));
 }
 
 TEST_F(StorageFault, AFileSizeLimitGivesASentenceAndLeavesTheFileIntact) {
