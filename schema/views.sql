@@ -1,6 +1,6 @@
 -- Views for reading with any sqlite3 of version 3.37 or later (no jsonb, no extension).
 -- Above each view: what a row is, then an example. `lacuna sql FILE --views` prints them and
--- database.md explains the columns. Run numbers are id >> 40.
+-- database.md explains the columns. Run numbers are id >> 40, counters id & 1099511627775 (2^40 - 1).
 
 -- One row a run: when, what command, how it ended, from which build.
 -- example: SELECT run, started, ending, command FROM runs ORDER BY run;
@@ -112,7 +112,7 @@ CREATE VIEW traces AS
 SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trace.kind, revision.number AS revision,
        (SELECT group_concat(json_extract(value, '$.name'), ', ') FROM json_each(trace.channels)) AS channels,
        trace.sample_count, trial.duration, length(trace.times) + length(trace.samples) AS bytes, trace.id,
-       trace.model >> 40 AS run, (trace.model & ((1 << 40) - 1)) - 1 AS model
+       trace.model >> 40 AS run, (trace.model & 1099511627775) - 1 AS model
 FROM trace
 JOIN trial ON trial.id = trace.trial
 JOIN experiment ON experiment.id = trial.experiment
@@ -127,13 +127,13 @@ WITH last AS (
   FROM pass WHERE ended GROUP BY run)
 SELECT eea_run.run, experiment.name AS experiment, eea_run.replicate, coalesce(run.ending, 'not ended') AS ending,
        coalesce(last.passes, 0) AS passes_done, eea_run.passes,
-       (SELECT best_score FROM pass WHERE pass.id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1
+       (SELECT best_score FROM pass WHERE pass.id BETWEEN eea_run.run << 40 AND (eea_run.run << 40) + 1099511627775
           AND ended AND best_model IS NOT NULL ORDER BY id DESC LIMIT 1) AS best_score,
        metric.name AS metric, fitness.name AS fitness,
-       (SELECT coalesce(max(id) & ((1 << 40) - 1), 0) FROM model
-        WHERE id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1) AS models,
-       (SELECT coalesce(max(id) & ((1 << 40) - 1), 0) FROM test
-        WHERE id BETWEEN eea_run.run << 40 AND ((eea_run.run + 1) << 40) - 1) AS tests,
+       (SELECT coalesce(max(id) & 1099511627775, 0) FROM model
+        WHERE id BETWEEN eea_run.run << 40 AND (eea_run.run << 40) + 1099511627775) AS models,
+       (SELECT coalesce(max(id) & 1099511627775, 0) FROM test
+        WHERE id BETWEEN eea_run.run << 40 AND (eea_run.run << 40) + 1099511627775) AS tests,
        (SELECT count(*) FROM target_trial WHERE target_trial.run = eea_run.run) AS trials,
        coalesce(last.evaluations, 0) AS evaluations, coalesce(last.steps, 0) AS steps, checkpoint.seconds, run.seed
 FROM eea_run
@@ -151,7 +151,7 @@ SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number A
        (SELECT count(*) FROM model_score WHERE model_score.model = pass.best_model
           AND model_score.metric = eea_run.metric) AS trials,
        pass.best_score AS error, metric.name AS metric,
-       (pass.best_model & ((1 << 40) - 1)) - 1 AS best_model,
+       (pass.best_model & 1099511627775) - 1 AS best_model,
        sum(pass.evaluations) OVER so_far AS evaluations_so_far, sum(pass.steps) OVER so_far AS steps_so_far
 FROM pass
 JOIN eea_run ON eea_run.run = pass.run
@@ -164,7 +164,7 @@ WINDOW so_far AS (PARTITION BY pass.run ORDER BY pass.number);
 -- example: SELECT address, value, truth, unit FROM best_model WHERE pass = 2 ORDER BY run, position;
 CREATE VIEW best_model AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass,
-       (pass.best_model & ((1 << 40) - 1)) - 1 AS model, model.generation, free_value.position, free_value.address,
+       (pass.best_model & 1099511627775) - 1 AS model, model.generation, free_value.position, free_value.address,
        best_value.value, free_value.unit, free_value.truth, best_value.value - free_value.truth AS error,
        free_value.lower, free_value.upper, pass.best_score
 FROM pass
@@ -194,7 +194,7 @@ JOIN experiment ON experiment.id = eea_run.experiment;
 -- example: SELECT run, pass, predicted, measured, gap FROM transfer_gap ORDER BY run, trial;
 CREATE VIEW transfer_gap AS
 SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, pass.number AS pass,
-       target_trial.number AS trial, (test.id & ((1 << 40) - 1)) - 1 AS test, fitness.name AS fitness,
+       target_trial.number AS trial, (test.id & 1099511627775) - 1 AS test, fitness.name AS fitness,
        predicted_fitness AS predicted, measured_fitness AS measured, measured_fitness - predicted_fitness AS gap,
        for_transfer
 FROM target_trial
@@ -220,10 +220,10 @@ WHERE ended;
 CREATE VIEW invalid_evaluations AS
 SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, failed.generation, failed.kind,
        failed.number, failed.reason
-FROM (SELECT 'model' AS kind, pass, generation, (id & ((1 << 40) - 1)) - 1 AS number, reason
+FROM (SELECT 'model' AS kind, pass, generation, (id & 1099511627775) - 1 AS number, reason
       FROM invalid_model JOIN model ON model.id = invalid_model.model
       UNION ALL
-      SELECT 'test', pass, generation, (id & ((1 << 40) - 1)) - 1, reason
+      SELECT 'test', pass, generation, (id & 1099511627775) - 1, reason
       FROM invalid_test JOIN test ON test.id = invalid_test.test) AS failed
 JOIN pass ON pass.id = failed.pass
 JOIN eea_run ON eea_run.run = pass.run

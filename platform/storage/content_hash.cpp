@@ -7,8 +7,8 @@
 namespace lacuna {
 namespace {
 
-/// A table of content, its rows in key order. ?1 is the run's number. Keys are told without it; a trial, which several
-/// runs may share, by its number within the run.
+/// A table of content, its rows in key order. ?1 is the run's number, 1099511627775 is 2^40 - 1. Keys are told without
+/// it; a trial, which several runs may share, by its number within the run.
 struct Content {
   const char* table;
   const char* rows;
@@ -27,19 +27,19 @@ constexpr Content kContents[] = {
      " WHERE run = ?1 ORDER BY id"},
     {"best_value",
      "SELECT pass - (?1 << 40), position, value FROM best_value"
-     " WHERE pass BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY pass, position"},
+     " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, position"},
     {"objective_score",
      "SELECT pass - (?1 << 40), position, name, unit, value FROM objective_score"
-     " WHERE pass BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY pass, position"},
+     " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, position"},
     {"test",
      "SELECT id - (?1 << 40), pass - (?1 << 40), generation, parent - (?1 << 40), other_parent - (?1 << 40), genome,"
-     " valid FROM test WHERE id BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY id"},
+     " valid FROM test WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY id"},
     {"test_score",
      "SELECT test - (?1 << 40), metric.name, score FROM test_score JOIN metric ON metric.id = test_score.metric"
-     " WHERE test BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY test, metric.name"},
+     " WHERE test BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY test, metric.name"},
     {"invalid_test",
      "SELECT test - (?1 << 40), reason FROM invalid_test"
-     " WHERE test BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY test"},
+     " WHERE test BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY test"},
     {"target_trial",
      "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, digest,"
      " held_out, duration, samples, hold, initial, sensor_noise, command_noise FROM target_trial"
@@ -47,19 +47,19 @@ constexpr Content kContents[] = {
      " WHERE run = ?1 ORDER BY target_trial.number"},
     {"model",
      "SELECT id - (?1 << 40), pass - (?1 << 40), generation, parent - (?1 << 40), other_parent - (?1 << 40), genome,"
-     " kind, reused, score FROM model WHERE id BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY id"},
+     " kind, reused, score FROM model WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY id"},
     {"model_score",
      "SELECT model - (?1 << 40), target_trial.number, metric.name, score FROM model_score"
      " JOIN metric ON metric.id = model_score.metric"
      " LEFT JOIN target_trial ON target_trial.run = ?1 AND target_trial.trial = model_score.trial"
-     " WHERE model BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY model, target_trial.number, metric.name"},
+     " WHERE model BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY model, target_trial.number, metric.name"},
     {"invalid_model",
      "SELECT model - (?1 << 40), reason FROM invalid_model"
-     " WHERE model BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1 ORDER BY model"},
+     " WHERE model BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY model"},
     {"trace",
      "SELECT target_trial.number, kind, model - (?1 << 40), channels, sample_count, precision, times, trace.samples,"
      " trace.digest FROM target_trial JOIN trace ON trace.trial = target_trial.trial WHERE run = ?1"
-     " AND comparison IS NULL AND (model IS NULL OR model BETWEEN ?1 << 40 AND (?1 + 1 << 40) - 1)"
+     " AND comparison IS NULL AND (model IS NULL OR model BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775)"
      " ORDER BY target_trial.number, kind, model, trace.id"}};
 
 constexpr std::size_t kBlock = 1U << 20U;

@@ -10,7 +10,7 @@ inline constexpr int kCounterBits = 40;
 /// Before a run's first row.
 inline std::int64_t key_base(RunId run) { return run.value << kCounterBits; }
 /// The largest key that a run's row can have.
-inline std::int64_t last_key(RunId run) { return key_base(run) + (std::int64_t{1} << kCounterBits) - 1; }
+inline std::int64_t last_key(RunId run) { return key_base(run) + ((std::int64_t{1} << kCounterBits) - 1); }
 
 /// The key of what is numbered from 0 within its run.
 inline std::int64_t key_of(RunId run, std::uint64_t number) {

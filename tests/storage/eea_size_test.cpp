@@ -5,14 +5,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace lacuna {
 namespace {
 
 using test::MadeUpDatabase;
 
-/// Twice as long as measured on a slow disk, and as the sanitizers take.
-constexpr double kFactor = 6.0;
+constexpr double kSecondsOfARun = 2000.0;    ///< of the paper, on a quiet machine
+constexpr double kShare = 0.005;             ///< of that, for storing; 0.003 measured
+constexpr double kSecondsOfACommit = 0.005;  ///< of a processor; the disk has to be waited for besides
+constexpr double kBusyMachine = 6.0;         ///< times as long for a clock on the wall
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double seconds_of(const auto& action) {
   const auto begin = std::chrono::steady_clock::now();
@@ -25,6 +30,9 @@ std::int64_t ask(const Database& database, const char* sql) {
   EXPECT_TRUE(statement.step());
   return statement.integer(0);
 }
+
+constexpr const char* kLastButOneRun =
+    "INSERT INTO run VALUES (8388606, '00112233445566778899aabbccddeeff', NULL, '', 1, 1, '', NULL, NULL)";
 
 /// As many models, tests and scores as a run of the paper: 20 passes of 31 generations of 50 new ones.
 struct PaperRun {
@@ -60,7 +68,9 @@ struct PaperRun {
 
 TEST(EeaSize, APaperRunTakesLittleTimeAndFewBytes) {
   const TestFolder folder;
+  Database::open(folder / "run.db").execute(kLastButOneRun);
   MadeUpDatabase filled(folder / "run.db");
+  ASSERT_EQ(filled.run.value, 8388607) << "whose keys take most bytes";
   const test::MadeUpRun made_up{.samples = 1000};
   PaperRun run;
   filled.store->begin(made_up.record());
@@ -76,8 +86,9 @@ TEST(EeaSize, APaperRunTakesLittleTimeAndFewBytes) {
     filled.store->append(trial, made_up.made_up_trial(pass));
     for (int generation = 0; generation < PaperRun::kGenerations; ++generation) {
       run.append_models(*filled.store, pass, generation);
-      const double seconds = seconds_of([&] { filled.store->commit(checkpoint); });
-      if (pass == PaperRun::kPasses) commits.push_back(seconds);
+      const double before = processor_seconds();
+      filled.store->commit(checkpoint);
+      if (pass == PaperRun::kPasses) commits.push_back(processor_seconds() - before);
     }
   }
   EXPECT_EQ(ask(filled.database, "SELECT count(*) FROM model_score"), 325'500);
@@ -86,9 +97,9 @@ TEST(EeaSize, APaperRunTakesLittleTimeAndFewBytes) {
 
   std::nth_element(commits.begin(), commits.begin() + 15, commits.end());
   RecordProperty("seconds_in_all", std::to_string(filled.store->seconds()));
-  RecordProperty("seconds_a_commit_of_1000_scores", std::to_string(commits[15]));
-  EXPECT_LT(filled.store->seconds(), 0.003 * 2000.0 * kFactor) << "0.3 % of a run";
-  EXPECT_LT(commits[15], 0.005 * kFactor) << "the median";
+  RecordProperty("processor_seconds_a_commit_of_1000_scores", std::to_string(commits[15]));
+  EXPECT_LT(filled.store->seconds(), kShare * kSecondsOfARun * kBusyMachine);
+  EXPECT_LT(commits[15], kSecondsOfACommit) << "the median";
 
   const double bytes =
       static_cast<double>(ask(filled.database, "SELECT sum(pgsize) FROM dbstat WHERE name = 'model_score'"));
@@ -98,7 +109,7 @@ TEST(EeaSize, APaperRunTakesLittleTimeAndFewBytes) {
   std::string hash;
   const double hashing = seconds_of([&] { hash = content_hash(filled.database, filled.run); });
   RecordProperty("seconds_of_hashing", std::to_string(hashing));
-  EXPECT_LT(hashing, 2.0 * kFactor);
+  EXPECT_LT(hashing, kBusyMachine);
 }
 
 }  // namespace
