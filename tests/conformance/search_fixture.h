@@ -51,6 +51,7 @@ inline double distance(const GenomeLayout& layout, const Genome& genome) {
 
 inline std::vector<double> scores_of(const std::vector<Individual>& individuals, const ScoreOf& score) {
   std::vector<double> scores;
+  scores.reserve(individuals.size());
   for (const Individual& one : individuals) scores.push_back(score(one.genome));
   return scores;
 }
