@@ -96,6 +96,7 @@ void EeaStore::begin(const EeaRunRecord& record) {
   } else {
     write_run_record(database_, run_, experiment_, record);
   }
+  set_run_ending(database_, run_, std::nullopt);
   transaction.commit();
   to_end_ = true;
 }

@@ -98,7 +98,10 @@ void EeaStore::commit(const CheckpointRow& checkpoint) {
 
 void EeaStore::write(const CheckpointRow& checkpoint) {
   Transaction transaction(database_);
-  if (!writer_) writer_ = std::make_unique<EeaWriter>(database_, run_, experiment_);
+  if (!writer_) {
+    writer_ = std::make_unique<EeaWriter>(database_, run_, experiment_);
+    set_run_ending(database_, run_, std::nullopt);
+  }
   write_checkpoint(checkpoint);
   for (const TestRow& test : pending_->tests) writer_->insert(test);
   for (const auto& [row, trial] : pending_->trials) writer_->insert(row, trial);

@@ -25,7 +25,8 @@ class EeaWriter;
 /// A store that only reads may have a database that was opened for reading. All members throw `Error` with a sentence.
 class EeaStore {
  public:
-  /// `run` was begun, or is continued, by a `ResultStore` on the same database.
+  /// `run` was begun, or is continued, by a `ResultStore` on the same database, which need not live on: whatever ending
+  /// it left is taken back by the first thing that is written here.
   EeaStore(Database& database, std::mutex& writing, RunId run, ExperimentId experiment);
   /// A run that was written to and not ended is stored as failed.
   ~EeaStore();

@@ -72,7 +72,7 @@ void ResultStore::continue_run(RunId run) {
   const std::string name = database_.file().string() + ": run " + std::to_string(run.value);
   if (!row.with(run).step()) throw Error(name + " does not exist; view runs lists those that do");
   if (row.text(0) == to_string(RunEnding::done)) throw Error(name + " is done, nothing of it is left to go on with");
-  Statement(database_, "UPDATE run SET ended = NULL, ending = NULL WHERE number = ?").run_with(run);
+  set_run_ending(database_, run, std::nullopt);
   transaction.commit();
   run_ = run;
   ended_ = false;
@@ -83,10 +83,15 @@ void ResultStore::end_run(RunEnding ending) {
   ended_ = true;
 }
 
-void set_run_ending(Database& database, RunId run, RunEnding ending) {
+void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending) {
   Transaction transaction(database);
-  Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ?")
-      .run_with(utc_now(), to_string(ending), run);
+  std::optional<std::string> time;
+  std::optional<std::string> name;
+  if (ending) {
+    time = utc_now();
+    name = to_string(*ending);
+  }
+  Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ?").run_with(time, name, run);
   transaction.commit();
 }
 

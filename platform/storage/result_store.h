@@ -94,7 +94,8 @@ class ResultStore {
   bool ended_ = false;  ///< or nothing to end
 };
 
-void set_run_ending(Database& database, RunId run, RunEnding ending);
+/// Without an ending, the run has not ended.
+void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending);
 /// For what ends a run when nothing else has.
 void end_run_unless_ended(Database& database, RunId run, RunEnding ending);
 

@@ -204,6 +204,25 @@ TEST_F(EeaStoreTest, ARunThatIsNotEndedIsStoredAsFailedAndCanGoOn) {
   EXPECT_THAT(sentence_of([&] { results.continue_run({7}); }), HasSubstr("run 7 does not exist"));
 }
 
+TEST_F(EeaStoreTest, ARunThatIsWrittenToHasNotEndedWhateverBeganIt) {
+  RunId run;
+  {
+    ResultStore beginning(small_.database);
+    run = beginning.begin_run({.command = "lacuna run", .seed = 4, .threads = 2}, {});
+  }
+  EXPECT_EQ(ask("SELECT count(*) FROM run WHERE ending = 'failed'"), 1);
+  EeaStore store(small_.database, small_.writing, run, small_.experiment);
+  store.begin(run_.record());
+  EXPECT_EQ(ask("SELECT count(*) FROM run WHERE ending = 'failed'"), 0);
+  run_.commit(store, 0);
+  store.end(RunEnding::interrupted);
+  { ResultStore(small_.database).continue_run(run); }
+  EeaStore again(small_.database, small_.writing, run, small_.experiment);
+  EXPECT_TRUE(again.checkpoint());
+  run_.commit(again, 1);
+  EXPECT_EQ(ask("SELECT count(*) FROM run WHERE ending IS NOT NULL"), 0);
+}
+
 TEST_F(EeaStoreTest, TwoThatContinueOneRunAreToldApart) {
   small_.advance(run_, 2);
   MadeUpRun made_up;
