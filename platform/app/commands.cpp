@@ -44,6 +44,12 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
   add_new_command(program);
+  add_run_command(program);
+  add_runs_command(program);
+  add_plot_command(program);
+  add_replay_command(program);
+  add_reproduce_command(program);
+  add_hash_command(program);
   add_fit_command(program);
   add_compare_command(program);
   add_add_command(program);

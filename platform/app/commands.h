@@ -16,6 +16,12 @@ void add_add_command(CLI::App& program);
 void add_undo_command(CLI::App& program);
 void add_history_command(CLI::App& program);
 void add_plugins_command(CLI::App& program);
+void add_run_command(CLI::App& program);
+void add_runs_command(CLI::App& program);
+void add_plot_command(CLI::App& program);
+void add_replay_command(CLI::App& program);
+void add_reproduce_command(CLI::App& program);
+void add_hash_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 
 /// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be resumed.

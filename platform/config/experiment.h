@@ -24,19 +24,72 @@ struct FreeRange {
   std::optional<double> start;  ///< from `{ range = [l, u], start = s }`; else the robot's own value
 };
 
-struct TargetSection {
-  std::string kind = "recorded";  ///< plugin name
-  RecordingSource recording;
+/// A component that a file names, with values for some of its parameters, SI.
+struct ComponentChoice {
+  std::string name;
+  std::map<std::string, double> parameters;
 };
 
+/// What is believed of a robot, or what a simulated target is.
 struct ModelSection {
   std::string robot;                         ///< plugin name
   std::map<std::string, double> parameters;  ///< of the robot plugin
   std::filesystem::path file;                ///< of a declared robot
   std::optional<RobotSpec> declared;         ///< its content
   std::map<std::string, double> set;         ///< address pattern → value, fixed
-  std::vector<FreeRange> free;
+  std::vector<FreeRange> free;               ///< of a target: what is hidden, drawn uniformly
   EffectList effects;
+  ComponentChoice encoding = {"parameters", {}};  ///< of models, for the estimation phase
+  bool approximate = false;                       ///< the start values are a model to begin with
+};
+
+/// When the hidden values of a simulated target are drawn anew.
+enum class Redraw { never, replicate };
+
+/// A target that is simulated: a robot with a hidden truth.
+struct SimulatedSource {
+  ModelSection system;
+  std::map<std::string, double> noise;  ///< sensor pattern (`sensor.angle*`) → standard deviation, the channel's unit
+  std::uint64_t hidden_seed = 1;
+  Redraw redraw = Redraw::never;
+};
+
+struct TargetSection {
+  std::string kind = "recorded";  ///< plugin name
+  RecordingSource recording;
+  SimulatedSource simulated;
+};
+
+/// What tests are made of.
+struct TestSection {
+  ComponentChoice encoding = {"recurrent_network", {}};
+  double duration = 10.0;  ///< s; the seed's 1000 steps of 10 ms
+};
+
+/// One of the operators that make a child, in the order in which they are applied.
+struct MutationEntry {
+  ComponentChoice mutation;
+  double chance = 1.0;  ///< that it is applied to a child
+};
+
+/// Who searches and how children are made; the defaults are the seed's.
+struct SearchSection {
+  ComponentChoice search = {"truncation", {}};
+  std::vector<MutationEntry> mutation = {{{"one_point_crossover", {}}, 0.25}, {{"uniform_reset", {}}, 1.0}};
+};
+
+struct EstimationSection {
+  SearchSection search;
+  ComponentChoice metric = {"mean_absolute_difference", {}};
+  std::string objective;  ///< objective metric; empty: none
+  int seeds = 0;          ///< how many of the last pass's best models start the next; the seed's experiment takes none
+  bool abandon = true;    ///< end an evaluation that cannot get under the generation's bar
+  bool reuse = true;      ///< simulate identical models once
+};
+
+struct ExplorationSection {
+  SearchSection search;
+  ComponentChoice fitness = {"forward_distance", {}};
 };
 
 /// How free values are found (fitting/).
@@ -67,9 +120,14 @@ struct Experiment {
 
   std::string name;
   std::uint64_t seed = 1;
+  int passes = 20;
+  int replicates = 1;
   TargetSection target;
   ModelSection model;
   EngineSettings engine;
+  TestSection test;
+  EstimationSection estimation;
+  ExplorationSection exploration;
   FitSection fit;
   NoiseSection noise;
 

@@ -16,10 +16,10 @@ void append(const BadInput& bad, ProblemList& problems) {
 }
 
 /// The robot is read even where the rest has problems, so that its own are reported with them.
-std::optional<RobotSpec> read_declared_robot(const TomlNode& tree, const std::filesystem::path& directory,
-                                             ProblemList& problems) {
-  const TomlNode* model = tree.find("model");
-  const TomlNode* file = model ? model->find("file") : nullptr;
+std::optional<RobotSpec> read_declared_robot(const TomlNode& tree, const std::string& section,
+                                             const std::filesystem::path& directory, ProblemList& problems) {
+  const TomlNode* system = tree.find(section);
+  const TomlNode* file = system ? system->find("file") : nullptr;
   if (!file || file->kind != TomlNode::Kind::text || file->text.empty()) return std::nullopt;
   std::filesystem::path path;
   try {
@@ -35,13 +35,14 @@ std::optional<RobotSpec> read_declared_robot(const TomlNode& tree, const std::fi
   }
 }
 
-/// `engine.contact.friction` stands for `model.set.contact.friction`, and is found under either.
+/// `engine.contact.friction` stands for `model.set.contact.friction` and the target's, and is found under all of them.
 template <class Entries>
 void alias_contact(Entries& entries) {
   const std::string prefix = "engine.contact.";
   Entries aliases;
   for (const auto& [key, entry] : entries)
-    if (key.starts_with(prefix)) aliases["model.set.contact." + key.substr(prefix.size())] = entry;
+    for (const char* set : {"model.set.contact.", "target.set.contact."})
+      if (key.starts_with(prefix)) aliases[set + key.substr(prefix.size())] = entry;
   entries.merge(aliases);
 }
 
@@ -59,7 +60,8 @@ Experiment read_experiment_text(const std::string& text, const std::filesystem::
   experiment.overrides = overrides;
   static const Value<Experiment> kKeys = experiment_keys().value();
   kKeys.read(tree, reading, experiment);
-  experiment.model.declared = read_declared_robot(tree, file.parent_path(), problems);
+  experiment.model.declared = read_declared_robot(tree, "model", file.parent_path(), problems);
+  experiment.target.simulated.system.declared = read_declared_robot(tree, "target", file.parent_path(), problems);
   problems.throw_if_any();
   experiment.locations = locations_of(tree);
   experiment.written_units = reading.written_units();

@@ -59,7 +59,7 @@ Table<EngineSection> engine_section_keys() {
   return Table<EngineSection>()
       .merged(&EngineSection::settings, engine_keys())
       .key("contact", &EngineSection::contact, contact_keys().value(),
-           "Contact with the ground; the same as contact.* under model.set.");
+           "Contact with the ground; the same as contact.* under model.set and, of a simulated target, target.set.");
 }
 
 void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
@@ -116,7 +116,11 @@ Table<Experiment> experiment_keys() {
   const Table<Experiment> head =
       Table<Experiment>()
           .required("name", &Experiment::name, element_name(), "name of the experiment; its database is NAME.db")
-          .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "of everything random");
+          .key("seed", &Experiment::seed, whole_number<std::uint64_t>(0, kLargest), "of everything random")
+          .key("passes", &Experiment::passes, whole_number<int>(1, 1000000),
+               "how often a run tests the target: one estimation and one exploration phase each")
+          .key("replicates", &Experiment::replicates, whole_number<int>(1, 1000000),
+               "how often the whole run is repeated with other random numbers");
   return Table<Experiment>()
       .section("experiment", head, "What this file is called.", true)
       .required("target", &Experiment::target, target_keys().value(), "The system to be identified.")
@@ -125,9 +129,16 @@ Table<Experiment> experiment_keys() {
           "engine", engine_section_keys().value(), {},
           [](Experiment& experiment, EngineSection&& read) {
             experiment.engine = read.settings;
+            ContactValues of_target = read.contact;
+            experiment.target.simulated.system.set.merge(of_target);  // what the target sets itself stays
             experiment.model.set.merge(read.contact);
           },
           "How the model is integrated.")
+      .key("test", &Experiment::test, test_keys().value(), "What is done to a target that takes tests.")
+      .key("estimation", &Experiment::estimation, estimation_keys().value(),
+           "How `lacuna run` evolves models that explain all trials so far.")
+      .key("exploration", &Experiment::exploration, exploration_keys().value(),
+           "How `lacuna run` evolves the next test.")
       .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
       .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
       .check({}, check_contact);

@@ -9,6 +9,11 @@ namespace lacuna {
 Table<TargetSection> target_keys();
 Table<ModelSection> model_keys();
 Table<EffectEntry> effect_keys();
+/// What a model and a simulated target have in common; `whose` is "model" or "target".
+Table<ModelSection> system_keys(const std::string& whose);
+Table<TestSection> test_keys();
+Table<EstimationSection> estimation_keys();
+Table<ExplorationSection> exploration_keys();
 Table<EngineSettings> engine_keys();
 Table<FitSection> fit_keys();
 Table<NoiseSection> noise_keys();

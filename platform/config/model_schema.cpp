@@ -78,18 +78,33 @@ Table<EffectEntry> effect_keys() {
       .check({}, complete_effect);
 }
 
-Table<ModelSection> model_keys() {
+Table<ModelSection> system_keys(const std::string& whose) {
+  const std::string kind = whose == "target" ? "simulated: " : "";
   return Table<ModelSection>()
-      .key("robot", &ModelSection::robot, element_name(), "a robot plugin's name; \"declared\" where file is given")
-      .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")), "of the robot plugin")
-      .key("file", &ModelSection::file, existing_file(), "of a declared robot")
+      .key("robot", &ModelSection::robot, element_name(),
+           kind + "a robot plugin's name; \"declared\" where file is given")
+      .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")), kind + "of the robot plugin")
+      .key("file", &ModelSection::file, existing_file(), kind + "of a declared robot")
       .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
-           "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
-      .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, within these bounds")
+           kind + "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
       .key("effects", &ModelSection::effects, list_of(effect_keys().value()),
-           "Physical effects that the model includes. `lacuna add` and `undo` edit this list and nothing else in the "
-           "file.")
-      .check({"effects"}, check_ids)
+           "Physical effects that the " + std::string(kind.empty() ? "" : "simulated ") + whose + " includes." +
+               (whose == "model" ? " `lacuna add` and `undo` edit this list and nothing else in the file." : ""))
+      .check({"effects"}, check_ids);
+}
+
+Table<ModelSection> model_keys() {
+  return system_keys("model")
+      .key("free", &ModelSection::free, free_ranges(), "values that a fit may change, within these bounds")
+      .key<std::string>(
+          "encoding", element_name(), "parameters",
+          [](ModelSection& model, std::string&& name) { model.encoding.name = std::move(name); },
+          "what a model's genome means: a model encoding plugin")
+      .key<std::map<std::string, double>>(
+          "encoding_parameters", map_of("PARAMETER", number("")), {},
+          [](ModelSection& model, auto&& read) { model.encoding.parameters = std::move(read); }, "of that plugin")
+      .key("approximate", &ModelSection::approximate, boolean(),
+           "the start values are a first model: a run begins with the exploration phase instead of a random test")
       .check({"robot"}, check_robot);
 }
 

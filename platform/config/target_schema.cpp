@@ -3,8 +3,13 @@
 #include "config/blank.h"
 #include "foundation/unit.h"
 
+#include <limits>
+#include <tuple>
+
 namespace lacuna {
 namespace {
+
+constexpr auto kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 Value<std::vector<MeasuredFile>> measured_files(bool held_out, std::size_t fewest) {
   const Value<std::filesystem::path> path = existing_file();
@@ -130,9 +135,10 @@ Value<char> delimiter() { return choice<char>({{"auto", '\0'}, {",", ','}, {";",
 
 Table<RecordingSource> recording_keys() {
   return Table<RecordingSource>()
-      .required<std::vector<MeasuredFile>>("files", measured_files(false, 1), append_files, "measured files to fit to")
+      .key<std::vector<MeasuredFile>>("files", measured_files(false, 1), {}, append_files,
+                                      "recorded: measured files to fit to; required")
       .key<std::vector<MeasuredFile>>("holdout", measured_files(true, 0), {}, append_files,
-                                      "files kept from every fit; only compare and history read them")
+                                      "recorded: files kept from every fit; only compare and history read them")
       .key("delimiter", &RecordingSource::delimiter, delimiter(), "between columns; \"auto\": found out")
       .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written as 3,14")
       .key("trial_column", &RecordingSource::trial_column, text(0), "column that tells several trials in a file apart")
@@ -155,12 +161,65 @@ void check_trials(const TomlNode& node, Reading& reading, RecordingSource& sourc
                      "needs trial_column, which tells the trials apart");
 }
 
+/// `{ uniform = [1.0, 7.0] }`.
+Value<FreeRange> hidden_range() {
+  return Table<FreeRange>()
+      .required<std::pair<double, double>>(
+          "uniform", range_of(number("")),
+          [](FreeRange& range, std::pair<double, double>&& read) { std::tie(range.lower, range.upper) = read; },
+          "the value is drawn from between these two")
+      .value();
+}
+
+Table<ModelSection> hidden_keys() {
+  return system_keys("target").key(
+      "hidden", &ModelSection::free,
+      named<std::vector<FreeRange>, FreeRange>(
+          "ADDRESS", hidden_range(),
+          [](std::vector<FreeRange>& ranges, const TomlMember& member, FreeRange&& range) {
+            range.pattern = member.name;
+            ranges.push_back(std::move(range));
+          }),
+      "Values that nobody knows, each drawn by itself, as in \"body.*.mass\" = { uniform = [1.0, 7.0] }");
+}
+
+Table<SimulatedSource> simulated_keys() {
+  return Table<SimulatedSource>()
+      .merged(&SimulatedSource::system, hidden_keys())
+      .key("hidden_seed", &SimulatedSource::hidden_seed, whole_number<std::uint64_t>(0, kLargestSeed),
+           "simulated: of the hidden values")
+      .key("redraw", &SimulatedSource::redraw,
+           choice<Redraw>({{"never", Redraw::never}, {"replicate", Redraw::replicate}}),
+           "simulated: whether each replicate has hidden values of its own")
+      .key("noise", &SimulatedSource::noise, map_of("SENSOR", number("").at_least(0.0)),
+           "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002");
+}
+
+/// Of each kind of target the keys that others do not have.
+void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
+  const std::vector<std::pair<std::string, Shape>> kinds = {{"recorded", recording_keys().value().shape},
+                                                            {"simulated", simulated_keys().value().shape}};
+  for (const auto& [kind, shape] : kinds)
+    for (const KeyShape& key : shape.keys) {
+      const TomlNode* found = kind == target.kind ? nullptr : node.find(key.name);
+      if (found) reading.problem_at(key.name, found->location, "is a key of kind = " + toml_text(kind));
+    }
+  const char* needed = target.kind == "recorded" ? "files" : "robot";
+  if (node.find(needed) || (target.kind == "simulated" && node.find("file"))) return;
+  reading.problem_at(needed, node.location,
+                     target.kind == "recorded" ? "is missing: measured files to fit to (a list of at least 1, each a file's path)"
+                                               : "is missing: a robot plugin's name, or file = \"robot.toml\"");
+}
+
 }  // namespace
 
 Table<TargetSection> target_keys() {
   return Table<TargetSection>()
-      .key("kind", &TargetSection::kind, text_of({"recorded"}), "what the target is: measured files")
-      .merged(&TargetSection::recording, recording_keys().check({"holdout_trials", "trial_column"}, check_trials));
+      .key("kind", &TargetSection::kind, text_of({"recorded", "simulated"}),
+           "what the target is: measured files, or a robot that is simulated with values hidden from the search")
+      .merged(&TargetSection::recording, recording_keys().check({"holdout_trials", "trial_column"}, check_trials))
+      .merged(&TargetSection::simulated, simulated_keys())
+      .check({"kind"}, check_kind);
 }
 
 }  // namespace lacuna

@@ -210,27 +210,26 @@ class EntryCheck {
   bool good_ = true;
 };
 
-void append(ModelDefinition& definition, Placement&& placement) {
+void free_parameters(const Placement& placement, ModelDefinition& definition) {
   const EffectEntry& entry = placement.entry;
-  const PlacedEffect& placed = placement.placed;
   for (std::size_t i = 0; i < placement.description.parameters.size(); ++i) {
     const ParameterDeclaration& declaration = placement.description.parameters[i];
     if (std::find(entry.fixed.begin(), entry.fixed.end(), declaration.name) != entry.fixed.end()) continue;
-    const std::string unit = unit_of(declaration, definition.structure.robot, placed);
+    const std::string unit = unit_of(declaration, definition.structure.robot, placement.placed);
     definition.free.push_back({"effect." + entry.id + "." + declaration.name, unit, declaration.lower,
-                               declaration.upper, placed.values[i], declaration.scale, declaration.description});
+                               declaration.upper, placement.placed.values[i], declaration.scale,
+                               declaration.description});
   }
-  definition.effects.push_back(std::move(placement.entry));
-  definition.structure.effects.push_back(std::move(placement.placed));
 }
 
 }  // namespace
 
-void place_effects(ModelDefinition& definition, const Experiment& experiment, const PluginCatalog& catalog,
+void place_effects(ModelDefinition& definition, const SystemSource& source, const PluginCatalog& catalog,
                    Complaints& complaints) {
   std::vector<Placement> placements;
-  for (std::size_t i = 0; i < experiment.model.effects.size(); ++i) {
-    EntryCheck check("model.effects[" + std::to_string(i) + "]", experiment.model.effects[i], catalog, complaints);
+  for (std::size_t i = 0; i < source.section.effects.size(); ++i) {
+    EntryCheck check(source.key + ".effects[" + std::to_string(i) + "]", source.section.effects[i], catalog,
+                     complaints);
     if (std::optional<Placement> placement = check.run(definition.structure.robot)) {
       std::sort(placement->entry.fixed.begin(), placement->entry.fixed.end());
       placements.push_back(std::move(*placement));
@@ -239,7 +238,11 @@ void place_effects(ModelDefinition& definition, const Experiment& experiment, co
   std::sort(placements.begin(), placements.end(), [](const Placement& a, const Placement& b) {
     return std::tie(a.entry.effect, a.entry.where, a.entry.id) < std::tie(b.entry.effect, b.entry.where, b.entry.id);
   });
-  for (Placement& placement : placements) append(definition, std::move(placement));
+  for (Placement& placement : placements) {
+    if (source.effects_free) free_parameters(placement, definition);
+    definition.effects.push_back(std::move(placement.entry));
+    definition.structure.effects.push_back(std::move(placement.placed));
+  }
 }
 
 }  // namespace lacuna

@@ -30,9 +30,21 @@ struct ModelDefinition {
   std::vector<double> start_values() const;
 };
 
+/// A section of an experiment that describes a robot.
+struct SystemSource {
+  const ModelSection& section;
+  std::string key;            ///< what the file calls it: "model" or "target"
+  std::string free;           ///< its table of what may vary: "free" or "hidden"
+  bool effects_free = false;  ///< the parameters of its effects may vary, too
+};
+
 /// Builds the robot, places the effects and resolves every address. Throws `BadInput` with every
 /// problem at its place in the file: missing plugins, unknown parameters, values out of declared
 /// bounds, addresses that match nothing, effects that cannot be placed there.
 ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& catalog);
+
+/// The same for the robot of a simulated target: its free values are those that the experiment hides, the sensors have
+/// the noise that it states, and the effects have their start values.
+ModelDefinition define_target(const Experiment& experiment, const PluginCatalog& catalog);
 
 }  // namespace lacuna

@@ -82,44 +82,62 @@ FreeValue free_value(const AddressedValue& value, const FreeRange& range) {
 
 }  // namespace
 
-void set_robot_values(RobotSpec& robot, const Experiment& experiment, Complaints& complaints) {
+void set_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& complaints) {
   const std::vector<AddressedValue> values = addressed_values(robot);
   std::vector<std::string> patterns;
-  for (const auto& [pattern, value] : experiment.model.set) patterns.push_back(pattern);
-  const auto closest = closest_patterns(values, patterns, "model.set.", complaints);
+  for (const auto& [pattern, value] : source.section.set) patterns.push_back(pattern);
+  const auto closest = closest_patterns(values, patterns, source.key + ".set.", complaints);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!closest[i]) continue;
     const std::string& pattern = patterns[*closest[i]];
-    const double value = experiment.model.set.at(pattern);
-    complaints.check_unit("model.set." + pattern, values[i].unit);
+    const double value = source.section.set.at(pattern);
+    complaints.check_unit(source.key + ".set." + pattern, values[i].unit);
     if (value >= values[i].lower && value <= values[i].upper)
       assign(robot, values[i], value);
     else
-      complaints.add("model.set." + pattern, format_quantity(value, values[i].unit) + " is no possible value of " +
-                                                 values[i].address + " (" + bounds_text(values[i]) + ")");
+      complaints.add(source.key + ".set." + pattern, format_quantity(value, values[i].unit) +
+                                                         " is no possible value of " + values[i].address + " (" +
+                                                         bounds_text(values[i]) + ")");
   }
 }
 
-std::vector<FreeValue> free_robot_values(RobotSpec& robot, const Experiment& experiment, Complaints& complaints) {
+std::vector<FreeValue> free_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& complaints) {
   const std::vector<AddressedValue> values = addressed_values(robot);
-  const std::vector<FreeRange>& ranges = experiment.model.free;
+  const std::string table = source.key + "." + source.free + ".";
+  const std::vector<FreeRange>& ranges = source.section.free;
   std::vector<std::string> patterns;
   patterns.reserve(ranges.size());
   for (const FreeRange& range : ranges) patterns.push_back(range.pattern);
-  const auto closest = closest_patterns(values, patterns, "model.free.", complaints);
+  const auto closest = closest_patterns(values, patterns, table, complaints);
   std::vector<FreeValue> free;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!closest[i]) continue;
     const FreeRange& range = ranges[*closest[i]];
-    for (const char* number : {"[0]", "[1]", ".range[0]", ".range[1]", ".start"})
-      complaints.check_unit("model.free." + range.pattern + number, values[i].unit);
+    for (const char* number : {"[0]", "[1]", ".range[0]", ".range[1]", ".uniform[0]", ".uniform[1]", ".start"})
+      complaints.check_unit(table + range.pattern + number, values[i].unit);
     if (range.lower >= values[i].lower && range.lower <= range.upper && range.upper <= values[i].upper)
       free.push_back(free_value(values[i], range));
     else
-      complaints.add("model.free." + range.pattern, "the range goes beyond the possible values of " +
-                                                        values[i].address + " (" + bounds_text(values[i]) + ")");
+      complaints.add(table + range.pattern, "the range goes beyond the possible values of " + values[i].address + " (" +
+                                                bounds_text(values[i]) + ")");
   }
   return free;
+}
+
+void set_sensor_noise(RobotSpec& robot, const std::map<std::string, double>& noise, Complaints& complaints) {
+  std::vector<AddressedValue> values;
+  for (AddressedValue& value : addressed_values(robot))
+    if (matches("sensor.*.noise", value.address)) values.push_back(std::move(value));
+  std::vector<std::string> patterns;
+  for (const auto& [pattern, deviation] : noise) patterns.push_back(pattern + ".noise");
+  const auto closest = closest_patterns(values, patterns, "target.noise.", complaints);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!closest[i]) continue;
+    const std::string& pattern = patterns[*closest[i]];
+    const std::string written = pattern.substr(0, pattern.rfind('.'));
+    complaints.check_unit("target.noise." + written, values[i].unit);
+    *values[i].value = noise.at(written);
+  }
 }
 
 }  // namespace lacuna

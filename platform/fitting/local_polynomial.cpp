@@ -54,7 +54,7 @@ double repetition(const TimeSeries& series, Eigen::Index channel, Range range) {
 LocalPolynomial fit_local_polynomial(const TimeSeries& series, Eigen::Index channel, Range range, Eigen::Index sample,
                                      int degree, double window, double noise) {
   const std::vector<Eigen::Index> rows =
-      nearby(series, channel, range, sample, window, static_cast<std::size_t>(2 * degree + 3));
+      nearby(series, channel, range, sample, window, 2 * static_cast<std::size_t>(degree) + 3);
   LocalPolynomial result;
   result.points = static_cast<int>(rows.size());
   if (rows.empty()) return result;

@@ -100,7 +100,7 @@ double automatic_horizon(const TrialPredictor& predictor, const StartStates& sta
     if (predictor.trials()[trial].held_out || !states.reconstructible(trial)) continue;
     const Eigen::Index size = predictor.trials()[trial].measured.times.size();
     for (Eigen::Index probe = 0; probe < kProbes; ++probe)
-      probes.push_back({trial, probe * size / (2 * kProbes), size});
+      probes.push_back({trial, probe * size / (Eigen::Index{2} * kProbes), size});
   }
   std::vector<std::optional<double>> grown(probes.size());
   parallel_for(probes.size(), predictor.workers(), [&](std::size_t i, int worker) {

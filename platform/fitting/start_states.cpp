@@ -122,7 +122,8 @@ StartEstimate StartStates::from_samples(const Stretch& stretch, Eigen::Index sam
   estimate.valid = true;
   estimate.start.positions.assign(n, 0.0);
   estimate.start.velocities.assign(n, 0.0);
-  estimate.deviation = Eigen::VectorXd::Constant(2 * coordinates_, std::numeric_limits<double>::infinity());
+  estimate.deviation =
+      Eigen::VectorXd::Constant(Eigen::Index{2} * coordinates_, std::numeric_limits<double>::infinity());
   for (int c = 0; c < coordinates_; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (sample == 0 && !trial.initial.empty()) {

@@ -198,7 +198,7 @@ std::string SensorNoise::origin(const std::string& unit) const {
     return quantum > 0.0 ? "unknown: the channel never rests, and its " + step + " is too fine to tell"
                          : "unknown: the channel never rests and has no visible step";
   if (std::isnan(at_rest)) return step + "; no rest to compare";
-  const std::string rest = "rest " + format_quantity(at_rest, unit) + " in " + format_quantity(rest_duration, "s");
+  std::string rest = "rest " + format_quantity(at_rest, unit) + " in " + format_quantity(rest_duration, "s");
   if (quantum == 0.0) return rest;
   return at_rest > quantum / std::sqrt(12.0) ? rest + "; " + step + " is smaller" : step + "; rest agrees";
 }

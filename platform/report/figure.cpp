@@ -42,7 +42,7 @@ std::string data_block(const Series& series, const std::string& name) {
       return;
     }
     text += number(series.x[i]) + ' ' + number(series.y[i]);
-    if (series.mark == Mark::band) text += ' ' + number(series.y2[i]);
+    if (series.mark == Mark::band || series.mark == Mark::whiskers) text += ' ' + number(series.y2[i]);
     text += '\n';
   };
   if (series.mark == Mark::line)
@@ -57,6 +57,9 @@ std::string plot_clause(const Series& series, const std::string& block) {
   const std::string colour = "lc rgb " + quoted(series.colour.empty() ? kBlue : series.colour);
   switch (series.mark) {
     case Mark::line: return fmt::format("{} using 1:2 with lines lw 1.4 {} {}", block, colour, title);
+    case Mark::path: return fmt::format("{} using 1:2 with lines lw 1.6 {} {}", block, colour, title);
+    case Mark::whiskers:
+      return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead lw 2 {} {}", block, colour, title);
     case Mark::points: return fmt::format("{} using 1:2 with points pt 7 ps 0.4 {} {}", block, colour, title);
     case Mark::line_points:
       return fmt::format("{} using 1:2 with linespoints pt 7 ps 0.8 lw 1.6 {} {}", block, colour, title);

@@ -12,8 +12,10 @@ enum class Mark {
   line,
   points,
   line_points,
-  band,  ///< filled between `y` and `y2`
-  level  ///< a horizontal line at `y[0]`
+  path,      ///< a line whose x may go back and forth
+  band,      ///< filled between `y` and `y2`
+  whiskers,  ///< a vertical line from `y` to `y2` at each x
+  level      ///< a horizontal line at `y[0]`
 };
 
 struct Series {
@@ -22,7 +24,7 @@ struct Series {
   std::string colour;  ///< as "#0072B2"
   std::vector<double> x;
   std::vector<double> y;   ///< NaN leaves a gap
-  std::vector<double> y2;  ///< for bands
+  std::vector<double> y2;  ///< for bands and whiskers
 };
 
 /// One pair of axes. Panels of a figure stand below each other and share the x axis's range.

@@ -3,6 +3,7 @@
 #include "storage/eea_writer.h"
 #include "storage/names.h"
 #include "storage/number_blob.h"
+#include "storage/read_trace.h"
 #include "storage/row_key.h"
 #include "storage/trial_condition.h"
 
@@ -136,6 +137,15 @@ std::vector<Trial> EeaStore::trials() const {
   std::vector<Trial> trials;
   while (row.step()) trials.push_back(read_trial(database_, {row.integer(0)}));
   return trials;
+}
+
+std::optional<TimeSeries> EeaStore::predicted_path(std::uint64_t model, int trial) const {
+  const std::lock_guard lock(writing_);
+  Statement row(database_,
+                "SELECT trace.id FROM trace JOIN target_trial ON target_trial.trial = trace.trial"
+                " WHERE run = ? AND number = ? AND trace.model = ? AND kind = 'centre_of_mass'");
+  if (!row.with(run_, trial, key_of(run_, model)).step()) return std::nullopt;
+  return read_trace(database_, TraceId{row.integer(0)});
 }
 
 std::vector<ModelRow> EeaStore::models(int pass) const {

@@ -56,6 +56,8 @@ class EeaStore {
   std::vector<ModelRow> models(int pass) const;  ///< with their trial scores, by number
   std::optional<ModelRow> model(std::uint64_t number) const;
   std::optional<TestRow> test(std::uint64_t number) const;
+  /// The path of the centre of mass that a model predicts for a trial, where it was kept.
+  std::optional<TimeSeries> predicted_path(std::uint64_t model, int trial) const;
   std::vector<PassRow> passes() const;  ///< that have ended
   EeaRunRecord record() const;
   /// Seconds spent in `commit` so far, waiting for other writers included.

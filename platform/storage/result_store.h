@@ -39,6 +39,8 @@ class ResultStore {
   /// Goes on with a run of this file that did not end as `done`; it keeps its command and provenance.
   void continue_run(RunId run);
   void end_run(RunEnding ending);
+  /// From now on somebody else ends the run, or the runs, that were begun or continued.
+  void hand_over() { ended_ = true; }
   void record_plugins(const std::vector<PluginFileRecord>& files);
 
   /// Finds the experiment by name and stores this text of it if it is new.

@@ -77,7 +77,7 @@ std::size_t index_of(const std::vector<Spec>& specs, const std::string& name) {
 
 BareQuadruped::BareQuadruped() : parts_(std::make_unique<Parts>()) {
   dInitODE2(0);
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
   Parts& p = *parts_;
   p.world = dWorldCreate();
   p.threading = dThreadingAllocateSelfThreadedImplementation();
@@ -135,7 +135,7 @@ void BareQuadruped::touch_ground() {
   dJointGroupEmpty(parts_->contacts);
   for (std::size_t g = 0; g < parts_->geoms.size(); ++g) {
     const int count = dCollide(parts_->geoms[g], parts_->ground, kMostContacts, &contacts[0].geom, sizeof(dContact));
-    parts_->touches[g] = count > 0;
+    parts_->touches[g] = count > 0 ? 1 : 0;
     for (int i = 0; i < count; ++i) {
       dContact& contact = contacts[static_cast<std::size_t>(i)];
       contact.surface.mode = dContactSoftERP | dContactSoftCFM;  // endless friction needs no cone

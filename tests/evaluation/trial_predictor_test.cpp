@@ -71,7 +71,7 @@ TEST(TrialPredictor, RefusesChannelsThatTheModelDoesNotHave) {
   Trial trial = pushed_trial();
   trial.measured.channels[0].name = "angel";
   try {
-    TrialPredictor(model, {trial}, 1);
+    const TrialPredictor predictor(model, {trial}, 1);
     FAIL() << "nothing was thrown";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("did you mean \"angle\"?"));

@@ -22,7 +22,7 @@ Trial falling(double noise, Eigen::Index samples = 401) {
 }
 
 struct Fixture {
-  explicit Fixture(Trial trial, RobotSpec robot = one_joint_robot())
+  explicit Fixture(Trial trial, const RobotSpec& robot = one_joint_robot())
       : model(fall),
         predictor(model, {std::move(trial)}, 1),
         noise({{"angle", "rad", 1e-3, ""}}),

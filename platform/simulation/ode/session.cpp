@@ -35,7 +35,8 @@ struct Library {
 
 struct ThreadData {
   ThreadData() {
-    if (!dAllocateODEDataForThread(dAllocateMaskAll)) throw Error("ODE has no memory for another thread");
+    if (!dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)))
+      throw Error("ODE has no memory for another thread");
   }
   ~ThreadData() { dCleanupODEAllDataForThread(); }
 };

@@ -72,7 +72,8 @@ std::ptrdiff_t RecordedCommands::find_segment(std::size_t actuator, double time)
 
 double RecordedCommands::end_of(std::ptrdiff_t segment) const {
   const Eigen::VectorXd& times = commands_->series.times;
-  return segment + 1 < times.size() ? times[segment + 1] : kInfinity;
+  if (segment + 1 >= times.size()) return kInfinity;
+  return times[segment + 1];
 }
 
 double RecordedCommands::value_in(std::ptrdiff_t segment, int column, double time) const {

@@ -41,7 +41,10 @@ class Accumulator : public ScoreAccumulator {
       return;
     }
     ++compared_;
-    sum_ += std::isfinite(predicted) ? std::abs(predicted - measured) : kWorst;
+    if (std::isfinite(predicted))
+      sum_ += std::abs(predicted - measured);
+    else
+      sum_ = kWorst;
   }
 
   std::size_t channels_;

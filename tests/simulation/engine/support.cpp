@@ -188,7 +188,7 @@ std::vector<double> grid(double begin, double end, double step) {
   return times;
 }
 
-Rig::Rig(ModelStructure structure, const EngineSettings& settings)
+Rig::Rig(const ModelStructure& structure, const EngineSettings& settings)
     : model(compile(structure, settings)), workspace(model->make_workspace()) {}
 
 Rig::Rig(RobotSpec robot, const EngineSettings& settings)

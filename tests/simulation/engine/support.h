@@ -32,7 +32,7 @@ std::vector<double> grid(double begin, double end, double step);
 /// A compiled model with a workspace and a result, ready to run.
 class Rig {
  public:
-  explicit Rig(ModelStructure structure, const EngineSettings& settings = {});
+  explicit Rig(const ModelStructure& structure, const EngineSettings& settings = {});
   explicit Rig(RobotSpec robot, const EngineSettings& settings = {});
 
   /// Runs to the last of `times` with the options set before.

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Axes, JointFrame, testing::ValuesIn(placements()),
 
 /// How the child has turned since the zero configuration, seen from the parent's zero configuration.
 Eigen::Quaterniond relative_turn(const TimeSeries& readings, Eigen::Index row, bool floating) {
-  const Eigen::Quaterniond child = reading_orientation(readings, "body_orientation", row) * kChildPose.conjugate();
+  Eigen::Quaterniond child = reading_orientation(readings, "body_orientation", row) * kChildPose.conjugate();
   if (!floating) return child;
   const Eigen::Quaterniond parent = reading_orientation(readings, "base_orientation", row) * kParentPose.conjugate();
   return parent.conjugate() * child;

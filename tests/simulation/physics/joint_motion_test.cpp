@@ -54,7 +54,9 @@ TEST(UniversalJoint, SwingsOnItsSpringsInBothCoordinates) {
   robot.joints[0].stiffness = 40.0;
   constexpr double kEnd = 0.3, kFirst = 2e-3, kSecond = -1e-3;  // rad, small: the coordinates do not mix
   const double expected = std::cos(std::sqrt(40.0 / kInertia) * kEnd);
-  for (const auto& [channel, start] : {std::pair{"position.1", kFirst}, std::pair{"position.2", kSecond}}) {
+  for (const auto& coordinate : {std::pair{"position.1", kFirst}, std::pair{"position.2", kSecond}}) {
+    const char* channel = coordinate.first;
+    const double start = coordinate.second;
     const auto error = [&](double step) {
       return SimulationRun(robot, step).from({kFirst, kSecond}, {0.0, 0.0}).last(channel, kEnd) / start - expected;
     };

@@ -1,0 +1,169 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/stored_bench.h"
+#include "evaluation/model_scorer.h"
+#include "evaluation/test_predictor.h"
+#include "foundation/unit.h"
+#include "report/text_table.h"
+#include "storage/names.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+
+namespace lacuna {
+namespace {
+
+struct ReplayOptions {
+  std::filesystem::path database;
+  std::optional<std::int64_t> run;
+  std::optional<std::uint64_t> model;
+  std::optional<int> trial;
+  std::vector<std::filesystem::path> plugin_paths;
+  std::optional<std::string> csv;
+};
+
+/// A model of a stored run and the trials that it was scored on.
+struct Replay {
+  const EeaDefinition& definition;
+  std::uint64_t number;
+  ModelRow row;
+  std::vector<double> values;
+  std::vector<ScoredTrial> trials;
+  std::vector<int> numbers;  ///< of the trials
+};
+
+/// The trials that stood when the model was made: those of its pass and of the passes before.
+Replay replay_of(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
+  const std::optional<ModelRow> row = store.model(number);
+  if (!row) throw Error(fmt::format("the run has no model {}", number));
+  Replay replay{definition, number, *row, definition.decode_model(row->genome), {}, {}};
+  const std::vector<TargetTrialRow> rows = store.trial_rows();
+  std::vector<Trial> trials = store.trials();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
+    const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
+    const Test drive =
+        rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
+    replay.trials.push_back({drive, std::move(trials[i]), 0});
+    replay.numbers.push_back(rows[i].number);
+  }
+  return replay;
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// Whether the score is the stored one: the same bits, or, of a model that was abandoned, not below what was known.
+bool agrees(const ModelRow& stored, const ModelScore& score) {
+  switch (stored.kind) {
+    case EvaluationKind::invalid: return score.kind == ScoreKind::invalid;
+    case EvaluationKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
+    case EvaluationKind::full: break;
+  }
+  return score.kind == ScoreKind::full && same(score.total, stored.score) &&
+         std::equal(score.trials.begin(), score.trials.end(), stored.trial_scores.begin(), stored.trial_scores.end(),
+                    same);
+}
+
+std::string values_text(const Replay& replay) {
+  std::vector<std::vector<std::string>> table;
+  for (std::size_t i = 0; i < replay.values.size(); ++i) {
+    const FreeValue& free = replay.definition.model.free[i];
+    table.push_back({free.address, format_quantity(replay.values[i], free.unit)});
+  }
+  return text_table(table);
+}
+
+std::string scores_text(const Replay& replay, const ModelScore& score) {
+  std::vector<std::vector<std::string>> table = {{"trial", "stored", "replayed"}};
+  const std::vector<double>& stored = replay.row.trial_scores;
+  for (std::size_t i = 0; i < replay.trials.size(); ++i)
+    table.push_back({std::to_string(replay.numbers[i]), i < stored.size() ? fmt::format("{:.17g}", stored[i]) : "-",
+                     i < score.trials.size() ? fmt::format("{:.17g}", score.trials[i]) : "-"});
+  table.push_back({"all", fmt::format("{:.17g}", replay.row.score), fmt::format("{:.17g}", score.total)});
+  return text_table(table);
+}
+
+/// Time, measured and predicted channels of a trial.
+std::string csv_of(const ScoredTrial& scored, const TimeSeries& predicted) {
+  const TimeSeries& measured = scored.trial.measured;
+  std::string text = "t_s";
+  for (const Channel& channel : measured.channels)
+    text += "," + channel.name + "_measured," + channel.name + "_predicted";
+  text += '\n';
+  for (Eigen::Index row = 0; row < measured.times.size(); ++row) {
+    text += fmt::format("{:.9g}", measured.times(row));
+    for (std::size_t c = 0; c < measured.channels.size(); ++c) {
+      const auto channel = std::find(predicted.channels.begin(), predicted.channels.end(), measured.channels[c]);
+      text += fmt::format(",{:.17g},{:.17g}", measured.samples(row, static_cast<Eigen::Index>(c)),
+                          predicted.samples(row, channel - predicted.channels.begin()));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+void write_series(const Replay& replay, const ReplayOptions& options) {
+  const int wanted = options.trial.value_or(replay.numbers.back());
+  const auto found = std::find(replay.numbers.begin(), replay.numbers.end(), wanted);
+  if (found == replay.numbers.end())
+    throw Error(fmt::format("model {} was not held against trial {}", replay.number, wanted));
+  const ScoredTrial& scored = replay.trials[static_cast<std::size_t>(found - replay.numbers.begin())];
+  const Eigen::VectorXd& times = scored.trial.measured.times;
+  const TestPredictor predictor(*replay.definition.compiled, {times.begin(), times.end()}, 1);
+  TestPrediction prediction;
+  std::uint64_t steps = 0;
+  std::string reason;
+  if (!predictor.predict(replay.values, scored.test, 0, prediction, steps, reason)) throw Error(reason);
+  write_output(*options.csv, csv_of(scored, prediction.sensors));
+}
+
+void replay(const ReplayOptions& options) {
+  check_output(options.csv);
+  Database database = Database::open_read_only(options.database);
+  const EeaRunListing run = choose_run(database, options.run);
+  const StoredBench stored = open_stored(database, run, options.plugin_paths);
+  for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+  std::mutex unused;
+  const EeaStore store(database, unused, run.run, {});
+  const std::vector<PassRow> passes = store.passes();
+  if (!options.model && (passes.empty() || !passes.back().best_model))
+    throw Error("no pass of the run has ended; name a model with --model");
+  const std::uint64_t number = options.model ? *options.model : *passes.back().best_model;
+  const Replay replay = replay_of(store, stored.bench->definition(), number);
+  const ModelScorer scorer(*replay.definition.compiled, replay.trials, replay.definition.metric, 1);
+  ModelScore score;
+  scorer.score(replay.values, std::nullopt, 0, score);
+  if (!takes_standard_output(options.csv)) {
+    fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, replay.row.pass,
+               replay.row.generation);
+    fmt::print("{}{}", values_text(replay), scores_text(replay, score));
+  }
+  if (options.csv) write_series(replay, options);
+  if (!agrees(replay.row, score)) throw Error("the replayed scores are not those that are stored");
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& program) {
+  auto options = std::make_shared<ReplayOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("replay", "Simulate a stored model again and compare its scores");
+  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
+  command->add_option("--model", options->model, "The model's number in its run (default: the best of the last pass)")
+      ->option_text("N");
+  command->add_option("--trial", options->trial, "The trial that --csv shows (default: the newest)")->option_text("N");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  add_result_option(*command, "csv", options->csv, "Measured and predicted series, to standard output or FILE");
+  command->callback([options] { replay(*options); });
+}
+
+}  // namespace lacuna

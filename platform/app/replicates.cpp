@@ -1,0 +1,109 @@
+#include "app/replicates.h"
+
+#include "app/store_journal.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> names_of(const GenomeLayout& layout) {
+  std::vector<std::string> names;
+  for (const Gene& gene : layout.genes) names.push_back(gene.name);
+  return names;
+}
+
+/// Passes the rows on, and what they say about a pass to the display.
+class ShownJournal : public StoreJournal {
+ public:
+  ShownJournal(EeaStore& store, RunDisplay& display, int index)
+      : StoreJournal(store), display_(display), index_(index) {}
+  using StoreJournal::add;
+  void add(PassRow row) override {
+    display_.end_pass(index_, row);
+    StoreJournal::add(std::move(row));
+  }
+
+ private:
+  RunDisplay& display_;
+  int index_;
+};
+
+}  // namespace
+
+EeaRunRecord Replicates::record(int replicate) const {
+  const EeaDefinition& definition = bench_.definition();
+  EeaRunRecord record;
+  record.replicate = replicate;
+  record.metric = definition.metric.origin.name;
+  record.truth = bench_.truth(replicate);
+  for (const FreeValue& value : definition.model.free)
+    record.free.push_back({value.address, value.unit, value.lower, value.upper, value.start});
+  record.model_genes = names_of(definition.estimation.layout());
+  record.passes = definition.passes;
+  if (!bench_.takes_tests()) return record;
+  record.fitness = definition.fitness.origin.name;
+  record.test_genes = names_of(definition.exploration.layout());
+  return record;
+}
+
+EeaState Replicates::state_of(const PlannedReplicate& planned, EeaStore& store) const {
+  if (planned.resumes)
+    if (std::optional<EeaState> state = stored_state(store, bench_.definition())) return std::move(*state);
+  EeaState state = beginning(bench_);
+  store.begin(record(planned.replicate));
+  for (std::size_t i = 0; i < state.trials.size(); ++i)
+    store.append({.number = static_cast<int>(i), .test = {}, .file = state.trials[i].trial.name},
+                 state.trials[i].trial);
+  return state;
+}
+
+void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end) {
+  const auto start = std::chrono::steady_clock::now();
+  const PlannedReplicate& planned = end.planned;
+  const int number = static_cast<int>(index);
+  EeaStore store(database_, writing_, planned.run, experiment_);
+  try {
+    throw_if_interrupted();
+    EeaState state = state_of(planned, store);
+    ShownJournal journal(store, display, number);
+    const ReplicateTarget target(bench_, seed_, planned.replicate);
+    eea_loop({.definition = bench_.definition(),
+              .journal = journal,
+              .seed = seed_,
+              .replicate = planned.replicate,
+              .threads = threads,
+              .truth = bench_.truth(planned.replicate),
+              .progress = [&](const EeaProgress& progress) { display.show(number, progress); }},
+             target.target(), state);
+    store.end(RunEnding::done);
+  } catch (const Interrupted& interruption) {
+    end.ending = RunEnding::interrupted;
+    end.problem = interruption.what();
+  } catch (const std::exception& error) {
+    end.ending = RunEnding::failed;
+    end.problem = error.what();
+  }
+  if (end.ending != RunEnding::done) store.end(end.ending);
+  display.end_replicate(number);
+  end.passes = store.passes();
+  end.storage_seconds = store.seconds();
+  end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& planned, int threads,
+                                          RunDisplay& display) {
+  std::vector<ReplicateEnd> ends;
+  ends.reserve(planned.size());
+  for (const PlannedReplicate& each : planned) ends.emplace_back().planned = each;
+  const int side_by_side = std::min(threads, static_cast<int>(planned.size()));
+  const int threads_each = std::max(1, threads / std::max(1, side_by_side));
+  parallel_for(planned.size(), side_by_side,
+               [&](std::size_t index, int) { carry_out(index, threads_each, display, ends[index]); });
+  return ends;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/eea_bench.h"
+#include "app/run_display.h"
+#include "storage/eea_store.h"
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A replicate that is to be run.
+struct PlannedReplicate {
+  RunId run;
+  int replicate = 1;
+  bool resumes = false;  ///< goes on from the run's checkpoint
+};
+
+/// How a replicate ended.
+struct ReplicateEnd {
+  PlannedReplicate planned;
+  RunEnding ending = RunEnding::done;
+  std::string problem;  ///< why it failed or was interrupted
+  double seconds = 0.0;
+  double storage_seconds = 0.0;
+  std::vector<PassRow> passes;
+};
+
+/// Runs replicates side by side, each in a run of its own in the database: first the replicates share the threads, then
+/// the individuals of each. A replicate that fails does not end the others; Ctrl-C ends all after their generation.
+class Replicates {
+ public:
+  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment, std::uint64_t seed)
+      : bench_(bench), database_(database), experiment_(experiment), seed_(seed) {}
+
+  std::vector<ReplicateEnd> run(const std::vector<PlannedReplicate>& planned, int threads, RunDisplay& display);
+
+ private:
+  void carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end);
+  EeaRunRecord record(int replicate) const;
+  EeaState state_of(const PlannedReplicate& planned, EeaStore& store) const;
+
+  const EeaBench& bench_;
+  Database& database_;
+  ExperimentId experiment_;
+  std::uint64_t seed_;
+  std::mutex writing_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,112 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/replicates.h"
+#include "app/stored_bench.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <mutex>
+
+namespace lacuna {
+namespace {
+
+struct ReproduceOptions {
+  std::filesystem::path database;
+  std::optional<std::int64_t> run;
+  int threads = 0;
+  bool quiet = false;
+  std::vector<std::filesystem::path> plugin_paths;
+};
+
+/// A database that is gone when it goes out of scope.
+class TemporaryDatabase {
+ public:
+  TemporaryDatabase() : folder_(std::filesystem::temp_directory_path() / fmt::format("lacuna-reproduce-{}", getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~TemporaryDatabase() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  TemporaryDatabase(const TemporaryDatabase&) = delete;
+  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
+  std::filesystem::path file() const { return folder_ / "again.db"; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+bool differ(const PassRow& a, const PassRow& b) {
+  return a.best_model != b.best_model || a.best_score != b.best_score || a.best_test != b.best_test ||
+         a.best_fitness != b.best_fitness || a.steps != b.steps || a.best_values != b.best_values;
+}
+
+/// Where the two begin to differ, as far as the passes tell.
+std::string first_difference(const std::vector<PassRow>& stored, const std::vector<PassRow>& again) {
+  for (std::size_t i = 0; i < std::min(stored.size(), again.size()); ++i)
+    if (differ(stored[i], again[i])) return fmt::format("they differ from pass {} on", stored[i].number);
+  return "their passes agree, but not all of their rows";
+}
+
+void reproduce(const ReproduceOptions& options) {
+  Database database = Database::open_read_only(options.database);
+  const EeaRunListing listing = choose_run(database, options.run);
+  if (listing.ending != "done")
+    throw_problem({options.database.string()},
+                  fmt::format("run {} is not done ({}); only a run that is can be compared with another",
+                              listing.run.value, listing.ending));
+  const StoredBench stored = open_stored(database, listing, options.plugin_paths);
+  for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+
+  const TemporaryDatabase temporary;
+  Database again = Database::open(temporary.file());
+  ResultStore store(again);
+  const int threads = options.threads > 0 ? options.threads : default_threads();
+  const RunId run = store.begin_run({command_line(), stored.run.seed, threads}, provenance_of_this_program());
+  const ExperimentId experiment = store.record_experiment(stored.run.experiment);
+  store.hand_over();
+  std::vector<ReplicateEnd> ends;
+  {
+    RunDisplay display(1, options.quiet);
+    ends = Replicates(*stored.bench, again, experiment, stored.run.seed)
+               .run({{run, listing.replicate, false}}, threads, display);
+  }
+  const ReplicateEnd& end = ends.front();
+  if (end.ending == RunEnding::interrupted) throw Interrupted(end.problem);
+  if (end.ending == RunEnding::failed) throw Error(end.problem);
+  const std::string was = content_hash(database, listing.run), is = content_hash(again, run);
+  fmt::print("stored      {}\nreproduced  {}\n", was, is);
+  if (was == is) {
+    fmt::print("run {} is reproduced: every row is the same\n", listing.run.value);
+    return;
+  }
+  std::mutex unused;
+  const std::vector<PassRow> passes = EeaStore(database, unused, listing.run, {}).passes();
+  throw Error(fmt::format("run {} is not reproduced: {}", listing.run.value, first_difference(passes, end.passes)));
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& program) {
+  auto options = std::make_shared<ReproduceOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("reproduce", "Run a stored run again and compare every row");
+  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
+  command->add_option("--threads", options->threads, "Threads (default: one a processor)")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", options->quiet, "Print results only");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  command->callback([options] { reproduce(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/eea_bench.h"
+#include "storage/eea_store.h"
+#include "storage/stored_run.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A run of a database with the experiment that it was started from, ready to be simulated again.
+struct StoredBench {
+  StoredRun run;
+  EeaRunListing listing;
+  std::unique_ptr<EeaBench> bench;
+  std::vector<std::string> doubts;  ///< sentences: plugins that have changed since, which may change digits
+};
+
+/// The run of that number, or the only one there is. Throws `BadInput` where there is no such run or several.
+EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> number);
+
+/// Reads the experiment from the database, not from the file, which may have changed since.
+StoredBench open_stored(const Database& database, const EeaRunListing& run,
+                        const std::vector<std::filesystem::path>& plugin_paths);
+
+}  // namespace lacuna

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <lacuna/model_encoding.h>
+#include <lacuna/objective_metric.h>
+#include <lacuna/test_encoding.h>
+#include <lacuna/test_fitness.h>
+
+#include "evaluation/component_choice.h"
+#include "evaluation/model_definition.h"
+#include "evolution/operator_breeder.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace lacuna {
+
+/// A search of the experiment with what breeds for it.
+struct SearchPlan {
+  Chosen<SearchStrategy> strategy;
+  std::unique_ptr<OperatorBreeder> breeder;
+
+  const GenomeLayout& layout() const { return breeder->layout(); }
+};
+
+/// Everything that an experiment says about the Estimation-Exploration Algorithm, its plugins found and its settings
+/// checked. Const and shared by the replicates.
+class EeaDefinition {
+ public:
+  /// Throws `BadInput` with every problem at its place in the file. `model` is the experiment's. The catalog must live
+  /// as long. With `takes_tests` false nothing is made of tests and exploration.
+  EeaDefinition(const Experiment& experiment, const PluginCatalog& catalog, ModelDefinition model, bool takes_tests);
+  EeaDefinition(const EeaDefinition&) = delete;
+  EeaDefinition& operator=(const EeaDefinition&) = delete;
+
+  /// The values of a genome's model. Throws `Error` that names the encoding where it fails.
+  std::vector<double> decode_model(const Genome& genome) const;
+  Test decode_test(const Genome& genome) const;
+
+  ModelDefinition model;
+  std::unique_ptr<CompiledModel> compiled;
+  ModelSpace model_space;
+  TestSpace test_space;
+  Chosen<ModelEncoding> model_encoding;
+  Chosen<TestEncoding> test_encoding;
+  Chosen<FitnessMetric> metric;
+  Chosen<TestFitness> fitness;
+  std::optional<Chosen<ObjectiveMetric>> objective;
+  SearchPlan estimation, exploration;
+  std::size_t models_for_tests = 0;  ///< how many of the best models judge a test
+  std::vector<double> sample_times;  ///< of a test, s
+  int passes = 1;
+  int seeds = 0;
+  bool approximate = false;
+  bool abandon = true, reuse = true;
+};
+
+}  // namespace lacuna

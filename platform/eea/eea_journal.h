@@ -1,0 +1,26 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "eea/eea_state.h"
+#include "storage/eea_records.h"
+
+namespace lacuna {
+
+/// Who writes down what the algorithm does. Rows come in the order of their numbers; a checkpoint says that everything
+/// up to here led to this state.
+class EeaJournal {
+ public:
+  virtual ~EeaJournal() = default;
+  virtual void add(ModelRow row) = 0;
+  virtual void add(TestRow row) = 0;
+  virtual void add(TargetTrialRow row, const Trial& trial) = 0;
+  /// What a model says about a trial.
+  virtual void add_prediction(std::uint64_t model, int trial, const TimeSeries& readings,
+                              const TimeSeries& centre_of_mass) = 0;
+  virtual void add(PassRow row) = 0;
+  /// At the end of each generation and phase. May be put off, but not if `now`.
+  virtual void checkpoint(const EeaState& state, bool now) = 0;
+};
+
+}  // namespace lacuna

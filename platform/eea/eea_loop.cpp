@@ -1,0 +1,78 @@
+#include "eea/eea_loop.h"
+
+#include "eea/estimation.h"
+#include "eea/exploration.h"
+
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+/// The best model of the pass, and how far it is from the truth.
+void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
+  pass.number = state.pass;
+  const KnownModel& best = state.best.front();
+  if (best.genome.empty()) return;  // the approximate model that came with the experiment
+  pass.best_model = best.number;
+  pass.best_score = best.score;
+  pass.best_values = best.values;
+  if (!run.definition.objective || run.truth.empty()) return;
+  const Chosen<ObjectiveMetric>& metric = *run.definition.objective;
+  const std::vector<ObjectiveScore> scores = guarded_call(metric.origin, "score", [&] {
+    return metric->score(run.definition.model_space, {best.values}, run.truth, metric.parameters);
+  });
+  for (const ObjectiveScore& score : scores) pass.objective.push_back({score.name, score.unit, score.value});
+}
+
+/// Writes the pass down and begins the next one.
+void end_pass(const EeaRun& run, EeaState& state) {
+  sum_up(run, state, state.counts);
+  run.journal.add(std::exchange(state.counts, {}));
+  ++state.pass;
+}
+
+void go_on_with(Phase phase, const EeaRun& run, EeaState& state) {
+  state.phase = phase;
+  run.end_generation(state, {.pass = state.pass, .passes = run.definition.passes, .phase = phase});
+}
+
+}  // namespace
+
+EeaState first_state(const EeaDefinition& definition) {
+  EeaState state;
+  if (!definition.approximate) return state;
+  state.pass = 0;
+  state.phase = Phase::exploration;
+  state.best.push_back({0, {}, definition.model.start_values(), kNotKnown});
+  return state;
+}
+
+void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
+  while (state.phase != Phase::finished) switch (state.phase) {
+      case Phase::trial:  // steps 1 and 2: a test, the first one random, is sent to the target
+        if (!state.next_test) choose_random_test(run, state, 0);
+        carry_out_test(run, target, state, false);
+        go_on_with(Phase::estimation, run, state);
+        break;
+      case Phase::estimation:  // step 3: models that explain all trials so far
+        estimate(run, state);
+        if (target.system.takes_tests())
+          note_prediction(run, state, static_cast<int>(state.trials.size()) - 1, state.trials.back().drive);
+        else
+          end_pass(run, state);
+        go_on_with(target.system.takes_tests() ? Phase::exploration : Phase::finished, run, state);
+        break;
+      case Phase::exploration:  // step 4: the test that the models choose
+        explore(run, state);
+        end_pass(run, state);
+        go_on_with(state.pass <= run.definition.passes ? Phase::trial : Phase::transfer, run, state);
+        break;
+      case Phase::transfer:  // how the last test does on the target
+        carry_out_test(run, target, state, true);
+        go_on_with(Phase::finished, run, state);
+        break;
+      case Phase::finished: break;
+    }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "eea/eea_definition.h"
+#include "eea/eea_journal.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace lacuna {
+
+/// How far a run is, told after each generation.
+struct EeaProgress {
+  int pass = 0, passes = 0;
+  Phase phase = Phase::trial;
+  int generation = 0, generations = 0;
+  double best = 0.0;                           ///< of the phase: score of a model, or fitness of a test
+  std::uint64_t evaluations = 0, invalid = 0;  ///< of models and tests, in this pass
+};
+
+/// One replicate of an experiment.
+struct EeaRun {
+  const EeaDefinition& definition;
+  EeaJournal& journal;
+  std::uint64_t seed = 1;
+  int replicate = 1;  ///< from 1
+  int threads = 1;
+  std::vector<double> truth;  ///< of the model's free values; for the objective metric alone
+  std::function<void(const EeaProgress&)> progress;
+
+  /// The random streams of a search, which adds generation and individual.
+  std::vector<std::uint64_t> key(Phase phase, int pass) const {
+    return {seed, static_cast<std::uint64_t>(replicate), static_cast<std::uint64_t>(phase),
+            static_cast<std::uint64_t>(pass)};
+  }
+  /// Between two generations: tells how far it is, makes it safe, and throws `Interrupted` where the user asked for it.
+  void end_generation(const EeaState& state, const EeaProgress& progress) const;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,133 @@
+#include "eea/eea_state.h"
+
+#include <lacuna/error.h>
+
+#include <type_traits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kVersion = 1.0;
+
+/// Writes numbers one after the other.
+class Writer {
+ public:
+  template <class Number>
+  void number(Number value) {
+    numbers.push_back(static_cast<double>(value));
+  }
+  void list(const std::vector<double>& values) {
+    number(values.size());
+    numbers.insert(numbers.end(), values.begin(), values.end());
+  }
+  std::vector<double> numbers;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const double> numbers) : numbers_(numbers) {}
+
+  template <class Number>
+  void number(Number& value) {
+    value = static_cast<Number>(next());
+  }
+  void list(std::vector<double>& values) {
+    const double size = next();
+    if (!(size >= 0.0 && size <= static_cast<double>(numbers_.size()))) fail();
+    const auto count = static_cast<std::size_t>(size);
+    values.assign(numbers_.begin(), numbers_.begin() + static_cast<std::ptrdiff_t>(count));
+    numbers_ = numbers_.subspan(count);
+  }
+  bool ended() const { return numbers_.empty(); }
+  [[noreturn]] static void fail() {
+    throw Error("the checkpoint is not one of this program; run the experiment again from its beginning");
+  }
+
+ private:
+  double next() {
+    if (numbers_.empty()) fail();
+    const double value = numbers_.front();
+    numbers_ = numbers_.subspan(1);
+    return value;
+  }
+
+  std::span<const double> numbers_;
+};
+
+/// One description of what is kept, for both directions.
+template <class Archive, class Count>
+void archive_counts(Archive& archive, Count& counts) {
+  archive.number(counts.evaluations);
+  archive.number(counts.abandoned);
+  archive.number(counts.reused);
+  archive.number(counts.invalid);
+  archive.number(counts.steps);
+  archive.number(counts.test_evaluations);
+  archive.number(counts.invalid_tests);
+  archive.number(counts.test_steps);
+}
+
+template <class Archive, class State>
+void archive_scalars(Archive& archive, State& state) {
+  archive.number(state.pass);
+  archive.number(state.models);
+  archive.number(state.tests);
+  archive.number(state.search_begin);
+  archive.list(state.search);
+  archive_counts(archive, state.counts);
+}
+
+}  // namespace
+
+std::vector<double> save(const EeaState& state) {
+  Writer writer;
+  writer.number(kVersion);
+  writer.number(static_cast<int>(state.phase));
+  archive_scalars(writer, state);
+  writer.number(state.next_test.has_value() ? 1 : 0);
+  if (state.next_test) {
+    writer.number(state.next_test->number);
+    writer.list(state.next_test->genome);
+    writer.number(state.next_test->predicted_fitness);
+  }
+  writer.number(state.best.size());
+  for (const KnownModel& model : state.best) {
+    writer.number(model.number);
+    writer.list(model.genome);
+    writer.list(model.values);
+    writer.number(model.score);
+  }
+  return std::move(writer.numbers);
+}
+
+EeaState load_state(std::span<const double> saved) {
+  Reader reader(saved);
+  EeaState state;
+  double version = 0.0;
+  int phase = 0, has_test = 0;
+  std::size_t models = 0;
+  reader.number(version);
+  if (version != kVersion) Reader::fail();
+  reader.number(phase);
+  state.phase = static_cast<Phase>(phase);
+  archive_scalars(reader, state);
+  reader.number(has_test);
+  if (has_test != 0) {
+    NextTest& test = state.next_test.emplace();
+    reader.number(test.number);
+    reader.list(test.genome);
+    reader.number(test.predicted_fitness);
+  }
+  reader.number(models);
+  for (std::size_t i = 0; i < models; ++i) {
+    KnownModel& model = state.best.emplace_back();
+    reader.number(model.number);
+    reader.list(model.genome);
+    reader.list(model.values);
+    reader.number(model.score);
+  }
+  if (!reader.ended()) Reader::fail();
+  return state;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <lacuna/genome.h>
+#include <lacuna/trial.h>
+
+#include "storage/eea_records.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace lacuna {
+
+/// What comes next.
+enum class Phase { trial, estimation, exploration, transfer, finished };
+
+/// A model that estimation hands on.
+struct KnownModel {
+  std::uint64_t number = 0;
+  Genome genome;
+  std::vector<double> values;  ///< of the free values, SI
+  double score = 0.0;
+};
+
+/// A test that is to be carried out.
+struct NextTest {
+  std::uint64_t number = 0;
+  Genome genome;
+  double predicted_fitness = kNotKnown;
+};
+
+/// A test carried out on the target. Of a recorded target: a measured trial, without a genome.
+struct TargetTrial {
+  std::uint64_t test = 0;
+  Test drive;
+  Trial trial;
+};
+
+/// All that the algorithm knows between two generations: to go on from here gives the same digits as not to have
+/// stopped.
+struct EeaState {
+  int pass = 1;
+  Phase phase = Phase::trial;
+  std::uint64_t models = 0, tests = 0;  ///< numbered so far
+  std::optional<NextTest> next_test;
+  std::vector<TargetTrial> trials;
+  std::vector<KnownModel> best;     ///< of the last estimation phase, best first
+  std::vector<double> search;       ///< of the phase under way; empty: it has not begun
+  std::uint64_t search_begin = 0;   ///< number of the first individual of that search
+  PassRow counts;                   ///< of this pass so far
+  std::vector<ModelRow> evaluated;  ///< models of this pass, where a run goes on in the midst of one
+};
+
+/// Everything but `trials` and `evaluated`, which stand in the database as rows.
+std::vector<double> save(const EeaState& state);
+/// The inverse. Throws `Error` for numbers that are no saved state.
+EeaState load_state(std::span<const double> saved);
+
+}  // namespace lacuna

@@ -1,0 +1,160 @@
+#include "eea/exploration.h"
+
+#include "evaluation/test_predictor.h"
+#include "evolution/search_run.h"
+#include "foundation/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace lacuna {
+namespace {
+
+constexpr double kWorst = std::numeric_limits<double>::infinity();
+
+/// What was found out about a test.
+struct JudgedTest {
+  double fitness = kNotKnown;  ///< larger is better
+  std::string reason;          ///< why it has none
+  std::uint64_t steps = 0;
+};
+
+/// One exploration phase.
+class Exploration {
+ public:
+  Exploration(const EeaRun& run, EeaState& state)
+      : run_(run),
+        definition_(run.definition),
+        state_(state),
+        predictor_(*definition_.compiled, definition_.sample_times, run.threads),
+        judges_(std::min(definition_.models_for_tests, state.best.size())),
+        predictions_(static_cast<std::size_t>(predictor_.workers()), std::vector<TestPrediction>(judges_)) {}
+
+  void run() {
+    begin();
+    run_search(
+        *search_, definition_.exploration.strategy.origin,
+        [this](const auto& individuals, auto) { return score(individuals); }, [this] { end(); });
+    hand_on();
+  }
+
+ private:
+  void begin() {
+    const Chosen<SearchStrategy>& strategy = definition_.exploration.strategy;
+    const SearchTask task{definition_.exploration.layout(),
+                          *definition_.exploration.breeder,
+                          run_.key(Phase::exploration, state_.pass),
+                          {}};
+    search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
+    if (state_.search.empty())
+      state_.search_begin = state_.tests;
+    else
+      guarded_call(strategy.origin, "load", [&] { search_->load(state_.search); });
+  }
+
+  /// Searches look for small scores; of tests the fitness is to be large.
+  std::vector<double> score(const std::vector<Individual>& individuals) {
+    std::vector<JudgedTest> judged(individuals.size());
+    parallel_for(individuals.size(), predictor_.workers(),
+                 [&](std::size_t i, int worker) { judge(individuals[i].genome, worker, judged[i]); });
+    std::vector<double> scores;
+    for (std::size_t i = 0; i < individuals.size(); ++i) {
+      const bool valid = judged[i].reason.empty();
+      scores.push_back(valid ? -judged[i].fitness : kWorst);
+      ++state_.counts.test_evaluations;
+      state_.counts.invalid_tests += valid ? 0 : 1;
+      state_.counts.test_steps += judged[i].steps;
+      note(individuals[i], judged[i]);
+    }
+    return scores;
+  }
+
+  void judge(const Genome& genome, int worker, JudgedTest& judged) {
+    const Test test = definition_.decode_test(genome);
+    std::vector<TestPrediction>& predictions = predictions_[static_cast<std::size_t>(worker)];
+    for (std::size_t m = 0; m < judges_; ++m)
+      if (!predictor_.predict(state_.best[m].values, test, worker, predictions[m], judged.steps, judged.reason)) return;
+    const Chosen<TestFitness>& fitness = definition_.fitness;
+    try {
+      judged.fitness =
+          guarded_call(fitness.origin, "score", [&] { return fitness->score(test, predictions, fitness.parameters); });
+      if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
+    } catch (const Error& error) {
+      judged.reason = error.what();
+    }
+  }
+
+  void note(const Individual& individual, const JudgedTest& judged) {
+    TestRow row;
+    row.number = state_.search_begin + individual.number;
+    row.pass = state_.pass;
+    row.generation = search_->generation();
+    for (std::size_t i = 0; i < std::min(row.parents.size(), individual.parents.size()); ++i)
+      row.parents[i] = state_.search_begin + individual.parents[i];
+    row.genome = individual.genome;
+    row.valid = judged.reason.empty();
+    row.fitness = row.valid ? judged.fitness : kNotKnown;
+    row.reason = judged.reason;
+    state_.tests = std::max(state_.tests, row.number + 1);
+    run_.journal.add(std::move(row));
+  }
+
+  void end() {
+    state_.search = guarded_call(definition_.exploration.strategy.origin, "save", [&] { return search_->save(); });
+    const std::vector<ScoredIndividual> best = search_->best();
+    run_.end_generation(state_, {.pass = state_.pass,
+                                 .passes = definition_.passes,
+                                 .phase = Phase::exploration,
+                                 .generation = search_->generation(),
+                                 .generations = search_->generations(),
+                                 .best = best.empty() ? -kWorst : -best.front().score,
+                                 .evaluations = state_.counts.evaluations + state_.counts.test_evaluations,
+                                 .invalid = state_.counts.invalid + state_.counts.invalid_tests});
+  }
+
+  void hand_on() {
+    state_.search.clear();
+    const std::vector<ScoredIndividual> best = search_->best();
+    if (best.empty() || !std::isfinite(best.front().score))
+      throw Error("pass " + std::to_string(state_.pass) + ": none of " +
+                  std::to_string(state_.counts.test_evaluations) +
+                  " tests can be carried out on the model; the view invalid_evaluations says why");
+    const Individual& individual = best.front().individual;
+    state_.next_test = NextTest{state_.search_begin + individual.number, individual.genome, -best.front().score};
+    state_.counts.best_test = state_.next_test->number;
+    state_.counts.best_fitness = state_.next_test->predicted_fitness;
+  }
+
+  const EeaRun& run_;
+  const EeaDefinition& definition_;
+  EeaState& state_;
+  TestPredictor predictor_;
+  std::size_t judges_;
+  std::vector<std::vector<TestPrediction>> predictions_;  // per worker, one a judge
+  std::unique_ptr<Search> search_;
+};
+
+}  // namespace
+
+void explore(const EeaRun& run, EeaState& state) {
+  if (run.definition.models_for_tests > 0)
+    Exploration(run, state).run();
+  else
+    choose_random_test(run, state, 0);
+}
+
+void choose_random_test(const EeaRun& run, EeaState& state, int attempt) {
+  std::vector<std::uint64_t> key = run.key(Phase::trial, state.pass);
+  key.push_back(static_cast<std::uint64_t>(attempt));
+  RandomStream random(key);
+  TestRow row;
+  row.number = state.tests++;
+  row.pass = state.pass;
+  row.genome = run.definition.exploration.breeder->random(random);
+  state.next_test = NextTest{row.number, row.genome, kNotKnown};
+  run.journal.add(std::move(row));
+}
+
+}  // namespace lacuna

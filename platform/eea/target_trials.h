@@ -1,0 +1,25 @@
+#pragma once
+
+#include <lacuna/target_system.h>
+
+#include "eea/eea_run.h"
+#include "evaluation/target_simulator.h"
+
+namespace lacuna {
+
+/// The target of a run and what its plugin may ask for.
+struct EeaTarget {
+  TargetSystem& system;
+  ComponentOrigin origin;
+  TargetSimulator* simulator = nullptr;  ///< of a simulated target
+};
+
+/// Step 2 of the seed: carries `state.next_test` out on the target and adds the trial to `state.trials`. A test that
+/// the target cannot carry out is replaced by a random one, a few times. With `for_transfer` the trial is written down
+/// alone: no model will be fitted to it.
+void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer);
+
+/// What the best model says about the trial, for the record.
+void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive);
+
+}  // namespace lacuna

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "evaluation/model_definition.h"
+#include "evaluation/model_scorer.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace lacuna {
+
+struct EvaluationOptions {
+  bool abandon = true;  ///< end an evaluation that cannot get under the bar
+  bool reuse = true;    ///< simulate identical phenotypes once
+};
+
+struct EvaluatedModel {
+  ModelScore score;
+  bool reused = false;  ///< an identical model was scored before; its score counts
+};
+
+/// Scores generations of models, in parallel, with the same results for any number of threads. Remembers phenotypes:
+/// models whose simulations cannot differ, because their values are equal, or, where delays are rounded to whole
+/// steps, equal after rounding.
+class ModelEvaluator {
+ public:
+  /// The scorer must outlive it; its trials are the same for all that is remembered.
+  ModelEvaluator(const ModelScorer& scorer, const ModelDefinition& definition, EvaluationOptions options);
+
+  /// One score for each set of values. Nothing that is above `bar` is known but that.
+  std::vector<EvaluatedModel> evaluate(const std::vector<std::vector<double>>& models, std::optional<double> bar);
+  /// As if it had been evaluated, for a run that goes on.
+  void remember(const std::vector<double>& values, const ModelScore& score);
+
+ private:
+  using Phenotype = std::string;  // the bytes of its values
+  Phenotype phenotype_of(const std::vector<double>& values) const;
+  const ModelScore* recall(const Phenotype& phenotype, std::optional<double> bar) const;
+
+  const ModelScorer& scorer_;
+  EvaluationOptions options_;
+  std::vector<bool> whole_steps_;  ///< per value: only whole steps of it count
+  double step_;                    ///< s
+  std::unordered_map<Phenotype, ModelScore> memory_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,155 @@
+#include "evaluation/model_scorer.h"
+
+#include "evaluation/channel_map.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kWorst = std::numeric_limits<double>::infinity();
+
+std::size_t scored_samples(const ScoredTrial& scored) {
+  return static_cast<std::size_t>(scored.trial.measured.times.size() - scored.first_sample);
+}
+
+ComparisonShape shape_of(std::span<const ScoredTrial> trials) {
+  ComparisonShape shape;
+  for (const ScoredTrial& scored : trials) {
+    ++shape.trials;
+    shape.samples += scored_samples(scored);
+    shape.channels = scored.trial.measured.channels.size();
+  }
+  return shape;
+}
+
+StartState start_of(const Trial& trial) {
+  StartState start;
+  for (const InitialValue& value : trial.initial) {
+    start.positions.push_back(value.position);
+    start.velocities.push_back(value.velocity);
+  }
+  return start;
+}
+
+}  // namespace
+
+/// What one thread works with.
+struct ModelScorer::Desk {
+  std::unique_ptr<Workspace> workspace;
+  std::vector<SimulationOptions> options;  // per trial
+  SimulationResult result;
+  std::unique_ptr<ScoreAccumulator> total;
+  std::vector<std::unique_ptr<ScoreAccumulator>> trials;
+  std::vector<double> predicted;
+};
+
+/// Compares samples while they are simulated.
+struct ModelScorer::Tally {
+  const ScoredTrial& scored;
+  const std::vector<Eigen::Index>& map;
+  const ComponentOrigin& metric;
+  ScoreAccumulator& total;
+  ScoreAccumulator& of_trial;
+  std::vector<double>& predicted;
+  double bar;
+  std::string fault;
+  bool abandoned = false;
+
+  /// Whether the simulation may end here.
+  bool take(std::size_t sample, std::span<const double> readings) {
+    const auto row = static_cast<Eigen::Index>(sample);
+    if (row < scored.first_sample) return false;
+    for (std::size_t i = 0; i < map.size(); ++i) predicted[i] = readings[static_cast<std::size_t>(map[i])];
+    const TimeSeries::Samples& measured = scored.trial.measured.samples;
+    try {
+      const std::span<const double> of_row(measured.data() + row * measured.cols(), map.size());
+      total.add(predicted, of_row);
+      of_trial.add(predicted, of_row);
+      abandoned = total.bound() > bar;
+    } catch (...) {
+      fault = describe_current_exception(metric, "its accumulator");
+    }
+    return abandoned || !fault.empty();
+  }
+};
+
+ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
+                         int workers)
+    : model_(model), trials_(std::move(trials)), metric_(std::move(metric)) {
+  for (const ScoredTrial& scored : trials_) {
+    maps_.push_back(match_channels(scored.trial, model_.channels()));
+    if (scored.trial.measured.channels.size() != trials_.front().trial.measured.channels.size())
+      throw Error("trial " + scored.trial.name + " measures other channels than trial " + trials_.front().trial.name +
+                  "; one score needs the same channels in all of them");
+  }
+  const auto accumulator = [&](std::span<const ScoredTrial> of) {
+    return guarded_call(metric_.origin, "accumulator",
+                        [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
+  };
+  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+    auto desk = std::make_unique<Desk>();
+    desk->workspace = model_.make_workspace();
+    desk->total = accumulator(trials_);
+    for (const ScoredTrial& scored : trials_) {
+      desk->trials.push_back(accumulator({&scored, 1}));
+      SimulationOptions& options = desk->options.emplace_back();
+      const Eigen::VectorXd& times = scored.trial.measured.times;
+      options.start = start_of(scored.trial);
+      options.start_time = times(0);
+      options.end_time = times(times.size() - 1);
+      options.output_times = {times.data(), static_cast<std::size_t>(times.size())};
+    }
+    if (!trials_.empty()) desk->predicted.resize(maps_.front().size());
+    desks_.push_back(std::move(desk));
+  }
+}
+
+ModelScorer::~ModelScorer() = default;
+
+void ModelScorer::score(std::span<const double> values, std::optional<double> bar, int worker,
+                        ModelScore& result) const {
+  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  result.trials.clear();
+  result.kind = ScoreKind::full;
+  result.reason.clear();
+  result.steps = 0;
+  desk.total->reset();
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t)
+    score_trial(t, values, bar.value_or(kWorst), desk, result);
+  switch (result.kind) {
+    case ScoreKind::full: result.total = desk.total->score(); break;
+    case ScoreKind::abandoned: result.total = desk.total->bound(); break;
+    case ScoreKind::invalid: result.total = kWorst; break;
+  }
+  if (result.kind != ScoreKind::full || std::isfinite(result.total)) return;
+  result.kind = ScoreKind::invalid;
+  result.total = kWorst;
+  result.reason = "the score is not finite: the model reads values that are not, or nothing was measured";
+}
+
+void ModelScorer::score_trial(std::size_t t, std::span<const double> values, double bar, Desk& desk,
+                              ModelScore& result) const {
+  ScoreAccumulator& of_trial = *desk.trials[t];
+  of_trial.reset();
+  Tally tally{trials_[t], maps_[t], metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
+  SimulationOptions& options = desk.options[t];
+  options.stop_when = [&tally](std::size_t sample, std::span<const double> readings) {
+    return tally.take(sample, readings);
+  };
+  model_.simulate(values, trials_[t].test, options, *desk.workspace, desk.result);
+  result.steps += desk.result.steps;
+  if (desk.result.ending == Ending::invalid || !tally.fault.empty()) {
+    result.kind = ScoreKind::invalid;
+    result.reason = "trial " + trials_[t].trial.name + ", " + (tally.fault.empty() ? desk.result.reason : tally.fault);
+  } else if (tally.abandoned) {
+    result.kind = ScoreKind::abandoned;
+  }
+  result.trials.push_back(result.kind == ScoreKind::full ? of_trial.score() : of_trial.bound());
+}
+
+}  // namespace lacuna

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <lacuna/fitness_metric.h>
+#include <lacuna/trial.h>
+
+#include "evaluation/component_choice.h"
+#include "simulation/compiled_model.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A trial with what is needed to repeat it on a model.
+struct ScoredTrial {
+  Test test;  ///< closed loop: the controller that was used; otherwise the commands
+  Trial trial;
+  Eigen::Index first_sample = 0;  ///< the samples before it are not scored
+};
+
+enum class ScoreKind : std::uint8_t {
+  full,
+  abandoned,  ///< the scores are lower bounds
+  invalid     ///< infinite; `reason` says why
+};
+
+/// What an evaluation of a model found.
+struct ModelScore {
+  double total = 0.0;          ///< over all trials together; smaller is better
+  std::vector<double> trials;  ///< of each trial that was begun; of an abandoned or invalid one the last is a bound
+  ScoreKind kind = ScoreKind::full;
+  std::string reason;
+  std::uint64_t steps = 0;  ///< integration steps
+};
+
+/// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
+/// compiled model must outlive it.
+class ModelScorer {
+ public:
+  /// Makes a workspace for each of `workers` threads. Throws `Error` where a trial measures what the model does not.
+  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers);
+  ~ModelScorer();
+
+  std::size_t trials() const { return trials_.size(); }
+  int workers() const { return static_cast<int>(desks_.size()); }
+
+  /// Simulates the trials in their order until `bar` cannot be reached any more: a total that is above the bar is
+  /// then certain. Without a bar to the end.
+  void score(std::span<const double> values, std::optional<double> bar, int worker, ModelScore& result) const;
+
+ private:
+  struct Desk;
+  struct Tally;
+  void score_trial(std::size_t trial, std::span<const double> values, double bar, Desk& desk, ModelScore& result) const;
+
+  const CompiledModel& model_;
+  std::vector<ScoredTrial> trials_;
+  std::vector<std::vector<Eigen::Index>> maps_;  ///< per trial: measured channel → model channel
+  Chosen<FitnessMetric> metric_;
+  std::vector<std::unique_ptr<Desk>> desks_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+#include "evaluation/test_predictor.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lacuna {
+
+/// What one thread works with.
+struct TestPredictor::Desk {
+  std::unique_ptr<Workspace> workspace;
+  SimulationOptions options;
+  SimulationResult result;
+};
+
+TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, int workers)
+    : model_(model), times_(std::move(times)) {
+  for (int worker = 0; worker < std::max(workers, 1); ++worker) {
+    auto desk = std::make_unique<Desk>();
+    desk->workspace = model_.make_workspace();
+    desk->options.end_time = times_.back();
+    desk->options.output_times = times_;
+    desk->options.record_centre_of_mass = true;
+    desks_.push_back(std::move(desk));
+  }
+}
+
+TestPredictor::~TestPredictor() = default;
+
+bool TestPredictor::predict(std::span<const double> values, const Test& test, int worker, TestPrediction& prediction,
+                            std::uint64_t& steps, std::string& reason) const {
+  Desk& desk = *desks_[static_cast<std::size_t>(worker)];
+  desk.options.start = test.start;
+  model_.simulate(values, test, desk.options, *desk.workspace, desk.result);
+  steps += desk.result.steps;
+  std::swap(prediction.sensors, desk.result.readings);
+  std::swap(prediction.centre_of_mass, desk.result.centre_of_mass);
+  if (desk.result.ending == Ending::completed) return true;
+  reason = desk.result.reason;
+  return false;
+}
+
+}  // namespace lacuna

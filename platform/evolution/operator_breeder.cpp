@@ -1,0 +1,68 @@
+#include "evolution/operator_breeder.h"
+
+#include <cmath>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+/// The child so far and as many others as the operator asks for.
+std::vector<Genome> group_of(const Genome& child, std::size_t first, std::span<const Genome> parents, std::size_t count,
+                             RandomStream& random, std::vector<std::size_t>& used) {
+  std::vector<Genome> group = {child};
+  while (group.size() < count) {
+    std::size_t other = random.index(parents.size());
+    if (parents.size() > 1) {
+      other = random.index(parents.size() - 1);
+      other += other >= first ? 1 : 0;  // any but the first
+    }
+    used.push_back(other);
+    group.push_back(parents[other]);
+  }
+  return group;
+}
+
+void check(const Genome& genome, const GenomeLayout& layout, const ComponentOrigin& origin) {
+  const std::string problem = misfit(genome, layout);
+  if (!problem.empty())
+    throw Error(to_string(origin) + ": its genome " + problem + "; that is a fault of the plugin: repair it");
+}
+
+}  // namespace
+
+std::string misfit(const Genome& genome, const GenomeLayout& layout) {
+  if (genome.size() != layout.size())
+    return "has " + std::to_string(genome.size()) + " genes instead of " + std::to_string(layout.size());
+  for (std::size_t i = 0; i < genome.size(); ++i) {
+    const Gene& gene = layout.genes[i];
+    const std::string what = "has " + std::to_string(genome[i]) + " for " + gene.name;
+    if (!(genome[i] >= gene.lower && genome[i] <= gene.upper))
+      return what + ", out of its bounds " + std::to_string(gene.lower) + " to " + std::to_string(gene.upper);
+    if (gene.kind == GeneKind::integer && genome[i] != std::round(genome[i])) return what + ", which is to be whole";
+  }
+  return {};
+}
+
+OperatorBreeder::OperatorBreeder(GenomeLayout layout, std::function<Genome(RandomStream&)> random,
+                                 std::vector<AppliedMutation> mutations)
+    : layout_(std::move(layout)), random_(std::move(random)), mutations_(std::move(mutations)) {}
+
+Genome OperatorBreeder::random(RandomStream& random) const { return random_(random); }
+
+Genome OperatorBreeder::child(std::span<const Genome> parents, RandomStream& random,
+                              std::vector<std::size_t>& used) const {
+  const std::size_t first = random.index(parents.size());
+  used.assign(1, first);
+  Genome child = parents[first];
+  for (const AppliedMutation& applied : mutations_) {
+    if (!random.chance(applied.chance)) continue;
+    child = guarded_call(applied.origin, "vary", [&] {
+      const std::vector<Genome> group = group_of(child, first, parents, applied.mutation->parents(), random, used);
+      return applied.mutation->vary(group, layout_, applied.parameters, random);
+    });
+    check(child, layout_, applied.origin);
+  }
+  return child;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,193 @@
+#include "report/run_pictures.h"
+
+#include "report/spread.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace lacuna {
+namespace {
+
+/// A figure by pass over all runs: a line through the means, and a band of their 95 % intervals where there are
+/// several.
+void add_by_pass(std::vector<Series>& series, const std::map<int, std::vector<double>>& by_pass,
+                 const std::string& label, const char* colour) {
+  Series line{.label = label, .mark = Mark::line_points, .colour = colour, .x = {}, .y = {}, .y2 = {}};
+  Series band{.label = "", .mark = Mark::band, .colour = colour, .x = {}, .y = {}, .y2 = {}};
+  for (const auto& [pass, values] : by_pass) {
+    const Spread spread = spread_of(values);
+    if (spread.count == 0) continue;
+    line.x.push_back(pass);
+    line.y.push_back(spread.mean);
+    if (!std::isfinite(spread.half_width)) continue;
+    band.x.push_back(pass);
+    band.y.push_back(spread.mean - spread.half_width);
+    band.y2.push_back(spread.mean + spread.half_width);
+  }
+  if (!band.x.empty()) series.push_back(std::move(band));
+  if (!line.x.empty()) series.push_back(std::move(line));
+}
+
+std::map<int, std::vector<double>> by_pass(const std::vector<DrawnRun>& runs,
+                                           const std::function<double(const PassRow&)>& figure) {
+  std::map<int, std::vector<double>> values;
+  for (const DrawnRun& run : runs)
+    for (const PassRow& pass : run.passes) values[pass.number].push_back(figure(pass));
+  return values;
+}
+
+Figure figure(const std::string& title, const std::string& x_label, std::vector<Panel> panels) {
+  Figure made;
+  made.title = title;
+  made.x_label = x_label;
+  made.height = static_cast<int>(120 + 260 * panels.size());
+  made.panels = std::move(panels);
+  return made;
+}
+
+std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
+  std::vector<Panel> panels(1);
+  panels[0].y_label = "error of the best model";
+  add_by_pass(panels[0].series, by_pass(runs, [](const PassRow& pass) { return pass.best_score; }), "", kBlue);
+  if (panels[0].series.empty()) return {};
+  std::vector<ObjectiveRow> groups;
+  for (const PassRow& pass : runs.front().passes)
+    if (groups.empty())
+      std::copy_if(pass.objective.begin(), pass.objective.end(), std::back_inserter(groups),
+                   [](const ObjectiveRow& row) { return row.name.find('*') != std::string::npos; });
+  for (const ObjectiveRow& group : groups) {
+    Panel& panel = panels.emplace_back();
+    panel.y_label = group.name + " off by (" + group.unit + ")";
+    const auto value = [&](const PassRow& pass) {
+      for (const ObjectiveRow& row : pass.objective)
+        if (row.name == group.name) return row.value;
+      return kNotKnown;
+    };
+    add_by_pass(panel.series, by_pass(runs, value), "", kOrange);
+  }
+  return panels;
+}
+
+/// Distances of the tests that models chose, by the pass that chose them.
+std::vector<Panel> transfer_panels(const std::vector<DrawnRun>& runs) {
+  std::map<int, std::vector<double>> predicted, measured;
+  for (const DrawnRun& run : runs)
+    for (const PassRow& pass : run.passes)
+      for (const TargetTrialRow& trial : run.trials) {
+        if (!pass.best_test || trial.test != pass.best_test) continue;
+        predicted[pass.number].push_back(trial.predicted_fitness);
+        measured[pass.number].push_back(trial.measured_fitness);
+      }
+  Panel panel;
+  panel.y_label = runs.front().record.fitness;
+  add_by_pass(panel.series, predicted, "model", kBlue);
+  add_by_pass(panel.series, measured, "target", kOrange);
+  if (panel.series.empty()) return {};
+  return {panel};
+}
+
+/// The part of an address that tells elements apart: `torso` of `body.torso.mass`.
+std::string short_name(const std::string& address) {
+  const std::size_t first = address.find('.'), last = address.rfind('.');
+  return first < last ? address.substr(first + 1, last - first - 1) : address;
+}
+
+Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::size_t>& which) {
+  const EeaRunRecord& record = runs.front().record;
+  Panel panel;
+  panel.y_label = record.free[which.front()].address.substr(record.free[which.front()].address.rfind('.') + 1) + " (" +
+                  record.free[which.front()].unit + ")";
+  Series truth{.label = "truth", .mark = Mark::points, .colour = kOrange, .x = {}, .y = {}, .y2 = {}};
+  Series found{.label = "models of the last pass", .mark = Mark::points, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
+  Series spread{.label = "", .mark = Mark::whiskers, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
+  for (std::size_t place = 0; place < which.size(); ++place) {
+    const std::size_t i = which[place];
+    std::vector<double> values;
+    for (const DrawnRun& run : runs)
+      if (!run.passes.empty() && i < run.passes.back().best_values.size())
+        values.push_back(run.passes.back().best_values[i]);
+    const Spread over_runs = spread_of(values);
+    const auto x = static_cast<double>(place);
+    panel.x_names.push_back(short_name(record.free[i].address));
+    if (i < record.truth.size() && std::isfinite(record.truth[i])) {
+      truth.x.push_back(x);
+      truth.y.push_back(record.truth[i]);
+    }
+    if (over_runs.count == 0) continue;
+    found.x.push_back(x);
+    found.y.push_back(over_runs.mean);
+    spread.x.push_back(x);
+    spread.y.push_back(over_runs.mean - over_runs.deviation);
+    spread.y2.push_back(over_runs.mean + over_runs.deviation);
+  }
+  panel.series = {spread, found};
+  if (!truth.x.empty()) panel.series.push_back(truth);
+  return panel;
+}
+
+/// One figure for each kind of parameter: "mass", "delay".
+std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, const std::string& title) {
+  const std::vector<FreeValueRecord>& free = runs.front().record.free;
+  std::map<std::string, std::vector<std::size_t>> kinds;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    kinds[free[i].address.substr(free[i].address.rfind('.') + 1)].push_back(i);
+  std::vector<NamedFigure> figures;
+  for (const auto& [kind, which] : kinds)
+    figures.push_back({"parameters_" + kind, figure(title, "", {parameter_panel(runs, which)})});
+  return figures;
+}
+
+Series path_series(const TimeSeries& path, const std::string& label, const char* colour) {
+  Series series{.label = label, .mark = Mark::path, .colour = colour, .x = {}, .y = {}, .y2 = {}};
+  for (Eigen::Index row = 0; row < path.samples.rows(); ++row) {
+    series.x.push_back(path.samples(row, 0));
+    series.y.push_back(path.samples(row, 1));
+  }
+  return series;
+}
+
+std::vector<Panel> path_panels(const DrawnRun& run) {
+  std::vector<Panel> panels;
+  for (const DrawnRun::Path& path : run.paths) {
+    Panel& panel = panels.emplace_back();
+    panel.y_label = fmt::format("y (m), trial {}", path.trial);
+    panel.series = {path_series(path.target, "target", kOrange), path_series(path.model, "model", kBlue)};
+  }
+  return panels;
+}
+
+}  // namespace
+
+DrawnRun drawn_run(const EeaStore& store) {
+  DrawnRun run{store.record(), store.passes(), store.trial_rows(), {}};
+  std::vector<Trial> trials = store.trials();
+  for (const PassRow& pass : run.passes) {
+    if (!pass.best_test || !pass.best_model) continue;
+    for (std::size_t i = 0; i < run.trials.size(); ++i) {
+      if (run.trials[i].test != pass.best_test) continue;
+      std::optional<TimeSeries> predicted = store.predicted_path(*pass.best_model, run.trials[i].number);
+      if (!predicted || trials[i].centre_of_mass.times.size() == 0) continue;
+      if (run.paths.size() == 2) run.paths.pop_back();
+      run.paths.push_back({run.trials[i].number, trials[i].centre_of_mass, std::move(*predicted)});
+    }
+  }
+  return run;
+}
+
+std::vector<NamedFigure> run_figures(const std::vector<DrawnRun>& runs, const std::string& title) {
+  std::vector<NamedFigure> figures;
+  const auto add = [&](const std::string& name, const std::string& x_label, std::vector<Panel> panels) {
+    if (!panels.empty()) figures.push_back({name, figure(title, x_label, std::move(panels))});
+  };
+  add("error_by_pass", "pass", error_panels(runs));
+  for (NamedFigure& parameters : parameter_figures(runs, title)) figures.push_back(std::move(parameters));
+  add("transfer", "pass", transfer_panels(runs));
+  add("paths", "x (m)", path_panels(runs.front()));
+  return figures;
+}
+
+}  // namespace lacuna

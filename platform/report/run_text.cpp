@@ -1,0 +1,113 @@
+#include "report/run_text.h"
+
+#include "foundation/unit.h"
+#include "report/text_table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value, int digits = 4) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
+}
+
+/// Figures over several parameters; those of single ones would fill the page.
+bool is_group(const ObjectiveRow& row) { return row.name.find('*') != std::string::npos; }
+
+/// The trial that the test of this pass became.
+const TargetTrialRow* trial_of(const PassRow& pass, const std::vector<TargetTrialRow>& trials) {
+  const auto found = std::find_if(trials.begin(), trials.end(), [&](const TargetTrialRow& trial) {
+    return trial.test && pass.best_test && *trial.test == *pass.best_test;
+  });
+  return found == trials.end() ? nullptr : &*found;
+}
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::vector<std::string> head(const std::vector<PassRow>& passes) {
+  std::vector<std::string> cells = {"pass", "error"};
+  for (const ObjectiveRow& row : passes.back().objective)
+    if (is_group(row)) cells.push_back(row.name + " off by");
+  for (const char* name : {"test predicted", "on target", "models", "abandoned", "reused", "invalid", "steps"})
+    cells.emplace_back(name);
+  return cells;
+}
+
+}  // namespace
+
+std::string passes_text(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials) {
+  if (passes.empty()) return "no pass has ended\n";
+  std::vector<std::vector<std::string>> table = {head(passes)};
+  for (const PassRow& pass : passes) {
+    std::vector<std::string> cells = {std::to_string(pass.number), number(pass.best_score)};
+    for (const ObjectiveRow& row : pass.objective)
+      if (is_group(row)) cells.push_back(format_quantity(row.value, row.unit));
+    cells.resize(table.front().size() - 7, "-");  // before the first estimation phase there is no best model
+    const TargetTrialRow* trial = trial_of(pass, trials);
+    cells.push_back(number(pass.best_fitness));
+    cells.push_back(trial ? number(trial->measured_fitness) : "-");
+    for (const std::uint64_t count : {pass.evaluations, pass.abandoned, pass.reused, pass.invalid, pass.steps})
+      cells.push_back(std::to_string(count));
+    table.push_back(std::move(cells));
+  }
+  return text_table(table);
+}
+
+std::string runs_text(const std::vector<EeaRunListing>& runs) {
+  if (runs.empty()) return "no run yet; lacuna run FILE makes one\n";
+  std::vector<std::vector<std::string>> table = {
+      {"run", "experiment", "replicate", "ended", "passes", "error", "models", "evaluations"}};
+  for (const EeaRunListing& run : runs)
+    table.push_back({std::to_string(run.run.value), run.experiment, std::to_string(run.replicate), run.ending,
+                     fmt::format("{}/{}", run.passes_done, run.passes), number(run.best_score.value_or(kNotKnown)),
+                     std::to_string(run.models), std::to_string(run.evaluations)});
+  return text_table(table, 2);
+}
+
+Json passes_json(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials) {
+  Json json = Json::array();
+  for (const PassRow& pass : passes) {
+    const TargetTrialRow* trial = trial_of(pass, trials);
+    Json objective = Json::object();
+    for (const ObjectiveRow& row : pass.objective)
+      objective[row.name] = {{"value", json_number(row.value)}, {"unit", row.unit}};
+    json.push_back({{"pass", pass.number},
+                    {"error", json_number(pass.best_score)},
+                    {"objective", objective},
+                    {"predicted_fitness", json_number(pass.best_fitness)},
+                    {"measured_fitness", trial ? json_number(trial->measured_fitness) : Json(nullptr)},
+                    {"evaluations", pass.evaluations},
+                    {"abandoned", pass.abandoned},
+                    {"reused", pass.reused},
+                    {"invalid", pass.invalid},
+                    {"steps", pass.steps},
+                    {"test_evaluations", pass.test_evaluations},
+                    {"invalid_tests", pass.invalid_tests},
+                    {"test_steps", pass.test_steps}});
+  }
+  return json;
+}
+
+Json runs_json(const std::vector<EeaRunListing>& runs) {
+  Json json = Json::array();
+  for (const EeaRunListing& run : runs)
+    json.push_back({{"run", run.run.value},
+                    {"experiment", run.experiment},
+                    {"replicate", run.replicate},
+                    {"ending", run.ending},
+                    {"passes_done", run.passes_done},
+                    {"passes", run.passes},
+                    {"error", run.best_score ? Json(*run.best_score) : Json(nullptr)},
+                    {"models", run.models},
+                    {"evaluations", run.evaluations}});
+  return json;
+}
+
+}  // namespace lacuna

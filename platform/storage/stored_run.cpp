@@ -1,0 +1,27 @@
+#include "storage/stored_run.h"
+
+#include "storage/json_text.h"
+#include "storage/statement.h"
+
+#include <lacuna/error.h>
+
+namespace lacuna {
+
+StoredRun stored_run(const Database& database, RunId run) {
+  Statement row(database,
+                "SELECT experiment.name, file, text, overrides, seed, threads FROM run"
+                " JOIN experiment_text ON experiment_text.id = run.experiment_text"
+                " JOIN experiment ON experiment.id = experiment_text.experiment WHERE run.number = ?");
+  if (!row.with(run).step())
+    throw Error(database.file().string() + ": has no run " + std::to_string(run.value) + "; lacuna runs lists them");
+  StoredRun stored;
+  stored.experiment = {row.text(0), row.text(1), row.text(2), sentences_from(row.text(3))};
+  stored.seed = static_cast<std::uint64_t>(row.integer(4));
+  stored.threads = row.number(5);
+  Statement plugin(database, "SELECT file, sha256, build_id FROM plugin_file WHERE run = ? ORDER BY file");
+  plugin.with(run);
+  while (plugin.step()) stored.plugins.push_back({plugin.text(0), plugin.text(1), plugin.text(2)});
+  return stored;
+}
+
+}  // namespace lacuna

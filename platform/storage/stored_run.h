@@ -1,0 +1,21 @@
+#pragma once
+
+#include "storage/database.h"
+#include "storage/records.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// What a run was started from: enough to run it again.
+struct StoredRun {
+  ExperimentRecord experiment;
+  std::uint64_t seed = 0;
+  int threads = 1;
+  std::vector<PluginFileRecord> plugins;  ///< by file
+};
+
+/// Throws `Error` where the database has no such run.
+StoredRun stored_run(const Database& database, RunId run);
+
+}  // namespace lacuna

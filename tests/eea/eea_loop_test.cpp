@@ -1,0 +1,221 @@
+#include "eea/small_run.h"
+#include "evaluation/model_scorer.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// Equal to the last bit; NaN equals NaN.
+bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return same(x, y); });
+}
+
+void expect_same_models(const std::vector<ModelRow>& a, const std::vector<ModelRow>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].number, b[i].number);
+    EXPECT_EQ(a[i].parents, b[i].parents);
+    EXPECT_EQ(a[i].generation, b[i].generation);
+    EXPECT_EQ(a[i].kind, b[i].kind);
+    EXPECT_EQ(a[i].reused, b[i].reused);
+    EXPECT_TRUE(same(a[i].genome, b[i].genome));
+    EXPECT_TRUE(same(a[i].score, b[i].score));
+    EXPECT_TRUE(same(a[i].trial_scores, b[i].trial_scores));
+  }
+}
+
+void expect_same_tests(const std::vector<TestRow>& a, const std::vector<TestRow>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].number, b[i].number);
+    EXPECT_TRUE(same(a[i].genome, b[i].genome));
+    EXPECT_TRUE(same(a[i].fitness, b[i].fitness));
+  }
+}
+
+TEST(EeaLoop, GivesTheSameRowsWithAnyNumberOfThreads) {
+  const auto bench = small_bench();
+  const MemoryJournal one = run(*bench, 1), three = run(*bench, 3);
+  expect_same_models(one.models, three.models);
+  expect_same_tests(one.tests, three.tests);
+}
+
+TEST(EeaLoop, DependsOnItsSeed) {
+  const auto bench = small_bench();
+  const MemoryJournal first = run(*bench, 1, 1), other = run(*bench, 1, 2);
+  EXPECT_FALSE(same(first.models.front().genome, other.models.front().genome));
+  EXPECT_FALSE(same(first.tests.front().genome, other.tests.front().genome));
+}
+
+TEST(EeaLoop, DoesWhatTheSeedSays) {
+  const auto bench = small_bench();
+  const MemoryJournal journal = run(*bench);
+  // Two passes: a trial each, and one more that shows how the last test transfers.
+  ASSERT_EQ(journal.trial_rows.size(), 3U);
+  EXPECT_FALSE(journal.trial_rows[1].for_transfer);
+  EXPECT_TRUE(journal.trial_rows[2].for_transfer);
+  // Random models at each pass, then half of the population anew in each generation.
+  ASSERT_EQ(journal.models.size(), 2U * (12U + 4U * 6U));
+  EXPECT_EQ(journal.models.front().parents[0], std::nullopt);
+  EXPECT_EQ(journal.models[36].parents[0], std::nullopt);
+  EXPECT_TRUE(journal.models[12].parents[0].has_value());
+  // A random test, then those of two exploration phases.
+  ASSERT_EQ(journal.tests.size(), 1U + 2U * (6U + 2U * 3U));
+  ASSERT_EQ(journal.passes.size(), 2U);
+  for (const PassRow& pass : journal.passes) {
+    EXPECT_EQ(pass.evaluations, 36U);
+    EXPECT_EQ(pass.test_evaluations, 12U);
+  }
+  // Models of pass 2 are scored on both trials.
+  EXPECT_EQ(journal.models.front().trial_scores.size(), 1U);
+  EXPECT_EQ(journal.models[36].trial_scores.size(), 2U);
+  EXPECT_EQ(journal.predictions, 2 + 2);
+}
+
+TEST(EeaLoop, TheBestModelIsTheBestOfItsPassAndItsTestTheBestTest) {
+  const auto bench = small_bench();
+  const MemoryJournal journal = run(*bench);
+  for (const PassRow& pass : journal.passes) {
+    double best = kInfinity, fittest = -kInfinity;
+    for (const ModelRow& model : journal.models)
+      if (model.pass == pass.number && model.kind == EvaluationKind::full) best = std::min(best, model.score);
+    for (const TestRow& test : journal.tests)
+      if (test.pass == pass.number && test.valid && std::isfinite(test.fitness))
+        fittest = std::max(fittest, test.fitness);
+    EXPECT_EQ(pass.best_score, best);
+    EXPECT_EQ(pass.best_fitness, fittest);
+  }
+}
+
+TEST(EeaLoop, AModelWithTheTruthExplainsEveryTrial) {
+  const auto bench = small_bench();
+  const MemoryJournal journal = run(*bench);
+  std::vector<ScoredTrial> scored;
+  for (std::size_t i = 0; i < journal.trials.size(); ++i) {
+    const Genome& genome = journal.tests[*journal.trial_rows[i].test].genome;
+    scored.push_back({bench->definition().decode_test(genome), journal.trials[i], 0});
+  }
+  const ModelScorer scorer(*bench->definition().compiled, scored, bench->definition().metric, 1);
+  ModelScore score;
+  scorer.score(bench->truth(1), std::nullopt, 0, score);
+  EXPECT_EQ(score.kind, ScoreKind::full);
+  EXPECT_EQ(score.total, 0.0);
+}
+
+TEST(EeaLoop, AbandoningAndReuseChangeNoSurvivor) {
+  const auto quick = small_bench();
+  const auto naive = small_bench({"estimation.abandon=false", "estimation.reuse=false"});
+  const MemoryJournal a = run(*quick), b = run(*naive);
+  ASSERT_EQ(a.models.size(), b.models.size());
+  std::uint64_t abandoned = 0;
+  for (std::size_t i = 0; i < a.models.size(); ++i) {
+    EXPECT_TRUE(same(a.models[i].genome, b.models[i].genome)) << "model " << i;
+    if (a.models[i].kind == EvaluationKind::full) {
+      EXPECT_TRUE(same(a.models[i].score, b.models[i].score));
+    }
+    if (a.models[i].kind != EvaluationKind::abandoned) continue;
+    ++abandoned;
+    EXPECT_LE(a.models[i].score, b.models[i].score);
+  }
+  EXPECT_GT(abandoned, 0U);
+  for (std::size_t pass = 0; pass < a.passes.size(); ++pass) {
+    EXPECT_EQ(a.passes[pass].best_model, b.passes[pass].best_model);
+    EXPECT_LT(a.passes[pass].steps, b.passes[pass].steps);
+    EXPECT_TRUE(same(a.passes[pass].best_values, b.passes[pass].best_values));
+  }
+  expect_same_tests(a.tests, b.tests);
+}
+
+TEST(EeaLoop, GoesOnFromEveryCheckpointWithTheSameRows) {
+  const auto bench = small_bench();
+  const MemoryJournal whole = run(*bench);
+  for (std::size_t at = 0; at < whole.checkpoints.size(); ++at) {
+    EeaState state = load_state(whole.checkpoints[at]);
+    for (const TargetTrialRow& row : whole.trial_rows) {
+      // The trials that were made before this checkpoint.
+      const bool made = row.number < state.pass - 1 || (row.number == state.pass - 1 && state.phase != Phase::trial &&
+                                                        !(state.phase == Phase::transfer && row.for_transfer));
+      if (!made && !(state.phase == Phase::finished)) continue;
+      const auto number = static_cast<std::size_t>(row.number);
+      state.trials.push_back(
+          {*row.test, bench->definition().decode_test(whole.tests[*row.test].genome), whole.trials[number]});
+    }
+    const std::uint64_t models_before = state.models;
+    if (state.phase == Phase::estimation && !state.search.empty())
+      for (const ModelRow& row : whole.models)
+        if (row.pass == state.pass && row.number < models_before) state.evaluated.push_back(row);
+    MemoryJournal rest;
+    run(*bench, rest, state);
+    const std::vector<ModelRow> expected(whole.models.begin() + static_cast<std::ptrdiff_t>(models_before),
+                                         whole.models.end());
+    expect_same_models(rest.models, expected);
+    if (rest.passes.empty()) continue;
+    EXPECT_EQ(rest.passes.back().steps, whole.passes.back().steps);
+    EXPECT_EQ(rest.passes.back().reused, whole.passes.back().reused);
+    EXPECT_TRUE(same(rest.passes.back().best_values, whole.passes.back().best_values));
+  }
+}
+
+TEST(EeaLoop, AnApproximateModelBeginsWithExploration) {
+  const auto bench = small_bench({"model.approximate=true"});
+  const MemoryJournal journal = run(*bench);
+  ASSERT_EQ(journal.passes.size(), 3U);
+  EXPECT_EQ(journal.passes.front().number, 0);
+  EXPECT_EQ(journal.passes.front().evaluations, 0U);
+  EXPECT_GT(journal.passes.front().test_evaluations, 0U);
+  ASSERT_TRUE(journal.trial_rows.front().test.has_value());
+  EXPECT_EQ(*journal.trial_rows.front().test, *journal.passes.front().best_test);
+  EXPECT_TRUE(std::isfinite(journal.trial_rows.front().predicted_fitness));
+}
+
+TEST(EeaLoop, ARandomTestFitnessNeedsNoModel) {
+  const auto bench = small_bench({"exploration.fitness=random"});
+  const MemoryJournal journal = run(*bench);
+  EXPECT_EQ(journal.tests.size(), 3U);
+  EXPECT_EQ(journal.passes.front().test_evaluations, 0U);
+}
+
+TEST(EeaLoop, SeedsOfThePassBeforeStartTheNextOne) {
+  const auto bench = small_bench({"estimation.seeds=2"});
+  const MemoryJournal journal = run(*bench);
+  const ModelRow& best = journal.models[*journal.passes[0].best_model];
+  EXPECT_TRUE(same(journal.models[36].genome, best.genome));
+}
+
+TEST(EeaLoop, ModelsThatCannotBeSimulatedAreCountedWithTheirReason) {
+  // Masses down to a gram under stiff servos and hard contacts: some of these robots explode.
+  const auto bench = small_bench({"model.free.'body.*.mass'=[1e-9,1e12]"});
+  const MemoryJournal journal = run(*bench);
+  std::uint64_t invalid = 0;
+  for (const ModelRow& model : journal.models) {
+    if (model.kind != EvaluationKind::invalid) continue;
+    ++invalid;
+    EXPECT_TRUE(std::isnan(model.score));
+    EXPECT_FALSE(model.reason.empty());
+  }
+  std::uint64_t counted = 0;
+  for (const PassRow& pass : journal.passes) counted += pass.invalid;
+  EXPECT_EQ(counted, invalid);
+}
+
+TEST(EeaDefinition, NamesEveryProblemAtItsPlace) {
+  EXPECT_THAT(
+      [] {
+        small_bench({"estimation.search=truncatoin", "exploration.fitness=forward", "estimation.parameters.keep=-1",
+                     "test.parameters={hiden=3}"});
+      },
+      ThrowsMessage<BadInput>(AllOf(HasSubstr("truncatoin"), HasSubstr("forward_distance"), HasSubstr("hiden"),
+                                    HasSubstr("test.parameters"))));
+}
+
+}  // namespace
+}  // namespace lacuna

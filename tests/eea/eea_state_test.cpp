@@ -1,0 +1,43 @@
+#include "eea/eea_state.h"
+
+#include <lacuna/error.h>
+
+#include <gmock/gmock.h>
+
+namespace lacuna {
+namespace {
+
+EeaState some_state() {
+  EeaState state;
+  state.pass = 3;
+  state.phase = Phase::exploration;
+  state.models = 4711;
+  state.tests = 17;
+  state.next_test = NextTest{16, {0.25, -1.0}, 3.5};
+  state.best = {{40, {1.0, 2.0}, {1.0, 2.0}, 0.125}, {41, {3.0, 4.0}, {3.0, 4.0}, 0.25}};
+  state.search = {1.0, 2.0, 3.0};
+  state.search_begin = 5;
+  state.counts.steps = 123456789;
+  return state;
+}
+
+TEST(EeaState, ComesBackAsItWasSaved) {
+  const EeaState state = some_state();
+  const EeaState loaded = load_state(save(state));
+  EXPECT_EQ(save(loaded), save(state));
+  EXPECT_EQ(loaded.phase, Phase::exploration);
+  EXPECT_EQ(loaded.next_test->genome, state.next_test->genome);
+  EXPECT_EQ(loaded.best[1].values, state.best[1].values);
+  EXPECT_EQ(loaded.counts.steps, state.counts.steps);
+}
+
+TEST(EeaState, ACutOffCheckpointIsRefused) {
+  std::vector<double> saved = save(some_state());
+  for (std::size_t size = 0; size < saved.size(); ++size)
+    EXPECT_THROW(load_state(std::span(saved).first(size)), Error) << size;
+  saved.push_back(0.0);
+  EXPECT_THROW(load_state(saved), Error);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/eea_bench.h"
+#include "config/experiment_reader.h"
+#include "plugins/built_catalog.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+
+/// Keeps everything that a run says.
+class MemoryJournal : public EeaJournal {
+ public:
+  void add(ModelRow row) override { models.push_back(std::move(row)); }
+  void add(TestRow row) override { tests.push_back(std::move(row)); }
+  void add(TargetTrialRow row, const Trial& trial) override {
+    trial_rows.push_back(std::move(row));
+    trials.push_back(trial);
+  }
+  void add_prediction(std::uint64_t, int, const TimeSeries&, const TimeSeries&) override { ++predictions; }
+  void add(PassRow row) override { passes.push_back(std::move(row)); }
+  void checkpoint(const EeaState& state, bool) override { checkpoints.push_back(save(state)); }
+
+  std::vector<ModelRow> models;
+  std::vector<TestRow> tests;
+  std::vector<TargetTrialRow> trial_rows;
+  std::vector<Trial> trials;
+  std::vector<PassRow> passes;
+  std::vector<std::vector<double>> checkpoints;
+  int predictions = 0;
+};
+
+/// A quadruped on soft ground with nine hidden masses and eight hidden lags, small populations and tests of 0.3 s.
+inline constexpr const char* kSmallExperiment = R"(
+[experiment]
+name = "small"
+passes = 2
+[target]
+kind = "simulated"
+robot = "quadruped"
+hidden = { "body.*.mass" = { uniform = [1.0, 7.0] }, "sensor.*.delay" = { uniform = [0.0, 0.2] } }
+[model]
+robot = "quadruped"
+free = { "body.*.mass" = [1.0, 7.0], "sensor.*.delay" = [0.0, 0.2] }
+[engine]
+step = 0.01
+delay_rounding = "step"
+contact = { stiffness = 2e4, damping = 300.0 }
+[test]
+duration = 0.3
+[estimation]
+parameters = { population = 12, keep = 6, generations = 5 }
+objective = "parameter_error"
+[exploration]
+parameters = { population = 6, keep = 3, generations = 3 }
+)";
+
+/// An experiment ready to run, with some keys put beside the text.
+inline std::unique_ptr<EeaBench> small_bench(const std::vector<std::string>& overrides = {},
+                                             const std::string& text = kSmallExperiment) {
+  Rig rig;
+  rig.experiment =
+      read_experiment_text(text, std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "experiments/small.toml", overrides);
+  rig.catalog = std::make_shared<const PluginCatalog>(plugin_search_path({}));
+  rig.definition = define_model(rig.experiment, *rig.catalog);
+  rig.model = compile(rig.definition.structure, rig.definition.engine);
+  return std::make_unique<EeaBench>(std::move(rig));
+}
+
+/// Runs it from `state` to its end.
+inline void run(const EeaBench& bench, EeaJournal& journal, EeaState& state, int threads = 1, std::uint64_t seed = 1) {
+  const ReplicateTarget target(bench, seed, 1);
+  eea_loop({.definition = bench.definition(),
+            .journal = journal,
+            .seed = seed,
+            .replicate = 1,
+            .threads = threads,
+            .truth = bench.truth(1),
+            .progress = {}},
+           target.target(), state);
+}
+
+inline MemoryJournal run(const EeaBench& bench, int threads = 1, std::uint64_t seed = 1) {
+  MemoryJournal journal;
+  EeaState state = beginning(bench);
+  run(bench, journal, state, threads, seed);
+  return journal;
+}
+
+}  // namespace lacuna
