@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -77,6 +78,17 @@ std::string tick_names(const std::vector<std::string>& names) {
                      static_cast<double>(names.size()) - 0.5);
 }
 
+/// Between the ticks of an axis that counts: 1, 2, 5, 10, 20 ...; at most twenty ticks.
+long whole_tick(const Figure& figure) {
+  double largest = 0.0;
+  for (const Panel& panel : figure.panels)
+    for (const Series& series : panel.series)
+      for (const double x : series.x) largest = std::max(largest, x);
+  long tick = 1;
+  for (int i = 0; largest / static_cast<double>(tick) > 20.0; ++i) tick = i % 3 == 1 ? tick / 2 * 5 : tick * 2;
+  return tick;
+}
+
 std::string panel_commands(const Figure& figure, std::size_t index, double top, double bottom) {
   const Panel& panel = figure.panels[index];
   const bool last = index + 1 == figure.panels.size();
@@ -86,6 +98,7 @@ std::string panel_commands(const Figure& figure, std::size_t index, double top, 
   text +=
       last ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n" : "unset xlabel\nset format x \"\"\n";
   if (!panel.x_names.empty()) text += tick_names(panel.x_names);
+  if (figure.whole_x) text += fmt::format("set xtics {}\n", whole_tick(figure));
   std::string clauses;
   for (std::size_t s = 0; s < panel.series.size(); ++s)
     clauses += (s ? ", \\\n  " : "") + plot_clause(panel.series[s], block_name(index, s));
@@ -108,8 +121,11 @@ std::string script(const Figure& figure, const std::filesystem::path& file) {
   text += "set label 1 " + quoted(figure.title) + " at screen 0.09, screen 0.965 left font \",15\"\nset multiplot\n";
   double total = 0.0;
   for (const Panel& panel : figure.panels) total += panel.share;
-  constexpr double kTop = 0.88, kBottom = 0.12, kSpace = 0.075;
-  const double height = kTop - kBottom - kSpace * (static_cast<double>(figure.panels.size()) - 1.0);
+  constexpr double kTop = 0.88, kSpace = 0.075;
+  const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                 [](const Panel& panel) { return !panel.x_names.empty(); });
+  const double bottom_margin = named ? 0.26 : 0.12;  // room for slanted names
+  const double height = kTop - bottom_margin - kSpace * (static_cast<double>(figure.panels.size()) - 1.0);
   double top = kTop;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const double bottom = top - height * figure.panels[p].share / total;

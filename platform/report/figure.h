@@ -39,7 +39,8 @@ struct Figure {
   std::string title;
   std::string x_label;
   std::vector<Panel> panels;
-  int width = 1000;  ///< px
+  bool whole_x = false;  ///< x counts something: ticks at whole numbers only
+  int width = 1000;      ///< px
   int height = 640;
 };
 

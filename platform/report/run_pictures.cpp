@@ -45,6 +45,7 @@ Figure figure(const std::string& title, const std::string& x_label, std::vector<
   made.title = title;
   made.x_label = x_label;
   made.height = static_cast<int>(120 + 260 * panels.size());
+  made.whole_x = x_label == "pass";
   made.panels = std::move(panels);
   return made;
 }
@@ -141,11 +142,12 @@ std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, co
   return figures;
 }
 
+/// From its start: the centres of mass of models with other masses lie elsewhere in the same pose.
 Series path_series(const TimeSeries& path, const std::string& label, const char* colour) {
   Series series{.label = label, .mark = Mark::path, .colour = colour, .x = {}, .y = {}, .y2 = {}};
   for (Eigen::Index row = 0; row < path.samples.rows(); ++row) {
-    series.x.push_back(path.samples(row, 0));
-    series.y.push_back(path.samples(row, 1));
+    series.x.push_back(path.samples(row, 0) - path.samples(0, 0));
+    series.y.push_back(path.samples(row, 1) - path.samples(0, 1));
   }
   return series;
 }
@@ -186,7 +188,8 @@ std::vector<NamedFigure> run_figures(const std::vector<DrawnRun>& runs, const st
   add("error_by_pass", "pass", error_panels(runs));
   for (NamedFigure& parameters : parameter_figures(runs, title)) figures.push_back(std::move(parameters));
   add("transfer", "pass", transfer_panels(runs));
-  add("paths", "x (m)", path_panels(runs.front()));
+  add("paths", "x from the start (m)", path_panels(runs.front()));
+  if (runs.size() > 1 && figures.back().name == "paths") figures.back().figure.title += ", the first of them";
   return figures;
 }
 
