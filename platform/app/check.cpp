@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/rig.h"
+#include "app/run_summary.h"
 #include "config/file_references.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
@@ -42,10 +43,12 @@ void check(const CheckOptions& options) {
     std::fputs(file_reference(options.reference).c_str(), stdout);
     return;
   }
-  const Rig rig = open_rig(options);
-  if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
-  fmt::print("{}: ok\n{}", options.experiment.string(),
-             check_summary(rig.experiment, rig.definition, rig.trials, rig.notes));
+  Rig rig = open_rig(options);
+  if (rig.experiment.target.kind == "recorded")
+    if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+  const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
+  const std::string of_run = rig.definition.free.empty() ? "" : run_summary(EeaBench(std::move(rig)));
+  fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
 }
 
 }  // namespace

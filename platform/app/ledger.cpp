@@ -1,6 +1,7 @@
 #include "app/ledger.h"
 
 #include "app/records.h"
+#include "app/used_plugins.h"
 #include "foundation/interrupt.h"
 
 #include <fmt/format.h>
@@ -8,33 +9,11 @@
 #include <algorithm>
 
 namespace lacuna {
-namespace {
-
-/// Plugin files that the experiment's components come from, each once.
-std::vector<PluginFileRecord> plugin_files(const Rig& rig) {
-  std::vector<std::string> used = {rig.experiment.model.robot, rig.experiment.target.kind};
-  for (const EffectEntry& entry : rig.definition.effects) used.push_back(entry.effect);
-  std::vector<PluginFileRecord> files;
-  for (const PluginListing& listing : rig.catalog->list()) {
-    const bool wanted = std::find(used.begin(), used.end(), listing.name) != used.end();
-    const bool known =
-        std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.sha256 == listing.sha256; });
-    if (wanted && !known) files.push_back({listing.file.string(), listing.sha256, listing.build_id});
-  }
-  return files;
-}
-
-}  // namespace
-
-std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment) {
-  return options.database.empty() ? std::filesystem::path(experiment.name + ".db") : options.database;
-}
-
 Ledger::Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads)
     : database_(Database::open(database_of(options, rig.experiment))), store_(database_), seed_(seed) {
   Transaction transaction(database_);
   store_.begin_run({command_line(), seed, threads}, provenance_of_this_program());
-  store_.record_plugins(plugin_files(rig));
+  store_.record_plugins(plugins_of_model(rig.experiment, *rig.catalog));
   experiment_ = store_.record_experiment(
       {rig.experiment.name, rig.experiment.file.string(), rig.experiment.text, rig.experiment.overrides});
   transaction.commit();
@@ -57,7 +36,7 @@ std::string Ledger::settings(const Rig& rig) const {
       fmt::format("{} segments {} horizon {} starts {} loss {} {} iterations {} seed {} lacuna {}", fit.method,
                   fmt::join(fit.segments, ","), fit.horizon, fit.starts, fit.loss, fit.loss_scale, fit.max_iterations,
                   seed_, provenance_of_this_program().source_revision);
-  for (const PluginFileRecord& file : plugin_files(rig)) text += " " + file.sha256;
+  for (const PluginFileRecord& file : plugins_of_model(rig.experiment, *rig.catalog)) text += " " + file.sha256;
   return text;
 }
 

@@ -12,9 +12,6 @@
 
 namespace lacuna {
 
-/// `--db`, or the experiment's name with `.db` in the working folder.
-std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
-
 /// What one command writes into its experiment's database. A command that ends by an exception is
 /// stored as failed, by Ctrl-C as interrupted.
 class Ledger {

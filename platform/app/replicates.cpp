@@ -32,6 +32,18 @@ class ShownJournal : public StoreJournal {
   int index_;
 };
 
+/// What was committed stays, whatever cannot be written any more.
+void close(EeaStore& store, ReplicateEnd& end) {
+  try {
+    if (end.ending != RunEnding::done) store.end(end.ending);
+    end.passes = store.passes();
+    end.storage_seconds = store.seconds();
+  } catch (const std::exception& error) {
+    end.ending = RunEnding::failed;
+    if (end.problem.empty()) end.problem = error.what();
+  }
+}
+
 }  // namespace
 
 EeaRunRecord Replicates::record(int replicate) const {
@@ -50,11 +62,17 @@ EeaRunRecord Replicates::record(int replicate) const {
   return record;
 }
 
-EeaState Replicates::state_of(const PlannedReplicate& planned, EeaStore& store) const {
-  if (planned.resumes)
-    if (std::optional<EeaState> state = stored_state(store, bench_.definition())) return std::move(*state);
+void Replicates::enter(const std::vector<PlannedReplicate>& planned) {
+  for (const PlannedReplicate& each : planned) {
+    EeaStore store(database_, writing_, each.run, experiment_);
+    store.begin(record(each.replicate));
+    store.hand_over();
+  }
+}
+
+EeaState Replicates::state_of(EeaStore& store) const {
+  if (std::optional<EeaState> state = stored_state(store, bench_.definition())) return std::move(*state);
   EeaState state = beginning(bench_);
-  store.begin(record(planned.replicate));
   for (std::size_t i = 0; i < state.trials.size(); ++i)
     store.append({.number = static_cast<int>(i), .test = {}, .file = state.trials[i].trial.name},
                  state.trials[i].trial);
@@ -68,7 +86,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
   EeaStore store(database_, writing_, planned.run, experiment_);
   try {
     throw_if_interrupted();
-    EeaState state = state_of(planned, store);
+    EeaState state = state_of(store);
     ShownJournal journal(store, display, number);
     const ReplicateTarget target(bench_, seed_, planned.replicate);
     eea_loop({.definition = bench_.definition(),
@@ -87,10 +105,8 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     end.ending = RunEnding::failed;
     end.problem = error.what();
   }
-  if (end.ending != RunEnding::done) store.end(end.ending);
+  close(store, end);
   display.end_replicate(number);
-  end.passes = store.passes();
-  end.storage_seconds = store.seconds();
   end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -14,7 +14,6 @@ namespace lacuna {
 struct PlannedReplicate {
   RunId run;
   int replicate = 1;
-  bool resumes = false;  ///< goes on from the run's checkpoint
 };
 
 /// How a replicate ended.
@@ -34,12 +33,14 @@ class Replicates {
   Replicates(const EeaBench& bench, Database& database, ExperimentId experiment, std::uint64_t seed)
       : bench_(bench), database_(database), experiment_(experiment), seed_(seed) {}
 
+  /// Writes down what the runs are about, so that each can be gone on with, even one that never got its turn.
+  void enter(const std::vector<PlannedReplicate>& planned);
   std::vector<ReplicateEnd> run(const std::vector<PlannedReplicate>& planned, int threads, RunDisplay& display);
 
  private:
   void carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end);
   EeaRunRecord record(int replicate) const;
-  EeaState state_of(const PlannedReplicate& planned, EeaStore& store) const;
+  EeaState state_of(EeaStore& store) const;
 
   const EeaBench& bench_;
   Database& database_;

@@ -72,11 +72,13 @@ void reproduce(const ReproduceOptions& options) {
   const RunId run = store.begin_run({command_line(), stored.run.seed, threads}, provenance_of_this_program());
   const ExperimentId experiment = store.record_experiment(stored.run.experiment);
   store.hand_over();
+  const std::vector<PlannedReplicate> planned = {{run, listing.replicate}};
+  Replicates replicates(*stored.bench, again, experiment, stored.run.seed);
+  replicates.enter(planned);
   std::vector<ReplicateEnd> ends;
   {
     RunDisplay display(1, options.quiet);
-    ends = Replicates(*stored.bench, again, experiment, stored.run.seed)
-               .run({{run, listing.replicate, false}}, threads, display);
+    ends = replicates.run(planned, threads, display);
   }
   const ReplicateEnd& end = ends.front();
   if (end.ending == RunEnding::interrupted) throw Interrupted(end.problem);

@@ -2,8 +2,10 @@
 
 #include "config/experiment_reader.h"
 #include "foundation/guarded_call.h"
+#include "storage/eea_store.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace lacuna {
 namespace {
@@ -23,7 +25,34 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   return rig;
 }
 
+/// The trials that the database holds of a target that takes tests, those of its last run; what showed how a test
+/// transfers was fitted by no model, and is held out.
+std::vector<Trial> stored_trials(const std::filesystem::path& file, const std::string& experiment) {
+  if (!std::filesystem::exists(file)) return {};
+  Database database = Database::open_read_only(file);
+  std::vector<Trial> trials;
+  for (const EeaRunListing& run : eea_runs(database)) {
+    if (run.experiment != experiment || run.passes_done == 0) continue;
+    std::mutex unused;
+    const EeaStore store(database, unused, run.run, {});
+    trials = store.trials();
+    const std::vector<TargetTrialRow> rows = store.trial_rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) trials[i].held_out = rows[i].for_transfer;
+  }
+  return trials;
+}
+
+Rig with_stored_trials(Rig rig, const CommonOptions& options) {
+  if (rig.experiment.target.kind == "simulated")
+    rig.trials = stored_trials(database_of(options, rig.experiment), rig.experiment.name);
+  return rig;
+}
+
 }  // namespace
+
+std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment) {
+  return options.database.empty() ? std::filesystem::path(experiment.name + ".db") : options.database;
+}
 
 std::size_t Rig::count(bool held_out) const {
   return static_cast<std::size_t>(
@@ -39,11 +68,13 @@ std::vector<Trial> Rig::fit_trials() const {
 
 Rig open_rig(const CommonOptions& options) {
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
-  return assemble(read_experiment(options.experiment, options.overrides), std::move(catalog));
+  return with_stored_trials(assemble(read_experiment(options.experiment, options.overrides), std::move(catalog)),
+                            options);
 }
 
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog) {
-  return assemble(read_experiment_text(text, options.experiment, options.overrides), std::move(catalog));
+  return with_stored_trials(
+      assemble(read_experiment_text(text, options.experiment, options.overrides), std::move(catalog)), options);
 }
 
 }  // namespace lacuna

@@ -29,7 +29,11 @@ struct Rig {
   std::vector<Trial> fit_trials() const;
 };
 
-/// Throws `BadInput` with every problem of the experiment, its robot and its measurements.
+/// `--db`, or the experiment's name with `.db` in the working folder.
+std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
+
+/// Throws `BadInput` with every problem of the experiment, its robot and its measurements. Trials of a simulated target
+/// are those that the database holds.
 Rig open_rig(const CommonOptions& options);
 /// The same for an experiment file whose content would be `text`.
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog);

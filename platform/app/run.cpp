@@ -49,10 +49,11 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
   ResultStore store(database);
   for (int replicate = 1; replicate <= options.replicates.value_or(file.replicates); ++replicate) {
     const RunId run = store.begin_run({command_line(), plan.seed, plan.threads}, provenance_of_this_program());
-    store.record_plugins(used_plugins(file, *bench.rig().catalog));
+    store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
     plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides});
-    plan.replicates.push_back({run, replicate, false});
+    plan.replicates.push_back({run, replicate});
   }
+  Replicates(bench, database, plan.experiment, plan.seed).enter(plan.replicates);
   transaction.commit();
   store.hand_over();
   return plan;
@@ -64,7 +65,7 @@ std::string obstacle(const StoredRun& stored, const RunOptions& options, const E
   if (stored.experiment.text != file.text || stored.experiment.overrides != file.overrides)
     return "was begun with another text of this experiment, or with another --set";
   if (options.seed && *options.seed != stored.seed) return fmt::format("was begun with --seed {}", stored.seed);
-  const std::vector<PluginFileRecord> plugins = used_plugins(file, *bench.rig().catalog);
+  const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *bench.rig().catalog);
   for (const PluginFileRecord& now : plugins)
     if (std::none_of(stored.plugins.begin(), stored.plugins.end(),
                      [&](const PluginFileRecord& then) { return then.sha256 == now.sha256; }))
@@ -86,7 +87,7 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
       problems.add({database.file().string()},
                    fmt::format("run {} {}; it cannot go on with what there is now", run.run.value, reason));
     plan.seed = stored.seed;
-    plan.replicates.push_back({run.run, run.replicate, true});
+    plan.replicates.push_back({run.run, run.replicate});
   }
   problems.throw_if_any();
   if (plan.replicates.empty())
@@ -94,6 +95,7 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
                   "has no run of " + name + " to go on with; every one of them is done");
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
+  Replicates(bench, database, plan.experiment, plan.seed).enter(plan.replicates);
   store.hand_over();
   return plan;
 }

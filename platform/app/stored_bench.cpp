@@ -31,7 +31,7 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run,
   options.overrides = stored.run.experiment.overrides;
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(plugin_paths));
   stored.bench = std::make_unique<EeaBench>(open_rig(options, stored.run.experiment.text, catalog));
-  for (const PluginFileRecord& now : used_plugins(stored.bench->rig().experiment, *catalog))
+  for (const PluginFileRecord& now : plugins_of_run(stored.bench->rig().experiment, *catalog))
     if (std::none_of(stored.run.plugins.begin(), stored.run.plugins.end(),
                      [&](const PluginFileRecord& then) { return then.sha256 == now.sha256; }))
       stored.doubts.push_back(now.file + " is another build than the run's; digits may differ");

@@ -25,11 +25,16 @@ void add_search(Components& used, const SearchSection& section) {
   for (const MutationEntry& entry : section.mutation) add<MutationOperator>(used, entry.mutation.name);
 }
 
-Components components_of(const Experiment& experiment) {
+Components of_model(const Experiment& experiment) {
   Components used;
   add<TargetSystem>(used, experiment.target.kind);
   add_system(used, experiment.model);
   add_system(used, experiment.target.simulated.system);
+  return used;
+}
+
+Components of_run(const Experiment& experiment) {
+  Components used = of_model(experiment);
   add<ModelEncoding>(used, experiment.model.encoding.name);
   add<TestEncoding>(used, experiment.test.encoding.name);
   add_search(used, experiment.estimation.search);
@@ -40,10 +45,7 @@ Components components_of(const Experiment& experiment) {
   return used;
 }
 
-}  // namespace
-
-std::vector<PluginFileRecord> used_plugins(const Experiment& experiment, const PluginCatalog& catalog) {
-  const Components used = components_of(experiment);
+std::vector<PluginFileRecord> files_of(const Components& used, const PluginCatalog& catalog) {
   std::vector<PluginFileRecord> files;
   for (const PluginListing& listing : catalog.list()) {
     const bool known =
@@ -52,6 +54,16 @@ std::vector<PluginFileRecord> used_plugins(const Experiment& experiment, const P
       files.push_back({listing.file.string(), listing.sha256, listing.build_id});
   }
   return files;
+}
+
+}  // namespace
+
+std::vector<PluginFileRecord> plugins_of_model(const Experiment& experiment, const PluginCatalog& catalog) {
+  return files_of(of_model(experiment), catalog);
+}
+
+std::vector<PluginFileRecord> plugins_of_run(const Experiment& experiment, const PluginCatalog& catalog) {
+  return files_of(of_run(experiment), catalog);
 }
 
 }  // namespace lacuna

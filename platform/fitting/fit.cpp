@@ -34,7 +34,10 @@ std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
   for (const Trial& trial : trials)
     if (!trial.held_out) kept.push_back(trial);
-  if (kept.empty()) throw Error("there is no trial to fit to: every file is held out; name one as a fit file");
+  if (kept.empty())
+    throw Error(
+        "there is no trial to fit to: name a measured file that is not held out, or, where the target is simulated, "
+        "let lacuna run make trials");
   return kept;
 }
 

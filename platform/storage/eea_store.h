@@ -35,6 +35,8 @@ class EeaStore {
 
   /// Stores at once what the run is about. For a run that has begun before, checks that it is still the same.
   void begin(const EeaRunRecord& record);
+  /// From now on another store ends the run.
+  void hand_over() { to_end_ = false; }
   void append(ModelRow row);
   void append(TestRow row);
   /// `measured`, `commands` and `centre_of_mass` are kept as they are (float64). Trials come in the order of their

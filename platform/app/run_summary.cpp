@@ -1,0 +1,44 @@
+#include "app/run_summary.h"
+
+#include "foundation/counted.h"
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+
+namespace lacuna {
+namespace {
+
+std::string line(const std::string& head, const std::string& text) { return fmt::format("{:<10}{}\n", head, text); }
+
+std::string target_line(const EeaBench& bench) {
+  const ModelDefinition& target = *bench.target();
+  return line(
+      "target",
+      fmt::format("simulated {}, {}, {}, hidden values {}", target.structure.robot.name,
+                  counted(target.free.size(), "hidden value"), counted(target.effects.size(), "effect"),
+                  bench.rig().experiment.target.simulated.redraw == Redraw::never ? "the same in every replicate"
+                                                                                  : "drawn anew in each replicate"));
+}
+
+}  // namespace
+
+std::string run_summary(const EeaBench& bench) {
+  const EeaDefinition& definition = bench.definition();
+  const Experiment& experiment = bench.rig().experiment;
+  std::string text;
+  if (bench.target()) text += target_line(bench);
+  if (bench.takes_tests())
+    text += line("test", fmt::format("{}, {}, {}", definition.test_encoding.origin.name,
+                                     counted(definition.exploration.layout().size(), "gene"),
+                                     format_quantity(experiment.test.duration, "s")));
+  text += line("estimate",
+               fmt::format("{}, {}, {}", definition.estimation.strategy.origin.name,
+                           counted(definition.estimation.layout().size(), "gene"), definition.metric.origin.name));
+  if (!bench.takes_tests()) return text;
+  text += line("explore",
+               fmt::format("{}, {}", definition.exploration.strategy.origin.name, definition.fitness.origin.name));
+  return text + line("run", fmt::format("{}, {}", counted(static_cast<std::size_t>(definition.passes), "pass"),
+                                        counted(static_cast<std::size_t>(experiment.replicates), "replicate")));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,129 @@
+#include "end_to_end/program.h"
+#include "end_to_end/small_experiment.h"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int kDone = 0, kFailed = 1, kBadInput = 2, kInterrupted = 75;
+
+/// A folder with small.toml.
+class Run : public testing::Test {
+ protected:
+  Run() { program_.write("small.toml", kSmallRun); }
+
+  /// The hash of the only run of a database.
+  std::string hash(const std::string& database) const {
+    const Outcome outcome = program_.run({"hash", database});
+    EXPECT_EQ(outcome.exit_code, kDone) << outcome.errors;
+    return outcome.output.substr(0, outcome.output.find(' '));
+  }
+
+  Program program_;
+};
+
+TEST_F(Run, TellsEachPassAndLeavesADatabase) {
+  const Outcome outcome = program_.run({"run", "small.toml", "--threads", "1"});
+  ASSERT_EQ(outcome.exit_code, kDone) << outcome.errors;
+  EXPECT_THAT(outcome.errors, ContainsRegex("pass 1 · error 0\\.[0-9]+ · body\\.\\*\\.mass off by"));
+  EXPECT_THAT(outcome.output, ContainsRegex("pass +error +body\\.\\*\\.mass off by"));
+  EXPECT_THAT(outcome.output, HasSubstr("storage"));
+  const Outcome runs = program_.run({"runs", "small.db"});
+  EXPECT_THAT(runs.output, ContainsRegex("1 +small +1 +done +2/2"));
+  const Outcome errors =
+      program_.run({"sql", "small.db", "SELECT pass, error FROM error_by_pass ORDER BY pass", "--csv"});
+  EXPECT_EQ(errors.exit_code, kDone) << errors.errors;
+  EXPECT_THAT(errors.output, ContainsRegex("1,0\\.[0-9]+"));
+}
+
+TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--threads", "1", "--db", "one.db"}).exit_code, kDone);
+  ASSERT_EQ(program_.run({"run", "small.toml", "--threads", "2", "--db", "two.db"}).exit_code, kDone);
+  ASSERT_EQ(program_.run({"run", "small.toml", "--threads", "2", "--replicates", "2", "--db", "side.db"}).exit_code,
+            kDone);
+  EXPECT_EQ(hash("one.db"), hash("two.db"));
+  const Outcome both = program_.run({"hash", "side.db"});
+  EXPECT_THAT(both.output, HasSubstr(hash("one.db")));
+  EXPECT_THAT(both.output, HasSubstr("run 2 small replicate 2"));
+}
+
+TEST_F(Run, IsReproducedAndReplayedFromTheDatabaseAlone) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  std::filesystem::remove(program_.folder() / "small.toml");
+  const Outcome again = program_.run({"reproduce", "small.db", "--quiet"});
+  EXPECT_EQ(again.exit_code, kDone) << again.errors;
+  EXPECT_THAT(again.output, HasSubstr("every row is the same"));
+  for (const char* model : {"0", "100", "359"}) {
+    const Outcome replay = program_.run({"replay", "small.db", "--model", model});
+    EXPECT_EQ(replay.exit_code, kDone) << replay.errors;
+  }
+  const Outcome csv = program_.run({"replay", "small.db", "--csv"});
+  EXPECT_THAT(csv.output, HasSubstr("angle_front_left_measured,angle_front_left_predicted"));
+}
+
+TEST_F(Run, ThatWasChangedInTheDatabaseIsNotReproduced) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  ASSERT_EQ(program_.shell("sqlite3 small.db 'UPDATE model SET score = score + 1e-9 WHERE id & 1023 = 7'").exit_code,
+            kDone);
+  const Outcome again = program_.run({"reproduce", "small.db", "--quiet"});
+  EXPECT_EQ(again.exit_code, kFailed);
+  EXPECT_THAT(again.errors, HasSubstr("not reproduced"));
+}
+
+TEST_F(Run, InterruptedGoesOnToTheSameRows) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "whole.db"}).exit_code, kDone);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const char* file : {"small.db", "small.db-wal", "small.db-shm"})
+      std::filesystem::remove(program_.folder() / file);
+    const Outcome cut = program_.run_and_signal({"run", "small.toml"}, "small.db-wal", signal);
+    EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
+    EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
+    const Outcome rest = program_.run({"run", "small.toml", "--resume"});
+    ASSERT_EQ(rest.exit_code, kDone) << rest.errors;
+    EXPECT_EQ(hash("small.db"), hash("whole.db"));
+  }
+}
+
+TEST_F(Run, ResumeSaysWhereThereIsNothingToGoOnWith) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  const Outcome again = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(again.exit_code, kBadInput);
+  EXPECT_THAT(again.errors, HasSubstr("every one of them is done"));
+}
+
+TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
+  ASSERT_EQ(program_.run_and_signal({"run", "small.toml"}, "small.db-wal", SIGINT).exit_code, kInterrupted);
+  program_.write("small.toml", std::string(kSmallRun) + "# another\n");
+  const Outcome outcome = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(outcome.exit_code, kBadInput);
+  EXPECT_THAT(outcome.errors, HasSubstr("another text of this experiment"));
+}
+
+TEST_F(Run, NamesEveryProblemOfItsSections) {
+  const Outcome outcome = program_.run({"run", "small.toml", "--set", "estimation.search=truncatoin", "--set",
+                                        "exploration.parameters.keep=0", "--set", "test.parameters.hiden=3"});
+  EXPECT_EQ(outcome.exit_code, kBadInput);
+  EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"truncation\"?"));
+  EXPECT_THAT(outcome.errors, HasSubstr("exploration.parameters.keep"));
+  EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"hidden\"?"));
+}
+
+TEST_F(Run, DrawsItsPictures) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  const Outcome outcome = program_.run({"plot", "small.db", "--out", "pictures"});
+  ASSERT_EQ(outcome.exit_code, kDone) << outcome.errors;
+  for (const char* name : {"error_by_pass", "parameters_mass", "parameters_delay", "transfer", "paths"})
+    EXPECT_THAT(program_.read("pictures/" + std::string(name) + ".svg"), HasSubstr("<svg")) << name;
+}
+
+}  // namespace
+}  // namespace lacuna
