@@ -44,10 +44,11 @@ void check(const CheckOptions& options) {
     return;
   }
   Rig rig = open_rig(options);
-  if (rig.experiment.target.kind == "recorded")
+  const bool recorded = rig.experiment.target.kind == "recorded";
+  if (recorded)
     if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
   const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
-  const std::string of_run = rig.definition.free.empty() ? "" : run_summary(EeaBench(std::move(rig)));
+  const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
   fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
 }
 
