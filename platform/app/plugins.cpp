@@ -35,11 +35,14 @@ Json listing_json(const PluginListing& listing) {
 }
 
 void print_listings(const std::vector<PluginListing>& listings) {
-  std::size_t width = 0;
-  for (const PluginListing& listing : listings) width = std::max(width, listing.name.size());
+  std::size_t kind = 0, name = 0;
+  for (const PluginListing& listing : listings) {
+    kind = std::max(kind, listing.kind.size());
+    name = std::max(name, listing.name.size());
+  }
   for (const PluginListing& listing : listings) {
     const std::string text = listing.problem.empty() ? listing.summary : "cannot be used: " + listing.problem;
-    fmt::print("{:<7} {:<{}}  {}\n{:<8}{:<{}}  {}\n", listing.kind, listing.name, width, text, "", "", width,
+    fmt::print("{:<{}}  {:<{}}  {}\n{:<{}}{}\n", listing.kind, kind, listing.name, name, text, "", kind + name + 4,
                listing.file.string());
   }
 }
@@ -76,7 +79,7 @@ void add_plugins_command(CLI::App& program) {
   CLI::App* plugins = program.add_subcommand("plugins", "What can be used in experiment files");
   plugins->require_subcommand(1);
   auto options = std::make_shared<PluginsOptions>();  // shared: CLI11 keeps the callbacks, which must own the options
-  CLI::App* list = plugins->add_subcommand("list", "List every effect, robot, metric and target with its file");
+  CLI::App* list = plugins->add_subcommand("list", "List every component of every plugin with its file");
   add_plugins_options(*list, options->common);
   list->callback([options] { list_plugins(*options); });
   CLI::App* show = plugins->add_subcommand("show", "Show a plugin's parameters and, of an effect, its physics");

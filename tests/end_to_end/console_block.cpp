@@ -19,12 +19,17 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-/// A line without what may differ: bars, the seconds that a fit took, and the width of a table's columns.
+/// A line without what may differ: bars, the time that a fit or a run took, the hash of a run (the tests of `lacuna
+/// hash` compare those), and the width of a table's columns.
 std::string comparable(const std::string& line) {
   static const std::regex kBar("(█|▉|▊|▋|▌|▍|▎|▏)+"), kSeconds("(fitted [0-9]+ values?), [0-9.]+ m?s\\b"),
+      kDuration("· ([0-9]+ (h|min) )?[0-9.]+ (s|min)(?= ·|$)"), kShare("storage [0-9.]+ %"), kHash("[0-9a-f]{64}"),
       kBlanks("\\s+"), kRule("-{3,}");
   std::string text = std::regex_replace(line, kBar, "");
   text = std::regex_replace(text, kSeconds, "$1");
+  text = std::regex_replace(text, kDuration, "· time");
+  text = std::regex_replace(text, kShare, "storage share");
+  text = std::regex_replace(text, kHash, "hash");
   text = std::regex_replace(text, kRule, "---");
   text = std::regex_replace(text, kBlanks, " ");
   while (!text.empty() && text.back() == ' ') text.pop_back();

@@ -25,5 +25,16 @@ TEST(Difference, SeesAnotherWordAnotherFigureAndAMissingLine) {
   EXPECT_NE(difference({"pendulum · refitted 3 values, 24 s", "fit 9.1 mrad", "more"}, printed, 0.01), "");
 }
 
+TEST(Difference, LooksPastTheTimesAndHashesOfRuns) {
+  const std::string hash(64, 'a'), other(64, 'b');
+  const std::vector<std::string> printed = {"pass 1 · error 0.5 · 12 s",
+                                            "run 1 · 1 min 3 s · storage 4.1 % of the time", hash + " run 1"};
+  EXPECT_EQ(difference({"pass 1 · error 0.5 · 9.1 s", "run 1 · 0.9 s · storage 2.0 % of the time", other + " run 1"},
+                       printed, 0),
+            "");
+  EXPECT_NE(difference({"pass 1 · error 2.5 · 9.1 s", "…"}, printed, 0.0), "") << "a figure that is no time";
+  EXPECT_NE(difference({"…", other.substr(1) + " run 1"}, printed, 0.0), "") << "no hash";
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kFigureTolerance = 0.05;  // of a figure in a document: compilers and processors differ in last digits
 
-/// The guides that take the small rig of experiments/first-steps.toml; a fit of it takes a second or two.
+/// The guides that take the small rig of experiments/first-steps.toml, a fit of which takes a second or two, or an
+/// experiment of experiments/smoke/, shortened.
 class Guide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Guide, PrintsWhatItSays) {
@@ -20,6 +21,7 @@ TEST_P(Guide, PrintsWhatItSays) {
   ASSERT_FALSE(steps.empty()) << GetParam() << " has no steps";
   const Program program;
   program.copy_first_steps();
+  program.copy_smoke();
   for (const GuideStep& step : steps) {
     SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(step.line));
     if (!step.file.empty()) {
@@ -35,7 +37,8 @@ TEST_P(Guide, PrintsWhatItSays) {
 
 INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                          testing::Values("docs/tutorials/first-steps.md", "docs/how-to/use-your-own-csv.md",
-                                         "docs/how-to/query-the-database.md", "docs/reference/commands.md"),
+                                         "docs/how-to/query-the-database.md", "docs/how-to/run-the-algorithm.md",
+                                         "docs/reference/commands.md"),
                          [](const auto& guide) {
                            const std::string path = guide.param;
                            const std::size_t begin = path.rfind('/') + 1;

@@ -67,6 +67,8 @@ void Program::copy_experiment(const std::string& name) const {
 void Program::copy_servo_pendulum() const { copy_experiment("servo-pendulum.toml"); }
 void Program::copy_first_steps() const { copy_experiment("first-steps.toml"); }
 
+void Program::copy_smoke() const { fs::copy(fs::path(kExperiments) / "smoke", folder_ / "smoke"); }
+
 void Program::copy_light_servo_pendulum() const {
   copy_servo_pendulum();
   std::string text = read("servo-pendulum.toml");

@@ -31,6 +31,8 @@ class Program {
   void copy_light_servo_pendulum() const;
   /// Copies experiments/first-steps.toml with its robot and recordings: a fit of it takes a second or two.
   void copy_first_steps() const;
+  /// Copies experiments/smoke/, whose experiments bring no files.
+  void copy_smoke() const;
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
 

@@ -1,0 +1,40 @@
+#include "end_to_end/console_block.h"
+#include "end_to_end/program.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+/// Length of the longest text below `key`.
+int longest(const nlohmann::json& components, const std::string& key) {
+  std::size_t length = 0;
+  for (const nlohmann::json& component : components)
+    length = std::max(length, component[key].get<std::string>().size());
+  return static_cast<int>(length);
+}
+
+TEST(PluginsList, HasKindNameAndSummaryInColumnsAndTheFileBelowTheSummary) {
+  const Program program;
+  const Outcome json = program.run({"plugins", "list", "--json"});
+  ASSERT_EQ(json.exit_code, 0) << json.errors;
+  const nlohmann::json components = nlohmann::json::parse(json.output)["components"];
+  const int kind = longest(components, "kind"), name = longest(components, "name");
+  ASSERT_EQ(kind, static_cast<int>(std::string("objective metric").size()));
+
+  std::vector<std::string> expected;
+  for (const nlohmann::json& component : components) {
+    const auto text = [&](const char* key) { return component[key].get<std::string>(); };
+    expected.push_back(fmt::format("{:<{}}  {:<{}}  {}", text("kind"), kind, text("name"), name, text("summary")));
+    expected.push_back(fmt::format("{:<{}}{}", "", kind + name + 4, text("file")));
+  }
+  EXPECT_THAT(lines_of(program.run({"plugins", "list"}).output), testing::ElementsAreArray(expected));
+}
+
+}  // namespace
+}  // namespace lacuna
