@@ -1,5 +1,6 @@
 #include "app/eea_bench.h"
 
+#include "eea/recorded_trials.h"
 #include "evaluation/hidden_truth.h"
 
 #include <lacuna/random_stream.h>
@@ -43,10 +44,7 @@ EeaState beginning(const EeaBench& bench) {
   EeaState state = first_state(bench.definition());
   if (bench.takes_tests()) return state;
   state.phase = Phase::estimation;
-  for (Trial& trial : bench.rig().fit_trials()) {
-    const double end = trial.measured.times(trial.measured.times.size() - 1);
-    state.trials.push_back({0, Test{trial.commands, end, {}}, std::move(trial)});
-  }
+  state.trials = recorded_trials(bench.definition(), bench.rig().fit_trials());
   return state;
 }
 

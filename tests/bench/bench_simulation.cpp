@@ -1,5 +1,6 @@
 #include "bench/bare_quadruped.h"
 #include "bench/platform_quadruped.h"
+#include "bench/scored_quadruped.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
@@ -10,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Steps per second of the platform's loop against a bare ODE loop of the same quadruped. The two take turns, and the
-/// ratio is that of the medians. Exit code 1 where the two do not move alike.
+/// Steps per second of the platform's loop, and of the loop that scores models, against a bare ODE loop of the same
+/// quadruped. They take turns, and a ratio is that of medians. Exit code 1 where the two do not move alike.
 namespace lacuna {
 namespace {
 
@@ -29,9 +30,11 @@ void run_trials(benchmark::State& state) {
 
 void bare(benchmark::State& state) { run_trials<BareQuadruped>(state); }
 void platform(benchmark::State& state) { run_trials<PlatformQuadruped>(state); }
+void scored(benchmark::State& state) { run_trials<ScoredQuadruped>(state); }
 
 BENCHMARK(bare)->Arg(kTrialSteps)->Arg(kShortTrialSteps)->Unit(benchmark::kMicrosecond);
 BENCHMARK(platform)->Arg(kTrialSteps)->Arg(kShortTrialSteps)->Unit(benchmark::kMicrosecond);
+BENCHMARK(scored)->Arg(kTrialSteps)->Arg(kShortTrialSteps)->Unit(benchmark::kMicrosecond);
 
 /// Prints as usual, and keeps the rates of the single repetitions.
 class RatioReporter : public benchmark::ConsoleReporter {
@@ -46,11 +49,13 @@ class RatioReporter : public benchmark::ConsoleReporter {
   }
 
   void print_ratio(int steps) {
-    const double ours = median("platform/" + std::to_string(steps));
     const double theirs = median("bare/" + std::to_string(steps));
-    if (theirs > 0.0)
-      fmt::print("trials of {} steps: platform {:.0f} steps/s, bare ODE {:.0f} steps/s, ratio {:.3f}\n", steps, ours,
-                 theirs, ours / theirs);
+    for (const std::string loop : {"platform", "scored"}) {
+      const double ours = median(loop + "/" + std::to_string(steps));
+      if (theirs > 0.0)
+        fmt::print("trials of {} steps: {} {:.0f} steps/s, bare ODE {:.0f} steps/s, ratio {:.3f}\n", steps, loop, ours,
+                   theirs, ours / theirs);
+    }
   }
 
  private:

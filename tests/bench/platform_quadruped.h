@@ -15,6 +15,7 @@ class PlatformQuadruped {
   /// A trial of `steps` steps with a reading after each. Throws `Error` unless it completes.
   void run(int steps);
   const SimulationResult& result() const { return result_; }
+  const Test& test() const { return test_; }
 
  private:
   std::unique_ptr<CompiledModel> model_;

@@ -207,6 +207,41 @@ TEST(EeaLoop, ModelsThatCannotBeSimulatedAreCountedWithTheirReason) {
   EXPECT_EQ(counted, invalid);
 }
 
+constexpr const char* kMeasuredPendulum = R"(
+[experiment]
+name = "measured"
+[target]
+kind = "recorded"
+files = ["data/servo_pendulum/sine.csv"]
+hold = "zero"
+time = { column = "t_s", use = [[0.0, 1.0]] }
+sensors = { angle = { column = "angle_deg", unit = "deg" } }
+commands = { motor = { column = "torque_Nm", unit = "N*m" } }
+[model]
+file = "robots/servo-pendulum.toml"
+effects = [{ effect = "coulomb_friction", where = "joint.hinge", start = { torque = 0.024 }, fixed = ["torque"] }]
+[model.free]
+"body.arm.mass" = ["0.3 kg", "1.0 kg"]
+"joint.hinge.damping" = [0.0, 0.2]
+[engine]
+step = "2 ms"
+[estimation]
+search = "cma_es"
+parameters = { generations = 40 }
+)";
+
+TEST(EeaLoop, EstimatesOnRecordedTrials) {
+  const auto bench = small_bench({}, kMeasuredPendulum, true);
+  EXPECT_FALSE(bench->takes_tests());
+  const MemoryJournal journal = run(*bench);
+  EXPECT_TRUE(journal.tests.empty());
+  ASSERT_EQ(journal.passes.size(), 1U);
+  ASSERT_EQ(journal.passes[0].best_values.size(), 2U);
+  // What the generator of the recording was told.
+  EXPECT_NEAR(journal.passes[0].best_values[1], 0.021, 0.002);
+  EXPECT_LT(journal.passes[0].best_score, 1e-3);  // rad, mean absolute difference; the encoder's step is 3.1e-3
+}
+
 TEST(EeaDefinition, NamesEveryProblemAtItsPlace) {
   EXPECT_THAT(
       [] {

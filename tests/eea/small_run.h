@@ -60,13 +60,15 @@ parameters = { population = 6, keep = 3, generations = 3 }
 
 /// An experiment ready to run, with some keys put beside the text.
 inline std::unique_ptr<EeaBench> small_bench(const std::vector<std::string>& overrides = {},
-                                             const std::string& text = kSmallExperiment) {
+                                             const std::string& text = kSmallExperiment, bool measured = false) {
   Rig rig;
   rig.experiment =
       read_experiment_text(text, std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "experiments/small.toml", overrides);
   rig.catalog = std::make_shared<const PluginCatalog>(plugin_search_path({}));
   rig.definition = define_model(rig.experiment, *rig.catalog);
   rig.model = compile(rig.definition.structure, rig.definition.engine);
+  if (measured)
+    rig.trials = RecordingReader(rig.experiment.target.recording, rig.definition.structure.robot, {}).read();
   return std::make_unique<EeaBench>(std::move(rig));
 }
 

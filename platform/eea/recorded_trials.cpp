@@ -1,0 +1,47 @@
+#include "eea/recorded_trials.h"
+
+#include "evaluation/trial_predictor.h"
+#include "fitting/start_states.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+bool states_its_start(const Trial& trial) {
+  return !trial.initial.empty() &&
+         std::all_of(trial.initial.begin(), trial.initial.end(),
+                     [](const InitialValue& value) { return value.knowledge == InitialKnowledge::given; });
+}
+
+/// From here on the trial states what was read off its head, which is masked.
+void fix_start(Trial& trial, const StartState& start) {
+  trial.initial.resize(start.positions.size());
+  for (std::size_t c = 0; c < trial.initial.size(); ++c) {
+    if (trial.initial[c].knowledge == InitialKnowledge::given) continue;
+    trial.initial[c] = {InitialKnowledge::given, start.positions[c], start.velocities[c]};
+  }
+  const double end_of_head = trial.measured.times(0) + kHead;
+  for (Eigen::Index row = 0; row < trial.measured.times.size() && trial.measured.times(row) < end_of_head; ++row)
+    trial.measured.samples.row(row).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::vector<Trial> trials) {
+  const TrialPredictor predictor(*definition.compiled, trials, 1);
+  const RobotSpec& robot = definition.model.structure.robot;
+  const StartStates states(robot, predictor, sensor_noise(robot, predictor.trials()));
+  std::vector<TargetTrial> recorded;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    Trial& trial = trials[i];
+    if (!states_its_start(trial)) fix_start(trial, states.from_samples(predictor.whole(i), 0).start);
+    const double end = trial.measured.times(trial.measured.times.size() - 1);
+    recorded.push_back({0, Test{trial.commands, end, {}}, std::move(trial)});
+  }
+  return recorded;
+}
+
+}  // namespace lacuna
