@@ -119,7 +119,7 @@ Json summary_json(const ReplicateEnd& end, const std::vector<TargetTrialRow>& tr
 }
 
 /// Throws where a replicate did not reach its end.
-void judge(const std::vector<ReplicateEnd>& ends, const std::string& file) {
+void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
   std::string failures;
   bool interrupted = false;
   for (const ReplicateEnd& end : ends) {
@@ -127,7 +127,8 @@ void judge(const std::vector<ReplicateEnd>& ends, const std::string& file) {
     if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
   }
   if (!failures.empty()) throw Error(failures.substr(0, failures.size() - 1));
-  if (interrupted) throw Interrupted("interrupted; lacuna run " + file + " --resume goes on from here");
+  if (interrupted)
+    throw Interrupted("interrupted; " + command_line() + (resumed ? "" : " --resume") + " goes on from here");
 }
 
 void run(const RunOptions& options) {
@@ -154,7 +155,7 @@ void run(const RunOptions& options) {
     if (ends.size() > 1) std::fputs(runs_text(eea_runs(database)).c_str(), stdout);
     fmt::print("→ lacuna plot {}\n", database.file().string());
   }
-  judge(ends, options.experiment.string());
+  judge(ends, options.resume);
 }
 
 }  // namespace

@@ -207,8 +207,9 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
   const char* needed = target.kind == "recorded" ? "files" : "robot";
   if (node.find(needed) || (target.kind == "simulated" && node.find("file"))) return;
   reading.problem_at(needed, node.location,
-                     target.kind == "recorded" ? "is missing: measured files to fit to (a list of at least 1, each a file's path)"
-                                               : "is missing: a robot plugin's name, or file = \"robot.toml\"");
+                     target.kind == "recorded"
+                         ? "is missing: measured files to fit to (a list of at least 1, each a file's path)"
+                         : "is missing: a robot plugin's name, or file = \"robot.toml\"");
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ class Fitter {
   /// What the integration step has moved the values by; 0 where there is no finer model or it fails.
   Eigen::VectorXd shift_of_steps(const Candidate& best, const std::vector<SegmentJacobian>& jacobians,
                                  const Uncertainty& known) {
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
+    Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
     if (!task_.finer) return none;
     const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
     return step_shift(*problem_, finer, best.search.point, best.search.residuals, jacobians, loss_, known)

@@ -41,7 +41,8 @@ class GenerationalSearch : public Search {
                   std::to_string(asked_.size()));
     std::vector<ScoredIndividual> told;
     for (std::size_t i = 0; i < scores.size(); ++i)
-      told.push_back({std::move(asked_[i]), std::isnan(scores[i]) ? std::numeric_limits<double>::infinity() : scores[i]});
+      told.push_back(
+          {std::move(asked_[i]), std::isnan(scores[i]) ? std::numeric_limits<double>::infinity() : scores[i]});
     asked_.clear();
     do_tell(std::move(told));
     numbered_ += scores.size();
