@@ -73,7 +73,7 @@ TEST(OperatorBreeder, AnOperatorIsAppliedAsOftenAsItsChanceSays) {
     RandomStream random = stream(i);
     applied += sometimes.child(parents, random, used)[0] > 0.5 ? 1 : 0;
   }
-  EXPECT_NEAR(applied, kChildren / 4, 4 * 28);  // four standard deviations
+  EXPECT_NEAR(applied, 0.25 * kChildren, 4 * 28);  // four standard deviations
 }
 
 TEST(OperatorBreeder, ACrossoverTakesAnotherParent) {
