@@ -102,7 +102,10 @@ Table<ModelSection> model_keys() {
           "what a model's genome means: a model encoding plugin")
       .key<std::map<std::string, double>>(
           "encoding_parameters", map_of("PARAMETER", number("")), {},
-          [](ModelSection& model, auto&& read) { model.encoding.parameters = std::move(read); }, "of that plugin")
+          [](ModelSection& model, std::map<std::string, double>&& read) {
+            model.encoding.parameters = std::move(read);
+          },
+          "of that plugin")
       .key("approximate", &ModelSection::approximate, boolean(),
            "the start values are a first model: a run begins with the exploration phase instead of a random test")
       .check({"robot"}, check_robot);

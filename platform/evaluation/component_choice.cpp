@@ -2,6 +2,8 @@
 
 #include "foundation/unit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace lacuna {
@@ -27,7 +29,8 @@ std::optional<std::vector<double>> parameter_values(const ParameterDeclarations&
   }
   for (const auto& [name, value] : given)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      complaints.add(key + "." + name, who + " has no parameter \"" + name + "\"" + did_you_mean(name, names));
+      complaints.add(fmt::format("{}.{}", key, name),
+                     fmt::format("{} has no parameter \"{}\"{}", who, name, did_you_mean(name, names)));
   if (complaints.count() > complaints_before) return std::nullopt;
   return values;
 }
