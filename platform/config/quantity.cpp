@@ -32,8 +32,8 @@ Quantity parse_quantity(std::string_view text) {
   const std::optional<Unit> unit = parse_unit(quantity.unit);
   if (!unit) throw Error(toml_text(quantity.unit) + " is no unit; known are " + known_units());
   quantity.parsed = *unit;
-  quantity.si_value = number * unit->to_si;
-  if (std::isfinite(number) && !std::isfinite(quantity.si_value))
+  quantity.value_in_si = number * unit->to_si;
+  if (std::isfinite(number) && !std::isfinite(quantity.value_in_si))
     throw Error(toml_text(text) + " is beyond the range of a number");
   return quantity;
 }

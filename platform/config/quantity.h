@@ -9,7 +9,7 @@ namespace lacuna {
 
 /// A physical quantity as written in a text: "95.1 kg", "120 mm", "-3 deg", "35.15065 N/V", "1e-3".
 struct Quantity {
-  double si_value = 0.0;
+  double value_in_si = 0.0;
   std::string unit;  ///< as written; "1" where the text has none
   Unit parsed;
 };

@@ -39,7 +39,7 @@ bool read_quantity(const Shape& shape, const TomlNode& node, Reading& reading, d
       return false;
     }
     if (shape.unit.empty() || shape.unit.find(" or ") != std::string::npos) reading.written_unit(quantity.unit);
-    result = quantity.si_value;
+    result = quantity.value_in_si;
     return true;
   } catch (const Error& error) {
     reading.problem(node, error.what());

@@ -139,7 +139,7 @@ std::string known_units() {
          "N*m, kg*m^2, N*m*s/rad";
 }
 
-std::string format_quantity(double si_value, const std::string& unit, int digits) {
+std::string format_quantity(double value_in_si, const std::string& unit, int digits) {
   const auto text = [&](double value, const char* prefix) {
     const double magnitude = std::abs(value);
     const int before = magnitude > 0.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
@@ -148,13 +148,13 @@ std::string format_quantity(double si_value, const std::string& unit, int digits
                                    : fmt::format("{:.{}f}", value, std::max(digits - before, 0));
     return unit == "1" ? number : number + " " + prefix + unit;
   };
-  const double magnitude = std::abs(si_value);
-  if (!takes_prefix(unit) || magnitude == 0.0 || !std::isfinite(si_value)) return text(si_value, "");
-  if (magnitude < 1e-6) return text(si_value * 1e9, "n");
-  if (magnitude < 1e-3) return text(si_value * 1e6, "\u00b5");
-  if (magnitude < 0.1) return text(si_value * 1e3, "m");
-  if (magnitude >= 1e4) return text(si_value * 1e-3, "k");
-  return text(si_value, "");
+  const double magnitude = std::abs(value_in_si);
+  if (!takes_prefix(unit) || magnitude == 0.0 || !std::isfinite(value_in_si)) return text(value_in_si, "");
+  if (magnitude < 1e-6) return text(value_in_si * 1e9, "n");
+  if (magnitude < 1e-3) return text(value_in_si * 1e6, "\u00b5");
+  if (magnitude < 0.1) return text(value_in_si * 1e3, "m");
+  if (magnitude >= 1e4) return text(value_in_si * 1e-3, "k");
+  return text(value_in_si, "");
 }
 
 }  // namespace lacuna

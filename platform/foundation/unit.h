@@ -23,6 +23,6 @@ std::string known_units();
 
 /// A number with its unit and an SI prefix that suits its size: 0.0091 rad → "9.10 mrad".
 /// `digits`: significant digits.
-std::string format_quantity(double si_value, const std::string& unit, int digits = 3);
+std::string format_quantity(double value_in_si, const std::string& unit, int digits = 3);
 
 }  // namespace lacuna

@@ -1,0 +1,13 @@
+# Headers of others that nearly every source includes, compiled once for all rooms and once for all tests. What a source
+# uses it still includes itself; clang-tidy compiles without these.
+
+add_library(lacuna_room_headers STATIC cmake/headers.cpp)
+target_link_libraries(lacuna_room_headers PRIVATE Eigen3::Eigen fmt::fmt)
+target_precompile_headers(lacuna_room_headers PRIVATE
+  <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>)
+
+if(LACUNA_TESTS)
+  add_executable(lacuna_test_headers cmake/headers.cpp)
+  lacuna_set_up_test(lacuna_test_headers)
+  target_precompile_headers(lacuna_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <fmt/format.h>)
+endif()
