@@ -16,7 +16,7 @@ set(LACUNA_PLUGIN_DIRECTORY lib/lacuna/plugins)  # of the build folder and of an
 add_compile_options(-Wall -Wextra -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms on std::string in GCC 12 (its bugs 105329 and 105651); the sanitizers look for the true ones.
-  add_compile_options(-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  add_compile_options(-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 # The same numbers from every build of one source: no contraction that depends on inlining.
 add_compile_options(-ffp-contract=off)

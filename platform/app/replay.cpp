@@ -2,17 +2,15 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/stored_bench.h"
-#include "evaluation/model_scorer.h"
+#include "app/stored_model.h"
 #include "evaluation/test_predictor.h"
 #include "foundation/unit.h"
 #include "report/text_table.h"
-#include "storage/names.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -29,64 +27,22 @@ struct ReplayOptions {
   std::optional<std::string> csv;
 };
 
-/// A model of a stored run and the trials that it was scored on.
-struct Replay {
-  const EeaDefinition& definition;
-  std::uint64_t number;
-  ModelRow row;
-  std::vector<double> values;
-  std::vector<ScoredTrial> trials;
-  std::vector<int> numbers;  ///< of the trials
-};
-
-/// The trials that stood when the model was made: those of its pass and of the passes before.
-Replay replay_of(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
-  const std::optional<ModelRow> row = store.model(number);
-  if (!row) throw Error(fmt::format("the run has no model {}", number));
-  Replay replay{definition, number, *row, definition.decode_model(row->genome), {}, {}};
-  const std::vector<TargetTrialRow> rows = store.trial_rows();
-  std::vector<Trial> trials = store.trials();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
-    const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
-    const Test drive =
-        rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
-    replay.trials.push_back({drive, std::move(trials[i]), 0});
-    replay.numbers.push_back(rows[i].number);
-  }
-  return replay;
-}
-
-bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
-/// Whether the score is the stored one: the same bits, or, of a model that was abandoned, not below what was known.
-bool agrees(const ModelRow& stored, const ModelScore& score) {
-  switch (stored.kind) {
-    case EvaluationKind::invalid: return score.kind == ScoreKind::invalid;
-    case EvaluationKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
-    case EvaluationKind::full: break;
-  }
-  return score.kind == ScoreKind::full && same(score.total, stored.score) &&
-         std::equal(score.trials.begin(), score.trials.end(), stored.trial_scores.begin(), stored.trial_scores.end(),
-                    same);
-}
-
-std::string values_text(const Replay& replay) {
+std::string values_text(const StoredModel& model) {
   std::vector<std::vector<std::string>> table;
-  for (std::size_t i = 0; i < replay.values.size(); ++i) {
-    const FreeValue& free = replay.definition.model.free[i];
-    table.push_back({free.address, format_quantity(replay.values[i], free.unit)});
+  for (std::size_t i = 0; i < model.values.size(); ++i) {
+    const FreeValue& free = model.definition.model.free[i];
+    table.push_back({free.address, format_quantity(model.values[i], free.unit)});
   }
   return text_table(table);
 }
 
-std::string scores_text(const Replay& replay, const ModelScore& score) {
+std::string scores_text(const StoredModel& model, const ModelScore& score) {
   std::vector<std::vector<std::string>> table = {{"trial", "stored", "replayed"}};
-  const std::vector<double>& stored = replay.row.trial_scores;
-  for (std::size_t i = 0; i < replay.trials.size(); ++i)
-    table.push_back({std::to_string(replay.numbers[i]), i < stored.size() ? fmt::format("{:.17g}", stored[i]) : "-",
+  const std::vector<double>& stored = model.row.trial_scores;
+  for (std::size_t i = 0; i < model.trials.size(); ++i)
+    table.push_back({std::to_string(model.numbers[i]), i < stored.size() ? fmt::format("{:.17g}", stored[i]) : "-",
                      i < score.trials.size() ? fmt::format("{:.17g}", score.trials[i]) : "-"});
-  table.push_back({"all", fmt::format("{:.17g}", replay.row.score), fmt::format("{:.17g}", score.total)});
+  table.push_back({"all", fmt::format("{:.17g}", model.row.score), fmt::format("{:.17g}", score.total)});
   return text_table(table);
 }
 
@@ -109,18 +65,19 @@ std::string csv_of(const ScoredTrial& scored, const TimeSeries& predicted) {
   return text;
 }
 
-void write_series(const Replay& replay, const ReplayOptions& options) {
-  const int wanted = options.trial.value_or(replay.numbers.back());
-  const auto found = std::find(replay.numbers.begin(), replay.numbers.end(), wanted);
-  if (found == replay.numbers.end())
-    throw Error(fmt::format("model {} was not held against trial {}", replay.number, wanted));
-  const ScoredTrial& scored = replay.trials[static_cast<std::size_t>(found - replay.numbers.begin())];
+void write_series(const StoredModel& model, const ReplayOptions& options) {
+  const int wanted = options.trial.value_or(model.numbers.back());
+  const auto found = std::find(model.numbers.begin(), model.numbers.end(), wanted);
+  if (found == model.numbers.end())
+    throw_problem({}, fmt::format("--trial {}: model {} was held against the trials {} only", wanted, model.number,
+                                  fmt::join(model.numbers, ", ")));
+  const ScoredTrial& scored = model.trials[static_cast<std::size_t>(found - model.numbers.begin())];
   const Eigen::VectorXd& times = scored.trial.measured.times;
-  const TestPredictor predictor(*replay.definition.compiled, {times.begin(), times.end()}, 1);
+  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
-  if (!predictor.predict(replay.values, scored.test, 0, prediction, steps, reason)) throw Error(reason);
+  if (!predictor.predict(model.values, scored.test, 0, prediction, steps, reason)) throw Error(reason);
   write_output(*options.csv, csv_of(scored, prediction.sensors));
 }
 
@@ -136,17 +93,15 @@ void replay(const ReplayOptions& options) {
   if (!options.model && (passes.empty() || !passes.back().best_model))
     throw Error("no pass of the run has ended; name a model with --model");
   const std::uint64_t number = options.model ? *options.model : *passes.back().best_model;
-  const Replay replay = replay_of(store, stored.bench->definition(), number);
-  const ModelScorer scorer(*replay.definition.compiled, replay.trials, replay.definition.metric, 1);
-  ModelScore score;
-  scorer.score(replay.values, std::nullopt, 0, score);
+  const StoredModel model = stored_model(store, stored.bench->definition(), number);
+  const ModelScore score = score_again(model);
   if (!takes_standard_output(options.csv)) {
-    fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, replay.row.pass,
-               replay.row.generation);
-    fmt::print("{}{}", values_text(replay), scores_text(replay, score));
+    fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, model.row.pass,
+               model.row.generation);
+    fmt::print("{}{}", values_text(model), scores_text(model, score));
   }
-  if (options.csv) write_series(replay, options);
-  if (!agrees(replay.row, score)) throw Error("the replayed scores are not those that are stored");
+  if (options.csv) write_series(model, options);
+  if (!agrees(model.row, score)) throw Error("the replayed scores are not those that are stored");
 }
 
 }  // namespace

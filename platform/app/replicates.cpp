@@ -16,12 +16,16 @@ std::vector<std::string> names_of(const GenomeLayout& layout) {
   return names;
 }
 
-/// Passes the rows on, and what they say about a pass to the display.
+/// Passes the rows on, and what they say about trials and passes to the display.
 class ShownJournal : public StoreJournal {
  public:
-  ShownJournal(EeaStore& store, RunDisplay& display, int index)
+  ShownJournal(EeaStore& store, RunDisplay& display, std::size_t index)
       : StoreJournal(store), display_(display), index_(index) {}
   using StoreJournal::add;
+  void add(TargetTrialRow row, const Trial& trial) override {
+    display_.end_trial(index_, row);
+    StoreJournal::add(std::move(row), trial);
+  }
   void add(PassRow row) override {
     display_.end_pass(index_, row);
     StoreJournal::add(std::move(row));
@@ -29,7 +33,7 @@ class ShownJournal : public StoreJournal {
 
  private:
   RunDisplay& display_;
-  int index_;
+  std::size_t index_;
 };
 
 /// What was committed stays, whatever cannot be written any more.
@@ -82,12 +86,11 @@ EeaState Replicates::state_of(EeaStore& store) const {
 void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end) {
   const auto start = std::chrono::steady_clock::now();
   const PlannedReplicate& planned = end.planned;
-  const int number = static_cast<int>(index);
   EeaStore store(database_, writing_, planned.run, experiment_);
   try {
     throw_if_interrupted();
     EeaState state = state_of(store);
-    ShownJournal journal(store, display, number);
+    ShownJournal journal(store, display, index);
     const ReplicateTarget target(bench_, seed_, planned.replicate);
     eea_loop({.definition = bench_.definition(),
               .journal = journal,
@@ -95,7 +98,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
               .replicate = planned.replicate,
               .threads = threads,
               .truth = bench_.truth(planned.replicate),
-              .progress = [&](const EeaProgress& progress) { display.show(number, progress); }},
+              .progress = [&](const EeaProgress& progress) { display.show(index, progress); }},
              target.target(), state);
     store.end(RunEnding::done);
   } catch (const Interrupted& interruption) {
@@ -106,8 +109,8 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     end.problem = error.what();
   }
   close(store, end);
-  display.end_replicate(number);
   end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  display.end_replicate(index, end);
 }
 
 std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& planned, int threads,

@@ -1,30 +1,14 @@
 #pragma once
 
 #include "app/eea_bench.h"
+#include "app/replicate.h"
 #include "app/run_display.h"
 #include "storage/eea_store.h"
 
 #include <mutex>
-#include <string>
 #include <vector>
 
 namespace lacuna {
-
-/// A replicate that is to be run.
-struct PlannedReplicate {
-  RunId run;
-  int replicate = 1;
-};
-
-/// How a replicate ended.
-struct ReplicateEnd {
-  PlannedReplicate planned;
-  RunEnding ending = RunEnding::done;
-  std::string problem;  ///< why it failed or was interrupted
-  double seconds = 0.0;
-  double storage_seconds = 0.0;
-  std::vector<PassRow> passes;
-};
 
 /// Runs replicates side by side, each in a run of its own in the database: first the replicates share the threads, then
 /// the individuals of each. A replicate that fails does not end the others; Ctrl-C ends all after their generation.

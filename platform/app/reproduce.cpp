@@ -77,7 +77,7 @@ void reproduce(const ReproduceOptions& options) {
   replicates.enter(planned);
   std::vector<ReplicateEnd> ends;
   {
-    RunDisplay display(1, options.quiet);
+    RunDisplay display(planned, options.quiet, nullptr);
     ends = replicates.run(planned, threads, display);
   }
   const ReplicateEnd& end = ends.front();

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -24,17 +25,6 @@ double share_done(const EeaProgress& progress) {
   return std::min(1.0, work / (passes * (passes + 1.0) / 2.0 + passes));
 }
 
-const char* name_of(Phase phase) {
-  switch (phase) {
-    case Phase::trial: return "trial";
-    case Phase::estimation: return "estimation";
-    case Phase::exploration: return "exploration";
-    case Phase::transfer: return "transfer";
-    case Phase::finished: return "done";
-  }
-  return "";
-}
-
 std::string objective_text(const PassRow& pass) {
   std::string text;
   for (const ObjectiveRow& row : pass.objective)
@@ -45,74 +35,95 @@ std::string objective_text(const PassRow& pass) {
 
 }  // namespace
 
-RunDisplay::RunDisplay(int replicates, bool quiet)
-    : live_(!quiet && isatty(STDERR_FILENO) == 1),
-      lines_(!quiet && isatty(STDERR_FILENO) == 0),
-      replicates_(static_cast<std::size_t>(replicates)) {}
+RunDisplay::RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines)
+    : live_(!quiet && isatty(STDERR_FILENO) == 1), lines_of_text_(!quiet && isatty(STDERR_FILENO) == 0), lines_(lines) {
+  for (const PlannedReplicate& planned : replicates) replicates_.emplace_back().planned = planned;
+}
 
 RunDisplay::~RunDisplay() {
   if (live_) std::fputs("\r\033[K", stderr);
 }
 
-double RunDisplay::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+double RunDisplay::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+void RunDisplay::show(std::size_t replicate, const EeaProgress& progress) {
+  using namespace std::chrono_literals;
+  const std::scoped_lock lock(telling_);
+  Replicate& own = replicates_[replicate];
+  take(own, progress);
+  if (progress.generations == 0) return;
+  const Clock::time_point now = Clock::now();
+  if (live_ && now - last_print_ >= 100ms) {
+    last_print_ = now;
+    print(own, progress);
+  }
+  if (lines_ && now - own.last_line >= 1s) {
+    own.last_line = now;
+    const Standing all = standing();
+    lines_->progress(own.planned, progress, all.rate, all.left);
+  }
 }
 
-void RunDisplay::show(int replicate, const EeaProgress& progress) {
-  using namespace std::chrono_literals;
-  const std::scoped_lock lock(printing_);
-  Replicate& own = replicates_[static_cast<std::size_t>(replicate)];
+void RunDisplay::take(Replicate& own, const EeaProgress& progress) const {
   own.done = share_done(progress);
   if (!own.known) {
     own.known = true;
     own.begun_at = own.done;
     own.in_pass_before = progress.evaluations;
   }
-  if (progress.generations > 0) {
-    own.in_pass = progress.evaluations - std::min(own.in_pass_before, progress.evaluations);
-    own.invalid_in_pass = progress.invalid;
-  }
-  const auto now = std::chrono::steady_clock::now();
-  if (!live_ || progress.generations == 0 || now - last_ < 100ms) return;
-  last_ = now;
-  print(replicate, progress);
+  if (progress.generations == 0) return;
+  own.in_pass = progress.evaluations - std::min(own.in_pass_before, progress.evaluations);
+  own.invalid_in_pass = progress.invalid;
 }
 
-void RunDisplay::print(int replicate, const EeaProgress& progress) {
+RunDisplay::Standing RunDisplay::standing() const {
+  Standing all;
   double done = 0.0, begun_at = 0.0;
-  std::uint64_t evaluations = 0, invalid = 0;
+  std::uint64_t evaluations = 0;
   for (const Replicate& each : replicates_) {
     done += each.done;
     begun_at += each.begun_at;
     evaluations += each.evaluations + each.in_pass;
-    invalid += each.invalid + each.invalid_in_pass;
+    all.invalid += each.invalid + each.invalid_in_pass;
   }
-  const double rate = (done - begun_at) / seconds();
-  const double left = rate > 0.0 ? (static_cast<double>(replicates_.size()) - done) / rate : 0.0;
-  const std::string whose =
-      replicates_.size() > 1 ? fmt::format("replicate {} of {} · ", replicate + 1, replicates_.size()) : "";
+  const double share_rate = (done - begun_at) / seconds();
+  all.rate = static_cast<double>(evaluations) / seconds();
+  all.left = share_rate > 0.0 ? (static_cast<double>(replicates_.size()) - done) / share_rate : 0.0;
+  return all;
+}
+
+void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
+  const Standing all = standing();
+  const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
   fmt::print(stderr, "\r\033[K{}pass {}/{} · {} {}/{} · best {:.4g} · {:.0f} evaluations/s · {} invalid · {} left",
-             whose, progress.pass, progress.passes, name_of(progress.phase), progress.generation, progress.generations,
-             progress.best, static_cast<double>(evaluations) / seconds(), invalid, format_duration(left));
+             whose, progress.pass, progress.passes, to_string(progress.phase), progress.generation,
+             progress.generations, progress.best, all.rate, all.invalid, format_duration(all.left));
   std::fflush(stderr);
 }
 
-void RunDisplay::end_pass(int replicate, const PassRow& pass) {
-  const std::scoped_lock lock(printing_);
-  Replicate& own = replicates_[static_cast<std::size_t>(replicate)];
+void RunDisplay::end_trial(std::size_t replicate, const TargetTrialRow& trial) {
+  const std::scoped_lock lock(telling_);
+  if (lines_) lines_->trial(replicates_[replicate].planned, trial);
+}
+
+void RunDisplay::end_pass(std::size_t replicate, const PassRow& pass) {
+  const std::scoped_lock lock(telling_);
+  Replicate& own = replicates_[replicate];
   own.evaluations += own.in_pass;
   own.invalid += own.invalid_in_pass;
   own.in_pass = own.in_pass_before = own.invalid_in_pass = 0;
-  if (!lines_) return;
-  const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", replicate + 1) : "";
+  if (lines_) lines_->pass(own.planned, pass);
+  if (!lines_of_text_) return;
+  const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
   fmt::print(stderr, "{}pass {} · error {:.4g}{} · {} evaluations, {} invalid · {}\n", whose, pass.number,
              pass.best_score, objective_text(pass), pass.evaluations + pass.test_evaluations,
              pass.invalid + pass.invalid_tests, format_duration(seconds()));
 }
 
-void RunDisplay::end_replicate(int replicate) {
-  const std::scoped_lock lock(printing_);
-  replicates_[static_cast<std::size_t>(replicate)].done = 1.0;
+void RunDisplay::end_replicate(std::size_t replicate, const ReplicateEnd& end) {
+  const std::scoped_lock lock(telling_);
+  replicates_[replicate].done = 1.0;
+  if (lines_) lines_->end(end);
 }
 
 }  // namespace lacuna

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "eea/eea_run.h"
+#include "app/run_lines.h"
 
 #include <chrono>
 #include <mutex>
@@ -8,37 +8,54 @@
 
 namespace lacuna {
 
-/// Tells people how far the replicates of a run are: one live line on a terminal, otherwise a line a pass, both on
-/// standard error. Any thread.
+/// Tells how far the replicates of a run are: people by one live line on a terminal, otherwise by a line a pass, both
+/// on standard error; machines by JSON Lines. Any thread.
 class RunDisplay {
  public:
-  RunDisplay(int replicates, bool quiet);
+  /// `lines` must live as long; may be null.
+  RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines);
   ~RunDisplay();
   RunDisplay(const RunDisplay&) = delete;
   RunDisplay& operator=(const RunDisplay&) = delete;
 
-  void show(int replicate, const EeaProgress& progress);
-  void end_pass(int replicate, const PassRow& pass);
-  void end_replicate(int replicate);
+  /// `replicate`: its place among those that are run.
+  void show(std::size_t replicate, const EeaProgress& progress);
+  void end_trial(std::size_t replicate, const TargetTrialRow& trial);
+  void end_pass(std::size_t replicate, const PassRow& pass);
+  void end_replicate(std::size_t replicate, const ReplicateEnd& end);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   struct Replicate {
+    PlannedReplicate planned;
     double begun_at = 0.0;  ///< share of its work that was done when it began or went on
     double done = 0.0;      ///< share of its work
     bool known = false;
     std::uint64_t evaluations = 0;  ///< of passes that ended, since it began or went on
     std::uint64_t in_pass = 0, in_pass_before = 0;
     std::uint64_t invalid = 0, invalid_in_pass = 0;
+    Clock::time_point last_line{};
   };
 
-  void print(int replicate, const EeaProgress& progress);
+  /// All replicates together.
+  struct Standing {
+    double rate = 0.0;  ///< evaluations per second
+    double left = 0.0;  ///< s
+    std::uint64_t invalid = 0;
+  };
+
+  void take(Replicate& own, const EeaProgress& progress) const;
+  Standing standing() const;
+  void print(const Replicate& own, const EeaProgress& progress);
   double seconds() const;
 
-  bool live_, lines_;
-  std::mutex printing_;
+  bool live_, lines_of_text_;
+  RunLines* lines_;
+  std::mutex telling_;
   std::vector<Replicate> replicates_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point last_{};
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_print_{};
 };
 
 }  // namespace lacuna

@@ -42,7 +42,8 @@ bool same_effect(const TomlNode& node, const EffectEntry& effect) {
   EffectEntry read;
   static const Value<EffectEntry> kKeys = effect_keys().value();
   return kKeys.read(node, reading, read) && read.id == effect.id && read.effect == effect.effect &&
-         read.where == effect.where && read.start == effect.start && read.fixed == effect.fixed;
+         read.where == effect.where && read.start == effect.start && read.fixed == effect.fixed &&
+         read.range == effect.range;
 }
 
 /// The tree with an effect taken out; an empty list counts as none.

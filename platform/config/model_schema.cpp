@@ -75,6 +75,8 @@ Table<EffectEntry> effect_keys() {
       .key("start", &EffectEntry::start, map_of("PARAMETER", number("")),
            "values where they differ from the effect's defaults")
       .key("fixed", &EffectEntry::fixed, list_of(text()), "parameters that a fit leaves alone")
+      .key("range", &EffectEntry::range, map_of("PARAMETER", range_of(number(""))),
+           "bounds of a parameter for fits and searches, [lower, upper], within what the effect allows")
       .check({}, complete_effect);
 }
 

@@ -62,6 +62,11 @@ std::vector<std::pair<std::string, std::string>> keys_of(const EffectEntry& effe
     start += (start.empty() ? "" : ", ") + toml_key(name) + " = " + toml_number(value);
   if (!start.empty()) keys.emplace_back("start", "{ " + start + " }");
   if (!effect.fixed.empty()) keys.emplace_back("fixed", list(effect.fixed));
+  std::string range;
+  for (const auto& [name, bounds] : effect.range)
+    range += (range.empty() ? "" : ", ") + toml_key(name) + " = [" + toml_number(bounds.first) + ", " +
+             toml_number(bounds.second) + "]";
+  if (!range.empty()) keys.emplace_back("range", "{ " + range + " }");
   return keys;
 }
 

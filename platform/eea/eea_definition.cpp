@@ -97,6 +97,13 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
   Complaints complaints(experiment);
   if (model.free.empty())
     complaints.add("model.free", "is empty: there is nothing to estimate; name at least one value with its bounds");
+  define_estimation(experiment, catalog, complaints);
+  if (takes_tests) define_exploration(experiment, catalog, complaints);
+  complaints.throw_if_any();
+}
+
+void EeaDefinition::define_estimation(const Experiment& experiment, const PluginCatalog& catalog,
+                                      Complaints& complaints) {
   model_encoding = choose<ModelEncoding>(catalog, experiment.model.encoding,
                                          {"model.encoding", "model.encoding_parameters"}, complaints);
   const EstimationSection& estimate = experiment.estimation;
@@ -110,23 +117,24 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
   if (model_encoding.component && !model.free.empty())
     estimation.breeder = breeder_for(model_encoding, model_space, "model.encoding", std::move(mutations), complaints);
-  if (takes_tests) {
-    const ExplorationSection& explore = experiment.exploration;
-    test_space = test_space_of(experiment, model.structure.robot, complaints);
-    sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
-    test_encoding =
-        choose<TestEncoding>(catalog, experiment.test.encoding, {"test.encoding", "test.parameters"}, complaints);
-    fitness = choose<TestFitness>(catalog, explore.fitness, {"exploration.fitness", "exploration.fitness_parameters"},
-                                  complaints);
-    exploration.strategy = choose<SearchStrategy>(catalog, explore.search.search,
-                                                  {"exploration.search", "exploration.parameters"}, complaints);
-    std::vector<AppliedMutation> of_tests = mutations_of(explore.search.mutation, "exploration", catalog, complaints);
-    if (test_encoding.component)
-      exploration.breeder = breeder_for(test_encoding, test_space, "test.encoding", std::move(of_tests), complaints);
-    if (fitness.component)
-      models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
-  }
-  complaints.throw_if_any();
+}
+
+void EeaDefinition::define_exploration(const Experiment& experiment, const PluginCatalog& catalog,
+                                       Complaints& complaints) {
+  const ExplorationSection& explore = experiment.exploration;
+  test_space = test_space_of(experiment, model.structure.robot, complaints);
+  sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
+  test_encoding =
+      choose<TestEncoding>(catalog, experiment.test.encoding, {"test.encoding", "test.parameters"}, complaints);
+  fitness = choose<TestFitness>(catalog, explore.fitness, {"exploration.fitness", "exploration.fitness_parameters"},
+                                complaints);
+  exploration.strategy = choose<SearchStrategy>(catalog, explore.search.search,
+                                                {"exploration.search", "exploration.parameters"}, complaints);
+  std::vector<AppliedMutation> of_tests = mutations_of(explore.search.mutation, "exploration", catalog, complaints);
+  if (test_encoding.component)
+    exploration.breeder = breeder_for(test_encoding, test_space, "test.encoding", std::move(of_tests), complaints);
+  if (fitness.component)
+    models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
 }
 
 std::vector<double> EeaDefinition::decode_model(const Genome& genome) const {

@@ -54,6 +54,10 @@ class EeaDefinition {
   int seeds = 0;
   bool approximate = false;
   bool abandon = true, reuse = true;
+
+ private:
+  void define_estimation(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);
+  void define_exploration(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);
 };
 
 }  // namespace lacuna

@@ -79,6 +79,17 @@ void archive_scalars(Archive& archive, State& state) {
 
 }  // namespace
 
+const char* to_string(Phase phase) {
+  switch (phase) {
+    case Phase::trial: return "trial";
+    case Phase::estimation: return "estimation";
+    case Phase::exploration: return "exploration";
+    case Phase::transfer: return "transfer";
+    case Phase::finished: return "finished";
+  }
+  return "";
+}
+
 std::vector<double> save(const EeaState& state) {
   Writer writer;
   writer.number(kVersion);

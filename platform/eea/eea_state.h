@@ -14,6 +14,7 @@ namespace lacuna {
 
 /// What comes next.
 enum class Phase { trial, estimation, exploration, transfer, finished };
+const char* to_string(Phase phase);
 
 /// A model that estimation hands on.
 struct KnownModel {

@@ -120,6 +120,25 @@ class EntryCheck {
                                                  ", " + format_quantity(declaration.lower, "1") + " to " +
                                                  format_quantity(declaration.upper, "1") + " " + unit);
     }
+    for (const auto& [name, bounds] : entry_.range)
+      if (!unknown(".range." + name, name)) check_range(name, bounds);
+  }
+
+  /// The range lies within the declared one, and the start within the range.
+  void check_range(const std::string& name, const std::pair<double, double>& bounds) {
+    const auto declaration = std::find_if(description_.parameters.begin(), description_.parameters.end(),
+                                          [&](const ParameterDeclaration& each) { return each.name == name; });
+    const auto text = [](double lower, double upper) {
+      return format_quantity(lower, "1") + " to " + format_quantity(upper, "1");
+    };
+    const double start = entry_.start.at(name);
+    if (bounds.first < declaration->lower || bounds.second > declaration->upper)
+      complain(".range." + name, text(bounds.first, bounds.second) + " goes beyond the range of " + entry_.effect +
+                                     ", " + text(declaration->lower, declaration->upper) + " " +
+                                     unit_in_words(declaration->unit));
+    else if (start < bounds.first || start > bounds.second)
+      complain(".range." + name, "the start, " + format_quantity(start, "1") + ", lies outside " +
+                                     text(bounds.first, bounds.second) + "; give a start within it");
   }
 
   /// Patterns one by one first, so that each bad one is named at its place.
@@ -174,6 +193,8 @@ class EntryCheck {
     for (const ParameterDeclaration& declaration : description_.parameters) {
       const std::string unit = unit_of(declaration, robot, placed_);
       complaints_.check_unit(key_ + ".start." + declaration.name, unit);
+      for (const char* bound : {"[0]", "[1]"})
+        complaints_.check_unit(key_ + ".range." + declaration.name + bound, unit);
       for (const int element : placed_.elements) {
         const std::string other = unit_at(declaration.unit, robot, placed_.kind, element);
         if (other == unit) continue;
@@ -216,9 +237,11 @@ void free_parameters(const Placement& placement, ModelDefinition& definition) {
     const ParameterDeclaration& declaration = placement.description.parameters[i];
     if (std::find(entry.fixed.begin(), entry.fixed.end(), declaration.name) != entry.fixed.end()) continue;
     const std::string unit = unit_of(declaration, definition.structure.robot, placement.placed);
-    definition.free.push_back({"effect." + entry.id + "." + declaration.name, unit, declaration.lower,
-                               declaration.upper, placement.placed.values[i], declaration.scale,
-                               declaration.description});
+    const auto range = entry.range.find(declaration.name);
+    const auto [lower, upper] =
+        range == entry.range.end() ? std::pair(declaration.lower, declaration.upper) : range->second;
+    definition.free.push_back({"effect." + entry.id + "." + declaration.name, unit, lower, upper,
+                               placement.placed.values[i], declaration.scale, declaration.description});
   }
 }
 

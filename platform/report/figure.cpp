@@ -20,6 +20,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kPixelColumns = 1000;
+constexpr double kRoomBelow = 66.0;  // px, for the ticks of the x axis and its label
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -117,14 +118,15 @@ std::string script(const Figure& figure, const std::filesystem::path& file) {
   text +=
       "set datafile missing \"NaN\"\nset grid lc rgb \"#E4E4E4\" lt 1\nset border 3 lc rgb \"#7A7A7A\"\nset tics "
       "nomirror\n";
-  text += "set lmargin at screen 0.09\nset rmargin at screen 0.98\n";
+  const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                 [](const Panel& panel) { return !panel.x_names.empty(); });
+  text += fmt::format("set lmargin at screen 0.09\nset rmargin at screen {}\n", named ? 0.93 : 0.98);
   text += "set label 1 " + quoted(figure.title) + " at screen 0.09, screen 0.965 left font \",15\"\nset multiplot\n";
   double total = 0.0;
   for (const Panel& panel : figure.panels) total += panel.share;
   constexpr double kTop = 0.88, kSpace = 0.075;
-  const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
-                                 [](const Panel& panel) { return !panel.x_names.empty(); });
-  const double bottom_margin = named ? 0.26 : 0.12;  // room for slanted names
+  // Room for ticks and label, or for slanted names, in a low figure too.
+  const double bottom_margin = std::max(named ? 0.26 : 0.12, kRoomBelow / figure.height);
   const double height = kTop - bottom_margin - kSpace * (static_cast<double>(figure.panels.size()) - 1.0);
   double top = kTop;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {

@@ -71,28 +71,22 @@ std::string runs_text(const std::vector<EeaRunListing>& runs) {
   return text_table(table, 2);
 }
 
-Json passes_json(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials) {
-  Json json = Json::array();
-  for (const PassRow& pass : passes) {
-    const TargetTrialRow* trial = trial_of(pass, trials);
-    Json objective = Json::object();
-    for (const ObjectiveRow& row : pass.objective)
-      objective[row.name] = {{"value", json_number(row.value)}, {"unit", row.unit}};
-    json.push_back({{"pass", pass.number},
-                    {"error", json_number(pass.best_score)},
-                    {"objective", objective},
-                    {"predicted_fitness", json_number(pass.best_fitness)},
-                    {"measured_fitness", trial ? json_number(trial->measured_fitness) : Json(nullptr)},
-                    {"evaluations", pass.evaluations},
-                    {"abandoned", pass.abandoned},
-                    {"reused", pass.reused},
-                    {"invalid", pass.invalid},
-                    {"steps", pass.steps},
-                    {"test_evaluations", pass.test_evaluations},
-                    {"invalid_tests", pass.invalid_tests},
-                    {"test_steps", pass.test_steps}});
-  }
-  return json;
+Json pass_json(const PassRow& pass) {
+  Json objective = Json::object();
+  for (const ObjectiveRow& row : pass.objective)
+    objective[row.name] = {{"value", json_number(row.value)}, {"unit", row.unit}};
+  return {{"pass", pass.number},
+          {"error", json_number(pass.best_score)},
+          {"objective", objective},
+          {"predicted_fitness", json_number(pass.best_fitness)},
+          {"evaluations", pass.evaluations},
+          {"abandoned", pass.abandoned},
+          {"reused", pass.reused},
+          {"invalid", pass.invalid},
+          {"steps", pass.steps},
+          {"test_evaluations", pass.test_evaluations},
+          {"invalid_tests", pass.invalid_tests},
+          {"test_steps", pass.test_steps}};
 }
 
 Json runs_json(const std::vector<EeaRunListing>& runs) {

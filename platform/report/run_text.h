@@ -16,7 +16,7 @@ std::string passes_text(const std::vector<PassRow>& passes, const std::vector<Ta
 /// A row a run, for `lacuna runs`.
 std::string runs_text(const std::vector<EeaRunListing>& runs);
 
-nlohmann::ordered_json passes_json(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials);
+nlohmann::ordered_json pass_json(const PassRow& pass);
 nlohmann::ordered_json runs_json(const std::vector<EeaRunListing>& runs);
 
 }  // namespace lacuna

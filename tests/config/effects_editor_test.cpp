@@ -124,10 +124,12 @@ TEST(EffectsEditor, RemovesFromTheMiddleAndTheFront) {
 
 TEST(EffectsEditor, WritesAnEffectThatReadsBackTheSame) {
   const EffectEntry full{
-      "my-id", "stribeck_friction", {"joint.a", "joint.*"}, {{"a", 0.1}, {"b", 1.0 / 3.0}, {"c", 2.0}}, {"a", "b"}};
-  EXPECT_EQ(effect_as_toml(full),
-            "{ id = \"my-id\", effect = \"stribeck_friction\", where = [\"joint.a\", \"joint.*\"], "
-            "start = { a = 0.1, b = 0.3333333333333333, c = 2.0 }, fixed = [\"a\", \"b\"] }");
+      "my-id",    "stribeck_friction", {"joint.a", "joint.*"}, {{"a", 0.1}, {"b", 1.0 / 3.0}, {"c", 2.0}},
+      {"a", "b"}, {{"c", {0.5, 3.0}}}};
+  EXPECT_EQ(
+      effect_as_toml(full),
+      "{ id = \"my-id\", effect = \"stribeck_friction\", where = [\"joint.a\", \"joint.*\"], "
+      "start = { a = 0.1, b = 0.3333333333333333, c = 2.0 }, fixed = [\"a\", \"b\"], range = { c = [0.5, 3.0] } }");
   EXPECT_NO_THROW(insert_effect("[model]\neffects = []\n", full));
 }
 

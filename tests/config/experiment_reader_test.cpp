@@ -85,6 +85,7 @@ TEST(ReadExperiment, ReadsEffects) {
   EXPECT_EQ(effects[0].where, std::vector<std::string>{"joint.hinge"});
   EXPECT_DOUBLE_EQ(effects[0].start.at("torque"), 0.1);
   EXPECT_EQ(effects[0].fixed, std::vector<std::string>{"torque"});
+  EXPECT_EQ(effects[0].range.at("torque"), std::pair(0.0, 1.0));
   EXPECT_EQ(effects[1].id, "joint_offset_torque");
   EXPECT_EQ(effects[1].where.size(), 2U);
 }

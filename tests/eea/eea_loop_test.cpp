@@ -216,7 +216,7 @@ name = "measured"
 kind = "recorded"
 files = ["data/servo_pendulum/sine.csv"]
 hold = "zero"
-time = { column = "t_s", use = [[0.0, 1.0]] }
+time = { column = "t_s", use = [[0.0, 2.0]] }
 sensors = { angle = { column = "angle_deg", unit = "deg" } }
 commands = { motor = { column = "torque_Nm", unit = "N*m" } }
 [model]
@@ -241,6 +241,11 @@ TEST(EeaLoop, EstimatesOnRecordedTrials) {
   ASSERT_EQ(journal.passes.size(), 1U);
   ASSERT_EQ(journal.passes[0].best_values.size(), 3U);
   EXPECT_LT(journal.passes[0].best_score, 1e-3);  // rad, mean absolute difference; the encoder's step is 3.1e-3
+  const auto damping = std::find_if(bench->definition().model.free.begin(), bench->definition().model.free.end(),
+                                    [](const FreeValue& value) { return value.address == "joint.hinge.damping"; });
+  const double found =
+      journal.passes[0].best_values[static_cast<std::size_t>(damping - bench->definition().model.free.begin())];
+  EXPECT_NEAR(found, 0.021, 0.001);  // N*m*s/rad, of the bench
 }
 
 TEST(EeaDefinition, NamesEveryProblemAtItsPlace) {

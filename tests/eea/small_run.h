@@ -3,6 +3,7 @@
 #include "app/eea_bench.h"
 #include "config/experiment_reader.h"
 #include "plugins/built_catalog.h"
+#include "support/small_experiment.h"
 
 #include <memory>
 #include <string>
@@ -33,30 +34,9 @@ class MemoryJournal : public EeaJournal {
   int predictions = 0;
 };
 
-/// A quadruped on soft ground with nine hidden masses and eight hidden lags, small populations and tests of 0.3 s.
-inline constexpr const char* kSmallExperiment = R"(
-[experiment]
-name = "small"
-passes = 2
-[target]
-kind = "simulated"
-robot = "quadruped"
-hidden = { "body.*.mass" = { uniform = [1.0, 7.0] }, "sensor.*.delay" = { uniform = [0.0, 0.2] } }
-[model]
-robot = "quadruped"
-free = { "body.*.mass" = [1.0, 7.0], "sensor.*.delay" = [0.0, 0.2] }
-[engine]
-step = 0.01
-delay_rounding = "step"
-contact = { stiffness = 2e4, damping = 300.0 }
-[test]
-duration = 0.3
-[estimation]
-parameters = { population = 12, keep = 6, generations = 5 }
-objective = "parameter_error"
-[exploration]
-parameters = { population = 6, keep = 3, generations = 3 }
-)";
+/// Populations of a dozen and tests of 0.3 s: a few hundredths of a second.
+inline const std::string kSmallExperiment =
+    small_experiment("0.3", "population = 12, keep = 6, generations = 5", "population = 6, keep = 3, generations = 3");
 
 /// An experiment ready to run, with some keys put beside the text.
 inline std::unique_ptr<EeaBench> small_bench(const std::vector<std::string>& overrides = {},

@@ -1,5 +1,5 @@
 #include "end_to_end/program.h"
-#include "end_to_end/small_experiment.h"
+#include "end_to_end/small_run.h"
 
 #include <gmock/gmock.h>
 

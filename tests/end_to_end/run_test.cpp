@@ -1,11 +1,16 @@
 #include "end_to_end/program.h"
-#include "end_to_end/small_experiment.h"
+#include "end_to_end/small_run.h"
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include <csignal>
 #include <filesystem>
+#include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -43,6 +48,50 @@ TEST_F(Run, TellsEachPassAndLeavesADatabase) {
       program_.run({"sql", "small.db", "SELECT pass, error FROM error_by_pass ORDER BY pass", "--csv"});
   EXPECT_EQ(errors.exit_code, kDone) << errors.errors;
   EXPECT_THAT(errors.output, ContainsRegex("1,0\\.[0-9]+"));
+}
+
+std::vector<nlohmann::json> lines_of(const std::string& text) {
+  std::vector<nlohmann::json> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+TEST_F(Run, PrintsALineOfJsonAnEvent) {
+  const Outcome outcome = program_.run({"run", "small.toml", "--replicates", "2", "--json"});
+  ASSERT_EQ(outcome.exit_code, kDone) << outcome.errors;
+  const std::vector<nlohmann::json> lines = lines_of(outcome.output);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.front().at("event"), "begin");
+  EXPECT_EQ(lines.front().at("runs").size(), 2U);
+  std::map<std::string, int> count;
+  for (const nlohmann::json& line : lines)
+    if (line.at("event") != "begin" && line.at("replicate") == 2) ++count[line.at("event")];
+  EXPECT_EQ(count["trial"], 3) << "two passes, and one for the transfer";
+  EXPECT_EQ(count["pass"], 2);
+  EXPECT_EQ(count["end"], 1);
+  EXPECT_EQ(lines.back().at("ending"), "done");
+}
+
+TEST_F(Run, WritesTheSamePassesIntoAFileOfJson) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--json=run.jsonl"}).exit_code, kDone);
+  const Outcome stored = program_.run({"sql", "small.db", "SELECT error FROM error_by_pass ORDER BY pass", "--json"});
+  const nlohmann::json errors = nlohmann::json::parse(stored.output);
+  std::vector<double> told;
+  for (const nlohmann::json& line : lines_of(program_.read("run.jsonl")))
+    if (line.at("event") == "pass") told.push_back(line.at("error"));
+  ASSERT_EQ(told.size(), errors.size());
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], errors[i].at("error").get<double>());
+}
+
+TEST_F(Run, ReplayRefusesAModelOrTrialThatIsNotThere) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  const Outcome model = program_.run({"replay", "small.db", "--model", "1000000"});
+  EXPECT_EQ(model.exit_code, kBadInput);
+  EXPECT_THAT(model.errors, HasSubstr("the run has no such model"));
+  const Outcome trial = program_.run({"replay", "small.db", "--trial", "9", "--csv"});
+  EXPECT_EQ(trial.exit_code, kBadInput);
+  EXPECT_THAT(trial.errors, HasSubstr("the trials 0, 1 only"));
 }
 
 TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {
@@ -102,7 +151,7 @@ TEST_F(Run, ResumeSaysWhereThereIsNothingToGoOnWith) {
 
 TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
   ASSERT_EQ(program_.run_and_signal({"run", "small.toml"}, "small.db-wal", SIGINT).exit_code, kInterrupted);
-  program_.write("small.toml", std::string(kSmallRun) + "# another\n");
+  program_.write("small.toml", kSmallRun + "# another\n");
   const Outcome outcome = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(outcome.exit_code, kBadInput);
   EXPECT_THAT(outcome.errors, HasSubstr("another text of this experiment"));

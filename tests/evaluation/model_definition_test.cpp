@@ -194,6 +194,25 @@ TEST_F(DefineModel, ValuesOutsideTheirBoundsAreRefused) {
                                                         HasSubstr("outside the range of coulomb_friction")));
 }
 
+TEST_F(DefineModel, AnEffectsParameterIsFreeWithinTheRangeThatTheFileGives) {
+  EffectEntry& entry = add_effect("a", "coulomb_friction", {"joint.hinge"});
+  entry.start = {{"torque", 0.1}};
+  entry.range = {{"torque", {0.05, 0.4}}};
+  const ModelDefinition definition = define();
+  ASSERT_EQ(definition.free.size(), 1U);
+  EXPECT_EQ(definition.free[0].lower, 0.05);
+  EXPECT_EQ(definition.free[0].upper, 0.4);
+}
+
+TEST_F(DefineModel, RangesThatAnEffectCannotHaveAreRefused) {
+  add_effect("a", "coulomb_friction", {"joint.hinge"}).range = {{"torque", {-1.0, 1.0}}};
+  add_effect("b", "coulomb_friction", {"joint.hinge"}).range = {{"torque", {0.5, 1.0}}};
+  add_effect("c", "coulomb_friction", {"joint.hinge"}).range = {{"torqe", {0.5, 1.0}}};
+  EXPECT_THAT(problems(), testing::UnorderedElementsAre(HasSubstr("goes beyond the range of coulomb_friction"),
+                                                        HasSubstr("the start, 0.00, lies outside"),
+                                                        HasSubstr("did you mean \"torque\"?")));
+}
+
 TEST_F(DefineModel, PlacesThatAnEffectCannotHaveAreRefused) {
   add_effect("a", "coulomb_friction", {"body.arm"});
   add_effect("b", "coulomb_friction", {});

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -14,6 +15,7 @@ struct EffectEntry {
                                    ///< of values; empty: the world
   std::map<std::string, double> start;  ///< values that differ from the declared defaults, SI
   std::vector<std::string> fixed;       ///< parameters that are not free
+  std::map<std::string, std::pair<double, double>> range = {};  ///< bounds narrower than the declared ones, SI
 };
 
 using EffectList = std::vector<EffectEntry>;

@@ -1,0 +1,56 @@
+#include "app/stored_model.h"
+
+#include "foundation/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+}  // namespace
+
+StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
+  const std::optional<ModelRow> row = store.model(number);
+  if (!row)
+    throw_problem({}, fmt::format("--model {}: the run has no such model; the view evaluations "
+                                  "lists all of them",
+                                  number));
+  StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
+  const std::vector<TargetTrialRow> rows = store.trial_rows();
+  std::vector<Trial> trials = store.trials();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
+    const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
+    const Test drive =
+        rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
+    model.trials.push_back({drive, std::move(trials[i]), 0});
+    model.numbers.push_back(rows[i].number);
+  }
+  return model;
+}
+
+ModelScore score_again(const StoredModel& model) {
+  const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, 1);
+  ModelScore score;
+  scorer.score(model.values, std::nullopt, 0, score);
+  return score;
+}
+
+bool agrees(const ModelRow& stored, const ModelScore& score) {
+  switch (stored.kind) {
+    case EvaluationKind::invalid: return score.kind == ScoreKind::invalid;
+    case EvaluationKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
+    case EvaluationKind::full: break;
+  }
+  return score.kind == ScoreKind::full && same(score.total, stored.score) &&
+         std::equal(score.trials.begin(), score.trials.end(), stored.trial_scores.begin(), stored.trial_scores.end(),
+                    same);
+}
+
+}  // namespace lacuna
