@@ -88,7 +88,7 @@ RunDisplay::Standing RunDisplay::standing() const {
   }
   const double share_rate = (done - begun_at) / seconds();
   all.rate = static_cast<double>(evaluations) / seconds();
-  all.left = share_rate > 0.0 ? (static_cast<double>(replicates_.size()) - done) / share_rate : 0.0;
+  all.left = share_rate > 0.0 ? (static_cast<double>(replicates_.size()) - done) / share_rate : kNotKnown;
   return all;
 }
 
@@ -97,7 +97,8 @@ void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
   const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
   fmt::print(stderr, "\r\033[K{}pass {}/{} · {} {}/{} · best {:.4g} · {:.0f} evaluations/s · {} invalid · {} left",
              whose, progress.pass, progress.passes, to_string(progress.phase), progress.generation,
-             progress.generations, progress.best, all.rate, all.invalid, format_duration(all.left));
+             progress.generations, progress.best, all.rate, all.invalid,
+             std::isfinite(all.left) ? format_duration(all.left) : "?");
   std::fflush(stderr);
 }
 

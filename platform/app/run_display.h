@@ -40,8 +40,8 @@ class RunDisplay {
 
   /// All replicates together.
   struct Standing {
-    double rate = 0.0;  ///< evaluations per second
-    double left = 0.0;  ///< s
+    double rate = 0.0;        ///< evaluations per second
+    double left = kNotKnown;  ///< s
     std::uint64_t invalid = 0;
   };
 

@@ -99,7 +99,8 @@ Database Database::open(const std::filesystem::path& file) {
 
 Database Database::open_read_only(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
-    throw_problem({file.string()}, "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
+    throw_problem({file.string()},
+                  "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
   }
   Database database(file);
   database.connection_ = connect(file, file.string(), SQLITE_OPEN_READONLY);

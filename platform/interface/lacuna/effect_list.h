@@ -13,8 +13,8 @@ struct EffectEntry {
   std::string effect;              ///< the plugin's name
   std::vector<std::string> where;  ///< element addresses such as `joint.hinge`, with `*` for all; several share one set
                                    ///< of values; empty: the world
-  std::map<std::string, double> start;  ///< values that differ from the declared defaults, SI
-  std::vector<std::string> fixed;       ///< parameters that are not free
+  std::map<std::string, double> start;                          ///< values that differ from the declared defaults, SI
+  std::vector<std::string> fixed;                               ///< parameters that are not free
   std::map<std::string, std::pair<double, double>> range = {};  ///< bounds narrower than the declared ones, SI
 };
 
