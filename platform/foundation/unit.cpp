@@ -142,7 +142,8 @@ std::string known_units() {
 std::string format_quantity(double value_in_si, const std::string& unit, int digits) {
   const auto text = [&](double value, const char* prefix) {
     const double magnitude = std::abs(value);
-    const int before = magnitude > 0.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
+    const int before =
+        magnitude > 0.0 && std::isfinite(magnitude) ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
     const std::string number = before > digits + 3 || before < -3
                                    ? fmt::format("{:.{}g}", value, digits)
                                    : fmt::format("{:.{}f}", value, std::max(digits - before, 0));

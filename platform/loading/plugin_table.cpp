@@ -54,6 +54,13 @@ bool is_lower_snake(std::string_view name) {
   });
 }
 
+/// What the tables of all versions begin with; nothing else is known of another version's, not even where it is
+/// aligned.
+struct TableHead {
+  char magic[8];
+  std::uint32_t interface_version;
+};
+
 std::string component_problem(std::span<const ComponentEntry> components) {
   if (components.empty()) return "has no components; name them in LACUNA_PLUGIN(...)";
   for (const ComponentEntry& component : components) {
@@ -70,10 +77,12 @@ std::string component_problem(std::span<const ComponentEntry> components) {
 }  // namespace
 
 std::string table_problem(const PluginTable* table) {
-  if (table == nullptr || std::memcmp(table->magic, kPluginMagic, sizeof(kPluginMagic)) != 0)
+  TableHead head;
+  if (table != nullptr) std::memcpy(&head, static_cast<const void*>(table), sizeof(head));
+  if (table == nullptr || std::memcmp(head.magic, kPluginMagic, sizeof(kPluginMagic)) != 0)
     return std::string(kPluginSymbol) + " returns no plugin table; end one source file with LACUNA_PLUGIN(...)";
-  if (table->interface_version != kInterfaceVersion)
-    return "was built for version " + std::to_string(table->interface_version) +
+  if (head.interface_version != kInterfaceVersion)
+    return "was built for version " + std::to_string(head.interface_version) +
            " of the plugin interface, this program has version " + std::to_string(kInterfaceVersion) + kRebuild;
   if (table->table_size != sizeof(PluginTable))
     return "has a plugin table of " + std::to_string(table->table_size) + " bytes, this program expects " +

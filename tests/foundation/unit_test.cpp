@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 
 namespace lacuna {
@@ -24,6 +25,7 @@ TEST(FormatQuantity, ChoosesAPrefixThatSuitsTheSize) {
   EXPECT_EQ(format_quantity(0.0091, "rad"), "9.10 mrad");
   EXPECT_EQ(format_quantity(95.1, "kg"), "95.1 kg");
   EXPECT_EQ(format_quantity(0.131, "N*m"), "0.131 N*m");
+  EXPECT_EQ(format_quantity(std::numeric_limits<double>::infinity(), "N/m"), "inf N/m");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "storage/made_up_run.h"
+#include "support/sanitizers.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ std::string printed_by(const std::string& command) {
 class SqliteExtension : public testing::Test {
  protected:
   void SetUp() override {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if LACUNA_WATCHED
     GTEST_SKIP() << "sqlite3 has not the sanitizer that the extension needs";
 #endif
     if (printed_by("command -v sqlite3").empty()) GTEST_SKIP() << "the program sqlite3 is not installed";

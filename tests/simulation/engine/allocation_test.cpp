@@ -1,12 +1,13 @@
 #include "simulation/engine/effects.h"
 #include "simulation/engine/support.h"
+#include "support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cstdlib>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if LACUNA_WATCHED
 #define LACUNA_COUNTS_ALLOCATIONS 0
 #else
 #define LACUNA_COUNTS_ALLOCATIONS 1

@@ -1,8 +1,10 @@
 #include "simulation/engine/support.h"
 
+#include "support/sanitizers.h"
+
 #include <cmath>
 
-#if defined(__SANITIZE_ADDRESS__)
+#if LACUNA_WATCHED
 // An exception out of a step of ODE's loses the job (80 bytes) that was being done.
 extern "C" const char* __lsan_default_suppressions() { return "leak:PreallocateJobInfos\n"; }  // NOLINT
 #endif
