@@ -51,10 +51,12 @@ struct MadeUpRun {
   }
 
   std::uint64_t model_number(int pass, int generation, int index) const {
-    return static_cast<std::uint64_t>(((pass - 1) * generations + generation) * models + index);
+    const int number = ((pass - 1) * generations + generation) * models + index;
+    return static_cast<std::uint64_t>(number);
   }
   std::uint64_t test_number(int pass, int index) const {
-    return static_cast<std::uint64_t>((pass - 1) * tests + index);
+    const int number = (pass - 1) * tests + index;
+    return static_cast<std::uint64_t>(number);
   }
   TimeSeries readings(double amplitude) const { return sine(samples, amplitude); }
 
