@@ -1,1 +1,1 @@
-// Nothing of its own: it carries the precompiled headers of lacuna_build.cmake.
+// Nothing of its own: it carries the precompiled headers of precompiled_headers.cmake.

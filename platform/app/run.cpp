@@ -52,9 +52,9 @@ void run(const RunOptions& options) {
   check_output(options.json);
   const EeaBench bench(open_rig(options));
   Database database = Database::open(database_of(options, bench.rig().experiment));
-  RunLines lines(options.json);
   const RunPlan plan =
       options.resume ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  RunLines lines(options.json);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.seed, plan.threads, plan.replicates);
   std::vector<ReplicateEnd> ends;
   {
