@@ -195,7 +195,7 @@ JOIN experiment ON experiment.id = eea_run.experiment;
 CREATE VIEW transfer_gap AS
 SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, pass.number AS pass,
        target_trial.number AS trial, (test.id & 1099511627775) - 1 AS test, fitness.name AS fitness,
-       predicted_fitness AS predicted, measured_fitness AS measured, measured_fitness - predicted_fitness AS gap,
+       fitness_unit AS unit, predicted_fitness AS predicted, measured_fitness AS measured, measured_fitness - predicted_fitness AS gap,
        for_transfer
 FROM target_trial
 JOIN eea_run ON eea_run.run = target_trial.run

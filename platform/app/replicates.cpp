@@ -62,6 +62,7 @@ EeaRunRecord Replicates::record(int replicate) const {
   record.passes = definition.passes;
   if (!bench_.takes_tests()) return record;
   record.fitness = definition.fitness.origin.name;
+  record.fitness_unit = definition.fitness->unit();
   record.test_genes = names_of(definition.exploration.layout());
   return record;
 }

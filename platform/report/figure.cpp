@@ -15,12 +15,14 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 namespace lacuna {
 namespace {
 
 constexpr std::size_t kPixelColumns = 1000;
-constexpr double kRoomBelow = 66.0;  // px, for the ticks of the x axis and its label
+constexpr double kLeft = 0.09, kRight = 0.98;  // of the figure's width, where panels begin and end
+constexpr double kRoomBelow = 66.0;            // px, for the ticks of the x axis and its label
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -90,14 +92,47 @@ long whole_tick(const Figure& figure) {
   return tick;
 }
 
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void hold(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  /// As wide as `width`, about the same middle.
+  Range widened(double width) const {
+    const double middle = 0.5 * (low + high);
+    return {middle - 0.5 * width, middle + 0.5 * width};
+  }
+};
+
+/// Ranges under which a metre is as long on the x axis as on the y axis.
+std::string map_ranges(const Figure& figure, const Panel& panel, double height_share) {
+  Range x, y;
+  for (const Series& series : panel.series) {
+    x.hold(series.x);
+    y.hold(series.y);
+  }
+  if (!(x.low <= x.high) || !(y.low <= y.high)) return {};
+  constexpr double kRoom = 1.1;  ///< around what is drawn
+  const double width = (kRight - kLeft) * figure.width, height = height_share * figure.height;
+  double per_pixel = kRoom * std::max((x.high - x.low) / width, (y.high - y.low) / height);
+  if (!(per_pixel > 0.0)) per_pixel = 1.0 / width;
+  const Range across = x.widened(per_pixel * width), up = y.widened(per_pixel * height);
+  return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", across.low, across.high, up.low, up.high);
+}
+
 std::string panel_commands(const Figure& figure, std::size_t index, double top, double bottom) {
   const Panel& panel = figure.panels[index];
-  const bool last = index + 1 == figure.panels.size();
+  const bool labelled = figure.maps || index + 1 == figure.panels.size();
   std::string text = fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", top, bottom);
   text += fmt::format("set key at screen 0.98, screen {:.4f} right bottom horizontal\n", top + 0.005);
   text += "set ylabel " + quoted(panel.y_label) + "\n";
-  text +=
-      last ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n" : "unset xlabel\nset format x \"\"\n";
+  text += labelled ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n"
+                   : "unset xlabel\nset format x \"\"\n";
+  if (figure.maps) text += map_ranges(figure, panel, top - bottom);
   if (!panel.x_names.empty()) text += tick_names(panel.x_names);
   if (figure.whole_x) text += fmt::format("set xtics {}\n", whole_tick(figure));
   std::string clauses;
@@ -120,19 +155,20 @@ std::string script(const Figure& figure, const std::filesystem::path& file) {
       "nomirror\n";
   const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
                                  [](const Panel& panel) { return !panel.x_names.empty(); });
-  text += fmt::format("set lmargin at screen 0.09\nset rmargin at screen {}\n", named ? 0.93 : 0.98);
+  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", kLeft, named ? 0.93 : kRight);
   text += "set label 1 " + quoted(figure.title) + " at screen 0.09, screen 0.965 left font \",15\"\nset multiplot\n";
   double total = 0.0;
   for (const Panel& panel : figure.panels) total += panel.share;
-  constexpr double kTop = 0.88, kSpace = 0.075;
+  constexpr double kTop = 0.88;
+  const double space = figure.maps ? 0.16 : 0.075;  // between panels; there the upper one's x axis may be written
   // Room for ticks and label, or for slanted names, in a low figure too.
   const double bottom_margin = std::max(named ? 0.26 : 0.12, kRoomBelow / figure.height);
-  const double height = kTop - bottom_margin - kSpace * (static_cast<double>(figure.panels.size()) - 1.0);
+  const double height = kTop - bottom_margin - space * (static_cast<double>(figure.panels.size()) - 1.0);
   double top = kTop;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const double bottom = top - height * figure.panels[p].share / total;
     text += panel_commands(figure, p, top, bottom);
-    top = bottom - kSpace;
+    top = bottom - space;
   }
   return text + "unset multiplot\nunset output\n";
 }

@@ -27,7 +27,7 @@ struct Series {
   std::vector<double> y2;  ///< for bands and whiskers
 };
 
-/// One pair of axes. Panels of a figure stand below each other and share the x axis's range.
+/// One pair of axes. Panels of a figure stand below each other and share the x axis, unless they are maps.
 struct Panel {
   std::string y_label;
   std::vector<Series> series;
@@ -40,6 +40,7 @@ struct Figure {
   std::string x_label;
   std::vector<Panel> panels;
   bool whole_x = false;  ///< x counts something: ticks at whole numbers only
+  bool maps = false;     ///< x and y are places: one scale for both, and each panel has its own x axis
   int width = 1000;      ///< px
   int height = 640;
 };

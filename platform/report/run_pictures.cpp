@@ -73,6 +73,10 @@ std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
   return panels;
 }
 
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
+}
+
 /// Distances of the tests that models chose, by the pass that chose them.
 std::vector<Panel> transfer_panels(const std::vector<DrawnRun>& runs) {
   std::map<int, std::vector<double>> predicted, measured;
@@ -84,7 +88,7 @@ std::vector<Panel> transfer_panels(const std::vector<DrawnRun>& runs) {
         measured[pass.number].push_back(trial.measured_fitness);
       }
   Panel panel;
-  panel.y_label = runs.front().record.fitness;
+  panel.y_label = with_unit(runs.front().record.fitness, runs.front().record.fitness_unit);
   add_by_pass(panel.series, predicted, "model", kBlue);
   add_by_pass(panel.series, measured, "target", kOrange);
   if (panel.series.empty()) return {};
@@ -189,6 +193,7 @@ std::vector<NamedFigure> run_figures(const std::vector<DrawnRun>& runs, const st
   for (NamedFigure& parameters : parameter_figures(runs, title)) figures.push_back(std::move(parameters));
   add("transfer", "pass", transfer_panels(runs));
   add("paths", "x from the start (m)", path_panels(runs.front()));
+  if (figures.back().name == "paths") figures.back().figure.maps = true;
   if (runs.size() > 1 && figures.back().name == "paths") figures.back().figure.title += ", the first of them";
   return figures;
 }

@@ -6,6 +6,7 @@
 
 #include <lacuna/error.h>
 
+#include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
@@ -97,6 +98,19 @@ Database Database::open(const std::filesystem::path& file) {
   return database;
 }
 
+void Database::read_copy_of_this_version() {
+  // SQLite keeps a database without a name in a temporary file that ends with the connection.
+  std::unique_ptr<SQLite::Database> copy = connect(file_, "", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  try {
+    SQLite::Backup(*copy, *connection_).executeStep();
+  } catch (const SQLite::Exception& error) {
+    throw_storage_error(file_, error);
+  }
+  connection_ = std::move(copy);
+  bring_up_to_date(*this, schema_migrations());
+  refresh_views(*this, schema_views());
+}
+
 Database Database::open_read_only(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     throw_problem({file.string()},
@@ -119,6 +133,7 @@ Database Database::open_read_only(const std::filesystem::path& file) {
     database.connection_ = connect(file, uri_of(file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     check_header(database, schema_migrations());
   }
+  if (!is_of_version(database, schema_migrations())) database.read_copy_of_this_version();
   database.execute("PRAGMA query_only = ON");
   return database;
 }

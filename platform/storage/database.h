@@ -42,7 +42,8 @@ class Database {
   static Database open(const std::filesystem::path& file);
   /// The same with other migrations, for tests of migrating itself; no views.
   static Database open(const std::filesystem::path& file, const std::vector<Migration>& migrations);
-  /// Opens for reading what exists. Nothing can be written through it.
+  /// Opens for reading what exists. Nothing can be written through it. Of a file of an older version a temporary copy
+  /// is brought up to date and read.
   static Database open_read_only(const std::filesystem::path& file);
 
   Database(Database&&) noexcept;
@@ -64,6 +65,7 @@ class Database {
 
  private:
   explicit Database(std::filesystem::path file);
+  void read_copy_of_this_version();
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
   std::optional<FileIdentity> identity_;

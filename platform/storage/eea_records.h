@@ -85,6 +85,7 @@ struct EeaRunRecord {
   int replicate = 1;                       ///< from 1
   std::string metric = {};                 ///< that models are scored by
   std::string fitness = {};                ///< of tests; empty where none are searched for
+  std::string fitness_unit = {};           ///< SI; empty where it was not kept
   std::vector<FreeValueRecord> free = {};  ///< of the models
   std::vector<double> truth = {};  ///< one a free value, of a simulated target; NaN where it has none; empty: all
   std::vector<std::string> model_genes = {};  ///< names, in genome order

@@ -41,10 +41,10 @@ void write_run_record(const Database& database, RunId run, ExperimentId experime
   std::optional<std::int64_t> fitness;
   if (!record.fitness.empty()) fitness = metric_key(database, record.fitness);
   Statement(database,
-            "INSERT INTO eea_run (run, experiment, replicate, passes, metric, fitness, model_genes, test_genes)"
-            " VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-      .run_with(run, experiment, record.replicate, record.passes, metric, fitness, sentences_text(record.model_genes),
-                sentences_text(record.test_genes));
+            "INSERT INTO eea_run (run, experiment, replicate, passes, metric, fitness, fitness_unit, model_genes,"
+            " test_genes) VALUES (?, ?, ?, ?, ?, ?, nullif(?, ''), ?, ?)")
+      .run_with(run, experiment, record.replicate, record.passes, metric, fitness, record.fitness_unit,
+                sentences_text(record.model_genes), sentences_text(record.test_genes));
   Statement value(database,
                   "INSERT INTO free_value (run, position, address, unit, lower, upper, start, truth)"
                   " VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
@@ -56,11 +56,11 @@ void write_run_record(const Database& database, RunId run, ExperimentId experime
 }
 
 std::optional<EeaRunRecord> read_run_record(const Database& database, RunId run) {
-  Statement row(
-      database,
-      "SELECT replicate, passes, metric.name, coalesce(fitness.name, ''), model_genes, test_genes FROM eea_run"
-      " JOIN metric ON metric.id = eea_run.metric LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness"
-      " WHERE run = ?");
+  Statement row(database,
+                "SELECT replicate, passes, metric.name, coalesce(fitness.name, ''), model_genes, test_genes,"
+                " coalesce(fitness_unit, '') FROM eea_run"
+                " JOIN metric ON metric.id = eea_run.metric LEFT JOIN metric AS fitness ON fitness.id = eea_run.fitness"
+                " WHERE run = ?");
   if (!row.with(run).step()) return std::nullopt;
   EeaRunRecord record;
   record.replicate = row.number(0);
@@ -69,6 +69,7 @@ std::optional<EeaRunRecord> read_run_record(const Database& database, RunId run)
   record.fitness = row.text(3);
   record.model_genes = sentences_from(row.text(4));
   record.test_genes = sentences_from(row.text(5));
+  record.fitness_unit = row.text(6);
   read_free_values(database, run, record);
   return record;
 }

@@ -59,10 +59,17 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
   }
 }
 
+bool is_of_version(const Database& database, const std::vector<Migration>& migrations) {
+  return version_of(database) == migrations.back().number;
+}
+
 void migrate(Database& database, const std::vector<Migration>& migrations) {
-  const int newest = migrations.back().number;
-  if (version_of(database) == newest) return;
-  if (version_of(database) > 0) copy_before(database, newest);
+  if (is_of_version(database, migrations)) return;
+  if (version_of(database) > 0) copy_before(database, migrations.back().number);
+  bring_up_to_date(database, migrations);
+}
+
+void bring_up_to_date(Database& database, const std::vector<Migration>& migrations) {
   Transaction transaction(database);
   const int version = version_of(database);  // another process may have been faster
   for (const Migration& migration : migrations) {

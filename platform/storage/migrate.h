@@ -11,8 +11,12 @@ namespace lacuna {
 /// Writes nothing.
 void check_header(const Database& database, const std::vector<Migration>& migrations);
 
-/// Applies what is missing, all in one transaction. A file of an older version is copied to
-/// `FILE.before-version-N` first.
+bool is_of_version(const Database& database, const std::vector<Migration>& migrations);
+
+/// Applies what is missing, all in one transaction.
+void bring_up_to_date(Database& database, const std::vector<Migration>& migrations);
+
+/// The same for a file: one of an older version is copied to `FILE.before-version-N` first.
 void migrate(Database& database, const std::vector<Migration>& migrations);
 
 /// Makes the views anew if they are not those of this text.

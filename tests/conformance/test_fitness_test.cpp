@@ -35,6 +35,7 @@ std::vector<TestPrediction> predictions(std::size_t models) {
 
 TEST(TestFitnessConformance, JudgesTheSameTestTheSame) {
   on_every<TestFitness>([&](const TestFitness& fitness, const std::vector<double>& parameters) {
+    EXPECT_FALSE(fitness.unit().empty());
     const std::vector<TestPrediction> all = predictions(fitness.models(parameters));
     lacuna::Test test;
     test.duration = kPeriod * kSamples;

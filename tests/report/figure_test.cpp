@@ -59,6 +59,21 @@ TEST(WriteSvg, DrawsNamedTicks) {
   EXPECT_NE(content(file).find("coulomb_friction"), std::string::npos);
 }
 
+TEST(WriteSvg, GivesEachMapItsOwnAxes) {
+  Figure figure{"paths",
+                "x (m)",
+                {{"y (m), far", {{"target", Mark::path, kBlue, {0, 700}, {0, 50}, {}}}, 1.0, {}},
+                 {"y (m), near", {{"target", Mark::path, kBlue, {0, 0.7}, {0, 0.1}, {}}}, 1.0, {}}}};
+  figure.maps = true;
+  const TestFolder folder;
+  const auto file = folder / "paths.svg";
+  write_svg(figure, file);
+  const std::string svg = content(file);
+  EXPECT_NE(svg.find(">600<"), std::string::npos) << "x ticks of the first";
+  EXPECT_NE(svg.find(">0.6<"), std::string::npos) << "x ticks of the second";
+  EXPECT_NE(svg.find("x (m)"), svg.rfind("x (m)"));
+}
+
 TEST(WriteSvg, RefusesColumnsOfDifferentLength) {
   Figure figure{"t", "x", {{"y", {{"s", Mark::line, kBlue, {0, 1}, {1}, {}}}, 1.0, {}}}};
   EXPECT_THROW(write_svg(figure, TestFolder() / "bad.svg"), Error);

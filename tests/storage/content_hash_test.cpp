@@ -24,7 +24,7 @@ const std::set<std::string> kNotContent = {
 /// Columns of content tables that are a row's address in its file, or a name that carries the run's number.
 const std::set<std::string> kNotContentColumns = {"eea_run.experiment", "trial.experiment", "trial.name",
                                                   "trial.file",         "trace.id",         "metric.id",
-                                                  "trial.id",           "eea_run.run"};
+                                                  "trial.id",           "eea_run.run",      "eea_run.fitness_unit"};
 
 std::string hash_of(const MadeUpDatabase& filled) { return content_hash(filled.database, filled.run); }
 

@@ -133,6 +133,14 @@ TEST_F(DatabaseTest, AnOlderFileIsBroughtUpToDateAndKeptBesideIt) {
   EXPECT_EQ(ask(kept, "SELECT x FROM a"), 42);
 }
 
+TEST_F(DatabaseTest, AnOlderFileIsReadAsIfItWereUpToDateAndStaysAsItIs) {
+  const std::vector<Migration>& all = schema_migrations();
+  { Database::open(file_, {all.front()}).execute("INSERT INTO schema_text (name, sha256) VALUES ('other', 'x')"); }
+  const std::string before = content_of(file_);
+  EXPECT_EQ(ask(Database::open_read_only(file_), "SELECT count(*) FROM eea_runs"), 0);
+  EXPECT_EQ(content_of(file_), before);
+}
+
 TEST_F(DatabaseTest, AMigrationThatFailsLeavesTheOldVersion) {
   const std::string first = "PRAGMA application_id = " + std::to_string(kApplicationId) + "; CREATE TABLE a (x)";
   { Database::open(file_, {{1, first}}); }

@@ -146,6 +146,7 @@ TEST_F(EeaStoreTest, TheRecordOfTheRunComesBackAndIsCheckedWhenItGoesOn) {
   const EeaRunRecord record = small_.store->record();
   EXPECT_EQ(record.metric, "mean_absolute_error");
   EXPECT_EQ(record.fitness, "forward_distance");
+  EXPECT_EQ(record.fitness_unit, "m");
   EXPECT_EQ(record.passes, 2);
   EXPECT_THAT(record.model_genes, ElementsAre("body.torso.mass", "sensor.knee.delay"));
   EXPECT_EQ(record.free[1].upper, 0.2);

@@ -25,6 +25,7 @@ struct MadeUpRun {
     return {.replicate = 1,
             .metric = "mean_absolute_error",
             .fitness = "forward_distance",
+            .fitness_unit = "m",
             .free = {{"body.torso.mass", "kg", 1.0, 7.0, 1.0}, {"sensor.knee.delay", "s", 0.0, 0.2, 0.0}},
             .truth = {2.5, kNotKnown},
             .model_genes = {"body.torso.mass", "sensor.knee.delay"},

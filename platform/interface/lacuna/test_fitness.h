@@ -24,6 +24,8 @@ class TestFitness {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
+  /// Of the score: SI; "1" where it has none.
+  virtual std::string unit() const = 0;
   /// How many of the best models, best first, must predict the test.
   virtual std::size_t models(std::span<const double> parameters) const = 0;
   /// `predictions`: one a model, best first; each reaches the test's end. Not finite: the test is worth nothing.

@@ -8,6 +8,7 @@ namespace lacuna {
 class Random : public TestFitness {
  public:
   std::string summary() const override;
+  std::string unit() const override { return "1"; }
   std::size_t models(std::span<const double> parameters) const override;
   double score(const Test& test, std::span<const TestPrediction> predictions,
                std::span<const double> parameters) const override;
