@@ -2,12 +2,15 @@
 
 #include "evaluation/target_simulator.h"
 #include "foundation/address.h"
+#include "foundation/unit.h"
 
 #include <cmath>
 #include <utility>
 
 namespace lacuna {
 namespace {
+
+constexpr double kMostSamples = 1e6;  // of a test; more would only show that memory ends
 
 std::vector<FreeParameter> free_parameters(const ModelDefinition& model) {
   std::vector<FreeParameter> free;
@@ -82,6 +85,18 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
   }
 }
 
+/// Parameters that make no search are found before a run begins.
+void try_search(const SearchPlan& plan, const std::string& key, Complaints& complaints) {
+  const Chosen<SearchStrategy>& strategy = plan.strategy;
+  if (!strategy.component || !plan.breeder) return;
+  try {
+    const SearchTask task{plan.layout(), *plan.breeder, {0}, {}};
+    guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
+  } catch (const Error& error) {
+    complaints.add(key, error.what());
+  }
+}
+
 }  // namespace
 
 EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& catalog, ModelDefinition of_model,
@@ -117,13 +132,21 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
   if (model_encoding.component && !model.free.empty())
     estimation.breeder = breeder_for(model_encoding, model_space, "model.encoding", std::move(mutations), complaints);
+  try_search(estimation, "estimation.parameters", complaints);
 }
 
 void EeaDefinition::define_exploration(const Experiment& experiment, const PluginCatalog& catalog,
                                        Complaints& complaints) {
   const ExplorationSection& explore = experiment.exploration;
   test_space = test_space_of(experiment, model.structure.robot, complaints);
-  sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
+  const double samples = test_space.duration / test_space.control_period;
+  if (samples <= kMostSamples)
+    sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
+  else
+    complaints.add("test.duration", "a test of " + format_quantity(test_space.duration, "s") +
+                                        " has more than a million control periods of " +
+                                        format_quantity(test_space.control_period, "s") +
+                                        "; shorten it, or set engine.control_period");
   test_encoding =
       choose<TestEncoding>(catalog, experiment.test.encoding, {"test.encoding", "test.parameters"}, complaints);
   fitness = choose<TestFitness>(catalog, explore.fitness, {"exploration.fitness", "exploration.fitness_parameters"},
@@ -133,6 +156,7 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
   std::vector<AppliedMutation> of_tests = mutations_of(explore.search.mutation, "exploration", catalog, complaints);
   if (test_encoding.component)
     exploration.breeder = breeder_for(test_encoding, test_space, "test.encoding", std::move(of_tests), complaints);
+  try_search(exploration, "exploration.parameters", complaints);
   if (fitness.component)
     models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
 }

@@ -6,8 +6,9 @@ namespace lacuna {
 
 void EeaRun::end_generation(const EeaState& state, const EeaProgress& now) const {
   if (progress) progress(now);
-  journal.checkpoint(state, interrupt_requested());
-  throw_if_interrupted();
+  const bool stop = interrupt_requested();  // once: a signal that comes later waits for the next generation
+  journal.checkpoint(state, stop);
+  if (stop) throw_if_interrupted();
 }
 
 }  // namespace lacuna

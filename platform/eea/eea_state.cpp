@@ -2,12 +2,15 @@
 
 #include <lacuna/error.h>
 
+#include <algorithm>
+#include <limits>
 #include <type_traits>
 
 namespace lacuna {
 namespace {
 
 constexpr double kVersion = 1.0;
+constexpr double kLargestCount = 9007199254740992.0;  // 2^53, the last that a double counts to
 
 /// Writes numbers one after the other.
 class Writer {
@@ -29,7 +32,12 @@ class Reader {
 
   template <class Number>
   void number(Number& value) {
-    value = static_cast<Number>(next());
+    const double stored = next();
+    if constexpr (std::is_integral_v<Number>)  // all of them count
+      if (!(stored >= 0.0 &&
+            stored <= std::min(kLargestCount, static_cast<double>(std::numeric_limits<Number>::max()))))
+        fail();
+    value = static_cast<Number>(stored);
   }
   void list(std::vector<double>& values) {
     const double size = next();
@@ -53,6 +61,12 @@ class Reader {
 
   std::span<const double> numbers_;
 };
+
+Phase phase_from(int number) {
+  for (const Phase phase : {Phase::trial, Phase::estimation, Phase::exploration, Phase::transfer, Phase::finished})
+    if (static_cast<int>(phase) == number) return phase;
+  Reader::fail();
+}
 
 /// One description of what is kept, for both directions.
 template <class Archive, class Count>
@@ -120,7 +134,7 @@ EeaState load_state(std::span<const double> saved) {
   reader.number(version);
   if (version != kVersion) Reader::fail();
   reader.number(phase);
-  state.phase = static_cast<Phase>(phase);
+  state.phase = phase_from(phase);
   archive_scalars(reader, state);
   reader.number(has_test);
   if (has_test != 0) {

@@ -45,6 +45,11 @@ std::array<std::optional<std::uint64_t>, 2> parents_of(const Individual& individ
   return parents;
 }
 
+struct DecodedModel {
+  std::vector<double> values;
+  std::string reason;  ///< why there are none
+};
+
 /// One estimation phase.
 class Estimation {
  public:
@@ -78,15 +83,13 @@ class Estimation {
     }
     guarded_call(strategy.origin, "load", [&] { search_->load(state_.search); });
     for (const ModelRow& row : state_.evaluated)
-      evaluator_.remember(definition_.decode_model(row.genome), score_of(row));
+      if (const DecodedModel model = decode_model(row.genome); model.reason.empty())
+        evaluator_.remember(model.values, score_of(row));
     state_.evaluated.clear();
   }
 
   std::vector<double> score(const std::vector<Individual>& individuals, std::optional<double> bar) {
-    std::vector<std::vector<double>> values;
-    values.reserve(individuals.size());
-    for (const Individual& individual : individuals) values.push_back(definition_.decode_model(individual.genome));
-    std::vector<EvaluatedModel> evaluated = evaluator_.evaluate(values, bar);
+    std::vector<EvaluatedModel> evaluated = evaluate(individuals, bar);
     std::vector<double> scores;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       scores.push_back(evaluated[i].score.total);
@@ -94,6 +97,34 @@ class Estimation {
       note(individuals[i], std::move(evaluated[i]));
     }
     return scores;
+  }
+
+  /// What the encoding cannot decode is invalid, and not simulated.
+  std::vector<EvaluatedModel> evaluate(const std::vector<Individual>& individuals, std::optional<double> bar) {
+    std::vector<EvaluatedModel> evaluated(individuals.size());
+    std::vector<std::vector<double>> values;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < individuals.size(); ++i) {
+      DecodedModel model = decode_model(individuals[i].genome);
+      if (model.reason.empty()) {
+        values.push_back(std::move(model.values));
+        places.push_back(i);
+      } else {
+        evaluated[i].score = {
+            .total = kWorst, .trials = {}, .kind = ScoreKind::invalid, .reason = std::move(model.reason)};
+      }
+    }
+    std::vector<EvaluatedModel> simulated = evaluator_.evaluate(values, bar);
+    for (std::size_t i = 0; i < places.size(); ++i) evaluated[places[i]] = std::move(simulated[i]);
+    return evaluated;
+  }
+
+  DecodedModel decode_model(const Genome& genome) const {
+    try {
+      return {definition_.decode_model(genome), {}};
+    } catch (const Error& error) {
+      return {{}, error.what()};
+    }
   }
 
   void count(const EvaluatedModel& evaluated) {
@@ -135,15 +166,19 @@ class Estimation {
   }
 
   void hand_on() {
+    const std::vector<ScoredIndividual> found = search_->best();
+    if (found.empty() || !std::isfinite(found.front().score)) {
+      run_.journal.checkpoint(state_, true);  // with the rows that say why
+      throw Error("pass " + std::to_string(state_.pass) + ": no model of " + std::to_string(state_.counts.evaluations) +
+                  " can be scored; the view invalid_evaluations says why");
+    }
     state_.best.clear();
-    for (const ScoredIndividual& scored : search_->best()) {
+    for (const ScoredIndividual& scored : found) {
+      if (!std::isfinite(scored.score)) break;  // those that cannot be scored come last; they judge no test
       const Individual& individual = scored.individual;
       state_.best.push_back({state_.search_begin + individual.number, individual.genome,
                              definition_.decode_model(individual.genome), scored.score});
     }
-    if (state_.best.empty() || !std::isfinite(state_.best.front().score))
-      throw Error("pass " + std::to_string(state_.pass) + ": no model of " + std::to_string(state_.counts.evaluations) +
-                  " can be scored; the view invalid_evaluations says why");
     state_.search.clear();
   }
 

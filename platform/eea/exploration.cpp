@@ -71,19 +71,23 @@ class Exploration {
     return scores;
   }
 
+  /// A test that the encoding, a model or the fitness refuses is invalid.
   void judge(const Genome& genome, int worker, JudgedTest& judged) {
-    const Test test = definition_.decode_test(genome);
+    try {
+      find_fitness(definition_.decode_test(genome), worker, judged);
+    } catch (const Error& error) {
+      judged.reason = error.what();
+    }
+  }
+
+  void find_fitness(const Test& test, int worker, JudgedTest& judged) {
     std::vector<TestPrediction>& predictions = predictions_[static_cast<std::size_t>(worker)];
     for (std::size_t m = 0; m < judges_; ++m)
       if (!predictor_.predict(state_.best[m].values, test, worker, predictions[m], judged.steps, judged.reason)) return;
     const Chosen<TestFitness>& fitness = definition_.fitness;
-    try {
-      judged.fitness =
-          guarded_call(fitness.origin, "score", [&] { return fitness->score(test, predictions, fitness.parameters); });
-      if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
-    } catch (const Error& error) {
-      judged.reason = error.what();
-    }
+    judged.fitness =
+        guarded_call(fitness.origin, "score", [&] { return fitness->score(test, predictions, fitness.parameters); });
+    if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
   }
 
   void note(const Individual& individual, const JudgedTest& judged) {
@@ -115,12 +119,14 @@ class Exploration {
   }
 
   void hand_on() {
-    state_.search.clear();
     const std::vector<ScoredIndividual> best = search_->best();
-    if (best.empty() || !std::isfinite(best.front().score))
+    if (best.empty() || !std::isfinite(best.front().score)) {
+      run_.journal.checkpoint(state_, true);  // with the rows that say why
       throw Error("pass " + std::to_string(state_.pass) + ": none of " +
                   std::to_string(state_.counts.test_evaluations) +
                   " tests can be carried out on the model; the view invalid_evaluations says why");
+    }
+    state_.search.clear();
     const Individual& individual = best.front().individual;
     state_.next_test = NextTest{state_.search_begin + individual.number, individual.genome, -best.front().score};
     state_.counts.best_test = state_.next_test->number;

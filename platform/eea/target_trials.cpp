@@ -27,33 +27,48 @@ double measured_fitness(const EeaDefinition& definition, const Test& drive, cons
   return guarded_call(fitness.origin, "score", [&] { return fitness->score(drive, seen, fitness.parameters); });
 }
 
-}  // namespace
+/// A test and what the target did.
+struct CarriedOut {
+  Test drive;
+  Trial trial;
+  double fitness = kNotKnown;
+};
 
-void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer) {
-  const auto number = static_cast<int>(state.trials.size());
-  for (int attempt = 1;; ++attempt) {
-    const NextTest& test = *state.next_test;
-    const Test drive = run.definition.decode_test(test.genome);
-    try {
-      Trial trial = trial_of(target, drive, number);
-      run.journal.add(TargetTrialRow{number,
-                                     test.number,
-                                     {},
-                                     for_transfer,
-                                     test.predicted_fitness,
-                                     measured_fitness(run.definition, drive, trial)},
-                      trial);
-      state.trials.push_back({test.number, drive, std::move(trial)});
-      if (!state.best.empty()) note_prediction(run, state, number, drive);
-      state.next_test.reset();
-      return;
+CarriedOut carry_out(const EeaRun& run, const EeaTarget& target, const Genome& test, int number) {
+  CarriedOut done{run.definition.decode_test(test), {}};
+  done.trial = trial_of(target, done.drive, number);
+  done.fitness = measured_fitness(run.definition, done.drive, done.trial);
+  return done;
+}
+
+/// Puts random tests in the place of tests that fail, a few times. Input that is wrong stays so, and a user who ends
+/// the run is obeyed.
+CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaState& state, int number) {
+  for (int attempt = 1;; ++attempt) try {
+      return carry_out(run, target, state.next_test->genome, number);
+    } catch (const BadInput&) {
+      throw;
+    } catch (const Interrupted&) {
+      throw;
     } catch (const Error& error) {
       if (attempt == kAttempts)
         throw Error("trial " + std::to_string(number) + ": " + error.what() + " (after " + std::to_string(kAttempts) +
                     " tests)");
       choose_random_test(run, state, attempt);
     }
-  }
+}
+
+}  // namespace
+
+void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer) {
+  const auto number = static_cast<int>(state.trials.size());
+  CarriedOut done = carry_out_or_replace(run, target, state, number);
+  const NextTest& test = *state.next_test;
+  run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness},
+                  done.trial);
+  if (!state.best.empty()) note_prediction(run, state, number, done.drive);
+  state.trials.push_back({test.number, std::move(done.drive), std::move(done.trial)});
+  state.next_test.reset();
 }
 
 void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive) {

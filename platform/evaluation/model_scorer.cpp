@@ -145,7 +145,7 @@ void ModelScorer::score_trial(std::size_t t, std::span<const double> values, dou
   result.steps += desk.result.steps;
   if (desk.result.ending == Ending::invalid || !tally.fault.empty()) {
     result.kind = ScoreKind::invalid;
-    result.reason = "trial " + trials_[t].trial.name + ", " + (tally.fault.empty() ? desk.result.reason : tally.fault);
+    result.reason = "trial " + std::to_string(t) + ", " + (tally.fault.empty() ? desk.result.reason : tally.fault);
   } else if (tally.abandoned) {
     result.kind = ScoreKind::abandoned;
   }

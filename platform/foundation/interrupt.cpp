@@ -1,18 +1,20 @@
 #include "foundation/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace lacuna {
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+/// Set by a signal, read by any thread; only an atomic without a lock may be both.
+std::atomic<bool> requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int signal) {
-  if (requested != 0) {
+  if (requested.exchange(true)) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  requested = 1;
 }
 
 }  // namespace
@@ -22,7 +24,7 @@ void watch_for_interrupts() {
   std::signal(SIGTERM, on_signal);
 }
 
-bool interrupt_requested() { return requested != 0; }
+bool interrupt_requested() { return requested; }
 
 void throw_if_interrupted() {
   if (interrupt_requested()) throw Interrupted("interrupted; what was finished is kept");

@@ -8,7 +8,8 @@ namespace lacuna {
 namespace {
 
 /// A table of content, its rows in key order. ?1 is the run's number, 1099511627775 is 2^40 - 1. Keys are told without
-/// it; a trial, which several runs may share, by its number within the run.
+/// it; a trial, which several runs may share, by its number within the run. Why something is invalid is a sentence for
+/// people, which may name a plugin's file, and no content.
 struct Content {
   const char* table;
   const char* rows;
@@ -38,7 +39,7 @@ constexpr Content kContents[] = {
      "SELECT test - (?1 << 40), metric.name, score FROM test_score JOIN metric ON metric.id = test_score.metric"
      " WHERE test BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY test, metric.name"},
     {"invalid_test",
-     "SELECT test - (?1 << 40), reason FROM invalid_test"
+     "SELECT test - (?1 << 40) FROM invalid_test"
      " WHERE test BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY test"},
     {"target_trial",
      "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, digest,"
@@ -54,7 +55,7 @@ constexpr Content kContents[] = {
      " LEFT JOIN target_trial ON target_trial.run = ?1 AND target_trial.trial = model_score.trial"
      " WHERE model BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY model, target_trial.number, metric.name"},
     {"invalid_model",
-     "SELECT model - (?1 << 40), reason FROM invalid_model"
+     "SELECT model - (?1 << 40) FROM invalid_model"
      " WHERE model BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY model"},
     {"trace",
      "SELECT target_trial.number, kind, model - (?1 << 40), channels, sample_count, precision, times, trace.samples,"

@@ -248,6 +248,11 @@ TEST(EeaLoop, EstimatesOnRecordedTrials) {
   EXPECT_NEAR(found, 0.021, 0.001);  // N*m*s/rad, of the bench
 }
 
+TEST(EeaDefinition, RefusesATestThatNoMemoryHolds) {
+  EXPECT_THAT([] { small_bench({"test.duration=1e9"}); },
+              ThrowsMessage<BadInput>(AllOf(HasSubstr("test.duration"), HasSubstr("shorten it"))));
+}
+
 TEST(EeaDefinition, NamesEveryProblemAtItsPlace) {
   EXPECT_THAT(
       [] {

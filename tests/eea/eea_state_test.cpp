@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 namespace lacuna {
 namespace {
 
@@ -37,6 +39,21 @@ TEST(EeaState, ACutOffCheckpointIsRefused) {
     EXPECT_THROW(load_state(std::span(saved).first(size)), Error) << size;
   saved.push_back(0.0);
   EXPECT_THROW(load_state(saved), Error);
+}
+
+TEST(EeaState, NumbersThatAreNoStateAreRefused) {
+  const std::vector<double> saved = save(some_state());
+  constexpr std::size_t kPhase = 1, kPass = 2;
+  for (const double wrong : {-1.0, 5.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<double> other_phase = saved;
+    other_phase[kPhase] = wrong;
+    EXPECT_THROW(load_state(other_phase), Error) << wrong;
+  }
+  for (const double wrong : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<double> other_pass = saved;
+    other_pass[kPass] = wrong;
+    EXPECT_THROW(load_state(other_pass), Error) << wrong;
+  }
 }
 
 }  // namespace

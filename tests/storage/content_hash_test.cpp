@@ -16,15 +16,17 @@ using test::MadeUpRun;
 constexpr MadeUpRun kSmall{.passes = 2, .generations = 1, .models = 9, .tests = 6, .samples = 3};
 
 /// Tables that hold nothing of what a run of the algorithm found.
-const std::set<std::string> kNotContent = {
-    "schema_text", "experiment",  "experiment_text", "run",       "provenance",       "plugin_file",
-    "revision",    "fit",         "revision_use",    "fit_stage", "fitted_value",     "holdout_look",
-    "comparison",  "noise_floor", "numerical_error", "work_time", "comparison_score", "checkpoint"};
+const std::set<std::string> kNotContent = {"schema_text",      "experiment",  "experiment_text", "run",
+                                           "provenance",       "plugin_file", "revision",        "fit",
+                                           "revision_use",     "fit_stage",   "fitted_value",    "holdout_look",
+                                           "comparison",       "noise_floor", "numerical_error", "work_time",
+                                           "comparison_score", "checkpoint",  "robot_file"};
 
 /// Columns of content tables that are a row's address in its file, or a name that carries the run's number.
-const std::set<std::string> kNotContentColumns = {"eea_run.experiment", "trial.experiment", "trial.name",
-                                                  "trial.file",         "trace.id",         "metric.id",
-                                                  "trial.id",           "eea_run.run",      "eea_run.fitness_unit"};
+const std::set<std::string> kNotContentColumns = {
+    "eea_run.experiment", "trial.experiment", "trial.name",  "trial.file",           "trace.id",
+    "metric.id",          "trial.id",         "eea_run.run", "eea_run.fitness_unit", "invalid_model.reason",
+    "invalid_test.reason"};
 
 std::string hash_of(const MadeUpDatabase& filled) { return content_hash(filled.database, filled.run); }
 
