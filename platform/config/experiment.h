@@ -35,6 +35,7 @@ struct ModelSection {
   std::string robot;                         ///< plugin name
   std::map<std::string, double> parameters;  ///< of the robot plugin
   std::filesystem::path file;                ///< of a declared robot
+  std::string file_digest;                   ///< SHA-256 of its text
   std::optional<RobotSpec> declared;         ///< its content
   std::map<std::string, double> set;         ///< address pattern → value, fixed
   std::vector<FreeRange> free;               ///< of a target: what is hidden, drawn uniformly

@@ -7,6 +7,7 @@
 #include "config/robot_reader.h"
 #include "config/text_file.h"
 #include "config/toml_parser.h"
+#include "foundation/digest.h"
 
 namespace lacuna {
 namespace {
@@ -16,22 +17,23 @@ void append(const BadInput& bad, ProblemList& problems) {
 }
 
 /// The robot is read even where the rest has problems, so that its own are reported with them.
-std::optional<RobotSpec> read_declared_robot(const TomlNode& tree, const std::string& section,
-                                             const std::filesystem::path& directory, ProblemList& problems) {
+void read_declared_robot(const TomlNode& tree, const std::string& section, const std::filesystem::path& directory,
+                         ModelSection& into, ProblemList& problems) {
   const TomlNode* system = tree.find(section);
   const TomlNode* file = system ? system->find("file") : nullptr;
-  if (!file || file->kind != TomlNode::Kind::text || file->text.empty()) return std::nullopt;
+  if (!file || file->kind != TomlNode::Kind::text || file->text.empty()) return;
   std::filesystem::path path;
   try {
     path = resolve_existing_file(file->text, directory);
   } catch (const Error&) {
-    return std::nullopt;  // reported with the key
+    return;  // reported with the key
   }
   try {
-    return read_robot(path);
+    const std::string text = read_text_file(path);
+    into.file_digest = sha256(text);
+    into.declared = read_robot_text(text, path);
   } catch (const BadInput& bad) {
     append(bad, problems);
-    return std::nullopt;
   }
 }
 
@@ -60,8 +62,8 @@ Experiment read_experiment_text(const std::string& text, const std::filesystem::
   experiment.overrides = overrides;
   static const Value<Experiment> kKeys = experiment_keys().value();
   kKeys.read(tree, reading, experiment);
-  experiment.model.declared = read_declared_robot(tree, "model", file.parent_path(), problems);
-  experiment.target.simulated.system.declared = read_declared_robot(tree, "target", file.parent_path(), problems);
+  read_declared_robot(tree, "model", file.parent_path(), experiment.model, problems);
+  read_declared_robot(tree, "target", file.parent_path(), experiment.target.simulated.system, problems);
   problems.throw_if_any();
   experiment.locations = locations_of(tree);
   experiment.written_units = reading.written_units();

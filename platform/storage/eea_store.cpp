@@ -132,8 +132,7 @@ void EeaStore::write_checkpoint(const CheckpointRow& checkpoint) {
             "INSERT INTO checkpoint (run, commits, seconds, state, digest) VALUES (?, ?, ?, ?, ?) ON CONFLICT (run)"
             " DO UPDATE SET commits = excluded.commits, seconds = excluded.seconds, state = excluded.state,"
             " digest = excluded.digest")
-      .run_with(run_, *commits_, *earlier_seconds_ + seconds_since(made_), number_bytes(checkpoint.state),
-                digest_of(checkpoint));
+      .run_with(run_, *commits_, work_seconds(), number_bytes(checkpoint.state), digest_of(checkpoint));
 }
 
 void EeaStore::end(RunEnding ending) {
@@ -148,9 +147,10 @@ void EeaStore::end(RunEnding ending) {
 
 std::optional<CheckpointRow> EeaStore::checkpoint() const {
   const std::lock_guard lock(writing_);
-  Statement row(database_, "SELECT state, digest, commits FROM checkpoint WHERE run = ?");
+  Statement row(database_, "SELECT state, digest, commits, seconds FROM checkpoint WHERE run = ?");
   const bool there = row.with(run_).step();
   commits_ = there ? row.integer(2) : 0;
+  if (!earlier_seconds_) earlier_seconds_ = there ? row.real(3) : 0.0;
   if (!there) return std::nullopt;
   CheckpointRow checkpoint{numbers_in(row.bytes(0))};
   if (digest_of(checkpoint) != row.text(1)) {
@@ -161,5 +161,7 @@ std::optional<CheckpointRow> EeaStore::checkpoint() const {
 }
 
 double EeaStore::seconds() const { return seconds_; }
+
+double EeaStore::work_seconds() const { return earlier_seconds_.value_or(0.0) + seconds_since(made_); }
 
 }  // namespace lacuna

@@ -62,8 +62,10 @@ class EeaStore {
   std::optional<TimeSeries> predicted_path(std::uint64_t model, int trial) const;
   std::vector<PassRow> passes() const;  ///< that have ended
   EeaRunRecord record() const;
-  /// Seconds spent in `commit` so far, waiting for other writers included.
+  /// Seconds spent in `commit` since this store was made, waiting for other writers included.
   double seconds() const;
+  /// Seconds of work on the run until now: since this store was made, and of earlier ones until their last commit.
+  double work_seconds() const;
 
  private:
   struct Pending;
@@ -75,16 +77,17 @@ class EeaStore {
   RunId run_;
   ExperimentId experiment_;
   std::unique_ptr<Pending> pending_;
-  std::unique_ptr<EeaWriter> writer_;            ///< made at the first commit, and after one that failed
-  mutable std::optional<std::int64_t> commits_;  ///< that the run had when last looked at
-  std::optional<double> earlier_seconds_;        ///< of work, before this store was made
+  std::unique_ptr<EeaWriter> writer_;              ///< made at the first commit, and after one that failed
+  mutable std::optional<std::int64_t> commits_;    ///< that the run had when last looked at
+  mutable std::optional<double> earlier_seconds_;  ///< of work, before this store was made
   std::chrono::steady_clock::time_point made_;
   double seconds_ = 0.0;
   bool to_end_ = false;  ///< was written to and not ended
 };
 
 /// SHA-256 over the content of a run: what it is about, passes, tests, trials with their samples, models and scores, by
-/// key within the run; not over its number, names that carry it, times, provenance, host or checkpoint. Two runs with
+/// key within the run; not over its number, names that carry it, reasons of invalid rows, times, provenance, host or
+/// checkpoint. Two runs with
 /// the same seed have the same hash. Throws `Error` if the run is not one of the algorithm.
 std::string content_hash(const Database& database, RunId run);
 

@@ -10,6 +10,8 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 
+#include <unistd.h>
+
 namespace lacuna {
 namespace {
 
@@ -31,13 +33,25 @@ bool is_empty(const Database& database) {
   return statement.integer(0) == 0;
 }
 
+/// Put in place once it is whole, so that there is an earlier copy until then. Another process may bring the file up to
+/// date meanwhile: what it is then is no copy of an older version.
+void put_in_place(const std::filesystem::path& draft, const std::filesystem::path& copy, int newest) {
+  SQLite::Database made(draft.string(), SQLite::OPEN_READONLY);
+  const bool older = made.execAndGet("PRAGMA user_version").getInt() < newest;
+  if (older) std::filesystem::rename(draft, copy);
+}
+
 void copy_before(const Database& database, int newest) {
   const std::string copy = database.file().string() + ".before-version-" + std::to_string(newest);
+  const std::string draft = copy + "." + std::to_string(getpid()) + ".draft";
   std::error_code ignored;
-  std::filesystem::remove(copy, ignored);
+  std::filesystem::remove(draft, ignored);
   try {
-    Statement(database, "VACUUM INTO ?").run_with(copy);
-  } catch (const Error& error) {
+    Statement(database, "VACUUM INTO ?").run_with(draft);
+    put_in_place(draft, copy, newest);
+    std::filesystem::remove(draft, ignored);
+  } catch (const std::exception& error) {
+    std::filesystem::remove(draft, ignored);
     throw Error(std::string(error.what()) + "; it was about to be copied to " + copy +
                 " before being brought up to date");
   }

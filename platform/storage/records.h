@@ -47,6 +47,12 @@ struct PluginFileRecord {
   std::string build_id;
 };
 
+/// A file that a robot was read from.
+struct RobotFileRecord {
+  std::string file;
+  std::string sha256;  ///< of its text
+};
+
 /// An experiment as it was resolved: the file's text and the overrides of the command line.
 struct ExperimentRecord {
   std::string name;

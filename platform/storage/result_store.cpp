@@ -109,6 +109,13 @@ void ResultStore::record_plugins(const std::vector<PluginFileRecord>& files) {
   transaction.commit();
 }
 
+void ResultStore::record_robot_files(const std::vector<RobotFileRecord>& files) {
+  Transaction transaction(database_);
+  Statement insert(database_, "INSERT OR REPLACE INTO robot_file (run, file, sha256) VALUES (?, ?, ?)");
+  for (const RobotFileRecord& file : files) insert.run_with(run(), file.file, file.sha256);
+  transaction.commit();
+}
+
 ExperimentId ResultStore::record_experiment(const ExperimentRecord& record) {
   Transaction transaction(database_);
   std::optional<ExperimentId> experiment = find_experiment(record.name);

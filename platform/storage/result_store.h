@@ -42,6 +42,7 @@ class ResultStore {
   /// From now on somebody else ends the run, or the runs, that were begun or continued.
   void hand_over() { ended_ = true; }
   void record_plugins(const std::vector<PluginFileRecord>& files);
+  void record_robot_files(const std::vector<RobotFileRecord>& files);
 
   /// Finds the experiment by name and stores this text of it if it is new.
   ExperimentId record_experiment(const ExperimentRecord& experiment);

@@ -21,6 +21,9 @@ StoredRun stored_run(const Database& database, RunId run) {
   Statement plugin(database, "SELECT file, sha256, build_id FROM plugin_file WHERE run = ? ORDER BY file");
   plugin.with(run);
   while (plugin.step()) stored.plugins.push_back({plugin.text(0), plugin.text(1), plugin.text(2)});
+  Statement robot(database, "SELECT file, sha256 FROM robot_file WHERE run = ? ORDER BY file");
+  robot.with(run);
+  while (robot.step()) stored.robots.push_back({robot.text(0), robot.text(1)});
   return stored;
 }
 

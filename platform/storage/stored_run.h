@@ -13,6 +13,7 @@ struct StoredRun {
   std::uint64_t seed = 0;
   int threads = 1;
   std::vector<PluginFileRecord> plugins;  ///< by file
+  std::vector<RobotFileRecord> robots;    ///< by file; none where an older version began the run
 };
 
 /// Throws `Error` where the database has no such run.

@@ -1,7 +1,11 @@
+#include "storage/child_process.h"
 #include "storage/made_up_run.h"
 #include "storage/statement.h"
 
 #include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -82,6 +86,23 @@ TEST_F(MigrationTest, TheTableOfTracesRefusesOwnersThatDoNotFit) {
         "UPDATE pass SET number = number + 1"}) {
     EXPECT_THROW(filled.database.execute(change), Error) << change;
   }
+}
+
+TEST_F(MigrationTest, ProcessesThatRaceKeepACopyOfTheOlderVersion) {
+  for (int round = 0; round < 10; ++round) {
+    const std::filesystem::path file = folder_ / (std::to_string(round) + ".db");
+    make_version_1(file);
+    std::vector<std::unique_ptr<test::ChildProcess>> processes;
+    for (int i = 0; i < 4; ++i)
+      processes.push_back(std::make_unique<test::ChildProcess>([&](int) { Database::open(file); }));
+    for (const auto& process : processes) EXPECT_EQ(process->all(), "");
+    const Database copy =
+        Database::open(file.string() + ".before-version-" + std::to_string(schema_migrations().back().number),
+                       {schema_migrations().front()});
+    EXPECT_EQ(ask(copy, "PRAGMA user_version"), 1);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / ""))
+    EXPECT_NE(entry.path().extension(), ".draft") << entry.path();
 }
 
 TEST_F(MigrationTest, AFileOfVersion1HasNoRunsOfTheAlgorithm) {
