@@ -21,8 +21,11 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kPixelColumns = 1000;
-constexpr double kLeft = 0.09, kRight = 0.98;  // of the figure's width, where panels begin and end
-constexpr double kRoomBelow = 66.0;            // px, for the ticks of the x axis and its label
+constexpr double kLeast = 0.09, kRight = 0.98;  // of the figure's width, where panels begin at least, and end
+constexpr double kFontSize = 13.0;              // pt
+constexpr double kCharacter = 7.5;              // px, its width
+constexpr double kRoomForLabel = 46.0;          // px, between a figure's edge and the numbers of its y axis
+constexpr double kRoomBelow = 66.0;             // px, for the ticks of the x axis and its label
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -81,17 +84,6 @@ std::string tick_names(const std::vector<std::string>& names) {
                      static_cast<double>(names.size()) - 0.5);
 }
 
-/// Between the ticks of an axis that counts: 1, 2, 5, 10, 20 ...; at most twenty ticks.
-long whole_tick(const Figure& figure) {
-  double largest = 0.0;
-  for (const Panel& panel : figure.panels)
-    for (const Series& series : panel.series)
-      for (const double x : series.x) largest = std::max(largest, x);
-  long tick = 1;
-  for (int i = 0; largest / static_cast<double>(tick) > 20.0; ++i) tick = i % 3 == 1 ? tick / 2 * 5 : tick * 2;
-  return tick;
-}
-
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void hold(const std::vector<double>& values) {
@@ -108,6 +100,53 @@ struct Range {
   }
 };
 
+Range y_range(const Panel& panel) {
+  Range range;
+  for (const Series& series : panel.series) {
+    range.hold(series.y);
+    range.hold(series.y2);
+  }
+  return range;
+}
+
+/// Of the longest number beside a y axis: the digits before the point, and as many behind it as tell some five ticks
+/// apart.
+int tick_characters(const Range& range) {
+  constexpr int kFewest = 3, kMost = 9;
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  if (!(range.low <= range.high) || !(largest > 0.0)) return kFewest;
+  const double span = range.high > range.low ? range.high - range.low : largest;
+  const int before = std::max(1, static_cast<int>(std::floor(std::log10(largest))) + 1);
+  const int behind = std::max(0, static_cast<int>(-std::floor(std::log10(span / 5.0))));
+  return std::clamp((range.low < 0.0 ? 1 : 0) + before + (behind > 0 ? 1 + behind : 0), kFewest, kMost);
+}
+
+/// Where panels begin, as a share of the figure's width: the same for all, behind their longest numbers and the label.
+double left_of(const Figure& figure) {
+  int characters = 0;
+  for (const Panel& panel : figure.panels) characters = std::max(characters, tick_characters(y_range(panel)));
+  return std::max(kLeast, (kRoomForLabel + kCharacter * characters) / figure.width);
+}
+
+/// A label beside a panel, in smaller letters where the panel is low.
+std::string y_label(const std::string& text, double height) {
+  constexpr double kSmallest = 7.0;  // pt
+  const double needed = kCharacter * static_cast<double>(text.size());
+  const double size = std::max(kSmallest, kFontSize * std::min(1.0, height / std::max(needed, 1.0)));
+  return fmt::format("set ylabel {} font \",{:.3g}\"\n", quoted(text), size);
+}
+
+/// Between the ticks of an axis that counts: 1, 2, 5, 10, 20 ...; at most twenty ticks.
+long whole_tick(const Figure& figure) {
+  double largest = 0.0;
+  for (const Panel& panel : figure.panels)
+    for (const Series& series : panel.series)
+      for (const double x : series.x) largest = std::max(largest, x);
+  long tick = 1;
+  for (int i = 0; largest / static_cast<double>(tick) > 20.0; ++i) tick = i % 3 == 1 ? tick / 2 * 5 : tick * 2;
+  return tick;
+}
+
 /// Ranges under which a metre is as long on the x axis as on the y axis.
 std::string map_ranges(const Figure& figure, const Panel& panel, double height_share) {
   Range x, y;
@@ -117,7 +156,7 @@ std::string map_ranges(const Figure& figure, const Panel& panel, double height_s
   }
   if (!(x.low <= x.high) || !(y.low <= y.high)) return {};
   constexpr double kRoom = 1.1;  ///< around what is drawn
-  const double width = (kRight - kLeft) * figure.width, height = height_share * figure.height;
+  const double width = (kRight - left_of(figure)) * figure.width, height = height_share * figure.height;
   double per_pixel = kRoom * std::max((x.high - x.low) / width, (y.high - y.low) / height);
   if (!(per_pixel > 0.0)) per_pixel = 1.0 / width;
   const Range across = x.widened(per_pixel * width), up = y.widened(per_pixel * height);
@@ -129,7 +168,7 @@ std::string panel_commands(const Figure& figure, std::size_t index, double top, 
   const bool labelled = figure.maps || index + 1 == figure.panels.size();
   std::string text = fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", top, bottom);
   text += fmt::format("set key at screen 0.98, screen {:.4f} right bottom horizontal\n", top + 0.005);
-  text += "set ylabel " + quoted(panel.y_label) + "\n";
+  text += y_label(panel.y_label, (top - bottom) * figure.height);
   text += labelled ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n"
                    : "unset xlabel\nset format x \"\"\n";
   if (figure.maps) text += map_ranges(figure, panel, top - bottom);
@@ -155,8 +194,9 @@ std::string script(const Figure& figure, const std::filesystem::path& file) {
       "nomirror\n";
   const bool named = std::any_of(figure.panels.begin(), figure.panels.end(),
                                  [](const Panel& panel) { return !panel.x_names.empty(); });
-  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", kLeft, named ? 0.93 : kRight);
-  text += "set label 1 " + quoted(figure.title) + " at screen 0.09, screen 0.965 left font \",15\"\nset multiplot\n";
+  text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", left_of(figure), named ? 0.93 : kRight);
+  text += fmt::format("set label 1 {} at screen {:.4f}, screen 0.965 left font \",15\"\nset multiplot\n",
+                      quoted(figure.title), left_of(figure));
   double total = 0.0;
   for (const Panel& panel : figure.panels) total += panel.share;
   constexpr double kTop = 0.88;

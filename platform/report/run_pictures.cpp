@@ -17,7 +17,9 @@ namespace {
 void add_by_pass(std::vector<Series>& series, const std::map<int, std::vector<double>>& by_pass,
                  const std::string& label, const char* colour) {
   Series line{.label = label, .mark = Mark::line_points, .colour = colour, .x = {}, .y = {}, .y2 = {}};
-  Series band{.label = "", .mark = Mark::band, .colour = colour, .x = {}, .y = {}, .y2 = {}};
+  const std::string of = label.empty() ? "" : label + ", ";
+  Series band{
+      .label = of + "95 % interval of the mean", .mark = Mark::band, .colour = colour, .x = {}, .y = {}, .y2 = {}};
   for (const auto& [pass, values] : by_pass) {
     const Spread spread = spread_of(values);
     if (spread.count == 0) continue;
@@ -101,26 +103,43 @@ std::string short_name(const std::string& address) {
   return first < last ? address.substr(first + 1, last - first - 1) : address;
 }
 
+double truth_of(const DrawnRun& run, std::size_t parameter) {
+  return parameter < run.record.truth.size() ? run.record.truth[parameter] : kNotKnown;
+}
+
+/// Whether runs hide different values, so that no single truth can be drawn.
+bool truths_differ(const std::vector<DrawnRun>& runs, const std::vector<std::size_t>& which) {
+  return std::any_of(runs.begin(), runs.end(), [&](const DrawnRun& run) {
+    return std::any_of(which.begin(), which.end(), [&](std::size_t i) {
+      const double one = truth_of(run, i), other = truth_of(runs.front(), i);
+      return one != other && !(std::isnan(one) && std::isnan(other));
+    });
+  });
+}
+
+/// Values of the last pass beside the truth; where each run hides values of its own, how far they are from it.
 Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::size_t>& which) {
   const EeaRunRecord& record = runs.front().record;
+  const bool errors = truths_differ(runs, which);
   Panel panel;
-  panel.y_label = record.free[which.front()].address.substr(record.free[which.front()].address.rfind('.') + 1) + " (" +
-                  record.free[which.front()].unit + ")";
+  panel.y_label = record.free[which.front()].address.substr(record.free[which.front()].address.rfind('.') + 1) +
+                  (errors ? ", found minus hidden" : "") + " (" + record.free[which.front()].unit + ")";
   Series truth{.label = "truth", .mark = Mark::points, .colour = kOrange, .x = {}, .y = {}, .y2 = {}};
   Series found{.label = "models of the last pass", .mark = Mark::points, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
-  Series spread{.label = "", .mark = Mark::whiskers, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
+  const std::string bars = runs.size() > 1 ? "standard deviation between runs" : "";
+  Series spread{.label = bars, .mark = Mark::whiskers, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
   for (std::size_t place = 0; place < which.size(); ++place) {
     const std::size_t i = which[place];
     std::vector<double> values;
     for (const DrawnRun& run : runs)
       if (!run.passes.empty() && i < run.passes.back().best_values.size())
-        values.push_back(run.passes.back().best_values[i]);
+        values.push_back(run.passes.back().best_values[i] - (errors ? truth_of(run, i) : 0.0));
     const Spread over_runs = spread_of(values);
     const auto x = static_cast<double>(place);
     panel.x_names.push_back(short_name(record.free[i].address));
-    if (i < record.truth.size() && std::isfinite(record.truth[i])) {
+    if (const double hidden = truth_of(runs.front(), i); std::isfinite(hidden)) {
       truth.x.push_back(x);
-      truth.y.push_back(record.truth[i]);
+      truth.y.push_back(errors ? 0.0 : hidden);
     }
     if (over_runs.count == 0) continue;
     found.x.push_back(x);

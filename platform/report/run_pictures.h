@@ -32,8 +32,9 @@ struct NamedFigure {
 };
 
 /// Error by pass; the objective metric's groups by pass; parameters of the last pass against the truth, with standard
-/// deviations between runs (the seed's Fig. 5); distance predicted and measured by pass, with 95 % intervals of the
-/// mean (Fig. 6); paths of the first run at its first and last pass (Fig. 4). What the runs do not have is left out.
+/// deviations between runs (the seed's Fig. 5), or their distance from it where each run hides values of its own;
+/// distance predicted and measured by pass, with 95 % intervals of the mean (Fig. 6); paths of the first run at its
+/// first and last pass (Fig. 4). What the runs do not have is left out.
 std::vector<NamedFigure> run_figures(const std::vector<DrawnRun>& runs, const std::string& title);
 
 }  // namespace lacuna

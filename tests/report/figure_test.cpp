@@ -74,6 +74,27 @@ TEST(WriteSvg, GivesEachMapItsOwnAxes) {
   EXPECT_NE(svg.find("x (m)"), svg.rfind("x (m)"));
 }
 
+/// Where text that is turned beside the y axis begins, px from the figure's left edge.
+double label_place(const std::string& svg) {
+  const std::size_t turned = svg.find("rotate(-90)"), open = svg.rfind("translate(", turned);
+  return std::stod(svg.substr(open + 10));
+}
+
+TEST(WriteSvg, LeavesRoomForLongNumbersAndLabels) {
+  Figure figure{"error by pass",
+                "pass",
+                {{"a label that is much longer than its low panel is high, in letters of the usual size",
+                  {{"", Mark::line_points, kBlue, {1, 2}, {-0.0001053, 0.0001051}, {}}},
+                  1.0,
+                  {}}}};
+  figure.height = 380;
+  const TestFolder folder;
+  write_svg(figure, folder / "long.svg");
+  const std::string svg = content(folder / "long.svg");
+  EXPECT_GT(label_place(svg), 10.0);
+  EXPECT_NE(svg.find("font-size=\"7"), std::string::npos) << "the label is written smaller";
+}
+
 TEST(WriteSvg, RefusesColumnsOfDifferentLength) {
   Figure figure{"t", "x", {{"y", {{"s", Mark::line, kBlue, {0, 1}, {1}, {}}}, 1.0, {}}}};
   EXPECT_THROW(write_svg(figure, TestFolder() / "bad.svg"), Error);
