@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,13 @@ int complain(const std::exception& error, int code) {
   std::fflush(stdout);
   std::fprintf(stderr, "%s\n", error.what());
   return code;
+}
+
+/// What was printed has arrived, or the command has failed.
+int end_of_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return 0;
+  return complain(Error("standard output: cannot be written to its end; make room, or redirect it to another place"),
+                  kFailed);
 }
 
 /// CLI11 prints what a flag stands for without its value, as in --json{}.
@@ -62,9 +70,9 @@ int run_program(int argc, char** argv) {
   watch_for_interrupts();
   try {
     program.parse(argc, argv);
-    return 0;
+    return end_of_output();
   } catch (const CLI::Success& help_or_version) {
-    return program.exit(help_or_version);
+    return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "%s\n", usage_sentence(program, error, argc, argv).c_str());
     return kBadInput;

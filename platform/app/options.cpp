@@ -15,9 +15,7 @@ constexpr std::uint64_t kMostThreads = 1024;
 
 /// A whole number from `lower` to `upper`. CLI11's own checks would take -3 for 2^64 - 3.
 CLI::Validator whole_number(std::uint64_t lower, std::uint64_t upper) {
-  const bool bounded = upper != std::numeric_limits<std::uint64_t>::max();
-  const std::string range = bounded ? fmt::format("a whole number from {} to {}", lower, upper)
-                                    : fmt::format("a whole number, at least {}", lower);
+  const std::string range = fmt::format("a whole number from {} to {}", lower, upper);
   return CLI::Validator(
       [lower, upper, range](const std::string& text) {
         std::uint64_t number = 0;
@@ -41,9 +39,17 @@ CLI::Validator folder() {
 
 }  // namespace
 
+std::string shell_word(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 void set_command_line(int argc, char** argv) {
   typed = "lacuna";
-  for (int i = 1; i < argc; ++i) typed += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) typed += " " + shell_word(argv[i]);
 }
 
 const std::string& command_line() { return typed; }

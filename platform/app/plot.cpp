@@ -1,14 +1,15 @@
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/run_inputs.h"
 #include "app/stored_bench.h"
 #include "report/run_pictures.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 
 namespace lacuna {
 namespace {
@@ -19,18 +20,37 @@ struct PlotOptions {
   std::filesystem::path folder;
 };
 
-/// The run that was asked for, or all runs of the one experiment.
+/// The newest run and the other replicates of its setting: what a mean may be taken over. Of a replicate that was run
+/// several times, the newest.
+std::vector<EeaRunListing> newest_setting(const Database& database, const std::vector<EeaRunListing>& runs) {
+  const StoredRun newest = stored_run(database, runs.back().run);
+  std::map<int, EeaRunListing> replicates;
+  for (const EeaRunListing& run : runs)
+    if (run.experiment == runs.back().experiment && same_setting(stored_run(database, run.run), newest))
+      replicates.insert_or_assign(run.replicate, run);
+  std::vector<EeaRunListing> drawn;
+  for (auto& [number, run] : replicates) drawn.push_back(std::move(run));
+  return drawn;
+}
+
+std::string numbers(const std::vector<EeaRunListing>& runs) {
+  std::vector<std::int64_t> numbers;
+  for (const EeaRunListing& run : runs) numbers.push_back(run.run.value);
+  return fmt::format("{} {}", numbers.size() == 1 ? "run" : "runs", fmt::join(numbers, ", "));
+}
+
+/// The run that was asked for, or the newest ones.
 std::vector<EeaRunListing> runs_to_draw(const Database& database, const PlotOptions& options) {
   if (options.run) return {choose_run(database, options.run)};
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
-  const SourceLocation file{options.database.string()};
-  if (runs.empty()) throw_problem(file, "has no run with a pass that has ended; lacuna run FILE makes one");
-  std::set<std::string> experiments;
-  for (const EeaRunListing& run : runs) experiments.insert(run.experiment);
-  if (experiments.size() > 1)
-    throw_problem(file, "has runs of several experiments; choose one with --run, lacuna runs lists them");
-  return runs;
+  if (runs.empty())
+    throw_problem({options.database.string()}, "has no run with a pass that has ended; lacuna run FILE makes one");
+  std::vector<EeaRunListing> drawn = newest_setting(database, runs);
+  if (drawn.size() < runs.size())
+    fmt::print(stderr, "draws {} of {}; the other runs are no further replicates of it, --run N draws one of them\n",
+               numbers(drawn), drawn.front().experiment);
+  return drawn;
 }
 
 void plot(const PlotOptions& options) {
@@ -40,11 +60,13 @@ void plot(const PlotOptions& options) {
   std::mutex unused;
   std::vector<DrawnRun> runs;
   for (const EeaRunListing& listing : listings) runs.push_back(drawn_run(EeaStore(database, unused, listing.run, {})));
-  const std::string title = listings.size() == 1
-                                ? fmt::format("{}, run {}", listings.front().experiment, listings.front().run.value)
-                                : fmt::format("{}, {} runs", listings.front().experiment, listings.size());
+  const std::string title =
+      fmt::format("{}, {}", listings.front().experiment,
+                  listings.size() > 4 ? fmt::format("{} runs", listings.size()) : numbers(listings));
   for (const NamedFigure& named : run_figures(runs, title)) {
     const std::filesystem::path file = options.folder / (named.name + ".svg");
+    if (std::filesystem::is_directory(file))
+      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
     write_svg(named.figure, file);
     fmt::print("{}\n", file.string());
   }
@@ -56,7 +78,8 @@ void add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("plot", "Draw the runs of a database as SVG pictures");
   command->add_option("database", options->database, "Database file")->required()->option_text("DB");
-  command->add_option("--run", options->run, "This run only (default: all of them together)")->option_text("N");
+  command->add_option("--run", options->run, "This run only (default: the newest with its replicates)")
+      ->option_text("N");
   command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
   command->callback([options] { plot(*options); });
 }

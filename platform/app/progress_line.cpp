@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -21,13 +22,29 @@ void ProgressLine::show(const Progress& progress) {
   if (!live_ || now - last_ < 100ms) return;
   last_ = now;
   shown_ = true;
-  fmt::print(stderr, "\r\033[K{} · {:.0f} % · {} left", progress.what, 100.0 * progress.fraction,
-             format_duration(progress.seconds_left));
+  const std::string line = fmt::format("{} · {:.0f} % · {} left", progress.what, 100.0 * progress.fraction,
+                                       format_duration(progress.seconds_left));
+  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(line));
   std::fflush(stderr);
 }
 
 ProgressCallback ProgressLine::callback() {
   return [this](const Progress& progress) { show(progress); };
+}
+
+std::string first_characters(const std::string& text, std::size_t width) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;  // otherwise a byte goes on
+    if (begins && characters++ == width) return text.substr(0, i);
+  }
+  return text;
+}
+
+std::string fitted_to_terminal(const std::string& line) {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return line;
+  return first_characters(line, size.ws_col - 1U);  // the cursor needs the last column
 }
 
 std::string format_duration(double seconds) {

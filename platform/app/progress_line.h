@@ -26,6 +26,12 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// As many characters of a line as the terminal of standard error is wide, so that it can be wiped; all of them where
+/// that is not known.
+std::string fitted_to_terminal(const std::string& line);
+/// The first `width` characters of a text, which may take several bytes each.
+std::string first_characters(const std::string& text, std::size_t width);
+
 /// "3 min 20 s", "1.2 s".
 std::string format_duration(double seconds);
 

@@ -2,6 +2,7 @@
 
 #include "storage/eea_records.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,17 @@ namespace lacuna {
 struct PlannedReplicate {
   RunId run;
   int replicate = 1;  ///< from 1
+  std::uint64_t seed = 1;
 };
 
 /// How a replicate ended.
 struct ReplicateEnd {
   PlannedReplicate planned;
   RunEnding ending = RunEnding::done;
-  std::string problem;  ///< why it failed or was interrupted
-  double seconds = 0.0;
-  double storage_seconds = 0.0;
+  std::string problem;           ///< why it failed or was interrupted
+  double seconds = 0.0;          ///< of work, stretches before an interruption included
+  double process_seconds = 0.0;  ///< of this process
+  double storage_seconds = 0.0;  ///< of these, in commits
   std::vector<PassRow> passes;
 };
 

@@ -41,7 +41,6 @@ void close(EeaStore& store, ReplicateEnd& end) {
   try {
     if (end.ending != RunEnding::done) store.end(end.ending);
     end.passes = store.passes();
-    end.storage_seconds = store.seconds();
   } catch (const std::exception& error) {
     end.ending = RunEnding::failed;
     if (end.problem.empty()) end.problem = error.what();
@@ -92,10 +91,10 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     throw_if_interrupted();
     EeaState state = state_of(store);
     ShownJournal journal(store, display, index);
-    const ReplicateTarget target(bench_, seed_, planned.replicate);
+    const ReplicateTarget target(bench_, planned.seed, planned.replicate);
     eea_loop({.definition = bench_.definition(),
               .journal = journal,
-              .seed = seed_,
+              .seed = planned.seed,
               .replicate = planned.replicate,
               .threads = threads,
               .truth = bench_.truth(planned.replicate),
@@ -110,7 +109,9 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     end.problem = error.what();
   }
   close(store, end);
-  end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  end.storage_seconds = store.seconds();
+  end.seconds = store.work_seconds();
+  end.process_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   display.end_replicate(index, end);
 }
 

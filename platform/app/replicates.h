@@ -14,8 +14,8 @@ namespace lacuna {
 /// the individuals of each. A replicate that fails does not end the others; Ctrl-C ends all after their generation.
 class Replicates {
  public:
-  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment, std::uint64_t seed)
-      : bench_(bench), database_(database), experiment_(experiment), seed_(seed) {}
+  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment)
+      : bench_(bench), database_(database), experiment_(experiment) {}
 
   /// Writes down what the runs are about, so that each can be gone on with, even one that never got its turn.
   void enter(const std::vector<PlannedReplicate>& planned);
@@ -29,7 +29,6 @@ class Replicates {
   const EeaBench& bench_;
   Database& database_;
   ExperimentId experiment_;
-  std::uint64_t seed_;
   std::mutex writing_;
 };
 

@@ -72,8 +72,8 @@ void reproduce(const ReproduceOptions& options) {
   const RunId run = store.begin_run({command_line(), stored.run.seed, threads}, provenance_of_this_program());
   const ExperimentId experiment = store.record_experiment(stored.run.experiment);
   store.hand_over();
-  const std::vector<PlannedReplicate> planned = {{run, listing.replicate}};
-  Replicates replicates(*stored.bench, again, experiment, stored.run.seed);
+  const std::vector<PlannedReplicate> planned = {{run, listing.replicate, stored.run.seed}};
+  Replicates replicates(*stored.bench, again, experiment);
   replicates.enter(planned);
   std::vector<ReplicateEnd> ends;
   {
@@ -81,7 +81,9 @@ void reproduce(const ReproduceOptions& options) {
     ends = replicates.run(planned, threads, display);
   }
   const ReplicateEnd& end = ends.front();
-  if (end.ending == RunEnding::interrupted) throw Interrupted(end.problem);
+  if (end.ending == RunEnding::interrupted)
+    throw Interrupted("interrupted; run " + std::to_string(listing.run.value) +
+                      " is as it was, and nothing is kept of its repetition");
   if (end.ending == RunEnding::failed) throw Error(end.problem);
   const std::string was = content_hash(database, listing.run), is = content_hash(again, run);
   fmt::print("stored      {}\nreproduced  {}\n", was, is);

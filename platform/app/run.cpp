@@ -4,11 +4,13 @@
 #include "app/replicates.h"
 #include "app/run_plan.h"
 #include "foundation/interrupt.h"
+#include "foundation/problem.h"
 #include "report/run_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -21,7 +23,7 @@ std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& 
   for (const PassRow& pass : end.passes) evaluations += pass.evaluations + pass.test_evaluations;
   return passes_text(end.passes, trials) + fmt::format("run {} · {} · {} evaluations · storage {:.1f} % of the time\n",
                                                        end.planned.run.value, format_duration(end.seconds), evaluations,
-                                                       100.0 * end.storage_seconds / end.seconds);
+                                                       100.0 * end.storage_seconds / end.process_seconds);
 }
 
 /// Throws where a replicate did not reach its end.
@@ -45,21 +47,27 @@ void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, 
   } else {
     std::fputs(runs_text(eea_runs(database)).c_str(), stdout);
   }
-  fmt::print("→ lacuna plot {}\n", database.file().string());
+  if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return !end.passes.empty(); }))
+    fmt::print("→ lacuna plot {}\n", shell_word(database.file().string()));
 }
 
 void run(const RunOptions& options) {
   check_output(options.json);
   const EeaBench bench(open_rig(options));
-  Database database = Database::open(database_of(options, bench.rig().experiment));
+  const std::filesystem::path file = database_of(options, bench.rig().experiment);
+  if (options.resume && !std::filesystem::exists(file))
+    throw_problem({file.string()}, "no such database, so there is no run to go on with; without --resume one begins");
+  Database database = Database::open(file);
   const RunPlan plan =
       options.resume ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  if (!options.quiet)
+    for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
   RunLines lines(options.json);  // a refused run leaves the file of an earlier one
-  lines.begin(bench.rig().experiment.name, plan.seed, plan.threads, plan.replicates);
+  lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
   std::vector<ReplicateEnd> ends;
   {
     RunDisplay display(plan.replicates, options.quiet, &lines);
-    ends = Replicates(bench, database, plan.experiment, plan.seed).run(plan.replicates, plan.threads, display);
+    ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database);
   judge(ends, options.resume);

@@ -64,30 +64,32 @@ void RunDisplay::show(std::size_t replicate, const EeaProgress& progress) {
   }
 }
 
-void RunDisplay::take(Replicate& own, const EeaProgress& progress) const {
+void RunDisplay::take(Replicate& own, const EeaProgress& progress) {
   own.done = share_done(progress);
   if (!own.known) {
     own.known = true;
     own.begun_at = own.done;
-    own.in_pass_before = progress.evaluations;
   }
   if (progress.generations == 0) return;
-  own.in_pass = progress.evaluations - std::min(own.in_pass_before, progress.evaluations);
+  if (own.counting) own.evaluations += progress.evaluations - std::min(own.in_pass, progress.evaluations);
+  own.counting = true;  // of a pass that goes on, what is told first was partly evaluated before
+  own.in_pass = progress.evaluations;
   own.invalid_in_pass = progress.invalid;
+  std::uint64_t evaluations = 0;
+  for (const Replicate& each : replicates_) evaluations += each.evaluations;
+  rate_.note(seconds(), evaluations);
 }
 
 RunDisplay::Standing RunDisplay::standing() const {
   Standing all;
   double done = 0.0, begun_at = 0.0;
-  std::uint64_t evaluations = 0;
   for (const Replicate& each : replicates_) {
     done += each.done;
     begun_at += each.begun_at;
-    evaluations += each.evaluations + each.in_pass;
     all.invalid += each.invalid + each.invalid_in_pass;
   }
   const double share_rate = (done - begun_at) / seconds();
-  all.rate = static_cast<double>(evaluations) / seconds();
+  all.rate = rate_.per_second();
   all.left = share_rate > 0.0 ? (static_cast<double>(replicates_.size()) - done) / share_rate : kNotKnown;
   return all;
 }
@@ -95,10 +97,11 @@ RunDisplay::Standing RunDisplay::standing() const {
 void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
   const Standing all = standing();
   const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
-  fmt::print(stderr, "\r\033[K{}pass {}/{} · {} {}/{} · best {:.4g} · {:.0f} evaluations/s · {} invalid · {} left",
-             whose, progress.pass, progress.passes, to_string(progress.phase), progress.generation,
-             progress.generations, progress.best, all.rate, all.invalid,
-             std::isfinite(all.left) ? format_duration(all.left) : "?");
+  const std::string line =
+      fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose,
+                  progress.pass, progress.passes, to_string(progress.phase), progress.generation, progress.generations,
+                  progress.best, std::isfinite(all.left) ? format_duration(all.left) : "?", all.rate, all.invalid);
+  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(line));
   std::fflush(stderr);
 }
 
@@ -110,9 +113,8 @@ void RunDisplay::end_trial(std::size_t replicate, const TargetTrialRow& trial) {
 void RunDisplay::end_pass(std::size_t replicate, const PassRow& pass) {
   const std::scoped_lock lock(telling_);
   Replicate& own = replicates_[replicate];
-  own.evaluations += own.in_pass;
   own.invalid += own.invalid_in_pass;
-  own.in_pass = own.in_pass_before = own.invalid_in_pass = 0;
+  own.in_pass = own.invalid_in_pass = 0;
   if (lines_) lines_->pass(own.planned, pass);
   if (!lines_of_text_) return;
   const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";

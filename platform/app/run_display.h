@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/recent_rate.h"
 #include "app/run_lines.h"
 
 #include <chrono>
@@ -32,8 +33,9 @@ class RunDisplay {
     double begun_at = 0.0;  ///< share of its work that was done when it began or went on
     double done = 0.0;      ///< share of its work
     bool known = false;
-    std::uint64_t evaluations = 0;  ///< of passes that ended, since it began or went on
-    std::uint64_t in_pass = 0, in_pass_before = 0;
+    std::uint64_t evaluations = 0;  ///< since it began or went on
+    std::uint64_t in_pass = 0;      ///< of the pass under way, as last told
+    bool counting = false;          ///< `in_pass` was told
     std::uint64_t invalid = 0, invalid_in_pass = 0;
     Clock::time_point last_line{};
   };
@@ -45,7 +47,7 @@ class RunDisplay {
     std::uint64_t invalid = 0;
   };
 
-  void take(Replicate& own, const EeaProgress& progress) const;
+  void take(Replicate& own, const EeaProgress& progress);
   Standing standing() const;
   void print(const Replicate& own, const EeaProgress& progress);
   double seconds() const;
@@ -54,6 +56,7 @@ class RunDisplay {
   RunLines* lines_;
   std::mutex telling_;
   std::vector<Replicate> replicates_;
+  RecentRate rate_;  ///< of all replicates' evaluations
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_print_{};
 };

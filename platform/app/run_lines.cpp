@@ -29,12 +29,11 @@ RunLines::RunLines(const std::optional<std::string>& to) : to_(to) {
   if (!file_) throw Error(*to_ + ": cannot be written; check that its folder exists and is writable");
 }
 
-void RunLines::begin(const std::string& experiment, std::uint64_t seed, int threads,
-                     const std::vector<PlannedReplicate>& replicates) {
+void RunLines::begin(const std::string& experiment, int threads, const std::vector<PlannedReplicate>& replicates) {
   Json runs = Json::array();
   for (const PlannedReplicate& each : replicates)
-    runs.push_back({{"run", each.run.value}, {"replicate", each.replicate}});
-  write({{"event", "begin"}, {"experiment", experiment}, {"seed", seed}, {"threads", threads}, {"runs", runs}});
+    runs.push_back({{"run", each.run.value}, {"replicate", each.replicate}, {"seed", each.seed}});
+  write({{"event", "begin"}, {"experiment", experiment}, {"threads", threads}, {"runs", runs}});
 }
 
 void RunLines::trial(const PlannedReplicate& replicate, const TargetTrialRow& trial) {
@@ -73,6 +72,7 @@ void RunLines::end(const ReplicateEnd& end) {
   line["problem"] = end.problem;
   line["passes"] = end.passes.size();
   line["seconds"] = end.seconds;
+  line["process_seconds"] = end.process_seconds;
   line["storage_seconds"] = end.storage_seconds;
   write(line);
 }

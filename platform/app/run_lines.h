@@ -20,8 +20,7 @@ class RunLines {
   /// be opened.
   explicit RunLines(const std::optional<std::string>& to);
 
-  void begin(const std::string& experiment, std::uint64_t seed, int threads,
-             const std::vector<PlannedReplicate>& replicates);
+  void begin(const std::string& experiment, int threads, const std::vector<PlannedReplicate>& replicates);
   void trial(const PlannedReplicate& replicate, const TargetTrialRow& trial);
   /// `rate`: evaluations per second of all replicates together; `left`: seconds until all are done, about.
   void progress(const PlannedReplicate& replicate, const EeaProgress& progress, double rate, double left);

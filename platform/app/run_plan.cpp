@@ -1,29 +1,61 @@
 #include "app/run_plan.h"
 
 #include "app/replicates.h"
+#include "app/run_inputs.h"
 #include "app/used_plugins.h"
 #include "foundation/parallel.h"
 #include "storage/stored_run.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace lacuna {
 namespace {
 
-/// Why the run cannot go on with what the experiment is now; empty: it can.
-std::string obstacle(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
+std::string given(const std::vector<std::string>& overrides) {
+  if (overrides.empty()) return "no --set";
+  std::vector<std::string> words;
+  for (const std::string& override : overrides) words.push_back("--set " + shell_word(override));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// In what the run was begun with something else than there is now; empty: it can go on.
+std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
   const Experiment& file = bench.rig().experiment;
-  if (stored.experiment.text != file.text || stored.experiment.overrides != file.overrides)
-    return "was begun with another text of this experiment, or with another --set";
-  if (options.seed && *options.seed != stored.seed) return fmt::format("was begun with --seed {}", stored.seed);
-  const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *bench.rig().catalog);
-  for (const PluginFileRecord& now : plugins)
-    if (std::none_of(stored.plugins.begin(), stored.plugins.end(),
-                     [&](const PluginFileRecord& then) { return then.sha256 == now.sha256; }))
-      return "was begun with another build of " + now.file;
-  return {};
+  std::vector<std::string> other;
+  if (stored.experiment.text != file.text) other.push_back("another text of this experiment");
+  if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
+  if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
+  for (std::string& changed : changed_files(stored, file, *bench.rig().catalog)) other.push_back(std::move(changed));
+  return fmt::format("{}", fmt::join(other, ", with "));
+}
+
+/// Takes the run into the plan, or says why not.
+void consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, const Database& database,
+              RunPlan& plan) {
+  const StoredRun stored = stored_run(database, run.run);
+  const std::string other = difference(stored, options, bench);
+  if (!other.empty()) {
+    plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
+    return;
+  }
+  RunClaim claim(database, run.run);
+  if (!claim.held()) {
+    plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
+    return;
+  }
+  plan.replicates.push_back({run.run, run.replicate, stored.seed});
+  plan.claims.push_back(std::move(claim));
+}
+
+[[noreturn]] void refuse(const Database& database, const std::string& name, int runs, const RunPlan& plan) {
+  const SourceLocation file{database.file().string()};
+  std::vector<Problem> problems;
+  for (const std::string& reason : plan.left) problems.push_back({file, reason});
+  const char* const why = runs == 0           ? "; lacuna runs lists those that it has"
+                          : plan.left.empty() ? "; every one of them is done"
+                                              : "; without --resume a new one begins";
+  problems.push_back({file, "has no run of " + name + " to go on with" + why});
+  throw BadInput(std::move(problems));
 }
 
 }  // namespace
@@ -31,17 +63,19 @@ std::string obstacle(const StoredRun& stored, const RunOptions& options, const E
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
   const Experiment& file = bench.rig().experiment;
   RunPlan plan;
-  plan.seed = options.seed.value_or(file.seed);
+  const std::uint64_t seed = options.seed.value_or(file.seed);
   plan.threads = options.threads > 0 ? options.threads : default_threads();
   Transaction transaction(database);
   ResultStore store(database);
   for (int replicate = 1; replicate <= options.replicates.value_or(file.replicates); ++replicate) {
-    const RunId run = store.begin_run({command_line(), plan.seed, plan.threads}, provenance_of_this_program());
+    const RunId run = store.begin_run({command_line(), seed, plan.threads}, provenance_of_this_program());
     store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
+    store.record_robot_files(robot_files_of(file));
     plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides});
-    plan.replicates.push_back({run, replicate});
+    plan.replicates.push_back({run, replicate, seed});
+    plan.claims.emplace_back(database, run);
   }
-  Replicates(bench, database, plan.experiment, plan.seed).enter(plan.replicates);
+  Replicates(bench, database, plan.experiment).enter(plan.replicates);
   transaction.commit();
   store.hand_over();
   return plan;
@@ -50,25 +84,18 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
 RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
   RunPlan plan;
   plan.threads = options.threads > 0 ? options.threads : default_threads();
-  ResultStore store(database);
   const std::string& name = bench.rig().experiment.name;
-  ProblemList problems;
+  int runs = 0;
   for (const EeaRunListing& run : eea_runs(database)) {
-    if (run.experiment != name || run.ending == "done") continue;
-    const StoredRun stored = stored_run(database, run.run);
-    if (const std::string reason = obstacle(stored, options, bench); !reason.empty())
-      problems.add({database.file().string()},
-                   fmt::format("run {} {}; it cannot go on with what there is now", run.run.value, reason));
-    plan.seed = stored.seed;
-    plan.replicates.push_back({run.run, run.replicate});
+    if (run.experiment != name) continue;
+    ++runs;
+    if (run.ending != "done") consider(run, options, bench, database, plan);
   }
-  problems.throw_if_any();
-  if (plan.replicates.empty())
-    throw_problem(SourceLocation{database.file().string()},
-                  "has no run of " + name + " to go on with; every one of them is done");
+  if (plan.replicates.empty()) refuse(database, name, runs, plan);
+  ResultStore store(database);
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
-  Replicates(bench, database, plan.experiment, plan.seed).enter(plan.replicates);
+  Replicates(bench, database, plan.experiment).enter(plan.replicates);
   store.hand_over();
   return plan;
 }

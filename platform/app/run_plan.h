@@ -4,8 +4,10 @@
 #include "app/options.h"
 #include "app/replicate.h"
 #include "storage/database.h"
+#include "storage/run_claim.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -18,16 +20,18 @@ struct RunOptions : CommonOptions {
 /// What the runs of a command `lacuna run` are.
 struct RunPlan {
   ExperimentId experiment;
-  std::uint64_t seed = 1;
   int threads = 1;
   std::vector<PlannedReplicate> replicates;
+  std::vector<RunClaim> claims;   ///< on these runs
+  std::vector<std::string> left;  ///< sentences: unfinished runs that are left as they are, and why
 };
 
 /// Enters new runs into the database, one a replicate.
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database);
 
-/// This experiment's runs that are not done. Throws `BadInput` where there is none, and for every one that cannot go on
-/// with the experiment, the options and the plugins there are now.
+/// This experiment's runs that are not done and were begun with what the experiment, the options, robot files and
+/// plugins are now; each keeps its seed. Throws `BadInput` where there is none, with the reason for each that is not
+/// done.
 RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database);
 
 }  // namespace lacuna

@@ -1,12 +1,30 @@
 #include "app/stored_bench.h"
 
-#include "app/used_plugins.h"
+#include "app/run_inputs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace lacuna {
+namespace {
+
+/// Names in an experiment are taken from the folder of its file, and the database has that name as it was given.
+std::unique_ptr<EeaBench> open_bench(const CommonOptions& options, const std::string& text,
+                                     std::shared_ptr<const PluginCatalog> catalog) {
+  try {
+    return std::make_unique<EeaBench>(open_rig(options, text, std::move(catalog)));
+  } catch (const BadInput& bad) {
+    if (options.experiment.is_absolute() || std::filesystem::exists(options.experiment)) throw;
+    std::vector<Problem> problems = bad.problems();
+    const SourceLocation file{options.experiment.string()};
+    problems.push_back({file, "is not in this folder, " + std::filesystem::current_path().string() +
+                                  "; run the command in the folder where the run was begun"});
+    throw BadInput(std::move(problems));
+  }
+}
+
+}  // namespace
 
 EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> number) {
   const std::vector<EeaRunListing> runs = eea_runs(database);
@@ -30,11 +48,9 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run,
   options.experiment = stored.run.experiment.file;
   options.overrides = stored.run.experiment.overrides;
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(plugin_paths));
-  stored.bench = std::make_unique<EeaBench>(open_rig(options, stored.run.experiment.text, catalog));
-  for (const PluginFileRecord& now : plugins_of_run(stored.bench->rig().experiment, *catalog))
-    if (std::none_of(stored.run.plugins.begin(), stored.run.plugins.end(),
-                     [&](const PluginFileRecord& then) { return then.sha256 == now.sha256; }))
-      stored.doubts.push_back(now.file + " is another build than the run's; digits may differ");
+  stored.bench = open_bench(options, stored.run.experiment.text, catalog);
+  for (const std::string& changed : changed_files(stored.run, stored.bench->rig().experiment, *catalog))
+    stored.doubts.push_back(fmt::format("run {} was begun with {}; digits may differ", run.run.value, changed));
   return stored;
 }
 

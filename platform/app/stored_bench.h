@@ -17,7 +17,7 @@ struct StoredBench {
   StoredRun run;
   EeaRunListing listing;
   std::unique_ptr<EeaBench> bench;
-  std::vector<std::string> doubts;  ///< sentences: plugins that have changed since, which may change digits
+  std::vector<std::string> doubts;  ///< sentences: files that have changed since, which may change digits
 };
 
 /// The run of that number, or the only one there is. Throws `BadInput` where there is no such run or several.

@@ -18,9 +18,10 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
   const std::optional<ModelRow> row = store.model(number);
   if (!row)
-    throw_problem({}, fmt::format("--model {}: the run has no such model; the view evaluations "
-                                  "lists all of them",
-                                  number));
+    throw_problem({},
+                  fmt::format("--model {}: the run has no such model; lacuna runs says how many it has, and they count "
+                              "from 0",
+                              number));
   StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
   const std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();

@@ -204,6 +204,8 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
       const TomlNode* found = kind == target.kind ? nullptr : node.find(key.name);
       if (found) reading.problem_at(key.name, found->location, "is a key of kind = " + toml_text(kind));
     }
+  std::string& robot = target.simulated.system.robot;
+  if (target.kind == "simulated" && robot.empty() && node.find("file")) robot = "declared";
   const char* needed = target.kind == "recorded" ? "files" : "robot";
   if (node.find(needed) || (target.kind == "simulated" && node.find("file"))) return;
   reading.problem_at(needed, node.location,

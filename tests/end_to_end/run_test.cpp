@@ -166,6 +166,54 @@ TEST_F(Run, NamesEveryProblemOfItsSections) {
   EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"hidden\"?"));
 }
 
+TEST_F(Run, WithoutAModelThatCanBeScoredKeepsTheReasons) {
+  const Outcome outcome = program_.run({"run", "small.toml", "--set", "model.free={\"body.torso.inertia.xy\"=[5,6]}"});
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_THAT(outcome.errors, HasSubstr("can be scored; the view invalid_evaluations says why"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("lacuna plot")));
+  const Outcome reasons = program_.run({"sql", "small.db", "SELECT DISTINCT reason FROM invalid_evaluations", "--csv"});
+  EXPECT_THAT(reasons.output, HasSubstr("trial 0, "));
+}
+
+TEST_F(Run, ASearchThatCannotBeginIsRefusedByCheckAndBeforeARunBegins) {
+  const std::map<std::string, std::string> wrong = {{"estimation.parameters={population=10,keep=20}", "keep = 20"},
+                                                    {"exploration.parameters.population=10.5", "population"}};
+  for (const auto& [key, problem] : wrong)
+    for (const char* command : {"check", "run"}) {
+      const Outcome outcome = program_.run({command, "small.toml", "--set", key});
+      EXPECT_EQ(outcome.exit_code, kBadInput) << key;
+      EXPECT_THAT(outcome.errors, HasSubstr(problem));
+      EXPECT_THAT(outcome.errors, HasSubstr(key.substr(0, key.find('.')) + ".parameters"));
+    }
+  EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db"));
+}
+
+TEST_F(Run, PicturesPoolReplicatesOfOneSettingOnly) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  const Outcome again = program_.run({"plot", "small.db", "--out", "again"});
+  EXPECT_THAT(again.errors, HasSubstr("draws run 2 of small"));
+  EXPECT_THAT(program_.read("again/error_by_pass.svg"), HasSubstr("small, run 2"));
+  ASSERT_EQ(program_.run({"run", "small.toml", "--set", "estimation.seeds=2", "--replicates", "2"}).exit_code, kDone);
+  const Outcome replicates = program_.run({"plot", "small.db", "--out", "replicates"});
+  EXPECT_THAT(replicates.errors, HasSubstr("draws runs 3, 4 of small"));
+  EXPECT_THAT(program_.read("replicates/error_by_pass.svg"), HasSubstr("small, runs 3, 4"));
+  ASSERT_EQ(program_.shell("mkdir -p folder/paths.svg").exit_code, kDone);
+  const Outcome folder = program_.run({"plot", "small.db", "--out", "folder"});
+  EXPECT_EQ(folder.exit_code, kBadInput);
+  EXPECT_THAT(folder.errors, HasSubstr("folder/paths.svg: is a folder"));
+}
+
+TEST_F(Run, AFullStandardOutputIsAFailure) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  for (const char* command : {"runs small.db", "runs small.db --json", "hash small.db", "sql --views", "plugins list",
+                              "plot small.db", "--help"}) {
+    const Outcome outcome = program_.shell("lacuna " + std::string(command) + " > /dev/full");
+    EXPECT_EQ(outcome.exit_code, kFailed) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("standard output")) << command;
+  }
+}
+
 TEST_F(Run, DrawsItsPictures) {
   ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
   const Outcome outcome = program_.run({"plot", "small.db", "--out", "pictures"});
