@@ -52,7 +52,7 @@ std::vector<PassRow> passes_of_run(const EeaBench& bench, const std::filesystem:
       store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides});
   store.hand_over();
   const std::vector<PlannedReplicate> planned = {{run, 1}};
-  Replicates replicates(bench, database, id, 1);
+  Replicates replicates(bench, database, id);
   replicates.enter(planned);
   RunDisplay display(planned, true, nullptr);
   const std::vector<ReplicateEnd> ends = replicates.run(planned, threads, display);

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "--threads: must be a whole number from 1 to 1024, but is \"0\""},
         BadInputCase{"LessThanNoThreads", "fit first-steps.toml --threads -1", 2, "but is \"-1\""},
         BadInputCase{"SeedOfLetters", "compare first-steps.toml --seed abc", 2,
-                     "--seed: must be a whole number, at least 0, but is \"abc\""},
+                     "--seed: must be a whole number from 0 to 18446744073709551615, but is \"abc\""},
         BadInputCase{"SeedBelowZero", "compare first-steps.toml --seed -3", 2, "but is \"-3\""},
         BadInputCase{"PluginsNowhere", "check first-steps.toml --plugin-path nowhere", 2,
                      "--plugin-path: there is no folder nowhere"},
