@@ -17,7 +17,8 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
     case SQLITE_FULL:
-      return "cannot grow: the disk or the quota is full; make room and run again (lacuna run: with --resume), what was finished is kept";
+      return "cannot grow: the disk or the quota is full; make room and run again (lacuna run: with --resume), what "
+             "was finished is kept";
     case SQLITE_READONLY: return "is read-only; check the permissions of the file and of its folder, or copy it";
     case SQLITE_CANTOPEN: return "cannot be opened; check that its folder exists and its permissions";
     case SQLITE_PERM:
