@@ -1,10 +1,17 @@
-# Headers of others that nearly every source includes, compiled once for all rooms and once for all tests. What a source
-# uses it still includes itself; clang-tidy compiles without these.
+# Headers that nearly every source includes, compiled once for all rooms, once for all plugins and once for all tests.
+# What a source uses it still includes itself; clang-tidy compiles without these.
 
 add_library(lacuna_room_headers STATIC cmake/headers.cpp)
 target_link_libraries(lacuna_room_headers PRIVATE Eigen3::Eigen fmt::fmt)
 target_precompile_headers(lacuna_room_headers PRIVATE
   <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>)
+
+# Compiled as lacuna_add_plugin compiles a plugin, or its users could not take it.
+add_library(lacuna_plugin_headers STATIC cmake/headers.cpp)
+target_link_libraries(lacuna_plugin_headers PRIVATE lacuna_interface)
+target_compile_definitions(lacuna_plugin_headers PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
+set_target_properties(lacuna_plugin_headers PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+target_precompile_headers(lacuna_plugin_headers PRIVATE <lacuna/plugin.h> <algorithm> <cmath> <Eigen/Geometry>)
 
 if(LACUNA_TESTS)
   add_executable(lacuna_test_headers cmake/headers.cpp)
