@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -119,21 +120,29 @@ Json effect(const EffectEntry& entry) {
   return {{"id", entry.id}, {"effect", entry.effect}, {"where", where}, {"start", start}, {"fixed", fixed}};
 }
 
+/// Laws that a contact does not have are left out: digests of robots that never heard of them stay as they were.
+Json contact(const ContactSpec& c) {
+  Json json = {{"ground", c.ground},
+               {"stiffness", number(c.stiffness)},
+               {"damping", number(c.damping)},
+               {"friction", number(c.friction)},
+               {"slope", number(c.slope)}};
+  for (const auto& [name, value] :
+       {std::pair{"impact_damping", c.impact_damping}, std::pair{"restitution", c.restitution},
+        std::pair{"rolling_lever", c.rolling_lever}, std::pair{"creep", c.creep}})
+    if (value != 0.0) json[name] = number(value);
+  return json;
+}
+
 }  // namespace
 
 std::string canonical_text(const RobotSpec& robot) {
-  const ContactSpec& c = robot.contact;
   return Json{{"name", robot.name},
               {"bodies", list(robot.bodies, body)},
               {"joints", list(robot.joints, joint)},
               {"actuators", list(robot.actuators, actuator)},
               {"sensors", list(robot.sensors, sensor)},
-              {"contact",
-               {{"ground", c.ground},
-                {"stiffness", number(c.stiffness)},
-                {"damping", number(c.damping)},
-                {"friction", number(c.friction)},
-                {"slope", number(c.slope)}}},
+              {"contact", contact(robot.contact)},
               {"gravity", vector(robot.gravity)}}
       .dump();
 }

@@ -65,6 +65,18 @@ TEST(CanonicalText, RobotsWithoutLimitsHaveAText) {
   EXPECT_NE(canonical_text(robot), canonical_text(limited));
 }
 
+TEST(CanonicalText, LawsOfAContactCountWhereItHasThem) {
+  const RobotSpec plain;
+  EXPECT_EQ(canonical_text(plain).find("restitution"), std::string::npos);
+  std::set<std::string> texts = {canonical_text(plain)};
+  for (double ContactSpec::*law :
+       {&ContactSpec::impact_damping, &ContactSpec::restitution, &ContactSpec::rolling_lever, &ContactSpec::creep}) {
+    RobotSpec robot;
+    robot.contact.*law = 0.5;
+    EXPECT_TRUE(texts.insert(canonical_text(robot)).second);
+  }
+}
+
 TEST(TrialDigest, EverythingThatAFitSeesCounts) {
   const std::vector<std::function<void(Trial&)>> changes = {[](Trial&) {},
                                                             [](Trial& t) { t.measured.samples(5, 0) += 1e-12; },

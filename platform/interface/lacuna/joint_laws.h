@@ -1,6 +1,7 @@
 #pragma once
 
 #include <lacuna/error.h>
+#include <lacuna/physical_effect.h>
 #include <lacuna/robot_spec.h>
 
 #include <cstddef>
@@ -17,6 +18,20 @@ inline JointSpec& joint_with_laws(RobotSpec& robot, int joint) {
     throw Error("joint." + spec.name + " is a " + (spec.kind == JointKind::fixed ? "fixed" : "ball") +
                 " joint; place the effect on hinges, sliders and universal joints");
   return spec;
+}
+
+/// For effects that act in a step on a joint's one coordinate: the same, and universal joints are refused too.
+inline JointSpec& joint_with_one_coordinate(RobotSpec& robot, int joint) {
+  JointSpec& spec = joint_with_laws(robot, joint);
+  if (spec.kind == JointKind::universal)
+    throw Error("joint." + spec.name +
+                " is a universal joint, which has two coordinates; place the effect on hinges and sliders");
+  return spec;
+}
+
+/// The coordinate of a joint that has one.
+inline std::size_t coordinate_of(const StepView& view, int joint) {
+  return static_cast<std::size_t>(view.first_coordinate[static_cast<std::size_t>(joint)]);
 }
 
 }  // namespace lacuna

@@ -32,11 +32,19 @@ struct EffectDescription {
   std::vector<std::string> look_alikes;  ///< names of effects that are hard to tell from it
   std::vector<ElementKind> placements;   ///< where it can be placed
   ParameterDeclarations parameters;
+  /// Values of the parameters at which it changes nothing, where those are not the defaults. If some are not zero but
+  /// a bound, as of a stiffness, the effect fades on the way there.
+  std::vector<double> neutral = {};
+  /// It takes mechanical energy out of the robot; what springs in it store came from there and does not grow.
+  bool dissipative = false;
 };
 
 /// Command and sensor effects run in the order of these stages, whatever the order of the
-/// effect list; within a stage, in the order of effect name, then placement.
-enum class CommandStage { none, delay, lag, slew_rate, gain, offset, dead_zone, saturation };
+/// effect list; within a stage, in the order of effect name, then placement. An actuator's own
+/// delay, gain and offset, and a sensor's own delay, come before all of them (effects that only
+/// change these values need no hook), an actuator's limits and a sensor's own scale, offset,
+/// noise and quantum after all of them.
+enum class CommandStage { none, delay, gain, offset, lag, slew_rate, dead_zone, saturation };
 enum class SensorStage { none, delay, lag, geometry, scale, offset, drift, saturation, quantisation };
 
 /// Which hooks the engine calls; what is not named here costs nothing in a step.

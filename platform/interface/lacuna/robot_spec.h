@@ -140,6 +140,10 @@ struct ContactSpec {
   double damping = 0.0;          ///< N·s/m
   double friction = kInfinity;   ///< Coulomb's μ, 1
   double slope = 0.0;            ///< ground rotated about y, rad; positive descends along +x
+  double impact_damping = 0.0;   ///< damping over elastic force, of a contact that is not rigid, s/m
+  double restitution = 0.0;      ///< normal velocity after an impact over that before, of a rigid contact, 0 to 1
+  double rolling_lever = 0.0;    ///< largest moment against rolling over the normal force, m
+  double creep = 0.0;            ///< sliding velocity per tangential force of a contact point, m/(N·s)
 };
 
 struct RobotSpec {

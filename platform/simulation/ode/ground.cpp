@@ -8,7 +8,9 @@
 namespace lacuna::ode {
 namespace {
 
-constexpr double kSliding = 1e-6;  // m/s; slower contacts keep the friction pyramid's own directions
+constexpr double kBouncing = 0.01;  // m/s; slower impacts do not bounce
+constexpr double kHolding = 1e6;    // μ that stands for infinite where limits have to follow the normal force
+constexpr double kSliding = 1e-6;   // m/s; slower contacts keep the friction pyramid's own directions
 
 int most_contacts_of(ShapeKind kind) {
   switch (kind) {
@@ -29,6 +31,34 @@ dGeomID make_geom(const ShapeSpec& shape) {
     case ShapeKind::cylinder: return dCreateCylinder(nullptr, size.x(), size.y());
   }
   return nullptr;
+}
+
+/// What ODE's contact joint is told of the laws of a contact; what the contact does not have costs no row. ODE lets the
+/// limits of sliding and rolling follow the normal force only together, and not with an infinite μ.
+void set_surface(dContact& c, const ContactSpec& contact, double step, double rigid_erp) {
+  const bool rigid = std::isinf(contact.stiffness);
+  const double damping =
+      contact.damping + (rigid ? 0.0 : contact.impact_damping * contact.stiffness * std::max(0.0, c.geom.depth));
+  const double spring = step * contact.stiffness + damping;
+  c.surface.mode = dContactSoftERP | (rigid ? 0 : dContactSoftCFM);
+  c.surface.soft_erp = rigid ? rigid_erp : step * contact.stiffness / spring;
+  c.surface.soft_cfm = rigid ? 0.0 : 1.0 / spring;
+  const bool rolling = contact.rolling_lever > 0.0;
+  c.surface.mu = rolling ? std::min(contact.friction, kHolding) : contact.friction;
+  if (std::isfinite(c.surface.mu)) c.surface.mode |= dContactApprox1;
+  if (contact.restitution > 0.0) {
+    c.surface.mode |= dContactBounce;
+    c.surface.bounce = contact.restitution;
+    c.surface.bounce_vel = kBouncing;
+  }
+  if (rolling) {
+    c.surface.mode |= dContactRolling;
+    c.surface.rho = contact.rolling_lever;
+  }
+  if (contact.creep > 0.0) {
+    c.surface.mode |= dContactSlip1 | dContactSlip2;
+    c.surface.slip1 = c.surface.slip2 = contact.creep;
+  }
 }
 
 }  // namespace
@@ -100,18 +130,10 @@ void Ground::collide(double slope) {
 }
 
 void Ground::begin_step(dWorldID world, const ContactSpec& contact, double step, double rigid_erp) {
-  const bool rigid = std::isinf(contact.stiffness);
-  const double spring = step * contact.stiffness + contact.damping;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     dContact& c = contacts_[i];
-    c.surface.mode = dContactSoftERP | (rigid ? 0 : dContactSoftCFM);
-    c.surface.soft_erp = rigid ? rigid_erp : step * contact.stiffness / spring;
-    c.surface.soft_cfm = rigid ? 0.0 : 1.0 / spring;
-    c.surface.mu = contact.friction;
-    if (std::isfinite(contact.friction)) {
-      c.surface.mode |= dContactApprox1;
-      align_friction(bodies_->pose(contact_bodies_[i]), c);
-    }
+    set_surface(c, contact, step, rigid_erp);
+    if (std::isfinite(contact.friction)) align_friction(bodies_->pose(contact_bodies_[i]), c);
     const dJointID joint = dJointCreateContact(world, group_, &c);
     dJointAttach(joint, bodies_->id(contact_bodies_[i]), nullptr);
     if (measure_force_) dJointSetFeedback(joint, &feedback_[i]);

@@ -97,7 +97,8 @@ void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate
 }
 
 std::size_t Mechanism::most_rows() const {
-  return 6 * tree_.child.size() + 4 * rows_.size() + servos_.size() + 3 * ground_.most_contacts();
+  const std::size_t rows_of_contact = robot_->contact.rolling_lever > 0.0 ? 6 : 3;
+  return 6 * tree_.child.size() + 4 * rows_.size() + servos_.size() + rows_of_contact * ground_.most_contacts();
 }
 
 void Mechanism::set_servo(std::size_t actuator, const simulation::ImplicitForce& law) {

@@ -21,7 +21,9 @@ bool sound(const JointLoad& load) {
 
 bool sound(const ContactSpec& contact) {
   return contact.stiffness > 0.0 && contact.damping >= 0.0 && std::isfinite(contact.damping) &&
-         contact.friction >= 0.0 && std::isfinite(contact.slope);
+         contact.friction >= 0.0 && std::isfinite(contact.slope) && contact.impact_damping >= 0.0 &&
+         contact.restitution >= 0.0 && contact.restitution <= 1.0 && contact.rolling_lever >= 0.0 &&
+         contact.creep >= 0.0;
 }
 
 bool sound(const StepLoads& loads) {

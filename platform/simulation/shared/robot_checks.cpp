@@ -204,6 +204,9 @@ std::string unphysical(const RobotSpec& robot) {
   if (!(contact.stiffness > 0.0) || !(contact.damping >= 0.0) || !(contact.friction >= 0.0) ||
       !std::isfinite(contact.slope) || std::isinf(contact.damping))
     return "contact: stiffness must be positive, damping and friction not negative, slope finite";
+  if (!(contact.impact_damping >= 0.0) || !(contact.restitution >= 0.0 && contact.restitution <= 1.0) ||
+      !(contact.rolling_lever >= 0.0) || !(contact.creep >= 0.0))
+    return "contact: impact damping, rolling lever and creep must not be negative, restitution lie between 0 and 1";
   return {};
 }
 
