@@ -1,4 +1,4 @@
-#include "effects/test_effects.h"
+#include "plugins/built_catalog.h"
 #include "support/reference_integration.h"
 #include "support/robots.h"
 #include "support/simulation_run.h"
@@ -21,7 +21,8 @@ SimulationRun lifted(double step) {
   robot.actuators[0].transmission.rotor_inertia = kRotor;
   SimulationRun run(robot, step);
   run.command("motor", 1.5);
-  run.place(test_effect("test_joint_compliance"), ElementKind::actuator, {0}, {kStiffness, kDamping});
+  run.place(built_catalog().get<PhysicalEffect>("joint_compliance"), ElementKind::actuator, {0},
+            {kStiffness, kDamping});
   return run;
 }
 

@@ -1,4 +1,4 @@
-#include "effects/test_effects.h"
+#include "plugins/built_catalog.h"
 #include "support/reference_integration.h"
 #include "support/robots.h"
 #include "support/simulation_run.h"
@@ -30,7 +30,7 @@ SimulationRun driven(double step) {
   robot.joints[0].force = kConstant;
   SimulationRun run(robot, step);
   run.command("motor", kTimes, kForces, Hold::first_order);
-  run.place(test_effect("test_load_friction"), ElementKind::joint, {0}, {kRatio});
+  run.place(built_catalog().get<PhysicalEffect>("load_friction"), ElementKind::joint, {0}, {kRatio});
   return run;
 }
 
@@ -61,7 +61,8 @@ TEST(LoadFriction, HoldsWhatItsOwnLoadCanHold) {
   for (const double load : {2.0, 20.0}) {
     robot.joints[0].force = -0.7 * load;
     SimulationRun run(robot);
-    run.command("motor", load).place(test_effect("test_load_friction"), ElementKind::joint, {0}, {0.4});
+    run.command("motor", load)
+        .place(built_catalog().get<PhysicalEffect>("load_friction"), ElementKind::joint, {0}, {0.4});
     EXPECT_NEAR(run.last("position", 1.0), 0.0, 1e-7);
     run.structure.effects[0].values = {0.2};
     EXPECT_NEAR(run.last("velocity", 1.0), 0.1 * load / kMass, 1e-5);

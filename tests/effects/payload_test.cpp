@@ -1,4 +1,4 @@
-#include "effects/test_effects.h"
+#include "plugins/built_catalog.h"
 #include "support/reference_integration.h"
 #include "support/robots.h"
 #include "support/simulation_run.h"
@@ -18,7 +18,8 @@ const Eigen::Vector3d kPlace(0.12, 0.08, -0.1);  // in the body frame
 SimulationRun loaded(double step) {
   SimulationRun run(pendulum(kMass, kLength, kInertia), step);
   run.from({0.6}, {0.0});
-  run.place(test_effect("test_payload"), ElementKind::body, {0}, {kPayload, kPlace.x(), kPlace.y(), kPlace.z()});
+  run.place(built_catalog().get<PhysicalEffect>("payload"), ElementKind::body, {0},
+            {kPayload, kPlace.x(), kPlace.y(), kPlace.z()});
   return run;
 }
 
@@ -61,10 +62,11 @@ TEST(AllEffectsTogether, ContinueBitIdenticallyAfterARestore) {
   run.structure.robot.sensors[1].noise = 0.01;
   run.imperfections = SensorImperfections{.seed = 5};
   run.command("motor", {0.0, 0.2, 0.5}, {1.0, -2.0, 3.0}, Hold::first_order);
-  run.place(test_effect("test_held_delay"), ElementKind::actuator, {0}, {0.0025});
-  run.place(test_effect("test_lugre"), ElementKind::joint, {0}, {500.0, 5.0, 0.1, 0.2, 0.3, 0.05});
-  run.place(test_effect("test_joint_compliance"), ElementKind::actuator, {0}, {40.0, 0.3});
-  run.place(test_effect("test_load_friction"), ElementKind::joint, {0}, {0.1});
+  run.place(built_catalog().get<PhysicalEffect>("command_delay"), ElementKind::actuator, {0}, {0.0025});
+  run.place(built_catalog().get<PhysicalEffect>("lugre_friction"), ElementKind::joint, {0},
+            {0.2, 0.1, 0.05, 500.0, 5.0, 0.1});
+  run.place(built_catalog().get<PhysicalEffect>("joint_compliance"), ElementKind::actuator, {0}, {40.0, 0.3});
+  run.place(built_catalog().get<PhysicalEffect>("load_friction"), ElementKind::joint, {0}, {0.1});
   expect_same_bits_after_restore(run, evenly_spaced(1.0, 50), 27);
 }
 

@@ -14,8 +14,9 @@ EffectDescription CoulombFriction::describe() const {
           .regime = "slow motion and reversals",
           .look_alikes = {"stribeck_friction", "lugre_friction", "hysteresis"},
           .placements = {ElementKind::joint},
-          .parameters = {
-              {"torque", "{force}", 0.0, 0.0, 1e4, Scale::linear, "Friction torque, on a slider friction force"}}};
+          .parameters = {{"torque", "{force}", 0.0, 0.0, 1e4, Scale::linear,
+                          "Friction torque, on a slider friction force"}},
+          .dissipative = true};
 }
 
 void CoulombFriction::amend(RobotSpec& robot, const EffectContext& context) const {

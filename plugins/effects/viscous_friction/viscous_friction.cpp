@@ -13,7 +13,8 @@ EffectDescription ViscousFriction::describe() const {
           .look_alikes = {"linear_drag", "torque_speed_line"},
           .placements = {ElementKind::joint},
           .parameters = {{"damping", "{force}*s/{position}", 0.0, 0.0, 1e4, Scale::linear,
-                          "Friction torque per angular velocity, on a slider force per velocity"}}};
+                          "Friction torque per angular velocity, on a slider force per velocity"}},
+          .dissipative = true};
 }
 
 void ViscousFriction::amend(RobotSpec& robot, const EffectContext& context) const {

@@ -1,0 +1,25 @@
+#include "armature.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription Armature::describe() const {
+  return {.summary = "Inertia added to a joint's own coordinate, as of a rotor behind a gear",
+          .equation = "tau = -inertia*d2q/dt2",
+          .literature = "R. Featherstone, Rigid Body Dynamics Algorithms, Springer 2008, section 9.6",
+          .regime = "accelerations, most of all at high frequency",
+          .look_alikes = {"payload", "torque_gain"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"inertia", "{inertia}", 0.0, 0.0, 10000.0, Scale::linear,
+                          "Inertia at the joint; of a rotor, times the square of the gear ratio"}}};
+}
+
+void Armature::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_laws(robot, joint).armature += context.parameters[0];
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::Armature>("armature"))

@@ -1,0 +1,25 @@
+#include "buoyancy.h"
+
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription Buoyancy::describe() const {
+  return {.summary = "Buoyancy of a body, as if part of its weight were gone",
+          .equation = "F = -displaced*g",
+          .literature = "Archimedes, On Floating Bodies, about 250 BC",
+          .regime = "rest and slow motion against gravity: less weight, the same inertia",
+          .look_alikes = {"payload", "cable_pull"},
+          .placements = {ElementKind::body},
+          .parameters = {
+              {"displaced", "kg", 0.0, 0.0, 10000.0, Scale::linear, "Mass of the medium that the body displaces"}}};
+}
+
+void Buoyancy::before_step(const StepView&, const EffectContext& context, std::span<double>, StepLoads& loads) const {
+  for (const int element : context.elements)
+    loads.bodies[static_cast<std::size_t>(element)].force -= context.parameters[0] * loads.gravity;
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::Buoyancy>("buoyancy"))

@@ -1,0 +1,44 @@
+#include "cogging.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+enum Parameter : std::size_t { kSine, kCosine, kPeriods };
+
+}  // namespace
+
+EffectDescription Cogging::describe() const {
+  return {.summary = "A torque that varies periodically with a joint's position",
+          .equation = "tau = sine*sin(periods*q) + cosine*cos(periods*q)",
+          .literature = "T. M. Jahns, W. L. Soong, IEEE Trans. Industrial Electronics 43 (1996) 321-330",
+          .regime = "slow motion; a ripple that repeats with the position and not with time",
+          .look_alikes = {"position_friction", "encoder_eccentricity"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the sine"},
+                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the cosine"},
+                         {"periods", "1/{position}", 1.0, 0.001, 100000.0, Scale::logarithmic,
+                          "Periods in 2 pi of the coordinate: 1 is once a turn"}}};
+}
+
+void Cogging::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
+}
+
+void Cogging::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+                          StepLoads& loads) const {
+  const auto p = context.parameters;
+  for (const int joint : context.elements) {
+    const std::size_t coordinate = coordinate_of(view, joint);
+    const double phase = p[kPeriods] * view.positions[coordinate];
+    loads.joints[coordinate].force += p[kSine] * std::sin(phase) + p[kCosine] * std::cos(phase);
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::Cogging>("cogging"))

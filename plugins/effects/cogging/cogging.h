@@ -1,0 +1,17 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// A torque that varies periodically with the position, as of a motor's magnets or an unbalanced wheel.
+class Cogging : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true}; }
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+                   StepLoads& loads) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// A pure delay of an actuator's command.
+class CommandDelay : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true}; }
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+};
+
+}  // namespace lacuna

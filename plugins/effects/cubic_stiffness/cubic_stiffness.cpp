@@ -1,0 +1,46 @@
+#include "cubic_stiffness.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+namespace {
+
+enum Parameter : std::size_t { kStiffness, kRest };
+
+}  // namespace
+
+EffectDescription CubicStiffness::describe() const {
+  return {.summary = "A spring in a joint whose torque grows with the third power of its deflection",
+          .equation = "tau = -stiffness*(q - rest)^3",
+          .literature = "G. Duffing, Erzwungene Schwingungen bei veraenderlicher Eigenfrequenz, Vieweg 1918",
+          .regime = "large excursions; a frequency that depends on the amplitude",
+          .look_alikes = {"joint_spring", "hard_stop"},
+          .placements = {ElementKind::joint},
+          .parameters = {
+              {"stiffness", "{force}/{position}^3", 0.0, -1e6, 1e6, Scale::linear,
+               "Torque per cubed angle, on a slider force per cubed distance"},
+              {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position at which the spring is slack"}}};
+}
+
+void CubicStiffness::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
+}
+
+/// The tangent at the present deflection d: −k·d³ − 3·k·d²·(q' − q).
+void CubicStiffness::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+                                 StepLoads& loads) const {
+  const double stiffness = context.parameters[kStiffness], rest = context.parameters[kRest];
+  for (const int joint : context.elements) {
+    const std::size_t coordinate = coordinate_of(view, joint);
+    const double deflection = view.positions[coordinate] - rest;
+    if (stiffness > 0.0)
+      loads.joints[coordinate].add_spring(3.0 * stiffness * deflection * deflection, rest + deflection * 2.0 / 3.0);
+    else
+      loads.joints[coordinate].force -= stiffness * deflection * deflection * deflection;
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::CubicStiffness>("cubic_stiffness"))

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// Dry friction of different size in the two directions of motion.
+class DirectionalFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true}; }
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+                   StepLoads& loads) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,38 @@
+#include "encoder_eccentricity.h"
+
+#include <lacuna/plugin.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+enum Parameter : std::size_t { kSine, kCosine, kPeriods };
+
+}  // namespace
+
+EffectDescription EncoderEccentricity::describe() const {
+  return {.summary = "A sensor's error that repeats with its reading, as of an encoder disc that is not centred",
+          .equation = "y = x + sine*sin(periods*x) + cosine*cos(periods*x)",
+          .literature = "J. R. R. Mayer, IEEE Trans. Instrumentation and Measurement 43 (1994) 494-498",
+          .regime = "motion over a wide range: an error that repeats with the position",
+          .look_alikes = {"sensor_scale", "cogging", "sensor_offset"},
+          .placements = {ElementKind::sensor},
+          .parameters = {{"sine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the sine"},
+                         {"cosine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the cosine"},
+                         {"periods", "1/{channel}", 1.0, 0.001, 100000.0, Scale::logarithmic,
+                          "Periods in 2 pi of the reading: 1 is once a turn"}}};
+}
+
+void EncoderEccentricity::sense(std::span<double> channels, int, const StepView&, const EffectContext& context,
+                                std::span<double>) const {
+  const auto p = context.parameters;
+  for (double& value : channels) {
+    const double phase = p[kPeriods] * value;
+    value += p[kSine] * std::sin(phase) + p[kCosine] * std::cos(phase);
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::EncoderEccentricity>("encoder_eccentricity"))

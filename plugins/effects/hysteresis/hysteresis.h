@@ -1,0 +1,19 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// Elastic force with a memory of the direction of motion (Bouc–Wen with exponent 1).
+class Hysteresis : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true, .after_step = true}; }
+  int state_size(const EffectContext& context) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+                   StepLoads& loads) const override;
+  void after_step(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,39 @@
+#include "joint_spring.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+namespace {
+
+enum Parameter : std::size_t { kStiffness, kRest };
+
+}  // namespace
+
+EffectDescription JointSpring::describe() const {
+  return {.summary = "A linear spring in a joint",
+          .equation = "tau = -stiffness*(q - rest)",
+          .literature = "R. Hooke, De potentia restitutiva, 1678",
+          .regime = "excursions far from the rest position; slow motion, where nothing else pulls back",
+          .look_alikes = {"cubic_stiffness", "cable_pull", "hard_stop"},
+          .placements = {ElementKind::joint},
+          .parameters = {
+              {"stiffness", "{force}/{position}", 0.0, 0.0, 1e6, Scale::linear,
+               "Torque per angle, on a slider force per distance"},
+              {"rest", "{position}", 0.0, -1000.0, 1000.0, Scale::linear, "Position at which the spring is slack"}}};
+}
+
+void JointSpring::amend(RobotSpec& robot, const EffectContext& context) const {
+  const double stiffness = context.parameters[kStiffness];
+  for (const int joint : context.elements) {
+    JointSpec& spec = joint_with_laws(robot, joint);
+    if (stiffness == 0.0) continue;
+    const double total = spec.stiffness + stiffness;
+    spec.rest = (spec.stiffness * spec.rest + stiffness * context.parameters[kRest]) / total;
+    spec.stiffness = total;
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::JointSpring>("joint_spring"))

@@ -1,0 +1,28 @@
+#include "linear_drag.h"
+
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription LinearDrag::describe() const {
+  return {.summary = "Drag on a body that grows with the velocity of its centre of mass",
+          .equation = "F = -drag*v",
+          .literature = "G. G. Stokes, Trans. Cambridge Philosophical Society 9 (1851) 8",
+          .regime = "motion through a thick medium; a free swing that dies away by the same share in every period",
+          .look_alikes = {"viscous_friction", "quadratic_drag"},
+          .placements = {ElementKind::body},
+          .parameters = {{"drag", "N*s/m", 0.0, 0.0, 100000.0, Scale::linear, "Force per velocity"}},
+          .dissipative = true};
+}
+
+void LinearDrag::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+                             StepLoads& loads) const {
+  for (const int element : context.elements) {
+    const auto body = static_cast<std::size_t>(element);
+    loads.bodies[body].force -= context.parameters[0] * view.body_velocities[body];
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::LinearDrag>("linear_drag"))

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// The first bending mode of a link: inertia that hangs on the joint by a spring.
+class LinkFlexibility : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true, .after_step = true}; }
+  int state_size(const EffectContext& context) const override;
+  void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+                   StepLoads& loads) const override;
+  void after_step(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// Dry friction with elastic bristles (LuGre): presliding, break-away, Stribeck curve and rate dependence in one
+/// law.
+class LugreFriction : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true, .after_step = true}; }
+  int state_size(const EffectContext& context) const override;
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+                   StepLoads& loads) const override;
+  void after_step(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+};
+
+}  // namespace lacuna

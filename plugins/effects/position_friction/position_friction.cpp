@@ -1,0 +1,48 @@
+#include "position_friction.h"
+
+#include <lacuna/joint_laws.h>
+#include <lacuna/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+enum Parameter : std::size_t { kMean, kSine, kCosine, kPeriods };
+
+}  // namespace
+
+EffectDescription PositionFriction::describe() const {
+  return {.summary = "Dry friction in a joint that varies periodically with its position",
+          .equation = "tau = -max(0, mean + sine*sin(periods*q) + cosine*cos(periods*q))*sgn(v)",
+          .literature = "B. Armstrong-Hélouvry, Control of Machines with Friction, Kluwer 1991, chapter 4",
+          .regime = "slow motion over a wide range of positions",
+          .look_alikes = {"coulomb_friction", "cogging"},
+          .placements = {ElementKind::joint},
+          .parameters = {{"mean", "{force}", 0.0, 0.0, 10000.0, Scale::linear, "Mean friction"},
+                         {"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the sine"},
+                         {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the cosine"},
+                         {"periods", "1/{position}", 1.0, 0.001, 100000.0, Scale::logarithmic,
+                          "Periods in 2 pi of the coordinate: 1 is once a turn"}},
+          .dissipative = true};
+}
+
+void PositionFriction::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
+}
+
+void PositionFriction::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+                                   StepLoads& loads) const {
+  const auto p = context.parameters;
+  for (const int joint : context.elements) {
+    const std::size_t coordinate = coordinate_of(view, joint);
+    const double phase = p[kPeriods] * view.positions[coordinate];
+    const double limit = p[kMean] + p[kSine] * std::sin(phase) + p[kCosine] * std::cos(phase);
+    loads.joints[coordinate].add_friction(std::max(0.0, limit));
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::PositionFriction>("position_friction"))

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// A sensor whose readings are too large or too small by a factor.
+class SensorScale : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.sensor = SensorStage::scale}; }
+  void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
+             std::span<double> state) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// An actuator that gets weaker as it gets warm.
+class ThermalFade : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .command = CommandStage::gain}; }
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  int state_size(const EffectContext& context) const override;
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,33 @@
+#include "torque_gain.h"
+
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription TorqueGain::describe() const {
+  return {.summary = "An actuator's force is larger or smaller than it should be, by a constant factor",
+          .equation = "tau_out = gain*tau",
+          .literature = "M. Gautier, S. Briot, J. Dynamic Systems, Measurement, and Control 136 (2014) 051025",
+          .regime = "everything that the motor does",
+          .look_alikes = {"payload", "armature", "load_friction"},
+          .placements = {ElementKind::actuator},
+          .parameters = {{"gain", "1", 1.0, 0.01, 100.0, Scale::logarithmic, "Force over what it should be"}}};
+}
+
+void TorqueGain::amend(RobotSpec& robot, const EffectContext& context) const {
+  const double gain = context.parameters[0];
+  for (const int element : context.elements) {
+    ActuatorSpec& actuator = robot.actuators[static_cast<std::size_t>(element)];
+    if (actuator.kind == ActuatorKind::force) {
+      actuator.gain *= gain;
+    } else {
+      actuator.kp *= gain;
+      actuator.ki *= gain;
+      actuator.kd *= gain;
+    }
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::TorqueGain>("torque_gain"))

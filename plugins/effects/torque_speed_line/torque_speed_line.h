@@ -1,0 +1,17 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+namespace lacuna {
+
+/// A motor whose largest torque falls with its speed, because its voltage is limited.
+class TorqueSpeedLine : public PhysicalEffect {
+ public:
+  EffectDescription describe() const override;
+  EffectHooks hooks() const override { return {.amends_robot = true, .command = CommandStage::saturation}; }
+  void amend(RobotSpec& robot, const EffectContext& context) const override;
+  double command(double value, int which, const StepView& view, const EffectContext& context,
+                 std::span<double> state) const override;
+};
+
+}  // namespace lacuna
