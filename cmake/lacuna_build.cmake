@@ -27,13 +27,18 @@ add_custom_target(all_plugins)
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
-# A folder of platform/: a static library that sees platform/ as its include root.
+# A folder of platform/: a static library that sees platform/ as its include root. HEADERS of others that most of its
+# sources include, beyond those that all rooms share, are compiled once for it.
 function(lacuna_add_room name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
   add_library(lacuna_${name} STATIC ${ARG_SOURCES})
   target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
-  target_precompile_headers(lacuna_${name} REUSE_FROM lacuna_room_headers)
+  if(ARG_HEADERS)
+    target_precompile_headers(lacuna_${name} PRIVATE ${LACUNA_ROOM_HEADERS} ${ARG_HEADERS})
+  else()
+    target_precompile_headers(lacuna_${name} REUSE_FROM lacuna_room_headers)
+  endif()
 endfunction()
 
 # What every test program is compiled with.

@@ -3,8 +3,9 @@
 
 add_library(lacuna_room_headers STATIC cmake/headers.cpp)
 target_link_libraries(lacuna_room_headers PRIVATE Eigen3::Eigen fmt::fmt)
-target_precompile_headers(lacuna_room_headers PRIVATE
+set(LACUNA_ROOM_HEADERS
   <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>)
+target_precompile_headers(lacuna_room_headers PRIVATE ${LACUNA_ROOM_HEADERS})
 
 # Compiled as lacuna_add_plugin compiles a plugin, or its users could not take it.
 add_library(lacuna_plugin_headers STATIC cmake/headers.cpp)

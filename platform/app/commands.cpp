@@ -20,17 +20,22 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 75;
 
-int complain(const std::exception& error, int code) {
-  std::fflush(stdout);
-  std::fprintf(stderr, "%s\n", error.what());
+/// Whether what was printed has arrived.
+bool output_has_arrived() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good(); }
+
+int say(const char* sentence, int code) {
+  std::fprintf(stderr, "%s\n", sentence);
   return code;
 }
 
-/// What was printed has arrived, or the command has failed.
 int end_of_output() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return 0;
-  return complain(Error("standard output: cannot be written to its end; make room, or redirect it to another place"),
-                  kFailed);
+  if (output_has_arrived()) return 0;
+  return say("standard output: cannot be written to its end; make room, or redirect it to another place", kFailed);
+}
+
+/// A long output fails while it is printed, by an exception that does not know which file it was.
+int complain(const std::exception& error, int code) {
+  return output_has_arrived() ? say(error.what(), code) : end_of_output();
 }
 
 /// CLI11 prints what a flag stands for without its value, as in --json{}.
