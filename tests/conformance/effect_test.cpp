@@ -154,7 +154,7 @@ long allocations_of(const SimulationRun& run, double duration) {
 }
 
 TEST(EffectConformance, AllocatesNothingInAStep) {
-  if (!kCountsAllocations) GTEST_SKIP() << "the sanitizer has its own allocator";
+  if (!kCountsAllocations) GTEST_SKIP() << kOwnAllocator;
   on_every_effect([](const std::string& name, const PhysicalEffect&) {
     const SimulationRun run = moving(readme_model(name));
     EXPECT_EQ(allocations_of(run, 0.1), allocations_of(run, 0.8));

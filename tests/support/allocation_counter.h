@@ -7,6 +7,8 @@
 namespace lacuna {
 
 inline constexpr bool kCountsAllocations = LACUNA_WATCHED == 0;
+/// Why a test that counts them is skipped otherwise.
+inline constexpr const char* kOwnAllocator = "the sanitizer has its own allocator";
 
 /// Of the whole process so far; 0 under a sanitizer.
 long allocations();

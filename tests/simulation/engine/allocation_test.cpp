@@ -17,8 +17,6 @@ class Nod : public Controller {
   }
 };
 
-constexpr const char* kOwnAllocator = "the sanitizer has its own allocator";
-
 /// Allocations of a whole simulation in a workspace and result that were used before.
 long allocations_of(Rig& rig, const lacuna::Test& test, double duration) {
   const std::vector<double> times{0.0, 0.011, 0.5 * duration, duration};
