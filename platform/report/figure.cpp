@@ -24,6 +24,7 @@ constexpr std::size_t kPixelColumns = 1000;
 constexpr double kLeast = 0.09, kRight = 0.98;  // of the figure's width, where panels begin at least, and end
 constexpr double kFontSize = 13.0;              // pt
 constexpr double kCharacter = 7.5;              // px, its width
+constexpr double kTickCharacter = 9.75;         // px, what gnuplot keeps free for each of a y axis's numbers
 constexpr double kRoomForLabel = 46.0;          // px, between a figure's edge and the numbers of its y axis
 constexpr double kRoomBelow = 66.0;             // px, for the ticks of the x axis and its label
 
@@ -125,7 +126,7 @@ int tick_characters(const Range& range) {
 double left_of(const Figure& figure) {
   int characters = 0;
   for (const Panel& panel : figure.panels) characters = std::max(characters, tick_characters(y_range(panel)));
-  return std::max(kLeast, (kRoomForLabel + kCharacter * characters) / figure.width);
+  return std::max(kLeast, (kRoomForLabel + kTickCharacter * characters) / figure.width);
 }
 
 /// A label beside a panel, in smaller letters where the panel is low.
