@@ -2,6 +2,7 @@
 
 option(LACUNA_TESTS "Build tests, benchmarks and generators" ON)
 option(LACUNA_FUZZ "Build the fuzz targets (clang)" OFF)
+option(LACUNA_UNITY "Compile the sources of large rooms eight at a time: a third of the time for all of them, more for one" ON)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -28,12 +29,16 @@ add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
 # A folder of platform/: a static library that sees platform/ as its include root. HEADERS of others that most of its
-# sources include, beyond those that all rooms share, are compiled once for it.
+# sources include, beyond those that all rooms share, are compiled once for it. UNITY: a large room; names in its
+# anonymous namespaces must differ.
 function(lacuna_add_room name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "" "SOURCES;LINKS;HEADERS" ${ARGN})
   add_library(lacuna_${name} STATIC ${ARG_SOURCES})
   target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
+  if(ARG_UNITY AND LACUNA_UNITY)
+    set_target_properties(lacuna_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
   if(ARG_HEADERS)
     target_precompile_headers(lacuna_${name} PRIVATE ${LACUNA_ROOM_HEADERS} ${ARG_HEADERS})
   else()

@@ -106,6 +106,34 @@ JOIN revision ON revision.id = comparison.revision
 JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id = (SELECT max(newer.id) FROM comparison AS newer WHERE newer.revision = comparison.revision);
 
+-- One row a finished diagnosis: its verdict with its probability, and what it would add.
+-- example: SELECT revision, verdict, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;
+CREATE VIEW diagnoses AS
+SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.probability,
+       diagnosis.calibrated, diagnosis.chance, diagnosis.hypotheses,
+       iif(diagnosis.verdict = 'effect_found',
+           (SELECT group_concat(value, ' + ') FROM json_each(best.effects)), NULL) AS answer,
+       diagnosis.base_times_floor, best.times_floor, diagnosis.id >> 40 AS run, diagnosis.id
+FROM diagnosis
+JOIN revision ON revision.id = diagnosis.revision
+JOIN experiment ON experiment.id = revision.experiment
+LEFT JOIN candidate_model AS best ON best.diagnosis = diagnosis.id AND best.rank = 1;
+
+-- One row a candidate of the latest diagnosis of each revision, the likeliest first: how much better it predicts what was left out.
+-- example: SELECT revision, rank, effects, gain, times_floor FROM effect_ranking ORDER BY revision, rank;
+CREATE VIEW effect_ranking AS
+SELECT experiment.name AS experiment, revision.number AS revision, candidate_model.rank,
+       (SELECT group_concat(value, ' + ') FROM json_each(candidate_model.effects)) AS effects,
+       candidate_model.gain, candidate_model.gain_lower, candidate_model.gain_upper, candidate_model.times_floor,
+       candidate_model.probability,
+       (SELECT group_concat(value, ', ') FROM json_each(candidate_model.look_alikes)) AS look_alikes,
+       diagnosis.id AS diagnosis
+FROM diagnosis
+JOIN candidate_model ON candidate_model.diagnosis = diagnosis.id
+JOIN revision ON revision.id = diagnosis.revision
+JOIN experiment ON experiment.id = revision.experiment
+WHERE diagnosis.id = (SELECT max(id) FROM diagnosis AS newer WHERE newer.revision = diagnosis.revision);
+
 -- One row a stored time series: whose it is, its channels and its size.
 -- example: SELECT trial, kind, revision, channels, sample_count, bytes FROM traces ORDER BY id;
 CREATE VIEW traces AS

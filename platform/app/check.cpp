@@ -21,7 +21,7 @@ struct CheckOptions : CommonOptions {
   std::string reference;
 };
 
-std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 /// What a fit or a comparison would stop at before it simulates anything.
 std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
@@ -60,7 +60,7 @@ void add_check_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   CLI::Option* reference = command
                                ->add_option("--print-reference", options->reference,
-                                            "Print a reference of file keys instead: " + listed(file_reference_names()))
+                                            "Print a reference of file keys instead: " + joined(file_reference_names()))
                                ->option_text("NAME")
                                ->check(CLI::IsMember(file_reference_names()));
   CLI::Option* experiment = command->get_option("experiment");

@@ -19,24 +19,28 @@ std::string names(const std::vector<Spec>& specs) {
   return text.empty() ? "none" : text;
 }
 
-std::string line(const std::string& head, const std::string& text) { return fmt::format("{:<10}{}\n", head, text); }
+std::string summary_line(const std::string& head, const std::string& text) {
+  return fmt::format("{:<10}{}\n", head, text);
+}
 
 std::string effect_lines(const EffectList& effects) {
   std::string text;
   for (const EffectEntry& effect : effects)
-    text += line(text.empty() ? "effects" : "",
-                 fmt::format("{}: {} @ {}", effect.id, effect.effect,
-                             effect.where.empty() ? "world" : fmt::format("{}", fmt::join(effect.where, ", "))));
-  return text.empty() ? line("effects", "none") : text;
+    text +=
+        summary_line(text.empty() ? "effects" : "",
+                     fmt::format("{}: {} @ {}", effect.id, effect.effect,
+                                 effect.where.empty() ? "world" : fmt::format("{}", fmt::join(effect.where, ", "))));
+  return text.empty() ? summary_line("effects", "none") : text;
 }
 
 std::string free_lines(const std::vector<FreeValue>& values) {
   std::string text;
   for (const FreeValue& value : values)
-    text += line(text.empty() ? "free" : "",
-                 fmt::format("{} from {}, {} to {}", value.address, format_quantity(value.start, value.unit),
-                             format_quantity(value.lower, value.unit), format_quantity(value.upper, value.unit)));
-  return text.empty() ? line("free", "none") : text;
+    text +=
+        summary_line(text.empty() ? "free" : "",
+                     fmt::format("{} from {}, {} to {}", value.address, format_quantity(value.start, value.unit),
+                                 format_quantity(value.lower, value.unit), format_quantity(value.upper, value.unit)));
+  return text.empty() ? summary_line("free", "none") : text;
 }
 
 double duration_of(const Trial& trial) {
@@ -54,17 +58,17 @@ std::string trial_line(const Trial& trial) {
 }
 
 std::string trial_lines(const std::vector<Trial>& trials) {
-  if (trials.empty()) return line("trials", "none");
+  if (trials.empty()) return summary_line("trials", "none");
   std::string text;
   std::size_t samples = 0;
   double seconds = 0.0;
   for (const Trial& trial : trials) {
-    text += line(text.empty() ? "trials" : "", trial_line(trial));
+    text += summary_line(text.empty() ? "trials" : "", trial_line(trial));
     samples += static_cast<std::size_t>(trial.measured.times.size());
     seconds += duration_of(trial);
   }
   if (trials.size() > 1)
-    text += line("", fmt::format("together {}, {}", counted(samples, "sample"), format_quantity(seconds, "s")));
+    text += summary_line("", fmt::format("together {}, {}", counted(samples, "sample"), format_quantity(seconds, "s")));
   return text;
 }
 
@@ -107,7 +111,7 @@ std::string channel_lines(const RecordingSource& source, const std::vector<Trial
     for (const ColumnMapping& mapping : mappings) {
       Extent extent;
       for (const Trial& trial : trials) widen(extent, series_of(trial), mapping.channel);
-      text += line(text.empty() ? "channels" : "", mapping_text(mapping, extent, what));
+      text += summary_line(text.empty() ? "channels" : "", mapping_text(mapping, extent, what));
     }
   };
   add(source.sensors, "measured", [](const Trial& trial) -> const TimeSeries& { return trial.measured; });
@@ -117,7 +121,7 @@ std::string channel_lines(const RecordingSource& source, const std::vector<Trial
 
 std::string note_lines(const std::vector<ReadingNote>& notes) {
   std::string text;
-  for (const ReadingNote& note : notes) text += line("note", to_string(note.location) + ": " + note.message);
+  for (const ReadingNote& note : notes) text += summary_line("note", to_string(note.location) + ": " + note.message);
   return text;
 }
 
@@ -126,11 +130,12 @@ std::string note_lines(const std::vector<ReadingNote>& notes) {
 std::string check_summary(const Experiment& experiment, const ModelDefinition& definition,
                           const std::vector<Trial>& trials, const std::vector<ReadingNote>& notes) {
   const RobotSpec& robot = definition.structure.robot;
-  return line("robot",
-              fmt::format("{} ({}), {}", robot.name, experiment.model.robot, counted(robot.bodies.size(), "body"))) +
-         line("joints", names(robot.joints)) + line("actuators", names(robot.actuators)) +
-         line("sensors", names(robot.sensors)) + free_lines(definition.free) + effect_lines(definition.effects) +
-         trial_lines(trials) + channel_lines(experiment.target.recording, trials) + note_lines(notes);
+  return summary_line("robot", fmt::format("{} ({}), {}", robot.name, experiment.model.robot,
+                                           counted(robot.bodies.size(), "body"))) +
+         summary_line("joints", names(robot.joints)) + summary_line("actuators", names(robot.actuators)) +
+         summary_line("sensors", names(robot.sensors)) + free_lines(definition.free) +
+         effect_lines(definition.effects) + trial_lines(trials) + channel_lines(experiment.target.recording, trials) +
+         note_lines(notes);
 }
 
 }  // namespace lacuna

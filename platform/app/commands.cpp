@@ -57,6 +57,7 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", std::string(LACUNA_VERSION));
   add_check_command(program);
   add_new_command(program);
+  add_trial_command(program);
   add_run_command(program);
   add_runs_command(program);
   add_plot_command(program);
@@ -65,6 +66,7 @@ int run_program(int argc, char** argv) {
   add_hash_command(program);
   add_fit_command(program);
   add_compare_command(program);
+  add_diagnose_command(program);
   add_add_command(program);
   add_undo_command(program);
   add_history_command(program);

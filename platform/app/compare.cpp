@@ -6,6 +6,8 @@
 #include "report/comparison_json.h"
 #include "report/comparison_pictures.h"
 #include "report/comparison_text.h"
+#include "report/where_pictures.h"
+#include "report/where_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,19 +30,23 @@ void run_compare(const CompareOptions& options) {
   const Workbench::Fitted fitted =
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
   const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true);
+  const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
   const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
                                   fitted.result.seconds};
 
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     fmt::print("{}", fit_text(fitted.result));
+    for (const std::string& fault : bench.faults(fitted.result)) fmt::print("in doubt: {}\n", fault);
+    fmt::print("{}", where_text(where));
     fmt::print("{}", advice_text(compared.result, options.experiment.string()));
   }
-  if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result));
+  if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result, where));
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));
   if (!options.out.empty()) {
     const std::string title = fmt::format("{} · revision {}", heading.experiment, bench.revision().number);
     draw_comparison(compared.result, title, options.out);
+    draw_where(where, title, options.out);
     write_predictions(compared.result, options.out);
     if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", options.out.string());
   }

@@ -63,7 +63,7 @@ Json json_of(const ParameterDeclaration& parameter) {
 }
 
 /// A line "name   content" of the page, nothing where there is no content.
-std::string line(const std::string& name, const std::string& content) {
+std::string parameter_line(const std::string& name, const std::string& content) {
   return content.empty() ? "" : fmt::format("{:<12}{}\n", name, content);
 }
 
@@ -104,17 +104,17 @@ std::string text_of(const ComponentDetails& details) {
   std::string text = fmt::format("{} {}: {}\n", listing.kind, listing.name, listing.summary);
   if (details.effect) {
     const EffectDescription& effect = *details.effect;
-    text += line("equation", effect.equation);
-    text += line("place on", fmt::format("{}", fmt::join(placement_names(effect), ", ")));
-    text += line("shows in", effect.regime);
-    text += line("look-alikes", fmt::format("{}", fmt::join(effect.look_alikes, ", ")));
-    text += line("literature", effect.literature);
+    text += parameter_line("equation", effect.equation);
+    text += parameter_line("place on", fmt::format("{}", fmt::join(placement_names(effect), ", ")));
+    text += parameter_line("shows in", effect.regime);
+    text += parameter_line("look-alikes", fmt::format("{}", fmt::join(effect.look_alikes, ", ")));
+    text += parameter_line("literature", effect.literature);
   }
   text += details.parameters.empty() ? "no parameters\n" : "parameters: unit, default and bounds, meaning\n";
   text += parameter_table(details.parameters);
-  text += line("file", listing.file.string());
-  text += line("sha256", listing.sha256);
-  text += line("build", listing.build_id);
+  text += parameter_line("file", listing.file.string());
+  text += parameter_line("sha256", listing.sha256);
+  text += parameter_line("build", listing.build_id);
   return text;
 }
 

@@ -50,6 +50,24 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const FitResul
   store_.record_fit(revision.id, fit_record(fit, rig.experiment.fit, settings(rig)));
 }
 
+/// A diagnosis also follows from the effects that there are to try.
+std::string Ledger::settings(const Rig& rig, const std::vector<std::string>& among) const {
+  std::string text = settings(rig) + fmt::format(" diagnosis among [{}]", fmt::join(among, ","));
+  for (const PluginListing& listing : rig.catalog->list())
+    if (listing.kind == "effect") text += " " + listing.sha256;
+  return text;
+}
+
+std::optional<std::string> Ledger::known_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                                   const std::vector<std::string>& among) const {
+  return store_.diagnosis_of(revision.id, settings(rig, among));
+}
+
+void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
+                  const Diagnosis& diagnosis) {
+  store_.record_diagnosis(revision.id, diagnosis_record(diagnosis, settings(rig, among)));
+}
+
 std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials) {
   std::vector<TrialId> ids;
   for (const Trial& trial : trials) ids.push_back(store_.find_or_add_trial(experiment_, trial_record(trial)));

@@ -2,6 +2,7 @@
 
 #include "app/options.h"
 #include "app/rig.h"
+#include "diagnosis/diagnosis.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "storage/result_store.h"
@@ -31,6 +32,12 @@ class Ledger {
   void keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
             const Comparison& comparison, bool refitted, std::optional<int> look, double step);
 
+  /// The document of the diagnosis of that revision with these settings, among these effects, where it was made before.
+  std::optional<std::string> known_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                             const std::vector<std::string>& among) const;
+  void keep(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
+            const Diagnosis& diagnosis);
+
   /// Counts a look at the held-out trials before anything of them is shown.
   int count_look(const StoredRevision& revision);
   void done();
@@ -41,6 +48,7 @@ class Ledger {
 
  private:
   std::string settings(const Rig& rig) const;
+  std::string settings(const Rig& rig, const std::vector<std::string>& among) const;
   std::vector<TrialId> ids_of(const std::vector<Trial>& trials);
 
   Database database_;

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-std::string typed;
+std::string typed_command;
 
 constexpr std::uint64_t kMostThreads = 1024;
 
@@ -48,11 +48,11 @@ std::string shell_word(const std::string& word) {
 }
 
 void set_command_line(int argc, char** argv) {
-  typed = "lacuna";
-  for (int i = 1; i < argc; ++i) typed += " " + shell_word(argv[i]);
+  typed_command = "lacuna";
+  for (int i = 1; i < argc; ++i) typed_command += " " + shell_word(argv[i]);
 }
 
-const std::string& command_line() { return typed; }
+const std::string& command_line() { return typed_command; }
 
 void add_result_option(CLI::App& command, const std::string& name, std::optional<std::string>& file,
                        const std::string& description) {

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/component_details.h"
+#include "app/new_effect.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "loading/plugin_catalog.h"
@@ -86,6 +87,7 @@ void add_plugins_command(CLI::App& program) {
   show->add_option("name", options->name, "The plugin's name")->required()->option_text("NAME");
   add_plugins_options(*show, options->common);
   show->callback([options] { show_plugin(*options); });
+  add_new_effect_command(*plugins);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 #include "app/records.h"
 
+#include "report/diagnosis_text.h"
+
 #include "storage/canonical_text.h"
 
 namespace lacuna {
@@ -145,6 +147,35 @@ ComparisonRecord comparison_record(const Comparison& comparison, const std::vect
     for (const FloorValue& floor : comparison.floors[t].channels)
       record.floors.push_back({trials.at(t), floor.channel, floor.unit, floor.total, floor.sensor, floor.input,
                                floor.process, floor.origin});
+  return record;
+}
+
+DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& settings) {
+  DiagnosisRecord record{.settings = settings,
+                         .verdict = std::string(to_string(diagnosis.verdict)),
+                         .probability = diagnosis.probability,
+                         .chance = diagnosis.p_by_chance,
+                         .hypotheses = static_cast<std::int64_t>(diagnosis.hypotheses),
+                         .base_times_floor = diagnosis.base_times_floor,
+                         .document = diagnosis_json(diagnosis),
+                         .candidates = {}};
+  for (const RankedModel& model : diagnosis.ranking) {
+    CandidateRecord candidate{.effects = {},
+                              .look_alikes = model.look_alikes,
+                              .gain = model.gain.value,
+                              .gain_lower = model.gain.lower_95,
+                              .gain_upper = model.gain.upper_95,
+                              .times_floor = model.times_floor,
+                              .probability = model.probability,
+                              .values = {}};
+    for (const FoundEffect& effect : model.effects) {
+      candidate.effects.push_back(effect.effect + " @ " + effect.where);
+      for (const FoundParameter& one : effect.parameters)
+        candidate.values.push_back(
+            {effect.effect, effect.where, one.name, one.unit, one.value, one.lower_95, one.upper_95});
+    }
+    record.candidates.push_back(std::move(candidate));
+  }
   return record;
 }
 

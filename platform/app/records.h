@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/rig.h"
+#include "diagnosis/diagnosis.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "storage/records.h"
@@ -18,6 +19,7 @@ FitRecord fit_record(const FitResult& fit, const FitSection& options, const std:
 FitResult fit_result(const FitRecord& record);
 /// `trials`: the stored trials, in the comparison's order.
 ComparisonRecord comparison_record(const Comparison& comparison, const std::vector<TrialId>& trials);
+DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& settings);
 TimeSeries predicted_series(const Trial& trial, const TrialComparison& comparison);
 
 }  // namespace lacuna

@@ -1,7 +1,9 @@
 #include "app/rig.h"
 
+#include "app/trial_target.h"
 #include "config/experiment_reader.h"
 #include "foundation/guarded_call.h"
+#include "storage/carried_out.h"
 #include "storage/eea_store.h"
 
 #include <algorithm>
@@ -28,7 +30,6 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
 /// The trials that the database holds of a target that takes tests, those of its last run; what showed how a test
 /// transfers was fitted by no model, and is held out.
 std::vector<Trial> stored_trials(const std::filesystem::path& file, const std::string& experiment) {
-  if (!std::filesystem::exists(file)) return {};
   Database database = Database::open_read_only(file);
   std::vector<Trial> trials;
   for (const EeaRunListing& run : eea_runs(database)) {
@@ -43,12 +44,25 @@ std::vector<Trial> stored_trials(const std::filesystem::path& file, const std::s
 }
 
 Rig with_stored_trials(Rig rig, const CommonOptions& options) {
-  if (rig.experiment.target.kind == "simulated")
-    rig.trials = stored_trials(database_of(options, rig.experiment), rig.experiment.name);
+  if (!rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests()) return rig;
+  const std::filesystem::path file = database_of(options, rig.experiment);
+  if (!std::filesystem::exists(file)) return rig;
+  rig.trials = stored_trials(file, rig.experiment.name);
+  const TrialTarget target(rig.experiment, *rig.catalog, last_replicate(file, rig.experiment.name));
+  for (Trial& trial : carried_out_trials(Database::open_read_only(file), rig.experiment.name, target.digest()))
+    rig.trials.push_back(std::move(trial));
   return rig;
 }
 
 }  // namespace
+
+int last_replicate(const std::filesystem::path& database, const std::string& experiment) {
+  int replicate = 1;
+  if (!std::filesystem::exists(database)) return replicate;
+  for (const EeaRunListing& run : eea_runs(Database::open_read_only(database)))
+    if (run.experiment == experiment && run.passes_done > 0) replicate = run.replicate;
+  return replicate;
+}
 
 std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment) {
   return options.database.empty() ? std::filesystem::path(experiment.name + ".db") : options.database;

@@ -32,8 +32,12 @@ struct Rig {
 /// `--db`, or the experiment's name with `.db` in the working folder.
 std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
 
-/// Throws `BadInput` with every problem of the experiment, its robot and its measurements. Trials of a simulated target
-/// are those that the database holds.
+/// The replicate of the last run of the algorithm that the database has of an experiment; 1 without any.
+int last_replicate(const std::filesystem::path& database, const std::string& experiment);
+
+/// Throws `BadInput` with every problem of the experiment, its robot and its measurements. Trials of a target that
+/// takes tests are those that the database holds: of the last run of the algorithm, and those that were carried out one
+/// by one on the same target.
 Rig open_rig(const CommonOptions& options);
 /// The same for an experiment file whose content would be `text`.
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog);

@@ -69,7 +69,7 @@ std::string sensor_line(const RigDraft& draft, const std::string& channel, const
   return with_comment(line, comment);
 }
 
-std::string command_line(const GuessedJoint& joint) {
+std::string draft_command(const GuessedJoint& joint) {
   const GuessedColumn& column = *joint.command;
   const std::string wanted = command_unit(joint);
   std::string line = fmt::format("{} = {{ column = {}, unit = ", toml_key(joint.motor()), toml_text(column.name));
@@ -130,7 +130,7 @@ std::string columns_text(const RigDraft& draft) {
   }
   text += "\n[target.commands]                       # named like the robot's actuators\n";
   for (const GuessedJoint& joint : guess.joints)
-    if (joint.command) text += command_line(joint);
+    if (joint.command) text += draft_command(joint);
   for (const GuessedColumn& column : guess.unused)
     text += fmt::format("# not used: column {}, {}\n", toml_text(column.name), column.reason);
   return text;

@@ -8,11 +8,13 @@
 namespace lacuna {
 namespace {
 
-std::string line(const std::string& head, const std::string& text) { return fmt::format("{:<10}{}\n", head, text); }
+std::string fact_line(const std::string& head, const std::string& text) {
+  return fmt::format("{:<10}{}\n", head, text);
+}
 
 std::string target_line(const EeaBench& bench) {
   const ModelDefinition& target = *bench.target();
-  return line(
+  return fact_line(
       "target",
       fmt::format("simulated {}, {}, {}, hidden values {}", target.structure.robot.name,
                   counted(target.free.size(), "hidden value"), counted(target.effects.size(), "effect"),
@@ -28,17 +30,17 @@ std::string run_summary(const EeaBench& bench) {
   std::string text;
   if (bench.target()) text += target_line(bench);
   if (bench.takes_tests())
-    text += line("test", fmt::format("{}, {}, {}", definition.test_encoding.origin.name,
-                                     counted(definition.exploration.layout().size(), "gene"),
-                                     format_quantity(experiment.test.duration, "s")));
-  text += line("estimate",
-               fmt::format("{}, {}, {}", definition.estimation.strategy.origin.name,
-                           counted(definition.estimation.layout().size(), "gene"), definition.metric.origin.name));
+    text += fact_line("test", fmt::format("{}, {}, {}", definition.test_encoding.origin.name,
+                                          counted(definition.exploration.layout().size(), "gene"),
+                                          format_quantity(experiment.test.duration, "s")));
+  text += fact_line("estimate",
+                    fmt::format("{}, {}, {}", definition.estimation.strategy.origin.name,
+                                counted(definition.estimation.layout().size(), "gene"), definition.metric.origin.name));
   if (!bench.takes_tests()) return text;
-  text += line("explore",
-               fmt::format("{}, {}", definition.exploration.strategy.origin.name, definition.fitness.origin.name));
-  return text + line("run", fmt::format("{}, {}", counted(static_cast<std::size_t>(definition.passes), "pass"),
-                                        counted(static_cast<std::size_t>(experiment.replicates), "replicate")));
+  text += fact_line("explore",
+                    fmt::format("{}, {}", definition.exploration.strategy.origin.name, definition.fitness.origin.name));
+  return text + fact_line("run", fmt::format("{}, {}", counted(static_cast<std::size_t>(definition.passes), "pass"),
+                                             counted(static_cast<std::size_t>(experiment.replicates), "replicate")));
 }
 
 }  // namespace lacuna

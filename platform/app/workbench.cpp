@@ -1,6 +1,7 @@
 #include "app/workbench.h"
 
 #include "app/progress_line.h"
+#include "diagnosis/data_doubts.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
@@ -53,6 +54,20 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
   ledger_.keep(revision_, rig_, trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
                rig_.definition.engine.step / rig_.definition.engine.substeps);
   return compared;
+}
+
+std::vector<std::string> Workbench::faults(const FitResult& fit) const {
+  const std::vector<double> values = fit.parameters();
+  return disqualifying(data_doubts({rig_.definition, *rig_.model, rig_.trials, values}));
+}
+
+WhereItFails Workbench::where_it_fails(const FitResult& fit, const Comparison& comparison) const {
+  return lacuna::where_it_fails({.definition = rig_.definition,
+                                 .model = *rig_.model,
+                                 .trials = rig_.trials,
+                                 .values = fit.parameters(),
+                                 .comparison = comparison,
+                                 .threads = threads_});
 }
 
 RevisionErrors errors_of(const CommonOptions& options, Rig rig) {

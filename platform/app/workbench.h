@@ -3,6 +3,7 @@
 #include "app/ledger.h"
 #include "app/options.h"
 #include "app/rig.h"
+#include "diagnosis/where_it_fails.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "report/change_text.h"
@@ -29,6 +30,10 @@ class Workbench {
     int look = 0;
   };
   Compared compare_model(const FitResult& fit, bool refitted, bool with_held_out);
+  /// Where the model fails on the fit trials of a comparison with all of the rig's.
+  WhereItFails where_it_fails(const FitResult& fit, const Comparison& comparison) const;
+  /// What of the data allows no verdict on a fitted model (diagnosis/data_doubts.h), sentences.
+  std::vector<std::string> faults(const FitResult& fit) const;
 
   const Rig& rig() const { return rig_; }
   const StoredRevision& revision() const { return revision_; }

@@ -1,7 +1,7 @@
 #include "eea/eea_definition.h"
 
 #include "evaluation/target_simulator.h"
-#include "foundation/address.h"
+#include "evaluation/test_space.h"
 #include "foundation/unit.h"
 
 #include <cmath>
@@ -19,35 +19,14 @@ std::vector<FreeParameter> free_parameters(const ModelDefinition& model) {
   return free;
 }
 
-/// What may be sent to an actuator: the range in which its command is not clipped, or else what its force limit asks of
-/// a plain force.
-std::pair<double, double> command_range(const ActuatorSpec& actuator) {
-  double lower = actuator.command_lower, upper = actuator.command_upper;
-  if (actuator.kind == ActuatorKind::force) {
-    lower = std::max(lower, -actuator.force_limit);
-    upper = std::min(upper, actuator.force_limit);
-  }
-  lower = (lower - actuator.offset) / actuator.gain;
-  upper = (upper - actuator.offset) / actuator.gain;
-  return {std::min(lower, upper), std::max(lower, upper)};
-}
-
-TestSpace test_space_of(const Experiment& experiment, const RobotSpec& robot, Complaints& complaints) {
-  TestSpace space;
-  space.sensors = sensor_channels(robot);
-  space.actuators = command_channels(robot);
-  const EngineSettings& engine = experiment.engine;
-  space.control_period = engine.control_period > 0.0 ? engine.control_period : engine.step;
-  space.duration = experiment.test.duration;
-  for (const ActuatorSpec& actuator : robot.actuators) {
-    const auto [lower, upper] = command_range(actuator);
-    space.lower.push_back(lower);
-    space.upper.push_back(upper);
-    if (!std::isfinite(lower) || !std::isfinite(upper))
-      complaints.add("test.encoding", "the commands of actuator \"" + actuator.name +
+/// Complains about actuators whose commands have no limits.
+TestSpace limited_space(const Experiment& experiment, const RobotSpec& robot, Complaints& complaints) {
+  TestSpace space = test_space(robot, experiment.engine, experiment.test.duration);
+  for (std::size_t a = 0; a < space.actuators.size(); ++a)
+    if (!std::isfinite(space.lower[a]) || !std::isfinite(space.upper[a]))
+      complaints.add("test.encoding", "the commands of actuator \"" + space.actuators[a].name +
                                           "\" have no limits to make tests within; give it command_lower and "
                                           "command_upper, or a force_limit");
-  }
   return space;
 }
 
@@ -138,7 +117,7 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
 void EeaDefinition::define_exploration(const Experiment& experiment, const PluginCatalog& catalog,
                                        Complaints& complaints) {
   const ExplorationSection& explore = experiment.exploration;
-  test_space = test_space_of(experiment, model.structure.robot, complaints);
+  test_space = limited_space(experiment, model.structure.robot, complaints);
   const double samples = test_space.duration / test_space.control_period;
   if (samples <= kMostSamples)
     sample_times = lacuna::sample_times(model.engine, experiment.test.duration);

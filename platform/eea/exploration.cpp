@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kWorst = std::numeric_limits<double>::infinity();
+constexpr double kWorstTest = std::numeric_limits<double>::infinity();
 
 /// What was found out about a test.
 struct JudgedTest {
@@ -62,7 +62,7 @@ class Exploration {
     std::vector<double> scores;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       const bool valid = judged[i].reason.empty();
-      scores.push_back(valid ? -judged[i].fitness : kWorst);
+      scores.push_back(valid ? -judged[i].fitness : kWorstTest);
       ++state_.counts.test_evaluations;
       state_.counts.invalid_tests += valid ? 0 : 1;
       state_.counts.test_steps += judged[i].steps;
@@ -113,7 +113,7 @@ class Exploration {
                                  .phase = Phase::exploration,
                                  .generation = search_->generation(),
                                  .generations = search_->generations(),
-                                 .best = best.empty() ? -kWorst : -best.front().score,
+                                 .best = best.empty() ? -kWorstTest : -best.front().score,
                                  .evaluations = state_.counts.evaluations + state_.counts.test_evaluations,
                                  .invalid = state_.counts.invalid + state_.counts.invalid_tests});
   }

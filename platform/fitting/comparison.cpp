@@ -205,7 +205,8 @@ class Comparer {
   void add_horizon(double horizon, bool automatic) {
     for (std::size_t t = 0; t < trials(); ++t) {
       if (!states_.reconstructible(t)) continue;
-      HorizonScore score{horizon, automatic, horizon_errors(t, horizon)};
+      HorizonScore score = restarted(t, horizon);
+      score.automatic = automatic;
       if (!score.rmse.empty()) result_.trials[t].horizons.push_back(std::move(score));
     }
   }
@@ -223,10 +224,11 @@ class Comparer {
     return stretches;
   }
 
-  /// RMS over all stretches, a value a channel; empty if the trial is shorter than one.
-  std::vector<double> horizon_errors(std::size_t trial, double horizon) const {
+  /// Residuals and RMS over all stretches; empty if the trial is shorter than one.
+  HorizonScore restarted(std::size_t trial, double horizon) const {
+    HorizonScore score{.horizon = horizon};
     const std::vector<Stretch> stretches = horizon_stretches(trial, horizon);
-    if (stretches.empty()) return {};
+    if (stretches.empty()) return score;
     std::vector<TimeSeries::Samples> residuals(stretches.size());
     parallel_for(stretches.size(), predictor_.workers(), [&](std::size_t k, int worker) {
       throw_if_interrupted();
@@ -239,7 +241,16 @@ class Comparer {
       const Eigen::Index head = first_scored(predictor_, stretches[k], start) - stretches[k].first;
       residuals[k] = all.bottomRows(all.rows() - head);
     });
-    return rms_of(residuals, task_.trials[trial].measured.samples.cols());
+    const TimeSeries::Samples& measured = task_.trials[trial].measured.samples;
+    score.rmse = rms_of(residuals, measured.cols());
+    score.residuals.setConstant(measured.rows(), measured.cols(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      if (residuals[k].size() == 0) continue;  // could not be simulated
+      const Eigen::Index first = stretches[k].last - residuals[k].rows();
+      score.residuals.middleRows(first, residuals[k].rows()) = residuals[k];
+      score.restarts.push_back(first);
+    }
+    return score;
   }
 
   static std::vector<double> rms_of(const std::vector<TimeSeries::Samples>& residuals, Eigen::Index channels) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fitting/error_parts.h"
 #include "fitting/noise_floor.h"
 #include "fitting/progress.h"
 
@@ -29,12 +30,13 @@ struct ComparisonTask {
 struct ChannelScore {
   std::string channel;
   std::string unit;
-  std::size_t samples = 0;          ///< to score; 0, or a trial that cannot be simulated: all figures are NaN
-  double rmse = 0.0;                ///< channel unit
-  double floor = 0.0;               ///< channel unit
-  double times_floor = 0.0;         ///< rmse/floor
-  double normalised_rmse = 0.0;     ///< rmse over the standard deviation of what was measured
-  double bias = 0.0;                ///< mean residual, channel unit
+  std::size_t samples = 0;       ///< to score; 0, or a trial that cannot be simulated: all figures are NaN
+  double rmse = 0.0;             ///< channel unit
+  double floor = 0.0;            ///< channel unit
+  double times_floor = 0.0;      ///< rmse/floor
+  double normalised_rmse = 0.0;  ///< rmse over the standard deviation of what was measured
+  double bias = 0.0;             ///< mean residual, channel unit
+  ErrorParts parts;
   double max_error = 0.0;           ///< largest |residual|, channel unit
   double max_error_time = 0.0;      ///< s, in the trial's time
   double rmse_as_written = 0.0;     ///< the same free run with the start values of the file
@@ -45,9 +47,11 @@ struct ChannelScore {
 /// The error of predictions over a horizon: the trial is cut into stretches, each starts from a state
 /// estimated on its own first 50 ms, and the time after these is scored.
 struct HorizonScore {
-  double horizon = 0.0;      ///< s
-  bool automatic = false;    ///< `Comparison::start_horizon`, where that is longer than the others
-  std::vector<double> rmse;  ///< a channel; NaN where nothing could be scored
+  double horizon = 0.0;                     ///< s
+  bool automatic = false;                   ///< `Comparison::start_horizon`, where that is longer than the others
+  std::vector<double> rmse = {};            ///< a channel; NaN where nothing could be scored
+  std::vector<Eigen::Index> restarts = {};  ///< samples at which a stretch begins to be scored
+  TimeSeries::Samples residuals = {};       ///< samples × channels of the trial; NaN where nothing was scored
 };
 
 /// One trial: a free run from a start that was estimated on the first 50 ms, which are not scored

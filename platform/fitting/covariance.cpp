@@ -18,7 +18,7 @@ constexpr double kBlockCorrelations = 6.0;  ///< a block is so many correlation 
 constexpr int kLeastBlocks = 12;            ///< fewer would say little about their own spread
 constexpr int kMostBlocks = 40;
 constexpr double kRounding = 1e-10;  ///< eigenvalues below this share of the largest are differences' rounding
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTakesPart = 0.1;  ///< of a direction's largest component
 
 /// The blocks that scores are summed over: several correlation times long, but enough of them; and no more than
@@ -102,7 +102,7 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
   result.correlation_time = memory.time;
   result.sizes = typical_sizes(space, point, all, total_power(rows));
   result.determined.assign(at_bound.size(), true);
-  result.covariance = Eigen::MatrixXd::Constant(space.size(), space.size(), kNothing);
+  result.covariance = Eigen::MatrixXd::Constant(space.size(), space.size(), kUnknown);
   result.inverse_information = Eigen::MatrixXd::Zero(space.size(), space.size());
   const TimeBlocks blocks = choose_blocks(problem, space.size(), result);
 
@@ -125,8 +125,8 @@ Uncertainty uncertainty(const ShootingProblem& problem, const ParameterSpace& sp
       bread * (scores * scores.transpose()) * bread * (static_cast<double>(result.blocks) / degrees);
   for (const Eigen::Index j : free) {
     if (result.determined[static_cast<std::size_t>(j)]) continue;
-    result.covariance.row(j).setConstant(kNothing);
-    result.covariance.col(j).setConstant(kNothing);
+    result.covariance.row(j).setConstant(kUnknown);
+    result.covariance.col(j).setConstant(kUnknown);
   }
   return result;
 }

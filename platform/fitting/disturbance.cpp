@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace lacuna {
 namespace {
@@ -114,6 +116,38 @@ CommandSeries with_random_forces(const CommandSeries& commands, const std::vecto
     }
   }
   return disturbed;
+}
+
+CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJoint& joint,
+                                const std::vector<std::pair<double, double>>& intervals, double force) {
+  const Eigen::VectorXd& known = commands.series.times;
+  std::map<double, double> pulses;  // the force at the moments at which it changes, or is about to
+  std::vector<double> times(known.data(), known.data() + known.size());
+  for (const auto& [begin, end] : intervals) {
+    const double just = 1e-6 * (end - begin);
+    pulses.insert_or_assign(begin - just, 0.0);
+    pulses.insert_or_assign(begin, force);
+    pulses.insert_or_assign(end - just, force);
+    pulses.insert_or_assign(end, 0.0);
+  }
+  for (const auto& [time, unused] : pulses) times.push_back(time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  CommandSeries pulsed;
+  pulsed.hold = commands.hold;
+  pulsed.series.channels = commands.series.channels;
+  pulsed.series.channels.push_back({joint.actuator, "N"});
+  const auto rows = static_cast<Eigen::Index>(times.size()), recorded = commands.series.samples.cols();
+  pulsed.series.times = Eigen::Map<const Eigen::VectorXd>(times.data(), rows);
+  pulsed.series.samples.resize(rows, recorded + 1);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const double time = times[static_cast<std::size_t>(row)];
+    for (Eigen::Index channel = 0; channel < recorded; ++channel)
+      pulsed.series.samples(row, channel) = command_at(commands, channel, time);
+    const auto after = pulses.upper_bound(time);
+    pulsed.series.samples(row, recorded) = after == pulses.begin() ? 0.0 : std::prev(after)->second;
+  }
+  return pulsed;
 }
 
 }  // namespace lacuna

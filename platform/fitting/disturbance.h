@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -38,5 +39,10 @@ CommandSeries with_command_noise(const CommandSeries& commands, std::span<const 
 CommandSeries with_random_forces(const CommandSeries& commands, const std::vector<DisturbedJoint>& joints, double step,
                                  double correlation_time, double begin, double end, std::uint64_t seed,
                                  std::uint64_t draw);
+
+/// Commands with a channel more, through which `force` acts during each of the intervals (begin, end; s, ascending, not
+/// overlapping) and none between them.
+CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJoint& joint,
+                                const std::vector<std::pair<double, double>>& intervals, double force);
 
 }  // namespace lacuna

@@ -28,7 +28,7 @@ constexpr double kFine = 0.01;
 constexpr double kMiddling = 0.1;
 constexpr double kCoarse = 1.0;
 constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
@@ -37,7 +37,7 @@ std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   if (kept.empty())
     throw Error(
         "there is no trial to fit to: name a measured file that is not held out, or, where the target is simulated, "
-        "let lacuna run make trials");
+        "let lacuna run or lacuna trial make some");
   return kept;
 }
 
@@ -353,11 +353,11 @@ FitResult as_written(const ModelDefinition& definition) {
     value.address = free.address;
     value.unit = free.unit;
     value.start = value.value = free.start;
-    value.standard_error = value.lower_95 = value.upper_95 = kNothing;
+    value.standard_error = value.lower_95 = value.upper_95 = kNotFitted;
     result.values.push_back(value);
   }
   const auto size = static_cast<Eigen::Index>(result.values.size());
-  result.covariance = Eigen::MatrixXd::Constant(size, size, kNothing);
+  result.covariance = Eigen::MatrixXd::Constant(size, size, kNotFitted);
   return result;
 }
 

@@ -6,8 +6,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTakesPart = 0.1;  ///< of the direction's largest component
-constexpr double kEqual = 0.03;     ///< relative changes that differ less are the same
+constexpr double kMatters = 0.1;  ///< of the direction's largest component
+constexpr double kEqual = 0.03;   ///< relative changes that differ less are the same
 
 /// A value that takes part in a direction which the data do not determine.
 struct Part {
@@ -21,7 +21,7 @@ std::vector<Part> parts_of(const Eigen::VectorXd& direction, const Uncertainty& 
                            const ParameterSpace& space, const std::vector<FreeValue>& free) {
   std::vector<Part> parts;
   for (Eigen::Index j = 0; j < direction.size(); ++j) {
-    if (std::abs(direction(j)) <= kTakesPart * direction.cwiseAbs().maxCoeff()) continue;
+    if (std::abs(direction(j)) <= kMatters * direction.cwiseAbs().maxCoeff()) continue;
     const double value = space.to_value(j, point.values(j));
     const double change = direction(j) * uncertainty.sizes(j) * space.slope(j, point.values(j));
     const FreeValue& of = free[static_cast<std::size_t>(j)];

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotScored = std::numeric_limits<double>::quiet_NaN();
 
 double deviation_of(const std::vector<double>& values) {
   double mean = 0.0, squares = 0.0;
@@ -69,7 +69,7 @@ class ChannelPool {
 
   PooledScore score() const {
     PooledScore pooled = pooled_;
-    pooled.rmse = pooled.failed_trials > 0 ? kNothing : error_.rms(pooled.samples);
+    pooled.rmse = pooled.failed_trials > 0 ? kNotScored : error_.rms(pooled.samples);
     pooled.floor = floor_.rms(pooled.samples);
     pooled.times_floor = pooled.rmse / pooled.floor;
     pooled.from_start = start_.rms(pooled.samples);
@@ -111,7 +111,7 @@ double scored_rms(const TimeSeries::Samples& residuals, Eigen::Index channel, Ei
     squares += residual * residual;
     count += 1.0;
   }
-  return count > 0.0 ? std::sqrt(squares / count) : kNothing;
+  return count > 0.0 ? std::sqrt(squares / count) : kNotScored;
 }
 
 ChannelScore score_channel(const TrialComparison& comparison, Eigen::Index channel, const FloorValue& floor) {
@@ -120,7 +120,7 @@ ChannelScore score_channel(const TrialComparison& comparison, Eigen::Index chann
   score.unit = floor.unit;
   score.floor = floor.total;
   score.rmse = score.times_floor = score.normalised_rmse = score.bias = score.max_error = score.max_error_time =
-      score.rmse_as_written = kNothing;
+      score.rmse_as_written = kNotScored;
   const std::vector<double> measured = measured_values(comparison, channel);
   score.samples = measured.size();
   if (measured.empty() || !comparison.valid) return score;
@@ -137,6 +137,9 @@ ChannelScore score_channel(const TrialComparison& comparison, Eigen::Index chann
   score.times_floor = score.rmse / score.floor;
   score.normalised_rmse = score.rmse / deviation_of(measured);
   score.bias = sum / static_cast<double>(measured.size());
+  score.parts =
+      error_parts(comparison.measured.col(channel).tail(comparison.measured.rows() - comparison.first_scored),
+                  comparison.predicted.col(channel).tail(comparison.predicted.rows() - comparison.first_scored));
   score.max_error = largest;
   return score;
 }

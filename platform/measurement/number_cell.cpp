@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLongestNumber = 64;
 
 bool same_word(std::string_view a, std::string_view lower) {
@@ -30,20 +30,20 @@ bool stands_for_infinity(std::string_view cell) {
 }
 
 NumberCell read_word(std::string_view cell) {
-  if (stands_for_missing(cell)) return {CellKind::missing, kNan};
-  return {stands_for_infinity(cell) ? CellKind::infinite : CellKind::text, kNan};
+  if (stands_for_missing(cell)) return {CellKind::missing, kNoNumber};
+  return {stands_for_infinity(cell) ? CellKind::infinite : CellKind::text, kNoNumber};
 }
 
 NumberCell read_with_point(std::string_view cell) {
   const bool plus = cell.starts_with('+') && !cell.starts_with("+-");
   const std::string_view unsigned_cell = plus ? cell.substr(1) : cell;
-  double value = kNan;
+  double value = kNoNumber;
   const auto [end, error] = std::from_chars(unsigned_cell.data(), unsigned_cell.data() + unsigned_cell.size(), value);
   const bool whole = end == unsigned_cell.data() + unsigned_cell.size();
   if (!whole || error == std::errc::invalid_argument) return read_word(cell);
   if (error == std::errc::result_out_of_range) {
     const bool underflow = cell.find("e-") != cell.npos || cell.find("E-") != cell.npos;
-    return underflow ? NumberCell{CellKind::number, 0.0} : NumberCell{CellKind::infinite, kNan};
+    return underflow ? NumberCell{CellKind::number, 0.0} : NumberCell{CellKind::infinite, kNoNumber};
   }
   return std::isfinite(value) ? NumberCell{CellKind::number, value} : read_word(cell);
 }
@@ -59,7 +59,7 @@ std::string_view trimmed(std::string_view text) {
 NumberCell read_number(std::string_view cell, bool decimal_comma) {
   cell = trimmed(cell);
   if (!decimal_comma || cell.find_first_of(",.") == cell.npos) return read_with_point(cell);
-  if (cell.size() > kLongestNumber || cell.find('.') != cell.npos) return {CellKind::text, kNan};
+  if (cell.size() > kLongestNumber || cell.find('.') != cell.npos) return {CellKind::text, kNoNumber};
   std::array<char, kLongestNumber> with_point;
   std::replace_copy(cell.begin(), cell.end(), with_point.begin(), ',', '.');
   return read_with_point({with_point.data(), cell.size()});

@@ -73,10 +73,7 @@ std::string advice_text(const Comparison& comparison, const std::string& file) {
   if (times_explained(comparison, *worst) <= kAtTheFloor)
     return fmt::format("model is at the floor as far as can be told: {} ×, which the uncertain start can explain\n",
                        times);
-  return fmt::format(
-      "model is above the floor ({} ×): an effect may be missing → lacuna plugins list, lacuna add {} EFFECT --where "
-      "ELEMENT\n",
-      times, file);
+  return fmt::format("model is above the floor ({} ×) → lacuna diagnose {}\n", times, file);
 }
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 #include "report/comparison_json.h"
 
+#include "report/where_json.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -21,6 +23,12 @@ ordered_json document(const ChannelScore& score) {
           {"times_floor", score.times_floor},
           {"normalised_rmse", score.normalised_rmse},
           {"bias", score.bias},
+          {"theil_u", score.parts.theil_u},
+          {"bias_share", score.parts.bias_share},
+          {"magnitude_share", score.parts.magnitude_share},
+          {"form_share", score.parts.form_share},
+          {"sprague_geers_magnitude", score.parts.sprague_geers_magnitude},
+          {"sprague_geers_phase", score.parts.sprague_geers_phase},
           {"max_error", score.max_error},
           {"max_error_time_s", score.max_error_time},
           {"from_start", score.from_start},
@@ -75,7 +83,8 @@ ordered_json document(const FitResult& fit) {
 
 }  // namespace
 
-std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
+std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit,
+                            const WhereItFails& where) {
   ordered_json trials = ordered_json::array(), pooled = ordered_json::array();
   for (const TrialComparison& trial : comparison.trials) trials.push_back(document(trial));
   for (const PooledScore& score : comparison.pooled) pooled.push_back(document(score));
@@ -85,6 +94,8 @@ std::string comparison_json(const ComparisonHeading& heading, const Comparison& 
                               {"fit", document(fit)},
                               {"pooled", pooled},
                               {"trials", trials},
+                              {"findings", findings_json(where)},
+                              {"where", where_json(where)},
                               {"notes", comparison.notes}};
   return whole.dump(2) + "\n";
 }
@@ -96,11 +107,16 @@ std::string fit_json(const std::string& experiment, const FitResult& fit) {
 }
 
 std::string comparison_csv(const Comparison& comparison) {
-  std::string text = "trial,held_out,channel,unit,samples,rmse,floor,times_floor,bias,max_error,max_error_time_s\n";
+  std::string text =
+      "trial,held_out,channel,unit,samples,rmse,floor,times_floor,bias,max_error,max_error_time_s,normalised_rmse,"
+      "theil_u,bias_share,magnitude_share,form_share,sprague_geers_magnitude,sprague_geers_phase\n";
   for (const TrialComparison& trial : comparison.trials)
     for (const ChannelScore& s : trial.channels)
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", trial.trial, trial.held_out ? 1 : 0, s.channel, s.unit,
-                          s.samples, s.rmse, s.floor, s.times_floor, s.bias, s.max_error, s.max_error_time);
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", trial.trial, trial.held_out ? 1 : 0,
+                      s.channel, s.unit, s.samples, s.rmse, s.floor, s.times_floor, s.bias, s.max_error,
+                      s.max_error_time, s.normalised_rmse, s.parts.theil_u, s.parts.bias_share, s.parts.magnitude_share,
+                      s.parts.form_share, s.parts.sprague_geers_magnitude, s.parts.sprague_geers_phase);
   return text;
 }
 

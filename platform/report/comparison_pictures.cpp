@@ -1,6 +1,7 @@
 #include "report/comparison_pictures.h"
 
 #include "report/figure.h"
+#include "report/file_name.h"
 #include "report/times_floor_text.h"
 
 #include <lacuna/error.h>
@@ -12,13 +13,6 @@
 
 namespace lacuna {
 namespace {
-
-std::string file_name(const std::string& text) {
-  std::string name;
-  for (const char c : text)
-    name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-' ? c : '-';
-  return name;
-}
 
 std::vector<double> column(const TimeSeries::Samples& samples, Eigen::Index channel) {
   std::vector<double> values(static_cast<std::size_t>(samples.rows()));

@@ -26,6 +26,8 @@ constexpr double kFontSize = 13.0;              // pt
 constexpr double kCharacter = 7.5;              // px, its width
 constexpr double kTickCharacter = 9.75;         // px, what gnuplot keeps free for each of a y axis's numbers
 constexpr double kRoomForLabel = 46.0;          // px, between a figure's edge and the numbers of its y axis
+constexpr double kRoomForNames = 30.0;          // px, beside names of a y axis
+constexpr double kMostForNames = 0.6;           // of the figure's width
 constexpr double kRoomBelow = 66.0;             // px, for the ticks of the x axis and its label
 
 std::string quoted(const std::string& text) {
@@ -50,7 +52,8 @@ std::string data_block(const Series& series, const std::string& name) {
       return;
     }
     text += number(series.x[i]) + ' ' + number(series.y[i]);
-    if (series.mark == Mark::band || series.mark == Mark::whiskers) text += ' ' + number(series.y2[i]);
+    if (series.mark == Mark::band || series.mark == Mark::whiskers || series.mark == Mark::bars)
+      text += ' ' + number(series.y2[i]);
     text += '\n';
   };
   if (series.mark == Mark::line)
@@ -68,6 +71,9 @@ std::string plot_clause(const Series& series, const std::string& block) {
     case Mark::path: return fmt::format("{} using 1:2 with lines lw 1.6 {} {}", block, colour, title);
     case Mark::whiskers:
       return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead lw 2 {} {}", block, colour, title);
+    case Mark::bars:
+      return fmt::format("{} using (0):2:(0):1:($2-$3/2):($2+$3/2) with boxxyerror fs solid 0.8 noborder {} {}", block,
+                         colour, title);
     case Mark::points: return fmt::format("{} using 1:2 with points pt 7 ps 0.4 {} {}", block, colour, title);
     case Mark::line_points:
       return fmt::format("{} using 1:2 with linespoints pt 7 ps 0.8 lw 1.6 {} {}", block, colour, title);
@@ -110,6 +116,18 @@ Range y_range(const Panel& panel) {
   return range;
 }
 
+/// One range for the y axes of all panels.
+std::string common_y_range(const Figure& figure) {
+  Range all;
+  for (const Panel& panel : figure.panels) {
+    const Range one = y_range(panel);
+    all.hold({one.low, one.high});
+  }
+  if (!(all.low < all.high)) return {};
+  const Range shown = all.widened(1.05 * (all.high - all.low));
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\n", shown.low, shown.high);
+}
+
 /// Of the longest number beside a y axis: the digits before the point, and as many behind it as tell some five ticks
 /// apart.
 int tick_characters(const Range& range) {
@@ -122,19 +140,32 @@ int tick_characters(const Range& range) {
   return std::clamp((range.low < 0.0 ? 1 : 0) + before + (behind > 0 ? 1 + behind : 0), kFewest, kMost);
 }
 
+/// Names at 0, 1, ... downwards.
+std::string y_tick_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} {}", i ? ", " : "", quoted(names[i]), i);
+  return fmt::format("set ytics ({})\nset yrange [{}:-0.5]\n", text, static_cast<double>(names.size()) - 0.5);
+}
+
 /// Where panels begin, as a share of the figure's width: the same for all, behind their longest numbers and the label.
 double left_of(const Figure& figure) {
   int characters = 0;
-  for (const Panel& panel : figure.panels) characters = std::max(characters, tick_characters(y_range(panel)));
+  double named = 0.0;
+  for (const Panel& panel : figure.panels) {
+    characters = std::max(characters, tick_characters(y_range(panel)));
+    for (const std::string& name : panel.y_names)
+      named = std::max(named, kCharacter * static_cast<double>(name.size()));
+  }
+  if (named > 0.0) return std::min(kMostForNames, (kRoomForNames + named) / figure.width);
   return std::max(kLeast, (kRoomForLabel + kTickCharacter * characters) / figure.width);
 }
 
-/// A label beside a panel, in smaller letters where the panel is low.
-std::string y_label(const std::string& text, double height) {
+/// A label of an axis ("x" or "y") that is `length` px long, in smaller letters where it is longer than that.
+std::string axis_label(const char* axis, const std::string& text, double length) {
   constexpr double kSmallest = 7.0;  // pt
   const double needed = kCharacter * static_cast<double>(text.size());
-  const double size = std::max(kSmallest, kFontSize * std::min(1.0, height / std::max(needed, 1.0)));
-  return fmt::format("set ylabel {} font \",{:.3g}\"\n", quoted(text), size);
+  const double size = std::max(kSmallest, kFontSize * std::min(1.0, length / std::max(needed, 1.0)));
+  return fmt::format("set {}label {} font \",{:.3g}\"\n", axis, quoted(text), size);
 }
 
 /// Between the ticks of an axis that counts: 1, 2, 5, 10, 20 ...; at most twenty ticks.
@@ -164,21 +195,64 @@ std::string map_ranges(const Figure& figure, const Panel& panel, double height_s
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", across.low, across.high, up.low, up.high);
 }
 
+std::string plot_command(const Panel& panel, std::size_t index) {
+  std::string clauses;
+  for (std::size_t s = 0; s < panel.series.size(); ++s)
+    clauses += (s ? ", \\\n  " : "") + plot_clause(panel.series[s], block_name(index, s));
+  return "plot " + clauses + "\nunset label 1\n";
+}
+
+/// Few enough ticks on a narrow x axis that their numbers stay apart.
+std::string narrow_ticks(const Panel& panel, double width) {
+  Range range;
+  for (const Series& series : panel.series) range.hold(series.x);
+  if (!(range.low < range.high)) return {};
+  const double apart = (range.high - range.low) * kTickCharacter * (tick_characters(range) + 2) / width;
+  double tick = std::pow(10.0, std::floor(std::log10(apart)));
+  for (const double factor : {2.0, 2.5, 2.0})  // 2, 5, 10 times
+    if (tick < apart) tick *= factor;
+  return fmt::format("set xtics {:.9g}\n", tick);
+}
+
 std::string panel_commands(const Figure& figure, std::size_t index, double top, double bottom) {
   const Panel& panel = figure.panels[index];
   const bool labelled = figure.maps || index + 1 == figure.panels.size();
   std::string text = fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", top, bottom);
   text += fmt::format("set key at screen 0.98, screen {:.4f} right bottom horizontal\n", top + 0.005);
-  text += y_label(panel.y_label, (top - bottom) * figure.height);
+  text += axis_label("y", panel.y_label, (top - bottom) * figure.height);
   text += labelled ? "set xlabel " + quoted(figure.x_label) + "\nset format x \"%g\"\n"
                    : "unset xlabel\nset format x \"\"\n";
   if (figure.maps) text += map_ranges(figure, panel, top - bottom);
   if (!panel.x_names.empty()) text += tick_names(panel.x_names);
+  if (!panel.y_names.empty()) text += y_tick_names(panel.y_names);
   if (figure.whole_x) text += fmt::format("set xtics {}\n", whole_tick(figure));
-  std::string clauses;
-  for (std::size_t s = 0; s < panel.series.size(); ++s)
-    clauses += (s ? ", \\\n  " : "") + plot_clause(panel.series[s], block_name(index, s));
-  return text + "plot " + clauses + "\nunset label 1\n";
+  return text + plot_command(panel, index);
+}
+
+/// Panels in rows, each with its own axes.
+std::string grid_commands(const Figure& figure) {
+  constexpr double kTopOfGrid = 0.93, kBetweenRows = 62.0, kBetweenColumns = 84.0;  // px between
+  constexpr double kRoomForKey = 6.0;                                               // px above a panel
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  const std::size_t rows = (figure.panels.size() + columns - 1) / columns;
+  const double cell_width = 1.0 / figure.columns, cell_height = kTopOfGrid / static_cast<double>(rows);
+  std::string text = figure.same_y ? common_y_range(figure) : "";
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    const Panel& panel = figure.panels[p];
+    const std::size_t row = p / columns;
+    const double left = cell_width * static_cast<double>(p % columns) + kBetweenColumns / figure.width;
+    const double top = kTopOfGrid - cell_height * static_cast<double>(row) - kRoomForKey / figure.height;
+    const double right = cell_width * static_cast<double>(p % columns + 1) - 14.0 / figure.width;
+    const double bottom = top - cell_height + (kBetweenRows + kRoomForKey) / figure.height;
+    text += fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", left, right);
+    text += fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nunset key\n", top, bottom);
+    text += axis_label("y", p % columns == 0 ? panel.y_label : "", (top - bottom) * figure.height);
+    text += axis_label("x", panel.x_label, (right - left) * figure.width) + "set xtics auto\nset xrange [*:*]\n";
+    text += narrow_ticks(panel, (right - left) * figure.width);
+    if (!panel.x_names.empty()) text += tick_names(panel.x_names);
+    text += plot_command(panel, p);
+  }
+  return text;
 }
 
 std::string script(const Figure& figure, const std::filesystem::path& file) {
@@ -198,6 +272,7 @@ std::string script(const Figure& figure, const std::filesystem::path& file) {
   text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", left_of(figure), named ? 0.93 : kRight);
   text += fmt::format("set label 1 {} at screen {:.4f}, screen 0.965 left font \",15\"\nset multiplot\n",
                       quoted(figure.title), left_of(figure));
+  if (figure.columns > 1) return text + grid_commands(figure) + "unset multiplot\nunset output\n";
   double total = 0.0;
   for (const Panel& panel : figure.panels) total += panel.share;
   constexpr double kTop = 0.88;
@@ -238,10 +313,10 @@ int run_gnuplot(const std::filesystem::path& script_file, const std::filesystem:
 void check(const Figure& figure) {
   for (const Panel& panel : figure.panels)
     for (const Series& series : panel.series) {
-      const bool sized = series.mark == Mark::level
-                             ? series.y.size() == 1
-                             : series.x.size() == series.y.size() &&
-                                   (series.mark != Mark::band || series.y2.size() == series.y.size());
+      const bool sized = series.mark == Mark::level ? series.y.size() == 1
+                                                    : series.x.size() == series.y.size() &&
+                                                          ((series.mark != Mark::band && series.mark != Mark::bars) ||
+                                                           series.y2.size() == series.y.size());
       if (!sized)
         throw Error("figure \"" + figure.title + "\": series \"" + series.label + "\" has columns of different length");
     }

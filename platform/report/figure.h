@@ -15,6 +15,7 @@ enum class Mark {
   path,      ///< a line whose x may go back and forth
   band,      ///< filled between `y` and `y2`
   whiskers,  ///< a vertical line from `y` to `y2` at each x
+  bars,      ///< a horizontal bar from 0 to x at each y, `y2` high
   level      ///< a horizontal line at `y[0]`
 };
 
@@ -27,12 +28,15 @@ struct Series {
   std::vector<double> y2;  ///< for bands and whiskers
 };
 
-/// One pair of axes. Panels of a figure stand below each other and share the x axis, unless they are maps.
+/// One pair of axes. Panels of a figure stand below each other and share the x axis, unless they are maps or stand in
+/// several columns.
 struct Panel {
   std::string y_label;
   std::vector<Series> series;
-  double share = 1.0;                ///< of the figure's height, relative to the other panels
-  std::vector<std::string> x_names;  ///< non-empty: x counts from 0 and these are written at 0, 1, ...
+  double share = 1.0;                     ///< of the figure's height, relative to the other panels
+  std::vector<std::string> x_names;       ///< non-empty: x counts from 0 and these are written at 0, 1, ...
+  std::vector<std::string> y_names = {};  ///< the same for y, downwards
+  std::string x_label = {};               ///< of a panel in a column of several
 };
 
 struct Figure {
@@ -41,6 +45,8 @@ struct Figure {
   std::vector<Panel> panels;
   bool whole_x = false;  ///< x counts something: ticks at whole numbers only
   bool maps = false;     ///< x and y are places: one scale for both, and each panel has its own x axis
+  int columns = 1;       ///< more: panels fill rows of so many, each with its own x axis
+  bool same_y = false;   ///< panels in several columns have one range of y
   int width = 1000;      ///< px
   int height = 640;
 };

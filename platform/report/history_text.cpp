@@ -32,7 +32,7 @@ std::vector<HistoryRow> rows_of(const std::vector<HistoryRow>& rows, const std::
   return chosen;
 }
 
-std::string quantity(double value, const std::string& unit) {
+std::string error_quantity(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "-";
 }
 
@@ -59,12 +59,12 @@ std::string channel_table(const std::vector<HistoryRow>& rows, const std::string
   std::vector<std::string> bars = {""};
   for (const HistoryRow& row : rows) {
     table.push_back({fmt::format("{}{}", row.number, row.current ? "*" : ""), row.change,
-                     quantity(row.fit_rmse, row.unit), quantity(row.held_out_rmse, row.unit),
+                     error_quantity(row.fit_rmse, row.unit), error_quantity(row.held_out_rmse, row.unit),
                      times_floor_text(row.times_floor)});
     bars.push_back(bar(row, largest, held_out_known));
   }
   if (with_floor) {
-    table.push_back({"", "floor", "", quantity(with_floor->floor, with_floor->unit), "1.0"});
+    table.push_back({"", "floor", "", error_quantity(with_floor->floor, with_floor->unit), "1.0"});
     bars.push_back(text_bar(1.0 / std::max(largest, 1.0), kBarWidth));
   }
   // The bars stand to the left of their own column, so they are set after the table.

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(double value, int digits = 4) {
+std::string run_figure(double value, int digits = 4) {
   return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
 }
 
@@ -46,13 +46,13 @@ std::string passes_text(const std::vector<PassRow>& passes, const std::vector<Ta
   if (passes.empty()) return "no pass has ended\n";
   std::vector<std::vector<std::string>> table = {head(passes)};
   for (const PassRow& pass : passes) {
-    std::vector<std::string> cells = {std::to_string(pass.number), number(pass.best_score)};
+    std::vector<std::string> cells = {std::to_string(pass.number), run_figure(pass.best_score)};
     for (const ObjectiveRow& row : pass.objective)
       if (is_group(row)) cells.push_back(format_quantity(row.value, row.unit));
     cells.resize(table.front().size() - 7, "-");  // before the first estimation phase there is no best model
     const TargetTrialRow* trial = trial_of(pass, trials);
-    cells.push_back(number(pass.best_fitness));
-    cells.push_back(trial ? number(trial->measured_fitness) : "-");
+    cells.push_back(run_figure(pass.best_fitness));
+    cells.push_back(trial ? run_figure(trial->measured_fitness) : "-");
     for (const std::uint64_t count : {pass.evaluations, pass.abandoned, pass.reused, pass.invalid, pass.steps})
       cells.push_back(std::to_string(count));
     table.push_back(std::move(cells));
@@ -66,7 +66,7 @@ std::string runs_text(const std::vector<EeaRunListing>& runs) {
       {"run", "experiment", "replicate", "ended", "passes", "error", "models", "evaluations"}};
   for (const EeaRunListing& run : runs)
     table.push_back({std::to_string(run.run.value), run.experiment, std::to_string(run.replicate), run.ending,
-                     fmt::format("{}/{}", run.passes_done, run.passes), number(run.best_score.value_or(kNotKnown)),
+                     fmt::format("{}/{}", run.passes_done, run.passes), run_figure(run.best_score.value_or(kNotKnown)),
                      std::to_string(run.models), std::to_string(run.evaluations)});
   return text_table(table, 2);
 }

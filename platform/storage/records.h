@@ -30,6 +30,7 @@ using TrialId = Id<struct TrialTable>;
 using TraceId = Id<struct TraceTable>;
 using FitId = Id<struct FitTable>;
 using ComparisonId = Id<struct ComparisonTable>;
+using DiagnosisId = Id<struct DiagnosisTable>;
 using ModelId = Id<struct ModelTable>;
 
 /// One call of the program that writes.
@@ -227,6 +228,35 @@ struct HistoryRow {
   double floor = kNotKnown;
   double times_floor = kNotKnown;  ///< held-out RMSE (if never looked at, fit RMSE) / floor
   int failed_trials = 0;           ///< that cannot be simulated; the error of their side is then not known
+};
+
+/// A value of an effect that a candidate adds, SI.
+struct CandidateValueRecord {
+  std::string effect, place, name, unit;
+  double value = kNotKnown;
+  double lower = kNotKnown, upper = kNotKnown;  ///< 95 %
+};
+
+/// A model that a diagnosis ranked.
+struct CandidateRecord {
+  std::vector<std::string> effects;      ///< such as "coulomb_friction @ joint.hinge"
+  std::vector<std::string> look_alikes;  ///< of the last of them
+  double gain = kNotKnown, gain_lower = kNotKnown, gain_upper = kNotKnown;  ///< nats
+  double times_floor = kNotKnown;
+  double probability = kNotKnown;
+  std::vector<CandidateValueRecord> values;
+};
+
+struct DiagnosisRecord {
+  std::string settings;  ///< everything but the revision that its result follows from
+  std::string verdict;
+  double probability = kNotKnown;
+  bool calibrated = false;
+  double chance = kNotKnown;  ///< how often noise alone reaches the best score
+  std::int64_t hypotheses = 0;
+  double base_times_floor = kNotKnown;
+  std::string document;                     ///< JSON, the whole of it
+  std::vector<CandidateRecord> candidates;  ///< by rank
 };
 
 }  // namespace lacuna

@@ -66,6 +66,11 @@ class ResultStore {
   std::optional<StoredComparison> latest_comparison(RevisionId revision, ComparisonKind kind,
                                                     bool held_out = false) const;
 
+  /// Stores a finished diagnosis.
+  DiagnosisId record_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
+  /// The document of the latest diagnosis of this revision with the same settings.
+  std::optional<std::string> diagnosis_of(RevisionId revision, const std::string& settings) const;
+
   /// Stores samples; a prediction belongs to a comparison, what was measured to its trial alone. (Predictions of an
   /// EEA run's models: EeaStore.)
   /// Recording the same measured trace again returns the one that is there.

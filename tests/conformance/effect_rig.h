@@ -12,7 +12,12 @@
 
 namespace lacuna {
 
-/// Calls `check` for every effect of the build, its name in the trace.
+/// The names of all effects that are found.
+std::vector<std::string> every_effect();
+
+/// Calls `check` for every effect of the build, its name in the trace. The environment variable
+/// LACUNA_EFFECTS_UNDER_TEST may name folders of other effects, with colons between them, each with its README.md; the
+/// checks then run on these, which LACUNA_PLUGIN_PATH lets the program find.
 void on_every_effect(const std::function<void(const std::string& name, const PhysicalEffect& effect)>& check);
 
 /// The model of an effect's README: a robot with the effect placed on it, at values that show it.

@@ -1,14 +1,4 @@
-# Each step must succeed; what a step prints must hold what is expected.
-function(step expected)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  list(JOIN ARGN " " command)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "${command}\nended with ${code}:\n${output}")
-  endif()
-  if(NOT output MATCHES "${expected}")
-    message(FATAL_ERROR "${command}\ndid not print \"${expected}\":\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/step.cmake)
 
 # The guide shows this project as it is.
 file(READ ${LACUNA_SOURCE}/docs/how-to/write-a-plugin.md guide)
@@ -23,10 +13,7 @@ endforeach()
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 step("" ${CMAKE_COMMAND} --install ${LACUNA_BUILD} --prefix ${prefix})
-step("" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
-  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
-  -D CMAKE_BUILD_TYPE=${BUILD_TYPE} -D CMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
-step("" ${CMAKE_COMMAND} --build ${WORK}/build)
+build_project(${CMAKE_CURRENT_LIST_DIR}/project ${WORK}/build)
 
 set(lacuna ${prefix}/bin/lacuna)
 set(plugins --plugin-path ${WORK}/build/lib/lacuna/plugins)

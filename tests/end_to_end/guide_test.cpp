@@ -36,9 +36,10 @@ TEST_P(Guide, PrintsWhatItSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Guides, Guide,
-                         testing::Values("docs/tutorials/first-steps.md", "docs/how-to/use-your-own-csv.md",
-                                         "docs/how-to/query-the-database.md", "docs/how-to/run-the-algorithm.md",
-                                         "docs/reference/commands.md"),
+                         testing::Values("docs/tutorials/first-steps.md", "docs/tutorials/find-the-missing-effect.md",
+                                         "docs/how-to/use-your-own-csv.md", "docs/how-to/query-the-database.md",
+                                         "docs/how-to/run-the-algorithm.md", "docs/how-to/choose-the-next-test.md",
+                                         "docs/reference/commands.md", "docs/reference/formulas.md"),
                          [](const auto& guide) {
                            const std::string path = guide.param;
                            const std::size_t begin = path.rfind('/') + 1;

@@ -46,5 +46,35 @@ TEST(RandomFitness, AsksNoModelAndPrefersNothing) {
   EXPECT_EQ(random.score({}, {}, {}), random.score(longer, {}, {}));
 }
 
+TestPrediction readings(double first, double second) {
+  TestPrediction prediction;
+  prediction.sensors.samples.resize(1, 2);
+  prediction.sensors.samples << first, second;
+  return prediction;
+}
+
+TEST(ModelDisagreement, IsHalfTheSquaredDifferenceInNoiseDeviationsOverAllPairs) {
+  const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
+  const std::vector<double> two = {2.0, 1.0}, three = {3.0, 0.5};
+  EXPECT_EQ(disagreement.models(three), 3U);
+  EXPECT_EQ(disagreement.score({}, std::vector{readings(1.0, 5.0), readings(4.0, 1.0)}, two), 12.5);  // (9 + 16) / 2
+  const std::vector trio = {readings(0.0, 0.0), readings(1.0, 0.0), readings(0.0, 2.0)};
+  EXPECT_EQ(disagreement.score({}, trio, three), 0.5 * (1.0 + 4.0 + 5.0) / 3.0 / 0.25);
+}
+
+TEST(ModelDisagreement, OfOneModelOrOfDifferentSensorsIsAnError) {
+  const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
+  const std::vector<double> parameters = {2.0, 1.0};
+  EXPECT_THAT([&] { disagreement.score({}, std::vector{readings(0.0, 0.0)}, parameters); },
+              ThrowsMessage<Error>(HasSubstr("one model alone")));
+  TestPrediction other;
+  other.sensors.samples = TimeSeries::Samples::Zero(1, 3);
+  EXPECT_THAT(
+      [&] {
+        disagreement.score({}, std::vector{readings(0.0, 0.0), other}, parameters);
+      },
+      ThrowsMessage<Error>(HasSubstr("same sensors")));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -43,12 +43,12 @@ TEST(AdviceText, AnErrorOfTheFloorsSizeIsAtTheFloor) {
 TEST(AdviceText, WhatTheUncertainStartExplainsIsNoMissingEffect) {
   // √(1² + (2 · 0.6)²) mrad = 1.56 mrad is what a right model leaves 19 times in 20 after one start like this.
   EXPECT_THAT(advice_on(fit_score(1.7e-3, 6e-4)), AllOf(HasSubstr("1.7 ×, which the uncertain start can explain"),
-                                                        Not(HasSubstr("missing")), Not(HasSubstr("lacuna add"))));
+                                                        Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
 }
 
 TEST(AdviceText, WhatTheStartDoesNotExplainMayBeAnEffect) {
   EXPECT_THAT(advice_on(fit_score(8e-3, 2e-3)),
-              AllOf(HasSubstr("model is above the floor (8.0 ×)"), HasSubstr("lacuna add rig.toml EFFECT")));
+              AllOf(HasSubstr("model is above the floor (8.0 ×)"), HasSubstr("→ lacuna diagnose rig.toml\n")));
 }
 
 TEST(AdviceText, ManyTrialsLeaveLessToTheChanceOfTheirStarts) {

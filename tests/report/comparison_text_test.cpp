@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -69,9 +70,19 @@ TEST(FitText, ValuesThatWereNotFittedHaveNoInterval) {
 }
 
 TEST(ComparisonJson, HoldsTheShareOfTheStartAndFailedTrials) {
-  const std::string text = comparison_json({}, one_trial(0.25), {});
+  const std::string text = comparison_json({}, one_trial(0.25), {}, {});
   EXPECT_THAT(text, HasSubstr("\"from_start\": 0.25"));
   EXPECT_THAT(text, HasSubstr("\"failed_trials\": 0"));
+}
+
+TEST(ComparisonCsv, HasAsManyValuesAsNames) {
+  Comparison comparison = one_trial(0.0);
+  comparison.trials[0].channels[0].parts.theil_u = 0.125;
+  const std::string text = comparison_csv(comparison);
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find('\n'));
+  EXPECT_EQ(std::count(text.begin(), end, ','), std::count(end, text.end(), ','));
+  EXPECT_THAT(text, HasSubstr("theil_u"));
+  EXPECT_THAT(text, HasSubstr(",0.125,"));
 }
 
 }  // namespace

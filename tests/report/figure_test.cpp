@@ -46,6 +46,26 @@ TEST(WriteSvg, DrawsEverySeriesWithItsLabels) {
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".gnuplot"));
 }
 
+TEST(WriteSvg, DrawsNamedBarsAndPanelsInColumns) {
+  Panel bars{"", {{"of squares", Mark::bars, kOrange, {60.0, 40.0}, {0.0, 1.0}, {0.4, 0.4}}}, 1.0, {}};
+  bars.y_names = {"within 0.2 s after a reversal", "elsewhere"};
+  const TestFolder folder;
+  write_svg({"shares", "share [%]", {bars}}, folder / "bars.svg");
+  for (const char* text : {"within 0.2 s after a reversal", "elsewhere", "of squares", "share [%]"})
+    EXPECT_NE(content(folder / "bars.svg").find(text), std::string::npos) << text;
+
+  Figure grid{"against features", "", {}};
+  grid.columns = 2;
+  for (const char* name : {"position [rad]", "velocity [rad/s]", "time [s]"}) {
+    Panel panel{"residual", {{"", Mark::points, kGrey, {0.0, 1.0, 2.0}, {1.0, 3.0, 2.0}, {}}}, 1.0, {}};
+    panel.x_label = name;
+    grid.panels.push_back(panel);
+  }
+  write_svg(grid, folder / "grid.svg");
+  for (const char* text : {"position [rad]", "velocity [rad/s]", "time [s]"})
+    EXPECT_NE(content(folder / "grid.svg").find(text), std::string::npos) << text;
+}
+
 TEST(WriteSvg, DrawsNamedTicks) {
   Figure figure{"error by revision",
                 "",

@@ -305,5 +305,12 @@ TEST_F(ResultStoreTest, ARunThatIsNotEndedIsStoredAsFailed) {
                         "SELECT count(*) FROM run WHERE ending = 'failed'"));
 }
 
+TEST_F(ResultStoreTest, ADiagnosisIsFoundByRevisionAndSettings) {
+  const SmallDatabase small = fill_small_database(store_);
+  EXPECT_EQ(store_.diagnosis_of(small.rigid, "all effects"), test::found_friction().document);
+  EXPECT_EQ(store_.diagnosis_of(small.rigid, "some effects"), std::nullopt);
+  EXPECT_EQ(store_.diagnosis_of(small.with_friction, "all effects"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -83,6 +83,27 @@ inline ComparisonRecord comparison_of(const SmallDatabase& small, FitId fit, int
           .seconds = 1.2};
 }
 
+/// What a diagnosis of the first revision finds: the effect that the second one has.
+inline DiagnosisRecord found_friction() {
+  CandidateRecord friction_candidate;
+  friction_candidate.effects = {"coulomb_friction @ joint.hinge"};
+  friction_candidate.look_alikes = {"stribeck_friction @ joint.hinge"};
+  friction_candidate.gain = 2140.0;
+  friction_candidate.gain_lower = 1980.0;
+  friction_candidate.gain_upper = 2300.0;
+  friction_candidate.times_floor = 1.1;
+  friction_candidate.probability = 0.97;
+  friction_candidate.values = {{"coulomb_friction", "joint.hinge", "torque", "N*m", 0.131, 0.126, 0.136}};
+  return {.settings = "all effects",
+          .verdict = "effect_found",
+          .probability = 0.97,
+          .chance = 0.0005,
+          .hypotheses = 43,
+          .base_times_floor = 10.8,
+          .document = R"({"verdict": "effect_found"})",
+          .candidates = {friction_candidate}};
+}
+
 /// Two revisions, each fitted and compared: the content that the documentation's examples show.
 inline SmallDatabase fill_small_database(ResultStore& store) {
   store.begin_run({.command = "lacuna compare rig.toml", .seed = 1, .threads = 2}, provenance_of_this_program());
@@ -112,6 +133,7 @@ inline SmallDatabase fill_small_database(ResultStore& store) {
     const ComparisonId comparison = store.record_comparison(revision.id, comparison_of(small, fitted, look, scale));
     store.record_trace(small.fit_trial, TraceKind::predicted, sine(1000, 0.29), TracePrecision::float32, comparison);
     if (effects.empty()) small.first_comparison = comparison;
+    if (effects.empty()) store.record_diagnosis(revision.id, found_friction());
     (effects.empty() ? small.rigid : small.with_friction) = revision.id;
     scale = 0.1;
   }

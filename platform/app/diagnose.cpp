@@ -1,0 +1,73 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "app/workbench.h"
+#include "diagnosis/among.h"
+#include "diagnosis/diagnosis.h"
+#include "report/diagnosis_pictures.h"
+#include "report/diagnosis_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct DiagnoseOptions : CommonOptions {
+  std::vector<std::string> among;
+  std::filesystem::path out;
+};
+
+Diagnosis make_diagnosis(const DiagnoseOptions& options, const Workbench& bench, const FitResult& fit) {
+  const Rig& rig = bench.rig();
+  ProgressLine line(options.quiet);
+  Diagnosis diagnosis = diagnose({.experiment = rig.experiment,
+                                  .catalog = *rig.catalog,
+                                  .definition = rig.definition,
+                                  .model = *rig.model,
+                                  .trials = rig.trials,
+                                  .values = fit.parameters(),
+                                  .among = options.among,
+                                  .seed = options.seed.value_or(rig.experiment.seed),
+                                  .threads = bench.threads(),
+                                  .progress = line.callback()});
+  diagnosis.findings.insert(diagnosis.findings.end(), fit.cannot_tell.begin(), fit.cannot_tell.end());
+  return diagnosis;
+}
+
+void run_diagnose(const DiagnoseOptions& options) {
+  check_output(options.json);
+  make_output_folder(options.out);
+  Workbench bench(options);
+  check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
+  const FitResult fit = bench.fit_model().result;
+  const std::optional<std::string> known = bench.ledger().known_diagnosis(bench.revision(), bench.rig(), options.among);
+  const Diagnosis diagnosis = known ? read_diagnosis(*known) : make_diagnosis(options, bench, fit);
+  if (!known) bench.ledger().keep(bench.revision(), bench.rig(), options.among, diagnosis);
+  if (!takes_standard_output(options.json))
+    fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string()), known ? "(from the database)\n" : "");
+  if (options.json) write_output(*options.json, diagnosis_json(diagnosis));
+  if (!options.out.empty()) {
+    const std::string title = fmt::format("{} · revision {}", bench.rig().experiment.name, bench.revision().number);
+    draw_diagnosis(diagnosis, title, options.out);
+    if (!options.quiet) fmt::print(stderr, "pictures are in {}\n", options.out.string());
+  }
+  bench.ledger().done();
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& program) {
+  auto options = std::make_shared<DiagnoseOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("diagnose", "Find the physical effect that the model is missing");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
+  command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
+  command->callback([options] { run_diagnose(*options); });
+}
+
+}  // namespace lacuna

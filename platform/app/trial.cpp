@@ -1,0 +1,210 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/rig.h"
+#include "app/run_inputs.h"
+#include "app/trial_target.h"
+#include "app/used_plugins.h"
+#include "config/quantity.h"
+#include "diagnosis/test_line.h"
+#include "evaluation/test_space.h"
+#include "foundation/counted.h"
+#include "measurement/command_file.h"
+#include "storage/carried_out.h"
+#include "storage/result_store.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct TrialOptions : CommonOptions {
+  std::string test;
+  std::string duration;  ///< "" or a quantity
+  bool held_out = false;
+  std::optional<std::string> csv;
+};
+
+std::optional<double> wanted_duration(const TrialOptions& options) {
+  if (options.duration.empty()) return std::nullopt;
+  try {
+    const Quantity duration = parse_quantity(options.duration);
+    const bool is_time = duration.unit == "1" || duration.parsed.same_dimension(*parse_unit("s"));
+    if (is_time && std::isfinite(duration.value_in_si) && duration.value_in_si > 0.0) return duration.value_in_si;
+  } catch (const Error&) {
+  }
+  throw_problem({}, fmt::format("--duration {}: is no duration above 0; write one such as \"20 s\"", options.duration));
+}
+
+bool is_file(const std::string& test) {
+  std::error_code ignored;
+  return test.ends_with(".csv") || std::filesystem::is_regular_file(test, ignored);
+}
+
+void check_limits(const TestSpace& space, const CommandSeries& commands, const std::string& file) {
+  ProblemList problems;
+  const TimeSeries& series = commands.series;
+  for (std::size_t c = 0; c < series.channels.size(); ++c)
+    for (std::size_t a = 0; a < space.actuators.size(); ++a) {
+      if (space.actuators[a].name != series.channels[c].name) continue;
+      const auto column = series.samples.col(static_cast<Eigen::Index>(c));
+      if (column.minCoeff() < space.lower[a] || column.maxCoeff() > space.upper[a])
+        problems.add({file},
+                     fmt::format("commands of {0} from {1:.4g} to {2:.4g} {5} are beyond its limits, {3:.4g} to "
+                                 "{4:.4g} {5}; scale them down",
+                                 space.actuators[a].name, column.minCoeff(), column.maxCoeff(), space.lower[a],
+                                 space.upper[a], space.actuators[a].unit));
+    }
+  problems.throw_if_any();
+}
+
+/// Without what comes after the end, and with a last row at the end, which tells how long the last command is held.
+CommandSeries until(CommandSeries commands, double end) {
+  TimeSeries& series = commands.series;
+  Eigen::Index rows = 0;
+  while (rows < series.times.size() && series.times(rows) < end) ++rows;
+  rows = std::max<Eigen::Index>(rows, 1);
+  series.times.conservativeResize(rows + 1);
+  series.samples.conservativeResize(rows + 1, Eigen::NoChange);
+  series.times(rows) = end;
+  series.samples.row(rows) = series.samples.row(rows - 1);
+  return commands;
+}
+
+Test test_of_file(const TrialOptions& options, const TestSpace& space) {
+  Test test;
+  CommandSeries commands = read_command_file(options.test, space.actuators);
+  check_limits(space, commands, options.test);
+  test.duration = wanted_duration(options).value_or(commands.series.times(commands.series.times.size() - 1));
+  if (test.duration < space.control_period)
+    throw_problem({options.test}, fmt::format("a test of {:.4g} s is shorter than a control period, {:.4g} s",
+                                              test.duration, space.control_period));
+  test.drive = std::move(commands);
+  return test;
+}
+
+Test test_of_line(const TrialOptions& options, TestSpace space, const PluginCatalog& catalog) {
+  TestLine line = parse_test_line(space, options.test);
+  space.duration = wanted_duration(options).value_or(line.duration);
+  if (space.duration != line.duration) line = parse_test_line(space, test_line(space, line.genome));
+  const TestEncoding& encoding = catalog.get<TestEncoding>("command_series");
+  std::vector<double> parameters;
+  for (const ParameterDeclaration& declaration : encoding.parameters()) parameters.push_back(declaration.default_value);
+  return guarded_call(catalog.origin<TestEncoding>("command_series"), "decode",
+                      [&] { return encoding.decode(space, parameters, line.genome); });
+}
+
+void carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target, const Test& test) {
+  const Experiment& experiment = rig.experiment;
+  Database database = Database::open(database_of(options, experiment));
+  ResultStore store(database);
+  Transaction transaction(database);
+  const std::uint64_t seed = options.seed.value_or(experiment.seed);
+  const RunId run = store.begin_run({command_line(), seed, 1}, provenance_of_this_program());
+  store.record_plugins(plugins_of_model(experiment, *rig.catalog));
+  store.record_robot_files(robot_files_of(experiment));
+  const ExperimentId id =
+      store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides});
+  const std::int64_t number = count_carried_out(database, experiment.name) + 1;
+  Trial trial = target.carry_out(test, seed, static_cast<std::uint64_t>(number));
+  trial.name = fmt::format("trial-{}", number);
+  trial.held_out = options.held_out;
+  record_carried_out(database, run, id, trial, {options.test, target.digest()});
+  store.end_run(RunEnding::done);
+  transaction.commit();
+
+  const Eigen::Index samples = trial.measured.times.size();
+  if (!takes_standard_output(options.json)) {
+    fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "", options.test,
+               test.duration, counted(static_cast<std::size_t>(samples), "sample"),
+               counted(trial.measured.channels.size(), "channel"));
+    fmt::print("→ lacuna fit {}\n", shell_word(options.experiment.string()));
+  }
+  if (options.json)
+    write_output(*options.json, nlohmann::json{{"trial", trial.name},
+                                               {"test", options.test},
+                                               {"duration", test.duration},
+                                               {"samples", samples},
+                                               {"held_out", options.held_out},
+                                               {"seed", seed},
+                                               {"database", database.file().string()}}
+                                        .dump(2) +
+                                    "\n");
+}
+
+/// What a person does with the table of commands.
+std::string advice(const TrialOptions& options, bool takes_tests) {
+  const std::string experiment = shell_word(options.experiment.string());
+  if (takes_tests)
+    return options.csv->empty() ? ""
+                                : fmt::format("→ lacuna trial {} --test {}\n", experiment, shell_word(*options.csv));
+  return fmt::format(
+      "give these commands to the rig, record it, and add the measured file to target.{0} in {1}, as in {0} = "
+      "[\"...\", "
+      "\"new.csv\"]\n",
+      options.held_out ? "holdout" : "files", experiment);
+}
+
+void write_commands(const TrialOptions& options, const Test& test, bool takes_tests) {
+  const CommandSeries& commands = std::get<CommandSeries>(test.drive);
+  const std::string file = options.csv.value_or("");
+  write_output(file, command_csv(until(commands, test.duration)));
+  std::fputs(advice(options, takes_tests).c_str(),
+             file.empty() || takes_standard_output(options.json) ? stderr : stdout);
+  if (options.json)
+    write_output(*options.json, nlohmann::json{{"test", options.test},
+                                               {"duration", test.duration},
+                                               {"samples", commands.series.times.size()},
+                                               {"held_out", options.held_out},
+                                               {"csv", file}}
+                                        .dump(2) +
+                                    "\n");
+}
+
+void run_trial(const TrialOptions& options) {
+  check_output(options.json, options.csv);
+  const Rig rig = open_rig(options);
+  const int replicate = last_replicate(database_of(options, rig.experiment), rig.experiment.name);
+  TrialTarget target(rig.experiment, *rig.catalog, replicate);
+  const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;
+  const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
+  const Test test = is_file(options.test) ? test_of_file(options, space) : test_of_line(options, space, *rig.catalog);
+  if (target.takes_tests() && !options.csv)
+    carry_out(options, rig, target, test);
+  else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
+    throw_problem({},
+                  "a recorded target carries no test out, and commands and JSON do not go to one output; name a "
+                  "file with --csv=FILE");
+  else
+    write_commands(options, test, target.takes_tests());
+}
+
+}  // namespace
+
+void add_trial_command(CLI::App& program) {
+  auto options = std::make_shared<TrialOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command =
+      program.add_subcommand("trial", "Carry a test out on a simulated target, or write its commands for a rig");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  command
+      ->add_option(
+          "--test", options->test,
+          "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands")
+      ->required()
+      ->option_text("TEST");
+  command->add_option("--duration", options->duration, "Duration, instead of the test's")->option_text("TIME");
+  command->add_flag("--holdout", options->held_out, "Keep the trial from every fit");
+  add_result_option(*command, "csv", options->csv,
+                    "Write the commands as CSV, to standard output or FILE, and carry nothing out");
+  command->callback([options] { run_trial(*options); });
+}
+
+}  // namespace lacuna

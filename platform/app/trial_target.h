@@ -1,0 +1,36 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "evaluation/target_simulator.h"
+#include "foundation/guarded_call.h"
+#include "loading/plugin_catalog.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace lacuna {
+
+/// The target of an experiment, to carry single tests out on.
+class TrialTarget {
+ public:
+  /// `replicate`: whose hidden values a simulated target has (see `target.redraw`). The catalog must live as long.
+  TrialTarget(const Experiment& experiment, const PluginCatalog& catalog, int replicate);
+
+  bool takes_tests() const { return system_->takes_tests(); }
+  /// The robot that a simulated target is; null for another one.
+  const RobotSpec* robot() const { return definition_ ? &definition_->structure.robot : nullptr; }
+  /// SHA-256 of what the target is, its hidden values included, so that trials of another one are told apart.
+  const std::string& digest() const { return digest_; }
+  /// The `number`th trial; `seed` and the number key its noise. Throws `Error` where the target cannot.
+  Trial carry_out(const Test& test, std::uint64_t seed, std::uint64_t number);
+
+ private:
+  std::unique_ptr<TargetSystem> system_;
+  ComponentOrigin origin_;
+  std::unique_ptr<ModelDefinition> definition_;
+  std::vector<double> hidden_;
+  std::string digest_;
+};
+
+}  // namespace lacuna

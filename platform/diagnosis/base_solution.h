@@ -1,0 +1,24 @@
+#pragma once
+
+#include "diagnosis/linear_segments.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// A fitted model that something may be missing from: where it stands, segment by segment.
+struct BaseSolution {
+  std::vector<Trial> trials;        ///< those fitted to
+  std::vector<ChannelNoise> noise;  ///< sensor noise; its deviations are what residuals are divided by
+  std::vector<Segment> segments;
+  std::vector<double> values;           ///< of the model's free values, SI
+  std::vector<Eigen::VectorXd> states;  ///< of the segments' unknown starts
+  std::vector<LinearSegment> linear;    ///< at these values and states
+  std::vector<double> steps;            ///< of differences: of the values, then of the components of a start state
+  double residual = 0.0;                ///< RMS, multiples of the sensor noise
+  /// By segment, bins × any number: what else the residual may hold, linear in coefficients from −1 to 1 that are
+  /// fitted beside the values (timing.h). Empty: nothing.
+  std::vector<Eigen::MatrixXd> nuisance;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,57 @@
+#include "diagnosis/channel_errors.h"
+
+#include "diagnosis/cross_validation.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+struct Sums {
+  double floor = 0.0, fit = 0.0, held_out = 0.0, count = 0.0;
+};
+
+/// Variance of what noise alone leaves in each bin once the segment's start, which is N(0, 1) in `state`, was fitted.
+Eigen::VectorXd left_by_noise(const Eigen::MatrixXd& noise, const Eigen::MatrixXd& state) {
+  const Eigen::LLT<Eigen::MatrixXd> both(noise + state * state.transpose());
+  const Eigen::MatrixXd whitened = both.matrixL().solve(noise);
+  return whitened.colwise().squaredNorm().transpose();
+}
+
+}  // namespace
+
+std::vector<ChannelError> channel_errors(const BaseSolution& base, const RowBins& bins, const NoiseModel& noise,
+                                         const Refit& fit, const std::vector<std::size_t>& folds) {
+  const std::vector<Eigen::VectorXd> steps = steps_without(fit, folds);
+  std::vector<Sums> sums(base.noise.size());
+  for (std::size_t k = 0; k < bins.segments(); ++k) {
+    const Eigen::VectorXd variance = left_by_noise(noise.covariance(k), base.linear[k].state);
+    const Eigen::VectorXd held_out = fit.bin_residuals[k] + fit.bin_derivatives[k] * steps[folds[k]];
+    for (std::size_t i = 0; i < bins.bins(k).size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      Sums& channel = sums[bins.bins(k)[i].channel];
+      channel.floor += variance(row);
+      channel.fit += std::pow(fit.bin_residuals[k](row), 2);
+      channel.held_out += std::pow(held_out(row), 2);
+      channel.count += 1.0;
+    }
+  }
+  std::vector<ChannelError> errors;
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    if (sums[c].count == 0.0) continue;
+    const ChannelNoise& sensor = base.noise[c];
+    const auto size = [&](double squares) { return sensor.deviation * std::sqrt(squares / sums[c].count); };
+    errors.push_back({sensor.channel, sensor.unit, size(sums[c].floor), size(sums[c].fit), size(sums[c].held_out)});
+  }
+  return errors;
+}
+
+double times_floor(const std::vector<ChannelError>& errors) {
+  double squares = 0.0;
+  for (const ChannelError& error : errors) squares += std::pow(error.held_out / error.floor, 2);
+  return errors.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(errors.size()));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <lacuna/time_series.h>
+
+#include <Eigen/Core>
+
+namespace lacuna {
+
+/// Standard deviation of the white noise that the second differences of a channel would be; includes what really moves
+/// within three samples. 0 with fewer than three measured samples in a row.
+double scatter_of(const TimeSeries& series, Eigen::Index channel);
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "diagnosis/hypothesis.h"
+
+#include <memory>
+#include <vector>
+
+namespace lacuna {
+
+/// A model of the search for what is missing: the experiment's, with some effects added to it.
+struct Contender {
+  Experiment experiment;  ///< with the effects
+  std::vector<EffectEntry> added;
+  ModelDefinition definition;
+  std::shared_ptr<const CompiledModel> model;
+  std::vector<double> values;  ///< of `definition.free`, SI
+};
+
+/// The experiment's own model with these values, integrated with so many substeps.
+Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values, int substeps);
+/// With the effect of a hypothesis about `contender`.
+Contender with(const Contender& contender, const Hypothesis& hypothesis, std::vector<double> values);
+/// Without the `which`-th of the added effects; the other values stay.
+Contender without(const Contender& contender, std::size_t which, const Experiment& experiment,
+                  const PluginCatalog& catalog);
+
+}  // namespace lacuna

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "diagnosis/cross_validation.h"
+#include "diagnosis/force_formula.h"
+#include "diagnosis/free_force.h"
+#include "diagnosis/hypothesis.h"
+#include "diagnosis/noise_model.h"
+#include "fitting/progress.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna {
+
+enum class Verdict { nothing_missing, effect_found, not_in_library, cannot_tell };
+std::string_view to_string(Verdict verdict);
+
+/// A parameter of a found effect, SI. NaN bounds: at a bound of its range, or not told by the data.
+struct FoundParameter {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  double lower_95 = 0.0, upper_95 = 0.0;
+};
+
+struct FoundEffect {
+  std::string effect;
+  std::string where;  ///< "joint.hinge"; "world"
+  std::vector<FoundParameter> parameters;
+};
+
+/// RMS over short bins, of one channel, in its unit.
+struct ChannelError {
+  std::string channel;
+  std::string unit;
+  double floor = 0.0;  ///< of the noise, as estimated
+  double fit = 0.0;
+  double held_out = 0.0;  ///< predicted from the other folds
+};
+
+/// A model that may be right, against the base.
+struct RankedModel {
+  std::vector<FoundEffect> effects;
+  std::vector<std::string> look_alikes;  ///< what these data do not tell from its last effect, "name @ where"
+  Gain gain;                             ///< held-out log likelihood over the base, nats
+  double chance_95 = 0.0;                ///< score that the best of all effects reaches by noise in 5 % of cases, nats
+  double probability = 0.0;              ///< among the ranking and the base; uncalibrated
+  std::vector<ChannelError> errors;
+  double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
+};
+
+/// A random force that the residual shows.
+struct RandomForce {
+  std::string joint;
+  std::string unit;
+  double deviation = 0.0;  ///< standard deviation of its mean over `duration`
+  double duration = 0.0;   ///< s
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::cannot_tell;
+  double probability = 0.0;  ///< of the verdict; uncalibrated
+  std::vector<ChannelError> base;
+  double base_times_floor = 0.0;
+  std::vector<RandomForce> forces;
+  std::vector<RankedModel> ranking;  ///< the first is the answer; empty: nothing is better than the base
+  double p_by_chance = 1.0;          ///< how often noise alone reaches the first round's best score
+  double chance_95 = 0.0;            ///< nats, of the first round
+  double free_force_p = 1.0;         ///< whether a force of any form still explains more than noise, after the answer
+  Gain free_force_gain;              ///< of that force, over the answer
+  std::vector<ForceCurve> residual_force;  ///< that force, where it explains more than noise
+  std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
+  std::size_t hypotheses = 0;              ///< effect × place
+  std::vector<Untestable> untestable;
+  std::vector<std::string> findings;  ///< sentences
+  std::string next_test;              ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test
+  std::string next_test_worth;        ///< the same with what it tells in nats, beside what a random test does
+  double seconds = 0.0;
+};
+
+/// What is diagnosed. Everything referred to must live until `diagnose` returns.
+struct DiagnosisTask {
+  const Experiment& experiment;
+  const PluginCatalog& catalog;
+  const ModelDefinition& definition;
+  const CompiledModel& model;
+  const std::vector<Trial>& trials;     ///< to fit to; held-out ones are not looked at
+  std::vector<double> values;           ///< fitted values of the model
+  std::vector<std::string> among = {};  ///< effects to try; empty: all
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ProgressCallback progress = {};
+};
+
+/// METHOD: what effect, if any, the model lacks. Data that allow no verdict (data_doubts.h) get `cannot_tell` with the
+/// reasons as findings, and nothing is searched: no base, no hypotheses. Throws `Error` where the trials do not fit the
+/// model, and `Interrupted`.
+Diagnosis diagnose(const DiagnosisTask& task);
+
+}  // namespace lacuna

@@ -1,0 +1,69 @@
+#include "diagnosis/diagnosis_findings.h"
+
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kMoved = 2.0;        ///< standard errors
+constexpr double kNoticeable = 0.01;  ///< of the value
+
+std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
+  const ParameterSpace space(contender.definition.free);
+  std::vector<std::string> moved;
+  for (std::size_t i = 0; i < contender.definition.free.size(); ++i) {
+    const FreeValue& free = contender.definition.free[i];
+    const auto known = std::find_if(base.free.begin(), base.free.end(),
+                                    [&](const FreeValue& one) { return one.address == free.address; });
+    if (known == base.free.end()) continue;
+    const auto j = static_cast<Eigen::Index>(i);
+    const double before = base.fitted[static_cast<std::size_t>(known - base.free.begin())], after = last.fit.values[i];
+    const double by = std::abs(space.to_coordinate(j, after) - space.to_coordinate(j, before));
+    if (by <= kMoved * std::sqrt(last.fit.covariance(j, j)) ||
+        std::abs(after - before) <= kNoticeable * std::abs(after))
+      continue;
+    moved.push_back(fmt::format("{} ({} → {})", free.address, format_quantity(before, free.unit),
+                                format_quantity(after, free.unit)));
+  }
+  if (moved.empty()) return "";
+  return fmt::format("{} had soaked it up", fmt::join(moved, ", "));
+}
+
+/// Of the base's squared error above the floor, what the answer leaves.
+std::string what_is_left(const Diagnosis& diagnosis) {
+  const double before = std::pow(diagnosis.base_times_floor, 2) - 1.0;
+  const double after = std::pow(diagnosis.ranking.front().times_floor, 2) - 1.0;
+  if (diagnosis.free_force_p >= kFreeForceLevel || before <= 0.0)
+    return "what is left depends on no joint's position, velocity or command";
+  return fmt::format("{:.1f} % of the squared error above the floor is left, and it has structure",
+                     100.0 * std::clamp(after / before, 0.0, 1.0));
+}
+
+}  // namespace
+
+std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,
+                                     const Round& last) {
+  std::vector<std::string> findings;
+  switch (diagnosis.verdict) {
+    case Verdict::cannot_tell:
+      findings.emplace_back(
+          "something departs from noise, but no effect predicts what was left out better than the model alone: more "
+          "trials, or livelier ones, would tell");
+      break;
+    case Verdict::effect_found:
+      findings.push_back(what_is_left(diagnosis));
+      if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
+      break;
+    case Verdict::not_in_library: findings.emplace_back("a force that no effect of the library has is missing"); break;
+    case Verdict::nothing_missing: break;
+  }
+  return findings;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,159 @@
+#include "diagnosis/noise_model.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <nlopt.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kRange = 1e3;        // deviations from 1/kRange to kRange times their sizes
+constexpr double kUnlikely = 1e300;   // where a covariance is not positive definite
+constexpr double kNegligible = 1e-6;  // of the largest direction's power
+constexpr double kMostShare = 0.2;    // of the rows, that may be projected out
+constexpr Eigen::Index kMostDirections = 60;
+constexpr int kMostEvaluations = 400;
+constexpr std::array kStarts = {-2.0, 0.0, -4.0};  // logarithms of sizes, of all but white sensor noise
+
+/// An orthonormal-like basis of what the values and the columns span, by segment: the strongest directions.
+std::vector<Eigen::MatrixXd> explained(const std::vector<LinearSegment>& segments,
+                                       const std::vector<Eigen::MatrixXd>& columns) {
+  std::vector<Eigen::MatrixXd> all;
+  Eigen::Index rows = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    Eigen::MatrixXd both(segments[k].residual.size(), segments[k].values.cols() + columns[k].cols());
+    both << segments[k].values, columns[k];
+    rows += both.rows();
+    all.push_back(std::move(both));
+  }
+  const Eigen::Index count = all.front().cols();
+  Eigen::VectorXd power = Eigen::VectorXd::Zero(count);
+  for (const Eigen::MatrixXd& one : all) power += one.colwise().squaredNorm().transpose();
+  const Eigen::VectorXd unit = power.unaryExpr([](double p) { return p > 0.0 ? 1.0 / std::sqrt(p) : 0.0; });
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::MatrixXd& one : all) {
+    one *= unit.asDiagonal();
+    gram += one.transpose() * one;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+  const double least = kNegligible * std::max(eigen.eigenvalues()(count - 1), 0.0);
+  const Eigen::Index most =
+      std::min(kMostDirections, static_cast<Eigen::Index>(kMostShare * static_cast<double>(rows)));
+  Eigen::Index kept = 0;
+  while (kept < std::min(most, count) && eigen.eigenvalues()(count - 1 - kept) > least) ++kept;
+  const Eigen::MatrixXd basis =
+      eigen.eigenvectors().rightCols(kept) * eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  for (Eigen::MatrixXd& one : all) one = one * basis;
+  return all;
+}
+
+class RestrictedLikelihood {
+ public:
+  RestrictedLikelihood(NoiseModel& noise, const std::vector<LinearSegment>& segments,
+                       std::vector<Eigen::MatrixXd> explained, int threads)
+      : noise_(noise), segments_(segments), explained_(std::move(explained)), threads_(threads) {}
+
+  /// −2 log of the restricted likelihood at these deviations, but for a constant.
+  double operator()(const std::vector<double>& deviations) {
+    throw_if_interrupted();
+    noise_.set_deviations(deviations);
+    std::vector<Part> parts(segments_.size());
+    parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { parts[k] = part(k); });
+    Part sum = parts.front();
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+      sum.valid = sum.valid && parts[k].valid;
+      if (!sum.valid) return kUnlikely;
+      sum.deviance += parts[k].deviance;
+      sum.information += parts[k].information;
+      sum.score += parts[k].score;
+    }
+    if (!sum.valid) return kUnlikely;
+    if (sum.score.size() == 0) return sum.deviance;
+    const Eigen::LLT<Eigen::MatrixXd> solver(sum.information);
+    if (solver.info() != Eigen::Success) return kUnlikely;
+    return sum.deviance + log_determinant(solver) - sum.score.dot(solver.solve(sum.score));
+  }
+
+ private:
+  struct Part {
+    bool valid = false;
+    double deviance = 0.0;
+    Eigen::MatrixXd information;
+    Eigen::VectorXd score;
+  };
+
+  static double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& solver) {
+    return 2.0 * solver.matrixLLT().diagonal().array().log().sum();
+  }
+
+  Part part(std::size_t k) const {
+    const LinearSegment& segment = segments_[k];
+    const Eigen::LLT<Eigen::MatrixXd> solver(noise_.covariance(k) + segment.state * segment.state.transpose());
+    if (solver.info() != Eigen::Success) return {};
+    const Eigen::VectorXd residual = solver.matrixL().solve(segment.residual);
+    const Eigen::MatrixXd columns = solver.matrixL().solve(explained_[k]);
+    return {true, log_determinant(solver) + residual.squaredNorm(), columns.transpose() * columns,
+            columns.transpose() * residual};
+  }
+
+  NoiseModel& noise_;
+  const std::vector<LinearSegment>& segments_;
+  std::vector<Eigen::MatrixXd> explained_;
+  int threads_;
+};
+
+double minus_two_log_likelihood(const std::vector<double>& logarithms, std::vector<double>&, void* data) {
+  auto& [likelihood, sizes] = *static_cast<std::pair<RestrictedLikelihood*, const std::vector<double>*>*>(data);
+  std::vector<double> deviations;
+  for (std::size_t i = 0; i < logarithms.size(); ++i) deviations.push_back((*sizes)[i] * std::exp(logarithms[i]));
+  return (*likelihood)(deviations);
+}
+
+}  // namespace
+
+void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segments,
+                    const std::vector<Eigen::MatrixXd>& columns, int threads) {
+  RestrictedLikelihood likelihood(noise, segments, explained(segments, columns), threads);
+  const std::vector<double> sizes = noise.sizes();
+  std::pair<RestrictedLikelihood*, const std::vector<double>*> data{&likelihood, &sizes};
+  const auto count = static_cast<unsigned>(sizes.size());
+  nlopt::opt search(nlopt::LN_SBPLX, count);
+  search.set_min_objective(minus_two_log_likelihood, &data);
+  std::vector<double> lower;
+  for (unsigned i = 0; i < count; ++i)
+    lower.push_back(std::log(std::clamp(noise.least()[i] / std::max(sizes[i], 1e-300), 1.0 / kRange, kRange)));
+  search.set_lower_bounds(lower);
+  search.set_upper_bounds(std::log(kRange));
+  search.set_initial_step(1.0);
+  search.set_ftol_abs(0.05);
+  search.set_maxeval(kMostEvaluations);
+  std::vector<double> logarithms;
+  double least = kUnlikely;
+  for (const double start : kStarts) {
+    std::vector<double> found;
+    for (const NoiseComponent& one : noise.components())
+      found.push_back(one.kind == NoiseComponent::Kind::sensor ? 0.0 : start);
+    for (unsigned i = 0; i < count; ++i) found[i] = std::max(found[i], lower[i]);
+    double value = kUnlikely;
+    try {
+      search.optimize(found, value);
+    } catch (
+        const std::exception&) {  // the library hides what the objective threw; rounding ends a search that is done
+      throw_if_interrupted();
+    }
+    if (value > least && !logarithms.empty()) continue;
+    least = value;
+    logarithms = found;
+  }
+  std::vector<double> deviations;
+  for (unsigned i = 0; i < count; ++i) deviations.push_back(sizes[i] * std::exp(logarithms[i]));
+  noise.set_deviations(deviations);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "diagnosis/joint_motion.h"
+#include "diagnosis/whitened.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A part of a free force: what it is where one quantity of a joint is so large, linear between.
+struct ForceCurve {
+  std::string joint;
+  std::string of;    ///< position, velocity or command
+  std::string unit;  ///< of that quantity
+  std::string force_unit;
+  std::vector<double> at, force, standard_error;
+};
+
+/// A force on the joints of any form: a sum of functions of a joint's position, velocity and command, each linear
+/// between knots. What it explains and no effect of the library does is missing from the library.
+struct FreeForce {
+  /// By segment, bins × functions: change of the prediction by each function at size 1.
+  std::vector<Eigen::MatrixXd> columns;
+  std::vector<ForceCurve> curves;  ///< knots only; functions in this order
+  bool empty() const { return curves.empty(); }
+};
+
+FreeForce free_force(const std::vector<JointMotion>& motions, const ForceResponses& forces);
+
+/// Whether the free force explains more than noise does.
+struct FreeForceTest {
+  double deviance = 0.0;  ///< by how much −2 log likelihood falls
+  int freedom = 0;        ///< independent functions that can be seen
+  double p = 1.0;         ///< of χ²
+  /// Held-out deviance by segment, folds left out one by one; ridge by cross-validation.
+  Eigen::VectorXd held_out;
+  std::vector<ForceCurve> curves;
+};
+FreeForceTest test_free_force(const WhitenedSegments& whitened, const FreeForce& force,
+                              const std::vector<std::size_t>& folds);
+
+}  // namespace lacuna

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "evaluation/model_definition.h"
+#include "loading/plugin_catalog.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A base model with one more effect at one place: what the base may lack.
+struct Hypothesis {
+  EffectEntry entry;  ///< the effect and where it is
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  std::vector<std::size_t> base;  ///< where `definition.free` has the base's values, in the base's order
+  std::vector<std::size_t> own;   ///< where it has the effect's, in the order of its declaration
+  std::vector<double> neutral;    ///< values of its own at which the effect changes nothing
+  std::vector<double> defaults;   ///< declared values of its own
+
+  /// "joint.hinge"; "world".
+  std::string where() const;
+  /// All free values: the base's and its own.
+  std::vector<double> values(const std::vector<double>& of_base, const std::vector<double>& of_own) const;
+};
+
+/// Why an effect cannot be tested here.
+struct Untestable {
+  std::string effect;
+  std::string where;  ///< empty: nowhere
+  std::string reason;
+};
+
+/// Every effect of the catalog on every element that it can be placed on, one at a time, and on all of them together
+/// where there are several; what `base` has already at the same place is left out. `among`: names of effects; empty:
+/// all. What cannot be placed is added to `untestable`. Throws `Error` for a name that no plugin has.
+std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const PluginCatalog& catalog,
+                                        const ModelDefinition& base, const std::vector<std::string>& among,
+                                        std::vector<Untestable>& untestable);
+
+/// The experiment with one effect more, under an id that is not taken.
+Experiment with_effect(Experiment experiment, EffectEntry entry);
+
+}  // namespace lacuna

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fitting/comparison.h"
+
+#include <optional>
+#include <vector>
+
+namespace lacuna {
+
+/// What the model says happens inside the robot during a free run; samples of the trial × coordinates or bodies, SI.
+struct ModelState {
+  Eigen::MatrixXd positions, velocities;
+  Eigen::MatrixXd loads;  ///< generalised force of actuators and joint laws in the last step
+  Eigen::MatrixXd
+      contacts;  ///< ±1 as a touch sensor reads, of the bodies that have shapes; no columns without a ground
+};
+
+/// Reads the state of a model by sensors that are put beside its own, which change nothing else.
+class ModelStates {
+ public:
+  explicit ModelStates(const ModelDefinition& definition);
+
+  /// The bodies of `ModelState::contacts`.
+  const std::vector<std::string>& bodies() const { return bodies_; }
+  const std::vector<Coordinate>& coordinates() const { return model_->coordinates(); }
+  /// Of the free run of `trial` from its start state; nothing where it cannot be simulated. Makes a workspace of its
+  /// own, so that threads may call it side by side.
+  std::optional<ModelState> of(const Trial& trial, const StartState& start, const std::vector<double>& values) const;
+
+ private:
+  std::vector<Channel> extra_;  ///< positions, velocities, loads, contacts
+  std::vector<std::string> bodies_;
+  std::unique_ptr<CompiledModel> model_;
+};
+
+}  // namespace lacuna

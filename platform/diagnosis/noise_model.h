@@ -1,0 +1,58 @@
+#pragma once
+
+#include "diagnosis/force_responses.h"
+#include "diagnosis/linear_segments.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// One independent source of noise.
+struct NoiseComponent {
+  enum class Kind { sensor, slow_sensor, force, slow_force };
+  Kind kind = Kind::sensor;
+  std::size_t index = 0;   ///< channel of the noise list, or joint of the force responses
+  double deviation = 0.0;  ///< sensors: multiples of the problem's scale; forces: N·m or N, mean over a pulse
+};
+
+inline constexpr double kSlowSensor = 0.05;  ///< s, correlation time of slow sensor noise
+inline constexpr double kSlowForce = 0.25;   ///< s, correlation time of a slow random force
+
+/// Residuals of a right model as a sum of independent Gaussian noises: sensor noise, white and slow, of each channel,
+/// and random force, white and slow, on each joint, passed through the model. Segments are independent.
+class NoiseModel {
+ public:
+  NoiseModel(const RowBins& bins, const ForceResponses& forces);
+
+  const std::vector<NoiseComponent>& components() const { return components_; }
+  std::vector<double> deviations() const;
+  void set_deviations(const std::vector<double>& deviations);
+  /// The deviation at which a component disturbs the readings as much as white sensor noise of scale 1 does.
+  const std::vector<double>& sizes() const { return sizes_; }
+
+  /// Least deviations, of what is declared to be there: 0, but for random forces that an experiment file states.
+  const std::vector<double>& least() const { return least_; }
+  void require_force(std::size_t joint, double deviation);
+
+  /// Bins × bins.
+  Eigen::MatrixXd covariance(std::size_t k) const;
+  std::size_t segments() const { return shapes_.size(); }
+
+ private:
+  std::vector<NoiseComponent> components_;
+  std::vector<double> sizes_;
+  std::vector<double> least_;
+  /// By segment and component: its covariance at deviation 1.
+  std::vector<std::vector<Eigen::MatrixXd>> shapes_;
+};
+
+/// Sets the deviations of `noise` to those, from the least on, that maximise the restricted likelihood (REML: what the
+/// start states, the model's values and `columns` explain is projected out, so that a structured error that a candidate
+/// would explain does not pass for noise). `columns`: by segment, bins × any number.
+///
+/// Literature: H. D. Patterson and R. Thompson, Biometrika 58 (1971) 545-554; D. A. Harville, JASA 72 (1977) 320-338.
+void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segments,
+                    const std::vector<Eigen::MatrixXd>& columns, int threads);
+
+}  // namespace lacuna

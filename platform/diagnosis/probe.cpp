@@ -1,0 +1,217 @@
+#include "diagnosis/probe.h"
+
+#include "diagnosis/data_scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kLadderSegments = 8;  ///< that sizes are looked for on
+constexpr double kFirst = 1e-3;             ///< of a parameter's range, the first size
+constexpr double kStride = 100.0;           ///< at most, from a size to the next
+constexpr int kTrials = 24;
+constexpr double kBeside = 0.01;   ///< of a parameter's range, where one matters only beside another
+constexpr double kEnough = 0.5;    ///< of the residual
+constexpr double kTooMuch = 1.5;   ///< of the residual
+constexpr double kVisible = 1e-3;  ///< of the sensor noise
+
+/// Simulates a hypothesis at the base's solution, on some of its segments.
+class Bench {
+ public:
+  Bench(const Hypothesis& hypothesis, const BaseSolution& base, std::size_t most)
+      : hypothesis_(hypothesis),
+        base_(base),
+        predictor_(*hypothesis.model, base.trials, 1),
+        space_(hypothesis.definition.free),
+        problem_(predictor_, space_, chosen(base, most), base.noise) {}
+
+  const ParameterSpace& space() const { return space_; }
+  bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
+    return problem_.residuals({space_.to_coordinates(hypothesis_.values(base_.values, own)), states_}, residuals);
+  }
+  const ShootingProblem& problem() const { return problem_; }
+
+ private:
+  std::vector<Segment> chosen(const BaseSolution& base, std::size_t most) {
+    const std::size_t count = std::min(most, base.segments.size());
+    std::vector<Segment> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+      kept.push_back(base.segments[i * base.segments.size() / count]);
+      states_.push_back(base.states[i * base.segments.size() / count]);
+    }
+    return kept;
+  }
+
+  const Hypothesis& hypothesis_;
+  const BaseSolution& base_;
+  TrialPredictor predictor_;
+  ParameterSpace space_;
+  std::vector<Eigen::VectorXd> states_;
+  ShootingProblem problem_;
+};
+
+/// How far a parameter must go from its neutral value to matter.
+class Ladder {
+ public:
+  Ladder(const Hypothesis& hypothesis, const BaseSolution& base)
+      : hypothesis_(hypothesis),
+        bench_(hypothesis, base, kLadderSegments),
+        residual_(std::max(1.0, base.residual)),
+        others_(hypothesis.neutral) {
+    valid_ = bench_.residuals(hypothesis_.neutral, calm_);
+  }
+
+  bool valid() const { return valid_; }
+  /// What the other parameters are while one climbs; at first neutral.
+  void set_others(const std::vector<double>& others) { others_ = others; }
+
+  /// The coordinate's way that a probe may go: up, or down where up is closed.
+  double direction(std::size_t i) const { return room(i, 1.0) > 0.0 ? 1.0 : -1.0; }
+  bool one_sided(std::size_t i) const { return !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
+
+  /// The value that share of the way from its neutral value to a bound; a negative share goes down.
+  double beside(std::size_t i, double share) const {
+    const double way = share * room(i, share);
+    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + way);
+  }
+
+  /// The value at which parameter `i`, the others as set, changes the prediction by about as much as the residual;
+  /// failing that, by as much as it can. Nothing where it changes nothing.
+  std::optional<double> size(std::size_t i) {
+    const double range = room(i, direction(i));
+    double below = 0.0, above = range, way = kFirst * range, best = 0.0, most = 0.0;
+    for (int trial = 0; trial < kTrials && way > 0.0; ++trial) {
+      const std::optional<double> change = changed_by(i, way);
+      if (change && *change > most && *change <= kTooMuch * residual_) {
+        most = *change;
+        best = way;
+      }
+      if (change && *change >= kEnough * residual_ && *change <= kTooMuch * residual_) return value(i, way);
+      const bool small = change && *change < kEnough * residual_;
+      if (small && way >= range) break;
+      (small ? below : above) = way;
+      way = next_way(below, above, range, way, change);
+    }
+    if (most < kVisible) return std::nullopt;
+    return value(i, best);
+  }
+
+ private:
+  double neutral(std::size_t i) const {
+    return bench_.space().to_coordinate(static_cast<Eigen::Index>(hypothesis_.own[i]), hypothesis_.neutral[i]);
+  }
+  double room(std::size_t i, double direction) const {
+    const auto j = static_cast<Eigen::Index>(hypothesis_.own[i]);
+    return direction > 0.0 ? bench_.space().upper()(j) - neutral(i) : neutral(i) - bench_.space().lower()(j);
+  }
+  double value(std::size_t i, double way) const {
+    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction(i) * way);
+  }
+
+  /// RMS change of the prediction, in multiples of the sensor noise; nothing where it cannot be simulated.
+  std::optional<double> changed_by(std::size_t i, double way) {
+    std::vector<double> own = others_;
+    own[i] = value(i, way);
+    if (!bench_.residuals(own, moved_)) return std::nullopt;
+    double squares = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < calm_.size(); ++k) {
+      squares += (moved_[k] - calm_[k]).squaredNorm();
+      count += static_cast<double>(calm_[k].size());
+    }
+    return std::sqrt(squares / std::max(count, 1.0));
+  }
+
+  /// As far as a change in proportion would need, between what is too little and what is too much.
+  double next_way(double below, double above, double range, double way, const std::optional<double>& change) const {
+    const double wanted = !change         ? 0.1 * way
+                          : *change > 0.0 ? way * std::clamp(residual_ / *change, 1.0 / kStride, kStride)
+                                          : way * kStride;
+    if (wanted > below && wanted < above) return wanted;
+    if (wanted >= above && above >= range) return range;
+    return below > 0.0 ? std::sqrt(below * above) : above / kStride;
+  }
+
+  const Hypothesis& hypothesis_;
+  Bench bench_;
+  double residual_;
+  std::vector<double> others_;
+  bool valid_ = false;
+  std::vector<Eigen::VectorXd> calm_, moved_;
+};
+
+/// Each parameter that matters by itself; the others go to `shapes`.
+void climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>& probes,
+           std::vector<std::size_t>& shapes) {
+  ladder.set_others(others);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::optional<double> size = ladder.size(i);
+    if (!size) {
+      shapes.push_back(i);
+      continue;
+    }
+    Probe probe{others, ladder.one_sided(i), {}};
+    probe.own[i] = *size;
+    probes.push_back(std::move(probe));
+  }
+}
+
+/// Parameters that matter only where another one is not neutral, such as a payload's mass and its place.
+void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vector<Probe>& probes) {
+  std::vector<std::size_t> unused;
+  for (std::size_t i = 0; i < neutral.size() && neutral.size() > 1; ++i)
+    for (const double side : {1.0, -1.0}) {
+      std::vector<double> others = neutral;
+      others[i] = ladder.beside(i, side * kBeside);
+      if (others[i] != neutral[i]) climb(ladder, others, probes, unused);
+    }
+}
+
+/// Probes without their responses.
+std::vector<Probe> sized_probes(const Hypothesis& hypothesis, const BaseSolution& base,
+                                const std::map<std::string, double>& scales) {
+  Ladder ladder(hypothesis, base);
+  if (!ladder.valid()) return {};
+  std::vector<Probe> probes;
+  std::vector<std::size_t> shapes, unused;
+  climb(ladder, hypothesis.neutral, probes, shapes);
+  if (probes.empty()) climb_beside(ladder, hypothesis.neutral, probes);
+  if (hypothesis.defaults != hypothesis.neutral) {
+    probes.push_back({hypothesis.defaults, true, {}});
+    climb(ladder, hypothesis.defaults, probes, unused);
+  }
+  const std::size_t switched_on = probes.size();
+  for (const std::size_t shape : shapes) {
+    const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];
+    for (const double value : shapes_to_try(free.unit, scales)) {
+      if (value == hypothesis.defaults[shape] || value < free.lower || value > free.upper) continue;
+      for (std::size_t p = 0; p < switched_on; ++p) {
+        Probe probe = probes[p];
+        probe.own[shape] = value;
+        probes.push_back(std::move(probe));
+      }
+    }
+  }
+  return probes;
+}
+
+}  // namespace
+
+std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
+                               const std::map<std::string, double>& scales) {
+  std::vector<Probe> probes = sized_probes(hypothesis, base, scales);
+  if (probes.empty()) return {};
+  Bench bench(hypothesis, base, base.segments.size());
+  std::vector<Eigen::VectorXd> calm, moved;
+  if (!bench.residuals(hypothesis.neutral, calm)) return {};
+  for (Probe& probe : probes) {
+    if (!bench.residuals(probe.own, moved)) continue;
+    for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(bins.means(k, calm[k] - moved[k]));
+  }
+  std::erase_if(probes, [](const Probe& probe) { return probe.response.empty(); });
+  return probes;
+}
+
+}  // namespace lacuna

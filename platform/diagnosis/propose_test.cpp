@@ -1,0 +1,62 @@
+#include "diagnosis/propose_test.h"
+
+#include "evaluation/test_space.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLongest = 10.0;  ///< s
+constexpr int kEvaluations = 24;
+constexpr double kWorthwhile = 1.0;  ///< nats a trial: less is not worth a trip to the rig
+constexpr int kCoarser = 8;  ///< times fewer substeps: which test is the best one does not depend on the last digit
+
+std::unique_ptr<CompiledModel> coarse(const ModelDefinition& definition) {
+  EngineSettings engine = definition.engine;
+  engine.substeps = std::max(1, engine.substeps / kCoarser);
+  return compile(definition.structure, engine);
+}
+
+RivalModel rival(const FittedRival& one, const CompiledModel& model) {
+  const auto count = static_cast<Eigen::Index>(one.definition.free.size());
+  return {one.name, one.definition, model, one.fit.values, one.fit.covariance.topLeftCorner(count, count)};
+}
+
+double longest(const std::vector<Trial>& trials) {
+  double most = 0.0;
+  for (const Trial& trial : trials)
+    most = std::max(most, trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0));
+  return std::min(most, kLongest);
+}
+
+}  // namespace
+
+std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedRival& one, const FittedRival& other,
+                                     const BaseSolution& base, std::uint64_t seed, int threads,
+                                     const ProgressCallback& progress) {
+  TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(base.trials));
+  limit_to_trials(space, base.trials);
+  const std::unique_ptr<CompiledModel> first = coarse(one.definition), second = coarse(other.definition);
+  NextTestTask task{.catalog = catalog,
+                    .rivals = {rival(one, *first), rival(other, *second)},
+                    .noise = base.noise,
+                    .space = std::move(space),
+                    .start = {},
+                    .start_deviation = {},
+                    .evaluations = kEvaluations,
+                    .seed = seed,
+                    .threads = threads,
+                    .progress = progress};
+  try {
+    NextTest found = next_test(task);
+    if (found.nats > found.random_nats && found.nats > kWorthwhile) return found;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error&) {  // no limits, or a plugin that is not there: a diagnosis without a proposal
+  }
+  return std::nullopt;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,119 @@
+#include "diagnosis/refit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr int kMostIterations = 30;
+constexpr double kPrecision = 0.01;  ///< of the deviance
+constexpr double kThreshold = 4.0;   ///< standard deviations, beyond which a bin counts linearly
+
+/// Takes out of the rows what the segment's own start could explain. Returns how the start follows the values.
+Eigen::MatrixXd project_out(const Eigen::MatrixXd& state, Eigen::VectorXd& residual, Eigen::MatrixXd& derivatives) {
+  if (state.cols() == 0) return Eigen::MatrixXd::Zero(0, derivatives.cols());
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(state);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(state.rows(), state.cols());
+  Eigen::MatrixXd follows = qr.solve(derivatives);
+  follows = -follows;
+  residual -= basis * (basis.transpose() * residual);
+  derivatives -= basis * (basis.transpose() * derivatives);
+  return follows;
+}
+
+void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::MatrixXd>& factors,
+                       const LeastSquaresResult& search, const RobustLoss& loss, Refit& result) {
+  std::vector<SegmentJacobian> jacobians;
+  problem.linearize(search.point, search.residuals, jacobians);
+  const Eigen::Index count = search.point.values.size();
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t k = 0; k < jacobians.size(); ++k) {
+    Eigen::VectorXd residual = search.residuals[k];
+    Eigen::MatrixXd derivatives = jacobians[k].values, state = jacobians[k].state;
+    for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
+      const double weight = std::sqrt(loss.weight(residual(row)));
+      residual(row) *= weight;
+      derivatives.row(row) *= weight;
+      state.row(row) *= weight;
+    }
+    const Eigen::MatrixXd follows = project_out(state, residual, derivatives);
+    const Eigen::Index bins = problem.robust_rows(k);
+    result.bin_residuals.emplace_back(factors[k] * search.residuals[k].head(bins));
+    result.bin_derivatives.emplace_back(
+        factors[k] * (jacobians[k].values.topRows(bins) + jacobians[k].state.topRows(bins) * follows));
+    information += derivatives.transpose() * derivatives;
+    result.residuals.push_back(std::move(residual));
+    result.derivatives.push_back(std::move(derivatives));
+  }
+  const double near = 1e-9;
+  std::vector<Eigen::Index> inside;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const double range = problem.upper()(j) - problem.lower()(j), at = search.point.values(j);
+    result.at_bound.push_back(at <= problem.lower()(j) + near * range || at >= problem.upper()(j) - near * range);
+    if (!result.at_bound.back()) inside.push_back(j);
+  }
+  result.covariance = Eigen::MatrixXd::Zero(count, count);
+  if (inside.empty()) return;
+  const Eigen::MatrixXd inverse =
+      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(information(inside, inside)).pseudoInverse();
+  result.covariance(inside, inside) = inverse;
+}
+
+/// Difference steps that the base has found, where the model has the base's values and states.
+std::vector<double> known_steps(const RefittedModel& refitted, const BaseSolution& base, std::vector<double> steps) {
+  const std::size_t values = base.values.size(), states = base.steps.size() - values;
+  for (std::size_t i = 0; i < values; ++i) steps[refitted.base[i]] = base.steps[i];
+  for (std::size_t i = 0; i < states; ++i) steps[steps.size() - states + i] = base.steps[values + i];
+  return steps;
+}
+
+/// The start with the least cost; nothing where none can be simulated.
+std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpace& space, const BaseSolution& base,
+                                   const std::vector<std::vector<double>>& starts, const RobustLoss& loss) {
+  std::optional<FitPoint> best;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Eigen::VectorXd> residuals;
+  for (const std::vector<double>& start : starts) {
+    FitPoint point{Eigen::VectorXd::Zero(problem.lower().size()), base.states};
+    point.values.head(space.size()) = space.clamp(space.to_coordinates(start));
+    if (!problem.residuals(point, residuals)) continue;
+    const double cost = total_cost(problem, residuals, loss);
+    if (!(cost < least)) continue;
+    least = cost;
+    best = point;
+  }
+  return best;
+}
+
+}  // namespace
+
+Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
+            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads) {
+  const TrialPredictor predictor(refitted.model, base.trials, threads);
+  const ParameterSpace space(refitted.definition.free);
+  ShootingProblem shooting(predictor, space, base.segments, base.noise);
+  shooting.set_steps(known_steps(refitted, base, shooting.steps()));
+  WhitenedProblem problem(shooting, bins, factors, base.nuisance);
+  const RobustLoss loss{kThreshold};
+  LeastSquaresOptions options{.loss = loss, .max_iterations = kMostIterations, .tolerance = 0.0, .progress = {}};
+  options.tolerance = kPrecision / static_cast<double>(bins.rows());
+  const std::optional<FitPoint> start = best_start(problem, space, base, starts, loss);
+  Refit best;
+  if (!start) return best;
+  const LeastSquaresResult solution = minimize(problem, *start, options);
+  best.valid = solution.valid;
+  best.deviance = solution.cost;
+  if (!best.valid) return best;
+  best.values = space.to_values(solution.point.values.head(space.size()));
+  best.nuisance = solution.point.values.tail(problem.nuisances());
+  best.states = solution.point.states;
+  describe_solution(problem, factors, solution, loss, best);
+  return best;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "diagnosis/whitened_problem.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// A model fitted to the whitened segments, with what cross-validation needs of it.
+struct Refit {
+  bool valid = false;
+  std::vector<double> values;           ///< of the model's free values, SI
+  std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
+  Eigen::VectorXd nuisance;             ///< coefficients of the nuisance columns
+  double deviance = 0.0;                ///< Σ of the loss: −2 log likelihood but for a constant
+  /// By segment, with its start projected out: whitened residual, and its derivatives by the values' coordinates.
+  std::vector<Eigen::VectorXd> residuals;
+  std::vector<Eigen::MatrixXd> derivatives;
+  /// The same before whitening, bins alone, in multiples of the sensor noise; starts follow the values.
+  std::vector<Eigen::VectorXd> bin_residuals;
+  std::vector<Eigen::MatrixXd> bin_derivatives;
+  std::vector<bool> at_bound;  ///< a value
+  Eigen::MatrixXd covariance;  ///< of the coordinates; 0 for values at a bound
+};
+
+/// What is refitted.
+struct RefittedModel {
+  const ModelDefinition& definition;
+  const CompiledModel& model;
+  const std::vector<std::size_t>& base;  ///< where it has the base's free values
+};
+
+/// Minimises from the best of `starts` (free values, SI).
+Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
+            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads);
+
+}  // namespace lacuna

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/cross_validation.h"
+#include "diagnosis/force_formula.h"
+#include "diagnosis/free_force.h"
+#include "diagnosis/screening.h"
+#include "fitting/progress.h"
+#include "fitting/progress_meter.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// An effect that was refitted.
+struct Rival {
+  std::size_t hypothesis = 0;  ///< of the round
+  double deviance = 0.0;       ///< score of its best probe
+  Refit fit;
+  Eigen::VectorXd held_out;  ///< deviance by segment
+  Gain gain;                 ///< over the round's base
+};
+
+/// One look for the effect that a model lacks: screened all, refitted few.
+struct Round {
+  BaseSolution base;  ///< refitted under the noise
+  RowBins bins;
+  ForceResponses forces;
+  NoiseModel noise;
+  std::vector<Eigen::MatrixXd> factors;  ///< of the noise
+  std::vector<std::size_t> folds;
+  Refit fit;  ///< of the base
+  Eigen::VectorXd held_out;
+  std::vector<Hypothesis> hypotheses;
+  std::vector<Untestable> untestable;
+  Screening screening;
+  std::vector<Rival> rivals;  ///< the largest gain first
+  FreeForceTest free_force;
+  std::vector<ForceFormula> formulas;  ///< where the free force is beyond chance
+
+  explicit Round(RowBins thinned) : bins(std::move(thinned)), noise(bins, {}) {}
+};
+
+struct RoundTask {
+  const PluginCatalog& catalog;
+  const Contender& contender;
+  const BaseSolution& start;  ///< trials, noise, segments and their states; the rest is ignored
+  const std::vector<std::string>& among;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  ProgressMeter& meter;  ///< gets `kRoundParts` parts
+};
+
+inline constexpr int kRoundParts = 4;
+inline constexpr double kFreeForceLevel = 0.01;  ///< of the test whether structure is left
+
+Round run_round(const RoundTask& task);
+
+/// The solution for a refit of a model with other values: segments, states and their difference steps alone.
+BaseSolution without_values(BaseSolution base);
+
+/// A model with fewer effects, refitted under the round's noise.
+Refit refit_reduced(const Contender& less, const Round& round, int threads);
+
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+#include "diagnosis/row_bins.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr double kShortest = 0.0125;  // s
+constexpr double kMostRows = 600.0;   // a segment
+
+}  // namespace
+
+RowBins::RowBins(const ShootingProblem& problem) {
+  for (std::size_t k = 0; k < problem.segments().size(); ++k) {
+    const Eigen::Index measured = problem.robust_rows(k);
+    std::set<std::size_t> channels;
+    for (Eigen::Index row = 0; row < measured; ++row) channels.insert(problem.place(k, row).channel);
+    const double begin = problem.place(k, 0).time, end = problem.place(k, measured - 1).time;
+    const double width = std::max(kShortest, (end - begin) * static_cast<double>(channels.size()) / kMostRows);
+    Segment segment;
+    std::map<std::pair<std::size_t, long>, Eigen::Index> known;
+    for (Eigen::Index row = 0; row < measured; ++row) {
+      const ResidualPlace place = problem.place(k, row);
+      const auto key = std::pair(place.channel, static_cast<long>((place.time - begin) / width + 1e-6));
+      const auto [at, is_new] = known.try_emplace(key, static_cast<Eigen::Index>(segment.bins.size()));
+      if (is_new) segment.bins.push_back({place.channel, 0.0, 0.0});
+      Bin& bin = segment.bins[static_cast<std::size_t>(at->second)];
+      bin.time += place.time;
+      bin.count += 1.0;
+      segment.bin_of.push_back(at->second);
+    }
+    for (Bin& bin : segment.bins) bin.time /= bin.count;
+    segments_.push_back(std::move(segment));
+  }
+}
+
+RowBins::RowBins(std::vector<std::vector<Bin>> segments) {
+  for (std::vector<Bin>& bins : segments) {
+    std::vector<Eigen::Index> own(bins.size());
+    std::iota(own.begin(), own.end(), Eigen::Index{0});
+    segments_.push_back({std::move(bins), std::move(own)});
+  }
+}
+
+Eigen::Index RowBins::rows() const {
+  Eigen::Index all = 0;
+  for (const Segment& segment : segments_) all += static_cast<Eigen::Index>(segment.bins.size());
+  return all;
+}
+
+Eigen::MatrixXd RowBins::means(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& rows) const {
+  const Segment& segment = segments_[k];
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(segment.bins.size()), rows.cols());
+  for (std::size_t row = 0; row < segment.bin_of.size(); ++row)
+    result.row(segment.bin_of[row]) += rows.row(static_cast<Eigen::Index>(row));
+  for (std::size_t bin = 0; bin < segment.bins.size(); ++bin)
+    result.row(static_cast<Eigen::Index>(bin)) /= segment.bins[bin].count;
+  return result;
+}
+
+}  // namespace lacuna

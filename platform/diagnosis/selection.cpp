@@ -1,0 +1,91 @@
+#include "diagnosis/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kBeyond = 1.959963984540054;  ///< of a normal distribution, 95 % lie within
+/// Share of the gain that is no reason for a model with more parameters: the noise is not quite as it is modelled, and
+/// an effect that a simple one stands for is found by a further round.
+constexpr double kAsGood = 0.1;
+constexpr double kTold = 2.0;  ///< nats: less does not tell two effects apart
+constexpr std::size_t kMostLookAlikes = 2;
+
+std::size_t freedom(const Round& round, const Rival& rival) { return round.hypotheses[rival.hypothesis].own.size(); }
+
+}  // namespace
+
+std::optional<std::size_t> choose(const Round& round, double level) {
+  if (round.rivals.empty() || round.screening.p > level) return std::nullopt;
+  const Rival& best = round.rivals.front();
+  if (best.gain.value <= 0.0) return std::nullopt;
+  std::size_t chosen = 0;
+  for (std::size_t i = 1; i < round.rivals.size(); ++i) {
+    const Gain behind = gain(round.rivals[i].held_out, best.held_out, 1);
+    if (behind.value <= std::max(behind.standard_error, kAsGood * best.gain.value) &&
+        round.rivals[i].gain.value > 0.0 && freedom(round, round.rivals[i]) < freedom(round, round.rivals[chosen]))
+      chosen = i;
+  }
+  return chosen;
+}
+
+std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed) {
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < round.rivals.size() && others.size() < kMostLookAlikes; ++i) {
+    if (i == chosen) continue;
+    const Gain ahead = gain(round.rivals[i].held_out, round.rivals[chosen].held_out, seed);
+    if (ahead.lower_95 <= 0.0 || ahead.value < kTold) others.push_back(i);
+  }
+  return others;
+}
+
+std::vector<FoundEffect> found_effects(const Contender& contender, const Refit& fit) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  const ParameterSpace space(contender.definition.free);
+  std::vector<FoundEffect> effects;
+  for (const EffectEntry& entry : contender.added) {
+    FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
+    const std::string prefix = "effect." + entry.id + ".";
+    for (std::size_t i = 0; i < contender.definition.free.size(); ++i) {
+      const FreeValue& free = contender.definition.free[i];
+      if (!free.address.starts_with(prefix)) continue;
+      const auto j = static_cast<Eigen::Index>(i);
+      FoundParameter parameter{free.address.substr(prefix.size()), free.unit, fit.values[i], kNothing, kNothing};
+      const double deviation = std::sqrt(fit.covariance(j, j));
+      if (!fit.at_bound[i] && deviation > 0.0) {
+        const double at = space.to_coordinate(j, fit.values[i]);
+        parameter.lower_95 = space.to_value(j, std::max(space.lower()(j), at - kBeyond * deviation));
+        parameter.upper_95 = space.to_value(j, std::min(space.upper()(j), at + kBeyond * deviation));
+      }
+      effect.parameters.push_back(parameter);
+    }
+    effects.push_back(std::move(effect));
+  }
+  return effects;
+}
+
+Gain sum(const Gain& a, const Gain& b) {
+  const double value = a.value + b.value;
+  const double error = std::hypot(a.standard_error, b.standard_error);
+  if (a.standard_error == 0.0) return b;
+  return {value, error, value - kBeyond * error, value + kBeyond * error};
+}
+
+void weigh(Diagnosis& diagnosis) {
+  double most = 0.0;
+  for (const RankedModel& model : diagnosis.ranking) most = std::max(most, model.gain.value);
+  double total = std::exp(-most);
+  for (const RankedModel& model : diagnosis.ranking) total += std::exp(model.gain.value - most);
+  for (RankedModel& model : diagnosis.ranking) model.probability = std::exp(model.gain.value - most) / total;
+  switch (diagnosis.verdict) {
+    case Verdict::nothing_missing: diagnosis.probability = std::sqrt(diagnosis.p_by_chance); break;
+    case Verdict::effect_found: diagnosis.probability = 1.0 - std::exp(-most) / total; break;
+    case Verdict::not_in_library: diagnosis.probability = 1.0 - diagnosis.free_force_p; break;
+    case Verdict::cannot_tell: diagnosis.probability = 0.5; break;
+  }
+}
+
+}  // namespace lacuna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/round.h"
+
+#include <optional>
+#include <vector>
+
+namespace lacuna {
+
+/// The rival of a round to go on with: the screening's best score is beyond chance at `level`, it predicts what
+/// was left out better than the base, and of those within one standard error of the best, or a tenth of its gain, it is
+/// the simplest. Nothing: none of them.
+std::optional<std::size_t> choose(const Round& round, double level);
+
+/// Rivals that these data do not tell from the chosen one, the best first, at most two.
+std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed);
+
+/// The added effects with values and intervals.
+std::vector<FoundEffect> found_effects(const Contender& contender, const Refit& fit);
+
+/// Gains of two steps, one after the other.
+Gain sum(const Gain& a, const Gain& b);
+
+/// Sets the probabilities of verdict and ranking, as if held-out likelihoods were calibrated ("uncalibrated").
+void weigh(Diagnosis& diagnosis);
+
+}  // namespace lacuna

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "evaluation/model_definition.h"
+
+namespace lacuna {
+
+/// The fewest substeps, up to the definition's own, that predict the base's segments to a tenth of the sensor noise
+/// (RMS change by twice as many). Segments are short: they need fewer than a long free run.
+int sufficient_substeps(const ModelDefinition& definition, const BaseSolution& base, int threads);
+
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+#include "diagnosis/timing.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr double kShare = 0.25;  ///< of a sample interval, that commands are moved by
+
+double sample_interval(const Trial& trial) {
+  const Eigen::VectorXd& times = trial.commands.series.times;
+  return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
+}
+
+bool residuals_of(const CompiledModel& model, const ModelDefinition& definition, const BaseSolution& base,
+                  const std::vector<Trial>& trials, int threads, std::vector<Eigen::VectorXd>& residuals) {
+  const TrialPredictor predictor(model, trials, threads);
+  const ParameterSpace space(definition.free);
+  ShootingProblem problem(predictor, space, base.segments, base.noise);
+  return problem.residuals({space.to_coordinates(base.values), base.states}, residuals);
+}
+
+}  // namespace
+
+std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
+                                            const BaseSolution& base, const RowBins& bins, int threads) {
+  std::vector<Trial> late = base.trials;
+  double longest = 0.0;
+  for (Trial& trial : late) {
+    const double interval = sample_interval(trial);
+    longest = std::max(longest, interval);
+    trial.commands.series.times.array() += kShare * interval;
+  }
+  std::vector<Eigen::VectorXd> now, later;
+  if (longest == 0.0 || !residuals_of(model, definition, base, base.trials, threads, now) ||
+      !residuals_of(model, definition, base, late, threads, later))
+    return {};
+  std::vector<Eigen::MatrixXd> columns;
+  for (std::size_t k = 0; k < now.size(); ++k) columns.push_back(bins.means(k, (later[k] - now[k]) / kShare));
+  return columns;
+}
+
+}  // namespace lacuna

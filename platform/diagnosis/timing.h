@@ -1,0 +1,16 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "evaluation/model_definition.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// By segment, bins × 1: how the residual changes when all commands act one sample interval later. Within one interval
+/// that is a matter of recording (which side of a sample a command is held on), no effect, and is fitted beside the
+/// model's values. Empty where nothing is commanded.
+std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
+                                            const BaseSolution& base, const RowBins& bins, int threads);
+
+}  // namespace lacuna

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "formula/force_law.h"
+
+#include <string>
+
+namespace lacuna {
+
+/// The files of a plugin with one effect, a force law on a joint. It builds in a project of its own that finds the
+/// installed package, and as a folder of plugins/effects. Smooth terms are differentiated as the effect runs
+/// (lacuna/dual.h) and integrated implicitly where they damp or hold, terms with sgn(v) become dry friction. A law with
+/// the command u is placed on actuators, the others on joints.
+
+/// `NAME.cpp`.
+std::string effect_source(const std::string& name, const ForceLaw& law);
+/// `CMakeLists.txt`.
+std::string effect_project(const std::string& name);
+/// `README.md`, with the table of parameters and a snippet that runs.
+std::string effect_readme(const std::string& name, const ForceLaw& law);
+
+/// Replaces each @WORD@ of a text by what `with` says of it.
+std::string filled(std::string text, const std::map<std::string, std::string>& with);
+
+}  // namespace lacuna

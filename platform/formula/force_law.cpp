@@ -1,0 +1,239 @@
+#include "formula/force_law.h"
+
+#include "formula/formula_checks.h"
+#include "formula/formula_parser.h"
+#include "formula/formula_scanner.h"
+#include "formula/formula_unit.h"
+#include "formula/law_terms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr double kReach = 100.0;  ///< how many times its start a parameter may become
+
+/// Whether a fit can begin there and has bounds around it.
+bool can_start(double number) { return number != 0.0 && std::isfinite(kReach * number); }
+
+/// What the names of a formula do there: `factor` multiplies a whole term, `summand` shifts something inside of a term,
+/// `scale` divides or stretches something and must keep its sign.
+enum class Role { factor, summand, scale };
+
+class Roles {
+ public:
+  explicit Roles(const std::vector<RawTerm>& terms) {
+    for (const RawTerm& term : terms) {
+      for (const Expression& factor : term.over)
+        factor.kind == Kind::parameter ? note(factor, Role::factor) : look_into(factor);
+      for (const Expression& divisor : term.under)
+        divisor.kind == Kind::parameter ? note(divisor, Role::scale) : look_into(divisor);
+    }
+  }
+
+  const std::map<std::string, Role>& all() const { return roles_; }
+  int column(const std::string& name) const { return columns_.at(name); }
+  std::set<std::string> scales() const {
+    std::set<std::string> names;
+    for (const auto& [name, role] : roles_)
+      if (role == Role::scale) names.insert(name);
+    return names;
+  }
+
+ private:
+  void note(const Expression& name, Role role) {
+    columns_.emplace(name.name, name.column);
+    Role& known = roles_.emplace(name.name, role).first->second;
+    known = std::max(known, role);
+  }
+  void look_into(const Expression& expression) {
+    walk(expression, [&](const Expression& e) {
+      const bool sum = e.kind == Kind::sum || e.kind == Kind::difference;
+      for (const Expression& part : e.parts)
+        if (part.kind == Kind::parameter) note(part, sum ? Role::summand : Role::scale);
+    });
+  }
+
+  std::map<std::string, Role> roles_;
+  std::map<std::string, int> columns_;
+};
+
+void check_values(const Roles& roles, const std::map<std::string, double>& values, ProblemList& problems) {
+  constexpr const char* kWhy = "its fit begins there, and its bounds follow from it";
+  for (const auto& [name, role] : roles.all()) {
+    const SourceLocation place = formula_place(roles.column(name));
+    const auto found = values.find(name);
+    if (found == values.end())
+      problems.add(place, fmt::format("the parameter {0} has no value; add --value {0}=NUMBER; {1}", name, kWhy));
+    else if (!can_start(found->second))
+      problems.add(place, fmt::format("the value of {} must be a number other than 0; {}", name, kWhy));
+    else if (role == Role::scale && found->second < 0.0)
+      problems.add(
+          place, fmt::format("{} divides or scales something and must stay positive; give it a positive value", name));
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, role] : roles.all()) names.push_back(name);
+  for (const auto& [name, value] : values)
+    if (!roles.all().contains(name))
+      problems.add({"--value", 0, 0}, name + " is no parameter of the formula" + did_you_mean(name, names));
+}
+
+void check_terms(const std::vector<RawTerm>& terms, ProblemList& problems) {
+  std::map<std::string, int> seen;
+  for (const RawTerm& term : terms) {
+    const std::string text = formula_text(term.rest());
+    if (!can_start(term.number))
+      problems.add(formula_place(term.column), "the number of the term " + text +
+                                                   " must be finite and not 0: a fit begins there, and its bounds "
+                                                   "follow from it");
+    if (!seen.emplace(text, term.column).second)
+      problems.add(formula_place(term.column), "there are two terms with " + text + "; write one");
+  }
+}
+
+/// Turns terms into parameters and values.
+class LawBuilder {
+ public:
+  LawBuilder(const std::vector<RawTerm>& terms, const Roles& roles, const std::map<std::string, double>& values)
+      : terms_(terms), roles_(roles), values_(values) {
+    for (const auto& [name, role] : roles.all()) taken_.insert(name);
+  }
+
+  void build(ForceLaw& law) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) add_term(terms_[i], i + 1, law);
+    for (const RawTerm& term : terms_) add_inner(term.rest(), law);
+  }
+
+ private:
+  bool heads(const Expression& factor) const {
+    return factor.kind == Kind::parameter && roles_.all().at(factor.name) == Role::factor;
+  }
+  static bool declared(const ForceLaw& law, const std::string& name) {
+    return std::any_of(law.parameters.begin(), law.parameters.end(),
+                       [&](const LawParameter& parameter) { return parameter.name == name; });
+  }
+  static LawParameter multiplier(const std::string& name, double start, const Expression& of) {
+    const double reach = kReach * std::abs(start);
+    return {name,  unit_of_factor(dimension_of(of)),
+            start, -reach,
+            reach, 0.0,
+            false, of.is_number() ? "A force that is always there" : "What multiplies " + formula_text(of)};
+  }
+
+  void add_term(const RawTerm& raw, std::size_t count, ForceLaw& law) {
+    RawTerm left = raw;  // what its head multiplies
+    const auto head = std::find_if(left.over.begin(), left.over.end(), [&](const Expression& f) { return heads(f); });
+    Expression factor{Kind::parameter, 0.0, {}, {}, raw.column};
+    double number = 1.0;
+    if (head != left.over.end()) {
+      factor.name = head->name;
+      number = raw.number;
+      left.over.erase(head);
+      if (!declared(law, factor.name))
+        law.parameters.push_back(multiplier(factor.name, values_.at(factor.name), left.rest()));
+    } else {
+      factor.name = free_name(left.rest(), count);
+      law.parameters.push_back(multiplier(factor.name, raw.number, left.rest()));
+    }
+    law.terms.push_back(term_of(std::move(factor), number, std::move(left)));
+  }
+
+  static LawTerm term_of(Expression factor, double number, RawTerm left) {
+    const auto is_direction = [](const Expression& e) { return e.is_call_of("sgn", "v"); };
+    const bool along = std::count_if(left.over.begin(), left.over.end(), is_direction) == 1;
+    if (along) left.over.erase(std::find_if(left.over.begin(), left.over.end(), is_direction));
+    left.over.insert(left.over.begin(), std::move(factor));
+    if (std::abs(number) != 1.0)
+      left.over.insert(left.over.begin(), Expression{Kind::number, number, {}, {}, left.column});
+    else if (number < 0.0)
+      left.over.front() = Expression{Kind::negation, 0.0, {}, {left.over.front()}, left.column};
+    Expression value = left.over.front();
+    for (std::size_t i = 1; i < left.over.size(); ++i)
+      value = Expression{Kind::product, 0.0, {}, {value, left.over[i]}, left.column};
+    for (const Expression& divisor : left.under)
+      value = Expression{Kind::quotient, 0.0, {}, {value, divisor}, left.column};
+    return {std::move(value), along};
+  }
+
+  /// Names that stand inside of terms.
+  void add_inner(const Expression& rest, ForceLaw& law) {
+    const std::map<std::string, FormulaDimension> dimensions = inner_dimensions(rest);
+    walk(rest, [&](const Expression& e) {
+      if (e.kind != Kind::parameter || declared(law, e.name)) return;
+      const double start = values_.at(e.name);
+      const auto dimension = dimensions.find(e.name);
+      LawParameter parameter{e.name,
+                             dimension == dimensions.end() ? "1" : unit_of(dimension->second),
+                             start,
+                             -kReach * std::abs(start),
+                             kReach * std::abs(start),
+                             start,
+                             false,
+                             "A scale inside of " + formula_text(rest)};
+      if (roles_.all().at(e.name) == Role::scale) {
+        parameter.lower = start / kReach;
+        parameter.logarithmic = true;
+      } else if (roles_.all().at(e.name) == Role::summand) {
+        parameter.description = "A shift inside of " + formula_text(rest);
+      } else {  // the second of two names that multiply a term
+        parameter.description = "A further factor of " + formula_text(rest);
+      }
+      law.parameters.push_back(std::move(parameter));
+    });
+  }
+
+  std::string free_name(const Expression& rest, std::size_t count) {
+    std::string name = name_of_factor(rest);
+    if (name.empty() || taken_.contains(name)) name = "term_" + std::to_string(count);
+    while (taken_.contains(name)) name += "_";
+    taken_.insert(name);
+    return name;
+  }
+
+  const std::vector<RawTerm>& terms_;
+  const Roles& roles_;
+  const std::map<std::string, double>& values_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace
+
+std::string ForceLaw::equation() const {
+  std::string sum;
+  for (const LawTerm& term : terms) {
+    const std::string value = formula_text(term.value) + (term.along_motion ? "*sgn(v)" : "");
+    if (sum.empty())
+      sum = value;
+    else
+      sum += value.front() == '-' ? " - " + value.substr(1) : " + " + value;
+  }
+  return sum;
+}
+
+ForceLaw read_force_law(const std::string& formula, const std::map<std::string, double>& values) {
+  ProblemList problems;
+  const std::optional<Expression> parsed = parse_formula(formula, problems);
+  problems.throw_if_any();
+  const std::vector<RawTerm> terms = terms_of(*parsed);
+  const Roles roles(terms);
+  check_terms(terms, problems);
+  check_values(roles, values, problems);
+  check_finite(*parsed, roles.scales(), problems);
+  problems.throw_if_any();
+  ForceLaw law;
+  law.text = formula;
+  walk(*parsed, [&](const Expression& e) {
+    law.uses_command = law.uses_command || (e.kind == Kind::variable && e.name == "u");
+  });
+  LawBuilder(terms, roles, values).build(law);
+  return law;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,115 @@
+#include "report/diagnosis_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lacuna {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json document(const FoundEffect& effect) {
+  ordered_json parameters = ordered_json::object();
+  for (const FoundParameter& one : effect.parameters)
+    parameters[one.name] = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
+  return {{"effect", effect.effect}, {"where", effect.where}, {"parameters", parameters}};
+}
+
+ordered_json by_channel(const std::vector<ChannelError>& errors, double ChannelError::*figure) {
+  ordered_json object = ordered_json::object();
+  for (const ChannelError& error : errors) object[error.channel] = error.*figure;
+  return object;
+}
+
+ordered_json units(const std::vector<ChannelError>& errors) {
+  ordered_json object = ordered_json::object();
+  for (const ChannelError& error : errors) object[error.channel] = error.unit;
+  return object;
+}
+
+ordered_json document(const RankedModel& model) {
+  ordered_json effects = ordered_json::array();
+  for (const FoundEffect& effect : model.effects) effects.push_back(document(effect));
+  return {{"effects", effects},
+          {"class", model.look_alikes},
+          {"fit_rmse", by_channel(model.errors, &ChannelError::fit)},
+          {"cv_rmse", by_channel(model.errors, &ChannelError::held_out)},
+          {"ratio_to_floor", model.times_floor},
+          {"gain", model.gain.value},
+          {"gain_ci95", {model.gain.lower_95, model.gain.upper_95}},
+          {"gain_standard_error", model.gain.standard_error},
+          {"probability", model.probability}};
+}
+
+ordered_json document(const Gain& gain) {
+  return {{"value", gain.value}, {"standard_error", gain.standard_error}, {"ci95", {gain.lower_95, gain.upper_95}}};
+}
+
+ordered_json document(const ForceFormula& formula) {
+  ordered_json terms = ordered_json::array();
+  for (const ForceFormula::Term& term : formula.terms)
+    terms.push_back({{"text", term.text},
+                     {"coefficient", term.coefficient},
+                     {"standard_error", term.standard_error},
+                     {"unit", term.unit}});
+  return {{"joint", formula.joint},
+          {"text", formula.text()},
+          {"unit", formula.unit},
+          {"terms", terms},
+          {"gain", document(formula.gain)}};
+}
+
+ordered_json document(const ForceCurve& curve) {
+  return {{"joint", curve.joint},
+          {"of", curve.of},
+          {"unit", curve.unit},
+          {"force_unit", curve.force_unit},
+          {"at", curve.at},
+          {"force", curve.force},
+          {"standard_error", curve.standard_error}};
+}
+
+ordered_json document(const Untestable& one) {
+  return {{"effect", one.effect}, {"where", one.where}, {"reason", one.reason}};
+}
+
+ordered_json document(const RandomForce& force) {
+  return {{"joint", force.joint}, {"deviation", force.deviation}, {"unit", force.unit}, {"duration_s", force.duration}};
+}
+
+template <class Value>
+ordered_json list(const std::vector<Value>& values) {
+  ordered_json all = ordered_json::array();
+  for (const Value& value : values) all.push_back(document(value));
+  return all;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const Diagnosis& diagnosis) {
+  const ordered_json whole = {
+      {"verdict", to_string(diagnosis.verdict)},
+      {"probability", diagnosis.probability},
+      {"calibrated", false},
+      {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
+      {"units", units(diagnosis.base)},
+      {"random_forces", list(diagnosis.forces)},
+      {"base",
+       {{"fit_rmse", by_channel(diagnosis.base, &ChannelError::fit)},
+        {"cv_rmse", by_channel(diagnosis.base, &ChannelError::held_out)},
+        {"ratio_to_floor", diagnosis.base_times_floor}}},
+      {"ranking", list(diagnosis.ranking)},
+      {"p_by_chance", diagnosis.p_by_chance},
+      {"chance_95", diagnosis.chance_95},
+      {"free_force", {{"p", diagnosis.free_force_p}, {"gain", document(diagnosis.free_force_gain)}}},
+      {"formulas", list(diagnosis.formulas)},
+      {"residual_force", list(diagnosis.residual_force)},
+      {"hypotheses", diagnosis.hypotheses},
+      {"findings", diagnosis.findings},
+      {"next_test", diagnosis.next_test},
+      {"next_test_worth", diagnosis.next_test_worth},
+      {"not_testable", list(diagnosis.untestable)},
+      {"seconds", diagnosis.seconds}};
+  return whole.dump(2) + "\n";
+}
+
+}  // namespace lacuna

@@ -1,0 +1,107 @@
+#include "report/diagnosis_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+using nlohmann::ordered_json;
+
+double figure(const ordered_json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers(const ordered_json& json) {
+  std::vector<double> all;
+  for (const ordered_json& one : json) all.push_back(figure(one));
+  return all;
+}
+
+Verdict verdict_of(const std::string& text) {
+  for (const Verdict verdict : {Verdict::nothing_missing, Verdict::effect_found, Verdict::not_in_library})
+    if (to_string(verdict) == text) return verdict;
+  return Verdict::cannot_tell;
+}
+
+Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered_json& interval) {
+  return {figure(value), figure(error), figure(interval[0]), figure(interval[1])};
+}
+
+Gain gain_of(const ordered_json& json) { return gain_of(json["value"], json["standard_error"], json["ci95"]); }
+
+/// `of`: the base, or a ranked model.
+std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_json& of) {
+  std::vector<ChannelError> errors;
+  for (const auto& [channel, unit] : whole["units"].items())
+    errors.push_back({channel, unit, figure(whole["noise_floor"][channel]), figure(of["fit_rmse"][channel]),
+                      figure(of["cv_rmse"][channel])});
+  return errors;
+}
+
+FoundEffect effect_of(const ordered_json& json) {
+  FoundEffect effect{json["effect"], json["where"], {}};
+  for (const auto& [name, one] : json["parameters"].items())
+    effect.parameters.push_back(
+        {name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
+  return effect;
+}
+
+RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
+  RankedModel model;
+  for (const ordered_json& effect : json["effects"]) model.effects.push_back(effect_of(effect));
+  model.look_alikes = json["class"].get<std::vector<std::string>>();
+  model.gain = gain_of(json["gain"], json["gain_standard_error"], json["gain_ci95"]);
+  model.probability = figure(json["probability"]);
+  model.errors = errors_of(whole, json);
+  model.times_floor = figure(json["ratio_to_floor"]);
+  return model;
+}
+
+ForceFormula formula_of(const ordered_json& json) {
+  ForceFormula formula{json["joint"], json["unit"], {}, gain_of(json["gain"])};
+  for (const ordered_json& term : json["terms"])
+    formula.terms.push_back({term["text"], term["unit"], figure(term["coefficient"]), figure(term["standard_error"])});
+  return formula;
+}
+
+ForceCurve curve_of(const ordered_json& json) {
+  return {json["joint"],
+          json["of"],
+          json["unit"],
+          json["force_unit"],
+          numbers(json["at"]),
+          numbers(json["force"]),
+          numbers(json["standard_error"])};
+}
+
+}  // namespace
+
+Diagnosis read_diagnosis(const std::string& document) {
+  const ordered_json whole = ordered_json::parse(document);
+  Diagnosis diagnosis;
+  diagnosis.verdict = verdict_of(whole["verdict"]);
+  diagnosis.probability = figure(whole["probability"]);
+  diagnosis.base = errors_of(whole, whole["base"]);
+  diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
+  for (const ordered_json& one : whole["random_forces"])
+    diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
+  for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
+  diagnosis.p_by_chance = figure(whole["p_by_chance"]);
+  diagnosis.chance_95 = figure(whole["chance_95"]);
+  diagnosis.free_force_p = figure(whole["free_force"]["p"]);
+  diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
+  for (const ordered_json& one : whole["formulas"]) diagnosis.formulas.push_back(formula_of(one));
+  for (const ordered_json& one : whole["residual_force"]) diagnosis.residual_force.push_back(curve_of(one));
+  diagnosis.hypotheses = whole["hypotheses"];
+  diagnosis.findings = whole["findings"].get<std::vector<std::string>>();
+  diagnosis.next_test = whole["next_test"];
+  diagnosis.next_test_worth = whole["next_test_worth"];
+  for (const ordered_json& one : whole["not_testable"])
+    diagnosis.untestable.push_back({one["effect"], one["where"], one["reason"]});
+  diagnosis.seconds = figure(whole["seconds"]);
+  return diagnosis;
+}
+
+}  // namespace lacuna

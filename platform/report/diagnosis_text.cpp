@@ -1,0 +1,118 @@
+#include "report/diagnosis_text.h"
+
+#include "foundation/unit.h"
+#include "report/text_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <map>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostShown = 5;
+
+std::string interval(const FoundParameter& parameter) {
+  if (!std::isfinite(parameter.lower_95)) return "";
+  return fmt::format(" [{:.3g}, {:.3g}]", parameter.lower_95, parameter.upper_95);
+}
+
+std::string parameter_text(const FoundParameter& one) {
+  return fmt::format("{} {:.3g}{}{}", one.name, one.value, interval(one), one.unit == "1" ? "" : " " + one.unit);
+}
+
+std::string gain_text(const Gain& gain) {
+  return fmt::format("{:+.0f} ± {:.0f}", gain.value, 1.96 * gain.standard_error);
+}
+
+std::string names_text(const RankedModel& model) {
+  std::vector<std::string> names;
+  for (const FoundEffect& effect : model.effects) names.push_back(effect.effect + " @ " + effect.where);
+  return fmt::format("{}", fmt::join(names, " + "));
+}
+
+/// The answer's effects with their values, and what these data do not tell from the last of them.
+std::string answer_text(const RankedModel& answer) {
+  std::string text;
+  for (const FoundEffect& effect : answer.effects) {
+    std::vector<std::string> values;
+    for (const FoundParameter& one : effect.parameters) values.push_back(parameter_text(one));
+    text += fmt::format("   {}: {}\n", effect.effect, fmt::join(values, ", "));
+  }
+  if (!answer.look_alikes.empty())
+    text += fmt::format("   not told apart from it here: {}\n", fmt::join(answer.look_alikes, ", "));
+  return text;
+}
+
+std::string ranking_text(const Diagnosis& diagnosis) {
+  std::vector<std::vector<std::string>> rows = {{"", "", "gain held out", "error"}};
+  for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i) {
+    const RankedModel& model = diagnosis.ranking[i];
+    rows.push_back({std::to_string(i + 1), names_text(model), gain_text(model.gain) + " nats",
+                    fmt::format("{:.2f} × floor", model.times_floor)});
+  }
+  if (diagnosis.verdict == Verdict::nothing_missing || diagnosis.ranking.empty()) return text_table(rows, 2);
+  const std::string table = text_table(rows, 2);
+  const std::size_t first_end = table.find('\n', table.find('\n') + 1) + 1;
+  return table.substr(0, first_end) + answer_text(diagnosis.ranking.front()) + table.substr(first_end);
+}
+
+std::string noise_text(const Diagnosis& diagnosis) {
+  std::vector<std::string> parts;
+  for (const ChannelError& channel : diagnosis.base)
+    parts.push_back(channel.channel + " " + format_quantity(channel.floor, channel.unit));
+  for (const RandomForce& force : diagnosis.forces)
+    parts.push_back(fmt::format("random force on {} {} over {:.3g} ms", force.joint,
+                                format_quantity(force.deviation, force.unit), 1e3 * force.duration));
+  return fmt::format("noise: {}\n", fmt::join(parts, ", "));
+}
+
+std::string formula_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const ForceFormula& formula : diagnosis.formulas)
+    text += fmt::format("force on joint.{}: {} {}   {} nats held out\n", formula.joint, formula.text(), formula.unit,
+                        gain_text(formula.gain));
+  return text;
+}
+
+/// Each reason with the effects that it keeps out.
+std::string untestable_text(const Diagnosis& diagnosis) {
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const Untestable& one : diagnosis.untestable)
+    by_reason[one.reason].push_back(one.where.empty() ? one.effect : one.effect + " @ " + one.where);
+  std::string text;
+  for (const auto& [reason, effects] : by_reason)
+    text += fmt::format("not testable: {} ({})\n", fmt::join(effects, ", "), reason);
+  return text;
+}
+
+}  // namespace
+
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) {
+  if (diagnosis.base.empty())  // nothing was searched
+    return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
+                       fmt::join(diagnosis.findings, "\n"));
+  std::string text =
+      fmt::format("verdict {} · P {:.2f} (uncalibrated)\n", to_string(diagnosis.verdict), diagnosis.probability);
+  text += ranking_text(diagnosis);
+  text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
+                      diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
+  text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
+                      diagnosis.free_force_p);
+  text += formula_text(diagnosis);
+  text += noise_text(diagnosis);
+  for (const std::string& finding : diagnosis.findings) text += finding + "\n";
+  text += untestable_text(diagnosis);
+  if (!diagnosis.next_test.empty()) text += fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
+  if (diagnosis.verdict == Verdict::not_in_library && !diagnosis.formulas.empty())
+    text += fmt::format("→ lacuna plugins new effect NAME --formula \"{}\"\n", diagnosis.formulas.front().text());
+  if (diagnosis.verdict == Verdict::effect_found)
+    for (const FoundEffect& effect : diagnosis.ranking.front().effects)
+      text += fmt::format("→ lacuna add {} {}{}\n", file, effect.effect,
+                          effect.where == "world" ? "" : " --where " + effect.where);
+  return text;
+}
+
+}  // namespace lacuna

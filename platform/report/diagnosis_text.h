@@ -1,0 +1,19 @@
+#pragma once
+
+#include "diagnosis/diagnosis.h"
+
+#include <string>
+
+namespace lacuna {
+
+/// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
+/// command to go on with.
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file);
+
+/// One JSON document; schema in docs/reference/commands.md. SI units; NaN is null.
+std::string diagnosis_json(const Diagnosis& diagnosis);
+
+/// What `diagnosis_json` has written.
+Diagnosis read_diagnosis(const std::string& document);
+
+}  // namespace lacuna

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "diagnosis/where_it_fails.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace lacuna {
+
+/// The findings: an array, the largest share first, each with a sentence.
+nlohmann::ordered_json findings_json(const WhereItFails& where);
+
+/// Features, whiteness, and for each view its tests with statistics, bands and bins, the tree and its regimes.
+nlohmann::ordered_json where_json(const WhereItFails& where);
+
+}  // namespace lacuna

@@ -1,0 +1,53 @@
+#include "storage/json_text.h"
+#include "storage/result_store.h"
+#include "storage/statement.h"
+
+namespace lacuna {
+namespace {
+
+void insert_values(const Database& database, DiagnosisId diagnosis, int rank,
+                   const std::vector<CandidateValueRecord>& values) {
+  Statement insert(database,
+                   "INSERT INTO candidate_value (diagnosis, rank, position, effect, place, name, unit, value, lower,"
+                   " upper) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  int position = 0;
+  for (const CandidateValueRecord& v : values)
+    insert.run_with(diagnosis, rank, position++, v.effect, v.place, v.name, v.unit, v.value, v.lower, v.upper);
+}
+
+void insert_candidates(const Database& database, DiagnosisId diagnosis,
+                       const std::vector<CandidateRecord>& candidates) {
+  Statement insert(database,
+                   "INSERT INTO candidate_model (diagnosis, rank, effects, look_alikes, gain, gain_lower, gain_upper,"
+                   " times_floor, probability) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  int rank = 0;
+  for (const CandidateRecord& c : candidates) {
+    insert.run_with(diagnosis, ++rank, sentences_text(c.effects), sentences_text(c.look_alikes), c.gain, c.gain_lower,
+                    c.gain_upper, c.times_floor, c.probability);
+    insert_values(database, diagnosis, rank, c.values);
+  }
+}
+
+}  // namespace
+
+DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRecord& d) {
+  Transaction transaction(database_);
+  const DiagnosisId id{next_id("diagnosis")};
+  Statement(database_,
+            "INSERT INTO diagnosis (id, revision, settings, verdict, probability, calibrated, chance, hypotheses,"
+            " base_times_floor, document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run_with(id, revision, d.settings, d.verdict, d.probability, d.calibrated, d.chance, d.hypotheses,
+                d.base_times_floor, d.document);
+  insert_candidates(database_, id, d.candidates);
+  transaction.commit();
+  return id;
+}
+
+std::optional<std::string> ResultStore::diagnosis_of(RevisionId revision, const std::string& settings) const {
+  Statement row(database_,
+                "SELECT document FROM diagnosis WHERE revision = ? AND settings = ? ORDER BY id DESC LIMIT 1");
+  if (!row.with(revision, settings).step()) return std::nullopt;
+  return row.text(0);
+}
+
+}  // namespace lacuna

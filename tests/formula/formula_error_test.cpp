@@ -1,0 +1,92 @@
+#include "formula/force_law.h"
+#include "foundation/problem.h"
+
+#include <gmock/gmock.h>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+/// A formula that cannot be one, and a sentence for each fault with its place.
+struct Bad {
+  const char* formula;
+  std::vector<std::string> sentences;
+};
+
+std::vector<Bad> bad_formulas() {
+  return {
+      {"", {":1:1: the formula is empty"}},
+      {"  ", {":1:3: the formula is empty"}},
+      {"-0.01*v*abs(v", {":1:12: the ( of abs is never closed"}},
+      {"0.1*(q + v", {":1:5: this ( is never closed"}},
+      {"q)", {":1:2: this ) closes nothing"}},
+      {"2q", {":1:2: a sign is missing before \"q\"; write products with *"}},
+      {"(2 q)", {":1:4: a sign is missing before \"q\""}},
+      {"v(2)", {":1:1: a sign is missing between \"v\" and ("}},
+      {"v +", {":1:4: the formula ends where"}},
+      {"v*/2", {":1:3: a number, q, v, u or a function is due before \"/\""}},
+      {"sign(v) + sinn(q)",
+       {":1:1: there is no function sign", ":1:11: there is no function sinn (did you mean \"sin\"?)"}},
+      {"abs*v", {":1:1: abs is a function"}},
+      {"Q + 0.5*_x", {":1:1: \"Q\" is no name", ":1:9: \"_x\" is no name"}},
+      {"0,5*v + |v| + v**2", {":1:2: \",\"", ":1:9: \"|\"", ":1:11: \"|\"", ":1:16: \"**\""}},
+      {"0.1\u2212v", {":1:4: \"\u2212\" is no sign of a formula; write minus as -"}},
+      {"\u00e4", {":1:1: \"\u00e4\" is no sign"}},
+      {"tau=v", {":1:4: \"=\" is no sign of a formula; give the right-hand side alone"}},
+      {"v^q + q^v", {":1:3: an exponent is a number, as in v^2, not q", ":1:9: an exponent is a number"}},
+      {"1e999*v", {":1:1: \"1e999\" is too large"}},
+      {"v + exp(1000)*q", {":1:5: exp(1000) is no finite number"}},
+      {"v/0 + 1/(2 - 2)*q", {":1:3: nothing can be divided by 0", ":1:10: nothing can be divided by 0"}},
+      {"0*v", {":1:1: the number of the term v must be finite and not 0"}},
+      {"1e307*v", {":1:1: the number of the term v must be finite"}},
+      {"q + 2*q", {":1:5: there are two terms with q"}},
+      {"b*v + c*q", {":1:1: the parameter b has no value; add --value b=NUMBER", ":1:7: the parameter c"}},
+      {"q/v", {":1:3: v may be zero"}},
+      {"v^-1", {":1:1: v may be zero"}},
+      {"sqrt(q)", {":1:1: q may be negative and has no root"}},
+      {"v^1.5", {":1:1: v may be negative and has no power of 1.5"}},
+      {"sqrt(1 - q^2)", {"may be negative"}},
+  };
+}
+
+TEST(Formula, WhatIsWrongWithItIsToldWithItsPlaces) {
+  for (const auto& [formula, sentences] : bad_formulas()) {
+    SCOPED_TRACE(formula);
+    try {
+      read_force_law(formula, {});
+      ADD_FAILURE() << "it was taken";
+    } catch (const BadInput& error) {
+      EXPECT_EQ(error.problems().size(), sentences.size()) << error.what();
+      for (const std::string& sentence : sentences) EXPECT_THAT(error.what(), HasSubstr(sentence));
+    }
+  }
+}
+
+TEST(Formula, NeitherLengthNorDepthOverflowsAnything) {
+  for (const std::string& formula : {std::string(100000, '('), std::string(1900, '-') + "v", std::string(100000, '1'),
+                                     std::string(1000, '(') + "v" + std::string(1000, ')')})
+    EXPECT_THROW(read_force_law(formula, {}), BadInput);
+  std::string sum = "q";
+  while (sum.size() < 1900) sum += "+v*q";
+  EXPECT_THAT([&] { read_force_law(sum, {}); }, testing::ThrowsMessage<BadInput>(HasSubstr("two terms with v*q")));
+}
+
+TEST(Formula, ValuesMustFitItsNames) {
+  const auto message = [](const char* formula, const std::map<std::string, double>& values) -> std::string {
+    try {
+      read_force_law(formula, values);
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(message("damping*v", {{"damping", 0.1}, {"dampin", 1.0}}),
+              HasSubstr("--value: dampin is no parameter of the formula (did you mean \"damping\"?)"));
+  EXPECT_THAT(message("b*v", {{"b", 0.0}}), HasSubstr("the value of b must be a number other than 0"));
+  EXPECT_THAT(message("0.1*tanh(v/w)", {{"w", -0.1}}), HasSubstr(":1:12: w divides or scales something"));
+  EXPECT_EQ(message("0.1*tanh(v/w)", {{"w", 0.1}}), "");
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,69 @@
+#include "report/diagnosis_pictures.h"
+
+#include "support/test_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ForceCurve drag(const std::string& joint, const std::string& of, const std::string& unit) {
+  ForceCurve curve{joint, of, unit, "N*m", {}, {}, {}};
+  for (double v = -8.0; v <= 8.0; v += 1.0) {
+    curve.at.push_back(v);
+    curve.force.push_back(of == "velocity" ? -0.0105 * v * std::abs(v) : 0.002 * std::sin(v));
+    curve.standard_error.push_back(0.01 + 0.001 * std::abs(v));
+  }
+  return curve;
+}
+
+RankedModel ranked(const std::string& effect, double gain, double error) {
+  RankedModel model;
+  model.effects = {{effect, "joint.hinge", {}}};
+  model.gain = {gain, error, gain - 2.0 * error, gain + 2.0 * error};
+  return model;
+}
+
+Diagnosis not_in_library() {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::not_in_library;
+  diagnosis.probability = 0.93;
+  diagnosis.chance_95 = 6.2;
+  diagnosis.ranking = {ranked("viscous_friction", 118.0, 9.0), ranked("coulomb_friction", 61.0, 8.0),
+                       ranked("backlash", -4.0, 6.0)};
+  for (const char* joint : {"hinge", "wrist"}) diagnosis.residual_force.push_back(drag(joint, "position", "rad"));
+  diagnosis.residual_force.push_back(drag("hinge", "velocity", "rad/s"));
+  diagnosis.residual_force.push_back(drag("hinge", "command", "N*m"));
+  diagnosis.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0003}}, {}}};
+  return diagnosis;
+}
+
+TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
+  const TestFolder folder;
+  const auto files = draw_diagnosis(not_in_library(), "bench", folder.path());
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].filename(), "ranking.svg");
+  const std::string ranking = read_bytes(files[0]);
+  for (const char* words : {"not_in_library, P 0.93", "viscous_friction @ joint.hinge", "chance, 95 %"})
+    EXPECT_THAT(ranking, HasSubstr(words));
+  EXPECT_EQ(files[1].filename(), "residual-force-hinge.svg");
+  const std::string hinge = read_bytes(files[1]);
+  for (const char* words : {"-0.0105*v*abs(v) N*m", "position [rad]", "velocity [rad/s]", "command [N*m]"})
+    EXPECT_THAT(hinge, HasSubstr(words));
+  const std::string wrist = read_bytes(files[2]);
+  EXPECT_THAT(wrist, HasSubstr("position [rad]"));
+  EXPECT_THAT(wrist, Not(HasSubstr("abs(v)")));
+}
+
+TEST(DiagnosisPictures, ShowNothingWhereThereIsNothing) {
+  const TestFolder folder;
+  EXPECT_TRUE(draw_diagnosis(Diagnosis{}, "bench", folder.path()).empty());
+}
+
+}  // namespace
+}  // namespace lacuna

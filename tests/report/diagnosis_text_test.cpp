@@ -1,0 +1,87 @@
+#include "report/diagnosis_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+RankedModel friction() {
+  RankedModel model;
+  model.effects = {{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.131, 0.126, 0.136}}}};
+  model.look_alikes = {"stribeck_friction @ joint.hinge"};
+  model.gain = {2140.0, 80.0, 1980.0, 2300.0};
+  model.errors = {{"angle", "rad", 8.4e-4, 9.0e-4, 9.2e-4}};
+  model.times_floor = 1.1;
+  model.probability = 0.99;
+  return model;
+}
+
+Diagnosis diagnosis(Verdict verdict) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  Diagnosis result;
+  result.verdict = verdict;
+  result.probability = 0.97;
+  result.base = {{"angle", "rad", 8.4e-4, 9.1e-3, 9.2e-3}};
+  result.base_times_floor = 10.8;
+  result.forces = {{"joint.hinge", "N*m", 0.004, 0.025}};
+  RankedModel other = friction();
+  other.effects = {{"viscous_friction", "joint.hinge", {{"damping", "N*m*s/rad", 0.0, kNothing, kNothing}}}};
+  other.look_alikes.clear();
+  result.ranking = {friction(), other};
+  result.p_by_chance = 0.0005;
+  result.chance_95 = 9.0;
+  result.free_force_p = 0.4;
+  result.free_force_gain = {3.0, 1.0, 1.0, 5.0};
+  result.residual_force = {
+      {"hinge", "velocity", "rad/s", "N*m", {-1.0, 0.0, 1.0}, {0.1, 0.0, -0.1}, {0.01, 0.02, 0.01}}};
+  result.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0002}}, {480.0, 20.0, 440.0, 520.0}}};
+  result.hypotheses = 43;
+  result.untestable = {{"slope", "", "the robot has no ground to touch"}};
+  result.findings = {"body.arm.mass (0.56 kg → 0.50 kg) had soaked it up"};
+  result.next_test = "triangle motor 0.3 N*m 0.1 Hz 20 s";
+  result.next_test_worth = result.next_test + ": 12 nats a trial";
+  result.seconds = 31.0;
+  return result;
+}
+
+TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
+  const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
+  EXPECT_THAT(text, HasSubstr("verdict effect_found · P 0.97 (uncalibrated)"));
+  EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
+  EXPECT_THAT(text, HasSubstr("not told apart from it here: stribeck_friction @ joint.hinge"));
+  EXPECT_THAT(text, HasSubstr("+2140 ± 157 nats  1.10 × floor"));
+  EXPECT_THAT(text, HasSubstr("best of 43 stays below 9.0 nats"));
+  EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
+  EXPECT_THAT(text, HasSubstr("triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
+  EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
+}
+
+TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
+  EXPECT_THAT(diagnosis_text(diagnosis(Verdict::nothing_missing), "rig.toml"), Not(HasSubstr("lacuna add")));
+}
+
+TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
+  const std::string text = diagnosis_text(diagnosis(Verdict::not_in_library), "rig.toml");
+  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +480 ± 39 nats held out"));
+  EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula \"-0.0105*v*abs(v)\"\n"));
+}
+
+/// The database keeps the document; what is read from it prints the same.
+TEST(DiagnosisJson, IsReadAgain) {
+  for (const Verdict verdict :
+       {Verdict::nothing_missing, Verdict::effect_found, Verdict::not_in_library, Verdict::cannot_tell}) {
+    const std::string document = diagnosis_json(diagnosis(verdict));
+    const Diagnosis again = read_diagnosis(document);
+    EXPECT_EQ(diagnosis_json(again), document);
+    EXPECT_EQ(diagnosis_text(again, "rig.toml"), diagnosis_text(diagnosis(verdict), "rig.toml"));
+  }
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,113 @@
+#include "report/where_text.h"
+
+#include "report/where_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+FeatureTable table() {
+  FeatureTable table;
+  table.features = {{FeatureKind::position, "position", "", "rad"},
+                    {FeatureKind::speed, "|velocity|", "", "rad/s"},
+                    {FeatureKind::direction, "direction of motion", "", "1"},
+                    {FeatureKind::since_reversal, "time since the last reversal", "", "s"},
+                    {FeatureKind::command, "command", "", "N*m"},
+                    {FeatureKind::contact, "contact", "body.foot", "1"},
+                    {FeatureKind::time, "time", "", "s"}};
+  table.trial = {0};
+  return table;
+}
+
+Condition condition(std::size_t feature, double lower, double upper) { return {feature, lower, upper}; }
+
+TEST(ConditionsText, SaysARegimeInTheUsersWords) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto text = [](std::vector<Condition> conditions) { return conditions_text(conditions, table()); };
+  EXPECT_EQ(text({condition(1, -kNone, 0.05), condition(3, -kNone, 0.21)}),
+            "|velocity| < 50 mrad/s, within 0.21 s after a reversal");
+  EXPECT_EQ(text({condition(3, 0.5, kNone)}), "more than 0.50 s after a reversal");
+  EXPECT_EQ(text({condition(0, 0.5, 1.5)}), "position from 0.50 rad to 1.5 rad");
+  EXPECT_EQ(text({condition(2, 0.5, kNone)}), "moving in positive direction");
+  EXPECT_EQ(text({condition(2, -kNone, 0.5)}), "at rest or moving in negative direction");
+  EXPECT_EQ(text({condition(2, -0.5, 0.5)}), "at rest");
+  EXPECT_EQ(text({condition(5, 0.0, kNone)}), "body.foot on the ground");
+  EXPECT_EQ(text({condition(6, 12.0, kNone)}), "after 12 s");
+}
+
+TEST(FindingText, SaysShareAndRegime) {
+  const Finding finding{.kind = FindingKind::regime,
+                        .share = 0.614,
+                        .share_of_samples = 0.11,
+                        .conditions = {condition(1, -INFINITY, 0.05)}};
+  EXPECT_EQ(finding_text(finding, table()), "61 % of squared error in 11 % of samples: |velocity| < 50 mrad/s");
+}
+
+TEST(FindingText, SaysOnWhatAResidualDependsAndOnWhatNot) {
+  const Finding finding{.kind = FindingKind::dependence,
+                        .share = 0.4,
+                        .view = ViewKind::acceleration,
+                        .channel = "angle",
+                        .features = {2, 1},
+                        .not_on = {0, 4, 6},
+                        .p = 1e-7};
+  EXPECT_EQ(
+      finding_text(finding, table()),
+      "40 % of squared unexplained acceleration: angle depends on direction of motion, |velocity|, p < 0.001; not "
+      "on command, position, time");
+}
+
+TEST(FindingText, SaysSignsOfParts) {
+  EXPECT_EQ(finding_text({.kind = FindingKind::offset, .share = 0.3, .channel = "angle", .size = -0.02, .unit = "rad"},
+                         table()),
+            "30 % of squared error: angle is measured 20 mrad lower than predicted on average");
+  EXPECT_EQ(finding_text({.kind = FindingKind::magnitude, .share = 0.3, .channel = "angle", .size = 0.06}, table()),
+            "30 % of squared error: predicted angle swings 6 % too wide");
+}
+
+WhereItFails one_view() {
+  WhereItFails where;
+  where.table = table();
+  where.views.resize(1);
+  return where;
+}
+
+TEST(WhereText, NothingFoundIsSaid) {
+  EXPECT_THAT(where_text(one_view()), HasSubstr("independent of input and state (7 features, 99 %)"));
+  EXPECT_EQ(where_text({}), "");
+}
+
+TEST(WhereJson, HasFindingsTestsAndTree) {
+  WhereItFails where = one_view();
+  ResidualView& view = where.views.front();
+  view.family = 2;
+  ChannelTests tests;
+  tests.channel = "angle";
+  tests.features.resize(7);
+  IndependenceTest& speed = tests.features[1];
+  speed.testable = true;
+  speed.statistic = 40.0;
+  speed.critical = 9.0;
+  speed.p = 1e-4;
+  view.channels = {tests};
+  view.tree.nodes.resize(1);
+  where.findings = {{.kind = FindingKind::regime, .share = 0.6, .conditions = {condition(1, -INFINITY, 0.05)}}};
+  const nlohmann::ordered_json findings = findings_json(where), all = where_json(where);
+  EXPECT_EQ(findings[0]["kind"], "regime");
+  EXPECT_EQ(findings[0]["conditions"][0]["below"], 0.05);
+  const auto& independence = all["views"][0]["channels"][0]["independence"];
+  EXPECT_EQ(independence[1]["statistic"], 40.0);
+  EXPECT_EQ(independence[1]["band99"], 9.0);
+  EXPECT_EQ(independence[1]["p"], 2e-4);
+  EXPECT_EQ(independence[1]["depends"], true);
+  EXPECT_EQ(independence[0]["depends"], false);
+  EXPECT_EQ(all["views"][0]["tree"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace lacuna
