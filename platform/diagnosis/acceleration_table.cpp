@@ -220,15 +220,6 @@ class Maker {
   Prediction prediction_;
 };
 
-double clearness(const AccelerationTable& table) {
-  double squares = 0.0, count = 0.0;
-  for (const ChannelAccelerations& one : table.channels) {
-    squares += (one.measured / one.deviation).squaredNorm();
-    count += static_cast<double>(one.size());
-  }
-  return std::sqrt(squares / std::max(count, 1.0));
-}
-
 double commanded_over_measured(const AccelerationTable& table) {
   double commanded = 0.0, measured = 0.0;
   for (const ChannelAccelerations& one : table.channels) {
@@ -239,6 +230,15 @@ double commanded_over_measured(const AccelerationTable& table) {
 }
 
 }  // namespace
+
+double clearness(const AccelerationTable& table) {
+  double squares = 0.0, count = 0.0;
+  for (const ChannelAccelerations& one : table.channels) {
+    squares += (one.measured / one.deviation).squaredNorm();
+    count += static_cast<double>(one.size());
+  }
+  return std::sqrt(squares / std::max(count, 1.0));
+}
 
 AccelerationTable acceleration_table(const DoubtTask& task, const std::vector<ChannelNoise>& noise) {
   std::vector<Trial> trials;

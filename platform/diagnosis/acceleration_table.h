@@ -47,4 +47,7 @@ struct AccelerationTable {
 /// state. `noise`: one a channel of the trials.
 AccelerationTable acceleration_table(const DoubtTask& task, const std::vector<ChannelNoise>& noise);
 
+/// RMS of the measured accelerations, in multiples of their noise.
+double clearness(const AccelerationTable& table);
+
 }  // namespace lacuna

@@ -36,14 +36,7 @@ std::vector<Trial> divided(std::vector<Trial> trials, const std::string& unit, d
 }
 
 /// Whether there is more to explain than noise.
-bool clear(const AccelerationTable& table) {
-  double power = 0.0, rows = 0.0;
-  for (const ChannelAccelerations& one : table.channels) {
-    power += (one.measured / one.deviation).squaredNorm();
-    rows += static_cast<double>(one.size());
-  }
-  return power > kClear * kClear * rows;
-}
+bool clear(const AccelerationTable& table) { return clearness(table) > kClear; }
 
 }  // namespace
 
