@@ -90,6 +90,7 @@ struct DiagnosisTask {
   const std::vector<Trial>& trials;     ///< to fit to; held-out ones are not looked at
   std::vector<double> values;           ///< fitted values of the model
   std::vector<std::string> among = {};  ///< effects to try; empty: all
+  double segment = 0.5;                 ///< s, of the stretches that are predicted from a start of their own
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "diagnosis/base_solution.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// What is cut. Everything referred to must live until `cut_trials` returns.
+struct CutTask {
+  const ModelDefinition& definition;
+  const CompiledModel& model;
+  const std::vector<Trial>& trials;
+  const std::vector<double>& values;  ///< of the fitted model
+  double segment = 0.5;               ///< s
+};
+
+/// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements
+/// around them; whole where the sensors do not tell the state. Throws `Error` where nothing is left to diagnose.
+BaseSolution cut_trials(const CutTask& task);
+
+}  // namespace lacuna
