@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kStretch = 0.5;  // s, of which a diagnosis takes the prediction error as one
 /// As many stretches that all favour a model by chance: once in 2⁷, less than one in a hundred.
-constexpr double kFewestStretches = 7.0;
+constexpr double kFewestPerTrial = 7.0;
 constexpr double kLargeScatter = 1.0, kNoticeableScatter = 0.2;  // over the motion
 
 bool measures_a_joint(const RobotSpec& robot, const Channel& channel) {
@@ -130,11 +130,11 @@ std::vector<Doubt> amount_doubts(const DoubtTask& task) {
     seconds += trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0);
   }
   if (fitted == 0) return doubts;
-  if (seconds < kStretch * kFewestStretches - 1e-9)
+  if (seconds < kStretch * kFewestPerTrial - 1e-9)
     doubts.push_back({Severity::disqualifying,
                       fmt::format("the fit files hold {:.3g} s, {:.0f} stretches of {} s: as many agree by chance too "
                                   "often; record {} s at least, better ten times as much",
-                                  seconds, std::floor(seconds / kStretch), kStretch, kStretch * kFewestStretches)});
+                                  seconds, std::floor(seconds / kStretch), kStretch, kStretch * kFewestPerTrial)});
   if (fitted == 1)
     doubts.push_back({Severity::note,
                       fmt::format("{} is the only file to fit to: models are judged on parts of it that they were not "

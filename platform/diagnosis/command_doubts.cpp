@@ -18,11 +18,9 @@ constexpr double kNamed = 2.5;             // within which a factor is taken for
 constexpr double kExplained = 0.5;         // of the squares: what a response to a command must explain to be one
 constexpr double kExplainedAgainst = 0.2;  // the same against it, which no effect does
 constexpr double kSure = 5.0;              // deviations
-constexpr double kClear = 10.0;            // noises, of an acceleration that a command should make
+constexpr double kLively = 10.0;           // noises, of an acceleration that a command should make
 constexpr double kNothing = 0.05;          // of what a command should do
-constexpr double kBetter = 2.0;            // squares left at one lag over those at another
-constexpr double kSteady = 0.5;            // of a lag, that it may change by from half to half
-constexpr double kIntervals = 1.5;         // a lag less than that is how the samples are held
+constexpr double kWorseNow = 2.0;          // squares left at one lag over those at another
 
 /// What may have made a motion `times` too large for its commands.
 std::string unit_guess(double times, const std::string& unit) {
@@ -68,7 +66,7 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
          fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
                      "units of both columns and the model's inertia",
                      data.channel, times, actuator, unit_guess(times, data.unit))});
-  } else if (rms(own) > kClear && std::abs(times) + kSure * deviation < kNothing) {
+  } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing) {
     doubts.push_back({Severity::disqualifying,
                       fmt::format("{} does not follow the command {}: of {} (RMS) that it should make, the file shows "
                                   "{:.1f} %; check that the column is the command of this joint and its unit",
@@ -83,14 +81,14 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
   for (const LagProfile& profile : lags.profiles) profiles.push_back(&profile);
   if (profiles.empty()) return;
   const Eigen::Index best = best_lag(profiles), now = lags.lags.size() / 2;
-  if (lags.lags(best) > -kIntervals * lags.interval) return;
-  if (std::abs(lag_drift(lags, profiles)) > kSteady * std::abs(lags.lags(best))) return;  // a clock that gains
+  if (lags.lags(best) > -kHeldIntervals * lags.interval) return;
+  if (std::abs(lag_drift(lags, profiles)) > kSteadyLag * std::abs(lags.lags(best))) return;  // a clock that gains
   double at_best = 0.0, at_now = 0.0;
   for (const LagProfile* profile : profiles) {
     at_best += profile->squares(best);
     at_now += profile->squares(now);
   }
-  if (at_now < kBetter * at_best) return;
+  if (at_now < kWorseNow * at_best) return;
   doubts.push_back({Severity::disqualifying,
                     fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
                                 "unexplained so; the command column is a measurement, or is stamped late",

@@ -8,6 +8,9 @@
 
 namespace lacuna {
 
+inline constexpr double kSteadyLag = 0.5;      ///< of a lag: by more from half to half, and it is none
+inline constexpr double kHeldIntervals = 1.5;  ///< between samples: a lag less than that is how samples are held
+
 /// Columns of accelerations that no model of the joint is doubted for: the model's own without commands, and what is
 /// constant, linear in position and velocity, or follows the direction of motion; rows over the accelerations' noise.
 Eigen::MatrixXd surroundings(const ChannelAccelerations& channel);

@@ -22,12 +22,12 @@ constexpr double kFirstStep = 0.3;    ///< of a gene's range, in the first gener
 constexpr double kLastStep = 0.05;    ///< in the last one
 constexpr double kOtherChoice = 0.2;  ///< chance that a whole-number gene changes
 
-struct Candidate {
+struct DrawnTest {
   Genome genome;
   double nats = -1.0;  ///< below 0: it cannot be carried out
 };
 
-bool better(const Candidate& a, const Candidate& b) { return a.nats > b.nats; }
+bool better(const DrawnTest& a, const DrawnTest& b) { return a.nats > b.nats; }
 
 class TestSearch {
  public:
@@ -38,36 +38,36 @@ class TestSearch {
     const int budget = std::max(task_.evaluations, kFewestRandom);
     const int random = std::max(kFewestRandom, static_cast<int>(kRandomShare * budget));
     meter_.set_parts(budget);
-    std::vector<Candidate> drawn = random_tests(random);
+    std::vector<DrawnTest> drawn = random_tests(random);
     evaluate(drawn);
-    std::vector<Candidate> ranked = drawn;
+    std::vector<DrawnTest> ranked = drawn;
     std::stable_sort(ranked.begin(), ranked.end(), better);
     if (ranked.front().nats < 0.0)
       throw Error(fmt::format("none of {} random tests can be carried out on both {} and {}; are their values sound?",
                               random, task_.rivals[0].name, task_.rivals[1].name));
-    const Candidate typical = median(ranked);
+    const DrawnTest typical = median(ranked);
     refine(ranked, budget - random);
     return describe(ranked.front(), typical);
   }
 
  private:
-  std::vector<Candidate> random_tests(int count) {
-    std::vector<Candidate> tests;
+  std::vector<DrawnTest> random_tests(int count) {
+    std::vector<DrawnTest> tests;
     for (int i = 0; i < count; ++i) tests.push_back({judge_.random(random_)});
     return tests;
   }
 
   /// Of those that can be carried out; `ranked` is sorted and has one.
-  static Candidate median(const std::vector<Candidate>& ranked) {
-    const auto end = std::find_if(ranked.begin(), ranked.end(), [](const Candidate& one) { return one.nats < 0.0; });
+  static DrawnTest median(const std::vector<DrawnTest>& ranked) {
+    const auto end = std::find_if(ranked.begin(), ranked.end(), [](const DrawnTest& one) { return one.nats < 0.0; });
     return ranked[static_cast<std::size_t>((end - ranked.begin()) / 2)];
   }
 
-  void refine(std::vector<Candidate>& ranked, int budget) {
+  void refine(std::vector<DrawnTest>& ranked, int budget) {
     for (int done = 0; done < budget;) {
       ranked.resize(std::min(ranked.size(), kRefined));
       const double step = kFirstStep * std::pow(kLastStep / kFirstStep, static_cast<double>(done) / budget);
-      std::vector<Candidate> children;
+      std::vector<DrawnTest> children;
       for (std::size_t i = 0; i < kBatch && done < budget; ++i, ++done)
         children.push_back({sayable(task_.space, changed(ranked[i % ranked.size()].genome, step))});
       evaluate(children);
@@ -92,12 +92,12 @@ class TestSearch {
     return genome;
   }
 
-  void evaluate(std::vector<Candidate>& tests) {
+  void evaluate(std::vector<DrawnTest>& tests) {
     for (std::size_t begin = 0; begin < tests.size(); begin += kBatch) {
       throw_if_interrupted();
       const std::size_t end = std::min(begin + kBatch, tests.size());
       parallel_for(end - begin, task_.threads, [&](std::size_t i, int worker) {
-        Candidate& test = tests[begin + i];
+        DrawnTest& test = tests[begin + i];
         test.nats = judge_.nats(test.genome, worker);
       });
       for (std::size_t i = begin; i < end; ++i) {
@@ -109,7 +109,7 @@ class TestSearch {
     }
   }
 
-  NextTest describe(const Candidate& best, const Candidate& typical) const {
+  NextTest describe(const DrawnTest& best, const DrawnTest& typical) const {
     NextTest test;
     test.line = test_line(task_.space, best.genome);
     test.rivals = {task_.rivals[0].name, task_.rivals[1].name};

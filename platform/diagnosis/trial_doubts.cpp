@@ -13,15 +13,13 @@
 namespace lacuna {
 namespace {
 
-constexpr double kSteady = 0.5;     // of a shift, that it may change by from half to half
-constexpr double kIntervals = 1.5;  // lags closer than that are how samples are held
 /// What one lag for all adds to the squares that a trial's own leaves: where accelerations are explained down to a few
 /// noises, and where something else is missing, which may pass for a lag.
 constexpr double kAddsToNoise = 1.0, kAddsToMore = 10.0;
 constexpr double kFewNoises = 4.0;     // squares a row
 constexpr double kUnexplained = 0.05;  // of the squared accelerations: more, and a lag means nothing
 constexpr double kContradicts = 1.5;   // what sharing coefficients adds, over what is left without
-constexpr double kVisible = 0.01;      // of the squared accelerations
+constexpr double kNoticeable = 0.01;   // of the squared accelerations
 
 /// A trial against all others: what its own lag explains better.
 struct Shift {
@@ -48,9 +46,9 @@ Shift shift_of(const CommandLags& lags, const std::vector<const LagProfile*>& pr
 
 /// Whether so large an addition can come from nothing but shifted time stamps.
 bool is_shift(const CommandLags& lags, const std::vector<const LagProfile*>& profiles, const Shift& shift) {
-  if (std::abs(shift.by) <= kIntervals * lags.interval) return false;
+  if (std::abs(shift.by) <= kHeldIntervals * lags.interval) return false;
   // A clock that gains is an effect, and shifts longer trials by more.
-  if (std::abs(lag_drift(lags, {profiles[shift.place]})) > kSteady * std::abs(shift.by)) return false;
+  if (std::abs(lag_drift(lags, {profiles[shift.place]})) > kSteadyLag * std::abs(shift.by)) return false;
   bool down_to_noise = true;
   for (const LagProfile* profile : profiles) {
     const double left = profile->squares.minCoeff();
@@ -146,7 +144,7 @@ Contradiction contradiction_of(const std::vector<const ChannelAccelerations*>& c
 bool contradicts(const Contradiction& one) {
   const double added = one.together - one.apart;
   return added > kContradicts * std::max(one.apart, one.rows) &&
-         added > kVisible * (one.channel->measured / one.channel->deviation).squaredNorm();
+         added > kNoticeable * (one.channel->measured / one.channel->deviation).squaredNorm();
 }
 
 std::string contradiction_sentence(const AccelerationTable& table, const Contradiction& one, bool named) {

@@ -11,20 +11,20 @@
 namespace lacuna {
 namespace {
 
-constexpr double kPoor = 0.2;    // unexplained share of the squares, above which a model says little
-constexpr double kBetter = 0.1;  // of that share, once the unit is right
-constexpr double kClear = 3.0;   // noises, RMS
+constexpr double kPoor = 0.2;       // unexplained share of the squares, above which a model says little
+constexpr double kBetter = 0.1;     // of that share, once the unit is right
+constexpr double kStandsOut = 3.0;  // noises, RMS
 constexpr double kDegree = 180.0 / std::numbers::pi;
 
-struct Candidate {
+struct UnitGuess {
   double factor;  ///< that the readings are too large by
   bool angle;     ///< for angles alone
   std::string_view as_where;
 };
-constexpr std::array kCandidates = {Candidate{kDegree, true, "degrees are read as radians (57.3)"},
-                                    Candidate{1.0 / kDegree, true, "an angle in radians is read as degrees (1/57.3)"},
-                                    Candidate{1000.0, false, "thousandths (mrad, mm) are read as whole units"},
-                                    Candidate{0.001, false, "whole units (rad, m) are read as thousandths"}};
+constexpr std::array kCandidates = {UnitGuess{kDegree, true, "degrees are read as radians (57.3)"},
+                                    UnitGuess{1.0 / kDegree, true, "an angle in radians is read as degrees (1/57.3)"},
+                                    UnitGuess{1000.0, false, "thousandths (mrad, mm) are read as whole units"},
+                                    UnitGuess{0.001, false, "whole units (rad, m) are read as thousandths"}};
 
 /// Trials and noise with all joint readings of one unit divided by `factor`.
 std::vector<Trial> divided(std::vector<Trial> trials, const std::string& unit, double factor) {
@@ -36,7 +36,7 @@ std::vector<Trial> divided(std::vector<Trial> trials, const std::string& unit, d
 }
 
 /// Whether there is more to explain than noise.
-bool clear(const AccelerationTable& table) { return clearness(table) > kClear; }
+bool clear(const AccelerationTable& table) { return clearness(table) > kStandsOut; }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ std::optional<Doubt> unit_doubt(const DoubtTask& task, const AccelerationTable& 
   const double before = unexplained_share(table);
   if (before < kPoor || !clear(table)) return std::nullopt;
   for (const std::string unit : {"rad", "m"}) {
-    for (const Candidate& candidate : kCandidates) {
+    for (const UnitGuess& candidate : kCandidates) {
       if (candidate.angle && unit != "rad") continue;
       const std::vector<Trial> trials = divided(task.trials, unit, candidate.factor);
       std::vector<ChannelNoise> scaled = noise;

@@ -1,6 +1,6 @@
 #include "end_to_end/guide.h"
 
-#include "end_to_end/console_block.h"
+#include "end_to_end/printed_lines.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,10 +1,11 @@
 #include "end_to_end/guide.h"
 
-#include "end_to_end/console_block.h"
+#include "end_to_end/printed_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 
 namespace lacuna {
@@ -45,6 +46,21 @@ INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                            const std::size_t begin = path.rfind('/') + 1;
                            return std::regex_replace(path.substr(begin, path.rfind('.') - begin), std::regex("-"), "_");
                          });
+
+/// The tutorial's commands are run above; README shows some of them, and of their output what matters most.
+TEST(Readme, ShowsWhatTheTutorialShows) {
+  const std::vector<GuideStep> tutorial = guide_steps(source_file("docs/tutorials/find-the-missing-effect.md"));
+  const std::vector<GuideStep> shown = guide_steps(source_file("README.md"));
+  ASSERT_GE(shown.size(), 5U);
+  auto from = tutorial.begin();
+  for (const GuideStep& step : shown) {
+    SCOPED_TRACE("README.md:" + std::to_string(step.line));
+    from = std::find_if(from, tutorial.end(), [&](const GuideStep& one) { return one.command == step.command; });
+    ASSERT_NE(from, tutorial.end()) << "the tutorial does not show, at this place: " << step.command;
+    EXPECT_EQ(difference(step.lines, from->lines, 0.0), "");
+    ++from;
+  }
+}
 
 /// Commands that `help` lists, each behind `before`.
 std::vector<std::string> listed_commands(const std::string& help, const std::string& before) {

@@ -1,4 +1,4 @@
-#include "end_to_end/console_block.h"
+#include "end_to_end/printed_lines.h"
 #include "end_to_end/program.h"
 
 #include <fmt/format.h>

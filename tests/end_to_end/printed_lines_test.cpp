@@ -1,19 +1,9 @@
-#include "end_to_end/console_block.h"
+#include "end_to_end/printed_lines.h"
 
 #include <gtest/gtest.h>
 
 namespace lacuna {
 namespace {
-
-TEST(ConsoleSteps, AreTheCommandsOfConsoleBlocksWithTheLinesAfterThem) {
-  const std::vector<ConsoleStep> steps = console_steps(
-      "text\n```sh\n$ rm nothing\n```\n```console\n$ lacuna sql a.db \"SELECT 1\"\n1\n\n$ lacuna\n```\nmore\n");
-  ASSERT_EQ(steps.size(), 2U);
-  EXPECT_EQ(steps[0].line, 6);
-  EXPECT_EQ(steps[0].words, (std::vector<std::string>{"lacuna", "sql", "a.db", "SELECT 1"}));
-  EXPECT_EQ(steps[0].output, std::vector<std::string>{"1"});
-  EXPECT_TRUE(steps[1].output.empty());
-}
 
 TEST(Difference, SeesAnotherWordAnotherFigureAndAMissingLine) {
   const std::vector<std::string> printed = {"pendulum · refitted 3 values, 1.7 s", "fit   9.15 mrad  ███"};

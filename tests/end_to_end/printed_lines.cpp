@@ -1,4 +1,4 @@
-#include "end_to_end/console_block.h"
+#include "end_to_end/printed_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,6 @@ namespace lacuna {
 namespace {
 
 const std::string kAnything = "…";
-
-std::vector<std::string> words_of(const std::string& command) {
-  static const std::regex kWord("\"([^\"]*)\"|(\\S+)");
-  std::vector<std::string> words;
-  for (std::sregex_iterator found(command.begin(), command.end(), kWord), end; found != end; ++found)
-    words.push_back((*found)[1].matched ? (*found)[1] : (*found)[2]);
-  return words;
-}
 
 /// A line without what may differ: bars, the time that a fit or a run took, the hash of a run (the tests of `lacuna
 /// hash` compare those), and the width of a table's columns.
@@ -64,25 +56,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
-}
-
-std::vector<ConsoleStep> console_steps(const std::string& markdown) {
-  std::vector<ConsoleStep> steps;
-  bool inside = false;
-  int number = 0;
-  for (const std::string& line : lines_of(markdown)) {
-    ++number;
-    if (line.starts_with("```")) {
-      inside = line == "```console";
-    } else if (inside && line.starts_with("$ ")) {
-      steps.push_back({number, words_of(line.substr(2)), {}});
-    } else if (inside && !steps.empty()) {
-      steps.back().output.push_back(line);
-    }
-  }
-  for (ConsoleStep& step : steps)
-    while (!step.output.empty() && step.output.back().empty()) step.output.pop_back();
-  return steps;
 }
 
 std::string difference(const std::vector<std::string>& said, const std::vector<std::string>& printed,
