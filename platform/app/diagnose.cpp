@@ -4,7 +4,8 @@
 #include "app/progress_line.h"
 #include "app/workbench.h"
 #include "diagnosis/among.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/search_state.h"
+#include "foundation/counted.h"
 #include "report/diagnosis_pictures.h"
 #include "report/diagnosis_text.h"
 
@@ -21,8 +22,13 @@ struct DiagnoseOptions : CommonOptions {
   std::filesystem::path out;
 };
 
-Diagnosis make_diagnosis(const DiagnoseOptions& options, const Workbench& bench, const FitResult& fit) {
+/// Goes on from where an interrupted call came to, and keeps where it comes to itself.
+Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const FitResult& fit) {
   const Rig& rig = bench.rig();
+  const std::optional<SearchState> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
+  if (before && !options.quiet)
+    fmt::print(stderr, "going on after {}, which an interrupted call had done\n",
+               counted(before->tried.size(), "model"));
   ProgressLine line(options.quiet);
   Diagnosis diagnosis = diagnose({.experiment = rig.experiment,
                                   .catalog = *rig.catalog,
@@ -33,7 +39,11 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, const Workbench& bench,
                                   .among = options.among,
                                   .seed = options.seed.value_or(rig.experiment.seed),
                                   .threads = bench.threads(),
-                                  .progress = line.callback()});
+                                  .progress = line.callback(),
+                                  .resume = before ? &*before : nullptr,
+                                  .keep = [&](const SearchState& state) {
+                                    bench.ledger().keep_unfinished(bench.revision(), rig, options.among, state);
+                                  }});
   diagnosis.findings.insert(diagnosis.findings.end(), fit.cannot_tell.begin(), fit.cannot_tell.end());
   return diagnosis;
 }

@@ -3,6 +3,7 @@
 #include "app/records.h"
 #include "app/used_plugins.h"
 #include "foundation/interrupt.h"
+#include "report/search_state_json.h"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,17 @@ std::optional<std::string> Ledger::known_diagnosis(const StoredRevision& revisio
 void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
                   const Diagnosis& diagnosis) {
   store_.record_diagnosis(revision.id, diagnosis_record(diagnosis, settings(rig, among)));
+}
+
+void Ledger::keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
+                             const SearchState& state) {
+  store_.keep_unfinished_diagnosis(revision.id, settings(rig, among), search_state_json(state));
+}
+
+std::optional<SearchState> Ledger::unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                                        const std::vector<std::string>& among) const {
+  const std::optional<std::string> document = store_.unfinished_diagnosis_of(revision.id, settings(rig, among));
+  return document ? read_search_state(*document) : std::nullopt;
 }
 
 std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials) {

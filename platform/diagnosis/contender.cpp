@@ -14,25 +14,22 @@ Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std:
   return contender;
 }
 
-Contender with(const Contender& contender, const Hypothesis& hypothesis, std::vector<double> values) {
-  Contender next{with_effect(contender.experiment, hypothesis.entry), contender.added, hypothesis.definition, nullptr,
-                 std::move(values)};
-  next.added.push_back(hypothesis.entry);
-  next.model = compile(next.definition.structure, next.definition.engine);
-  return next;
+Contender with_effects(const Contender& plain, const std::vector<EffectEntry>& added, std::vector<double> values,
+                       const PluginCatalog& catalog) {
+  Contender longer;
+  longer.experiment = plain.experiment;
+  for (const EffectEntry& entry : added) longer.experiment = with_effect(std::move(longer.experiment), entry);
+  longer.added = added;
+  longer.definition = define_model(longer.experiment, catalog);
+  longer.model = compile(longer.definition.structure, longer.definition.engine);
+  longer.values = std::move(values);
+  return longer;
 }
 
-Contender without(const Contender& contender, std::size_t which, const Experiment& experiment,
-                  const PluginCatalog& catalog) {
-  Contender less;
-  less.experiment = experiment;
-  for (std::size_t i = 0; i < contender.added.size(); ++i) {
-    if (i == which) continue;
-    less.added.push_back(contender.added[i]);
-    less.experiment = with_effect(std::move(less.experiment), contender.added[i]);
-  }
-  less.definition = define_model(less.experiment, catalog);
-  less.model = compile(less.definition.structure, less.definition.engine);
+Contender without(const Contender& contender, std::size_t which, const Contender& plain, const PluginCatalog& catalog) {
+  std::vector<EffectEntry> added = contender.added;
+  added.erase(added.begin() + static_cast<std::ptrdiff_t>(which));
+  Contender less = with_effects(plain, added, {}, catalog);
   std::map<std::string, double> known;
   for (std::size_t i = 0; i < contender.definition.free.size(); ++i)
     known[contender.definition.free[i].address] = contender.values[i];

@@ -18,10 +18,10 @@ struct Contender {
 
 /// The experiment's own model with these values, integrated with so many substeps.
 Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values, int substeps);
-/// With the effect of a hypothesis about `contender`.
-Contender with(const Contender& contender, const Hypothesis& hypothesis, std::vector<double> values);
-/// Without the `which`-th of the added effects; the other values stay.
-Contender without(const Contender& contender, std::size_t which, const Experiment& experiment,
-                  const PluginCatalog& catalog);
+/// `plain` with these effects, in their order; `values` of the free values that it has then.
+Contender with_effects(const Contender& plain, const std::vector<EffectEntry>& added, std::vector<double> values,
+                       const PluginCatalog& catalog);
+/// `contender` without the `which`-th of the effects that it has more than `plain`; the other values stay.
+Contender without(const Contender& contender, std::size_t which, const Contender& plain, const PluginCatalog& catalog);
 
 }  // namespace lacuna

@@ -9,6 +9,7 @@
 #include "fitting/progress.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,6 @@ struct RankedModel {
   std::vector<FoundEffect> effects;
   std::vector<std::string> look_alikes;  ///< what these data do not tell from its last effect, "name @ where"
   Gain gain;                             ///< held-out log likelihood over the base, nats
-  double chance_95 = 0.0;                ///< score that the best of all effects reaches by noise in 5 % of cases, nats
   double probability = 0.0;              ///< among the ranking and the base; uncalibrated
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
@@ -81,6 +81,8 @@ struct Diagnosis {
   double seconds = 0.0;
 };
 
+struct SearchState;  // search_state.h
+
 /// What is diagnosed. Everything referred to must live until `diagnose` returns.
 struct DiagnosisTask {
   const Experiment& experiment;
@@ -94,6 +96,8 @@ struct DiagnosisTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
+  const SearchState* resume = nullptr;                ///< where an earlier call came to; null: from the beginning
+  std::function<void(const SearchState&)> keep = {};  ///< gets it after every round, for a later call to go on from
 };
 
 /// METHOD: what effect, if any, the model lacks. Data that allow no verdict (data_doubts.h) get `cannot_tell` with the

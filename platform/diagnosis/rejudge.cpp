@@ -14,44 +14,53 @@ constexpr double kToldApart = 2.0;  ///< nats: less does not tell two effects ap
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
 
-std::vector<std::size_t> close_calls(const Round& round, std::size_t chosen) {
+std::vector<std::size_t> close_calls(const SearchStep& step) {
   std::vector<std::size_t> close;
-  for (std::size_t i = 0; i < round.rivals.size() && close.size() < kMostClose; ++i)
-    if (i != chosen && round.rivals[i].gain.value > std::max(0.0, kClose * round.rivals[chosen].gain.value))
-      close.push_back(i);
+  const double least = std::max(0.0, kClose * step.rivals[step.chosen].gain.value);
+  for (std::size_t i = 0; i < step.rivals.size() && close.size() < kMostClose; ++i)
+    if (i != step.chosen && step.rivals[i].gain.value > least) close.push_back(i);
   return close;
 }
 
-Refit refit_again(const Round& before, const Rival& rival, const Round& now) {
-  const Hypothesis& hypothesis = before.hypotheses[rival.hypothesis];
-  BaseSolution base = without_values(now.base);
-  base.nuisance = rival.fit.nuisance.size() > 0 ? before.base.nuisance : std::vector<Eigen::MatrixXd>{};
-  return refit({hypothesis.definition, *hypothesis.model, {}}, base, now.bins, now.factors, {rival.fit.values}, 1);
+std::vector<Contender> close_models(const RejudgeTask& task, const std::vector<std::size_t>& close) {
+  std::vector<Contender> models;
+  for (const std::size_t i : close) {
+    std::vector<EffectEntry> added = task.before.added;
+    added.push_back(task.before.rivals[i].entry);
+    models.push_back(with_effects(task.plain, added, task.before.rivals[i].values, task.catalog));
+  }
+  return models;
 }
 
-std::size_t freedom(const Round& round, std::size_t rival) {
-  return round.hypotheses[round.rivals[rival].hypothesis].own.size();
+Refit refit_again(const RejudgeTask& task, const KeptRival& rival, const Contender& model) {
+  BaseSolution base = without_values(task.now.base);
+  base.nuisance.clear();
+  if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
+  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, 1);
 }
 
 }  // namespace
 
-Rejudged rejudge(const Round& before, std::size_t chosen, const Round& now, std::uint64_t seed, int threads) {
-  const std::vector<std::size_t> close = close_calls(before, chosen);
+Rejudged rejudge(const RejudgeTask& task) {
+  const SearchStep& before = task.before;
+  const KeptRival& chosen = before.rivals[before.chosen];
+  const std::vector<std::size_t> close = close_calls(before);
+  const std::vector<Contender> models = close_models(task, close);
   std::vector<Refit> fits(close.size());
-  parallel_for(close.size(), threads,
-               [&](std::size_t i, int) { fits[i] = refit_again(before, before.rivals[close[i]], now); });
-  const double alike = std::max(kToldApart, kAlikeShare * before.rivals[chosen].gain.value);
+  parallel_for(close.size(), task.threads,
+               [&](std::size_t i, int) { fits[i] = refit_again(task, before.rivals[close[i]], models[i]); });
+  const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
   Rejudged result;
   double most = 0.0;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (!fits[i].valid) continue;
-    const Gain ahead = gain(now.held_out, held_out_deviance(fits[i], now.folds), seed);
+    const Gain ahead = gain(task.now.held_out, held_out_deviance(fits[i], task.now.folds), task.seed);
     if (ahead.upper_95 >= 0.0 || ahead.value > -alike) order.emplace_back(-ahead.value, i);
-    const bool simpler =
-        freedom(before, close[i]) < freedom(before, chosen) && ahead.value >= -std::max(ahead.standard_error, alike);
+    const std::size_t freedom = before.rivals[close[i]].values.size();
+    const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
     const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&
-                         (freedom(before, close[i]) <= freedom(before, chosen) || ahead.value > alike);
+                         (freedom <= chosen.values.size() || ahead.value > alike);
     if ((simpler || further) && (!result.better || ahead.value > most)) {
       result.better = close[i];
       most = ahead.value;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "diagnosis/contender.h"
 #include "diagnosis/round.h"
+#include "diagnosis/search_state.h"
 
 #include <cstddef>
 #include <optional>
@@ -19,7 +21,16 @@ struct Rejudged {
   std::vector<std::pair<std::size_t, Refit>> inseparable;
 };
 
-/// `now`: the round of `before`'s model with rival `chosen` added.
-Rejudged rejudge(const Round& before, std::size_t chosen, const Round& now, std::uint64_t seed, int threads);
+/// What is judged again. Everything referred to must live until `rejudge` returns.
+struct RejudgeTask {
+  const SearchStep& before;
+  const Contender& plain;  ///< the model without any effect added
+  const PluginCatalog& catalog;
+  const Round& now;  ///< of the model with the chosen rival
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+Rejudged rejudge(const RejudgeTask& task);
 
 }  // namespace lacuna

@@ -42,15 +42,16 @@ std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std
   return others;
 }
 
-std::vector<FoundEffect> found_effects(const Contender& contender, const Refit& fit) {
+std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
+                                       const Refit& fit) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  const ParameterSpace space(contender.definition.free);
+  const ParameterSpace space(definition.free);
   std::vector<FoundEffect> effects;
-  for (const EffectEntry& entry : contender.added) {
+  for (const EffectEntry& entry : added) {
     FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
     const std::string prefix = "effect." + entry.id + ".";
-    for (std::size_t i = 0; i < contender.definition.free.size(); ++i) {
-      const FreeValue& free = contender.definition.free[i];
+    for (std::size_t i = 0; i < definition.free.size(); ++i) {
+      const FreeValue& free = definition.free[i];
       if (!free.address.starts_with(prefix)) continue;
       const auto j = static_cast<Eigen::Index>(i);
       FoundParameter parameter{free.address.substr(prefix.size()), free.unit, fit.values[i], kNothing, kNothing};

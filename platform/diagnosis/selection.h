@@ -8,6 +8,8 @@
 
 namespace lacuna {
 
+inline constexpr double kFirstLevel = 0.05, kFurtherLevel = 0.01;  ///< of chance: the first effect, those after it
+
 /// The rival of a round to go on with: the screening's best score is beyond chance at `level`, it predicts what
 /// was left out better than the base, and of those within one standard error of the best, or a tenth of its gain, it is
 /// the simplest. Nothing: none of them.
@@ -16,8 +18,9 @@ std::optional<std::size_t> choose(const Round& round, double level);
 /// Rivals that these data do not tell from the chosen one, the best first, at most two.
 std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed);
 
-/// The added effects with values and intervals.
-std::vector<FoundEffect> found_effects(const Contender& contender, const Refit& fit);
+/// Added effects with values and intervals; `fit`: of the model that has them.
+std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
+                                       const Refit& fit);
 
 /// Gains of two steps, one after the other.
 Gain sum(const Gain& a, const Gain& b);

@@ -39,6 +39,8 @@ DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRe
       .run_with(id, revision, d.settings, d.verdict, d.probability, d.calibrated, d.chance, d.hypotheses,
                 d.base_times_floor, d.document);
   insert_candidates(database_, id, d.candidates);
+  Statement(database_, "DELETE FROM unfinished_diagnosis WHERE revision = ? AND settings = ?")
+      .run_with(revision, d.settings);
   transaction.commit();
   return id;
 }
@@ -46,6 +48,21 @@ DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRe
 std::optional<std::string> ResultStore::diagnosis_of(RevisionId revision, const std::string& settings) const {
   Statement row(database_,
                 "SELECT document FROM diagnosis WHERE revision = ? AND settings = ? ORDER BY id DESC LIMIT 1");
+  if (!row.with(revision, settings).step()) return std::nullopt;
+  return row.text(0);
+}
+
+void ResultStore::keep_unfinished_diagnosis(RevisionId revision, const std::string& settings,
+                                            const std::string& document) {
+  Transaction transaction(database_);
+  Statement(database_, "INSERT OR REPLACE INTO unfinished_diagnosis (revision, settings, document) VALUES (?, ?, ?)")
+      .run_with(revision, settings, document);
+  transaction.commit();
+}
+
+std::optional<std::string> ResultStore::unfinished_diagnosis_of(RevisionId revision,
+                                                                const std::string& settings) const {
+  Statement row(database_, "SELECT document FROM unfinished_diagnosis WHERE revision = ? AND settings = ?");
   if (!row.with(revision, settings).step()) return std::nullopt;
   return row.text(0);
 }

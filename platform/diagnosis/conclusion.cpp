@@ -1,0 +1,63 @@
+#include "diagnosis/conclusion.h"
+
+#include "diagnosis/channel_errors.h"
+#include "diagnosis/ranking.h"
+#include "diagnosis/selection.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+std::vector<RandomForce> random_forces(const Round& round) {
+  std::vector<RandomForce> forces;
+  for (const NoiseComponent& one : round.noise.components())
+    if (one.kind == NoiseComponent::Kind::force)
+      forces.push_back({"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
+                        round.forces.width});
+  return forces;
+}
+
+Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const Round& last) {
+  const double best = last.rivals.empty() ? 0.0 : last.rivals.front().gain.value;
+  const double free = diagnosis.free_force_gain.lower_95;
+  if (diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best)) return Verdict::not_in_library;
+  if (!contender.added.empty()) return Verdict::effect_found;
+  return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
+}
+
+/// The floor is that of the last round, in which the least that is structured passes for noise.
+void measure_by(const std::vector<ChannelError>& last, Diagnosis& diagnosis) {
+  const auto take_floor = [&](std::vector<ChannelError>& errors) {
+    for (std::size_t c = 0; c < errors.size(); ++c) errors[c].floor = last[c].floor;
+    return times_floor(errors);
+  };
+  diagnosis.base_times_floor = take_floor(diagnosis.base);
+  for (RankedModel& model : diagnosis.ranking) model.times_floor = take_floor(model.errors);
+}
+
+}  // namespace
+
+void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues& first, const Round& last,
+              std::uint64_t seed) {
+  const std::vector<ChannelError> errors = channel_errors(last.base, last.bins, last.noise, last.fit, last.folds);
+  if (contender.added.empty()) {
+    diagnosis.ranking = ranking_of(contender, last, std::nullopt, {}, seed);
+  } else {
+    diagnosis.ranking.front().effects = found_effects(contender.added, contender.definition, last.fit);
+    diagnosis.ranking.front().errors = errors;
+  }
+  diagnosis.forces = random_forces(last);
+  diagnosis.free_force_p = last.free_force.p;
+  diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, seed);
+  diagnosis.verdict = verdict_of(diagnosis, contender, last);
+  if (diagnosis.verdict != Verdict::not_in_library) {
+    diagnosis.residual_force.clear();
+    diagnosis.formulas.clear();
+  }
+  measure_by(errors, diagnosis);
+  weigh(diagnosis);
+  diagnosis.findings = findings_of(diagnosis, first, contender, last);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "diagnosis/diagnosis_findings.h"
+
+namespace lacuna {
+
+/// Ends a diagnosis with verdict, probabilities and findings. `diagnosis`: what its rounds found; `first`: the model
+/// without any effect; `last`: the round that found nothing more to add to `contender`; `seed`: of the bootstrap.
+void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues& first, const Round& last,
+              std::uint64_t seed);
+
+}  // namespace lacuna

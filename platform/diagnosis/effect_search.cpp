@@ -1,0 +1,189 @@
+#include "diagnosis/effect_search.h"
+
+#include "diagnosis/channel_errors.h"
+#include "diagnosis/conclusion.h"
+#include "diagnosis/cut_trials.h"
+#include "diagnosis/integration_error.h"
+#include "diagnosis/propose_test.h"
+#include "diagnosis/ranking.h"
+#include "diagnosis/rejudge.h"
+#include "diagnosis/round.h"
+#include "diagnosis/selection.h"
+#include "diagnosis/sufficient_substeps.h"
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostEffects = 3;
+constexpr int kUsualRounds = 2;  ///< one that finds an effect, one that finds nothing more
+
+class EffectSearch {
+ public:
+  explicit EffectSearch(const DiagnosisTask& task)
+      : task_(task),
+        meter_(task.progress),
+        cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment})),
+        plain_(plain(task.experiment, task.catalog, task.values,
+                     sufficient_substeps(task.definition, cut_, task.threads))),
+        contender_(plain_) {
+    meter_.set_parts(kRoundParts * kUsualRounds);
+    state_.states = cut_.states;
+    if (task.resume == nullptr) return;
+    state_ = *task.resume;
+    contender_ = with_effects(plain_, state_.added, state_.values, task.catalog);
+    seconds_before_ = state_.so_far.seconds;
+  }
+
+  Diagnosis run() {
+    for (int number = 1;; ++number) {
+      if (number > kUsualRounds) meter_.add_parts(kRoundParts);
+      const Round round = look();
+      if (state_.tried.empty()) describe_first(round);
+      state_.tried.insert(names_of(contender_.added));
+      again_ = {};
+      if (!state_.last || !takes_another(round)) {
+        const std::optional<std::size_t> chosen = next_of(round);
+        if (!chosen) return ended(round);
+        take_in(round, *chosen);
+      }
+      keep();
+    }
+  }
+
+ private:
+  Round look() {
+    BaseSolution start = cut_;
+    start.states = state_.states;
+    start.values = contender_.values;
+    correct_for_steps(contender_.definition, start, task_.threads);
+    return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
+  }
+
+  /// Of the model without any effect added: what the user's model lacks, not what a poor substitute lacks.
+  void describe_first(const Round& round) {
+    Diagnosis& result = state_.so_far;
+    state_.base_values = round.fit.values;
+    result.residual_force = round.free_force.curves;
+    result.formulas = round.formulas;
+    result.hypotheses = round.hypotheses.size();
+    result.untestable = round.untestable;
+    result.base = channel_errors(round.base, round.bins, round.noise, round.fit, round.folds);
+    result.base_times_floor = times_floor(result.base);
+    result.p_by_chance = round.screening.p;
+    result.chance_95 = 0.5 * round.screening.chance_95;
+  }
+
+  /// The rival to go on with: not one that leads back to where the search was.
+  std::optional<std::size_t> next_of(const Round& round) const {
+    if (contender_.added.size() >= kMostEffects) return std::nullopt;
+    const std::optional<std::size_t> chosen = choose(round, contender_.added.empty() ? kFirstLevel : kFurtherLevel);
+    if (!chosen) return std::nullopt;
+    const EffectEntry& entry = round.hypotheses[round.rivals[*chosen].hypothesis].entry;
+    return state_.tried.contains(names_with(contender_.added, entry)) ? std::nullopt : chosen;
+  }
+
+  void take_in(const Round& round, std::size_t chosen) {
+    const Gain before = contender_.added.empty() ? Gain{} : state_.gains[names_of(contender_.added)];
+    state_.so_far.ranking = ranking_of(contender_, round, chosen, before, task_.seed);
+    state_.last = step_of(contender_, round, chosen);
+    for (const KeptRival& rival : state_.last->rivals)
+      state_.gains[names_with(contender_.added, rival.entry)] = sum(before, rival.gain);
+    take_chosen();
+    if (leave_out_spent(round, chosen)) state_.last.reset();
+  }
+
+  void take_chosen() {
+    const KeptRival& rival = state_.last->rivals[state_.last->chosen];
+    contender_ = model_with(rival);
+    state_.states = rival.states;
+  }
+
+  Contender model_with(const KeptRival& rival) const {
+    std::vector<EffectEntry> added = state_.last->added;
+    added.push_back(rival.entry);
+    return with_effects(plain_, added, rival.values, task_.catalog);
+  }
+
+  /// Judges the last choice again, now that its noise is known. Whether another rival is better; it is the choice then.
+  bool takes_another(const Round& now) {
+    SearchStep& last = *state_.last;
+    again_ = rejudge({last, plain_, task_.catalog, now, task_.seed, task_.threads});
+    if (again_.better && !state_.tried.contains(names_with(last.added, last.rivals[*again_.better].entry))) {
+      last.chosen = *again_.better;
+      bring_to_front(state_.so_far.ranking, name_of(last.rivals[last.chosen].entry));
+      take_chosen();
+      return true;
+    }
+    std::vector<std::string>& alike = state_.so_far.ranking.front().look_alikes;
+    alike.clear();
+    for (const auto& [other, fit] : again_.inseparable) alike.push_back(name_of(last.rivals[other].entry));
+    return false;
+  }
+
+  /// Backward deletion: an effect that was added before leaves again where, with the new one there, it predicts
+  /// nothing better. Whether one left.
+  bool leave_out_spent(const Round& round, std::size_t chosen) {
+    bool left = false;
+    const Eigen::VectorXd& with_it = round.rivals[chosen].held_out;
+    for (std::size_t i = 0; i + 1 < contender_.added.size();) {
+      Contender less = without(contender_, i, plain_, task_.catalog);
+      const Refit fit = refit_reduced(less, round, task_.threads);
+      const bool spent = fit.valid && gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0;
+      if (!spent || state_.tried.contains(names_of(less.added))) {
+        ++i;
+        continue;
+      }
+      less.values = fit.values;
+      state_.gains[names_of(less.added)] = state_.gains[names_of(contender_.added)];
+      contender_ = std::move(less);
+      left = true;
+    }
+    return left;
+  }
+
+  Diagnosis ended(const Round& round) {
+    conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, task_.seed);
+    propose(round);
+    state_.so_far.seconds = seconds();
+    return std::move(state_.so_far);
+  }
+
+  /// The test that would tell the answer from what looks most like it.
+  void propose(const Round& round) {
+    if (again_.inseparable.empty()) return;
+    const auto& [which, fit] = again_.inseparable.front();
+    const KeptRival& alike = state_.last->rivals[which];
+    const Contender other = model_with(alike);
+    const std::optional<NextTest> test = propose_test(
+        task_.catalog, {name_of(state_.last->rivals[state_.last->chosen].entry), contender_.definition, round.fit},
+        {name_of(alike.entry), other.definition, fit}, round.base, task_.seed, task_.threads, {});
+    if (!test) return;
+    state_.so_far.next_test = test->line;
+    state_.so_far.next_test_worth = to_string(*test);
+  }
+
+  void keep() {
+    if (!task_.keep) return;
+    state_.added = contender_.added;
+    state_.values = contender_.values;
+    state_.so_far.seconds = seconds();
+    task_.keep(state_);
+  }
+
+  double seconds() const { return seconds_before_ + meter_.seconds(); }
+
+  const DiagnosisTask& task_;
+  ProgressMeter meter_;
+  const BaseSolution cut_;
+  const Contender plain_;  ///< the experiment's model, with substeps that suffice
+  Contender contender_;
+  SearchState state_;
+  Rejudged again_;  ///< the last choice, under the noise of the round at hand
+  double seconds_before_ = 0.0;
+};
+
+}  // namespace
+
+Diagnosis search_effects(const DiagnosisTask& task) { return EffectSearch(task).run(); }
+
+}  // namespace lacuna

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/round.h"
+#include "diagnosis/search_state.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace lacuna {
+
+/// What a round of `contender` found, the chosen rival first, then the largest gain; the chosen one with its
+/// look-alikes. `before`: what the contender gained over the model without any effect.
+std::vector<RankedModel> ranking_of(const Contender& contender, const Round& round, std::optional<std::size_t> chosen,
+                                    const Gain& before, std::uint64_t seed);
+
+/// What later rounds need of a round of `contender`.
+SearchStep step_of(const Contender& contender, const Round& round, std::size_t chosen);
+
+/// Makes the model whose last effect is `name` the first, the others in their order.
+void bring_to_front(std::vector<RankedModel>& ranking, const std::string& name);
+
+}  // namespace lacuna

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "diagnosis/diagnosis.h"
+
+#include <lacuna/effect_list.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace lacuna {
+
+/// Effects of a model, each "name @ where".
+using EffectNames = std::set<std::string>;
+
+std::string name_of(const EffectEntry& entry);
+EffectNames names_of(const std::vector<EffectEntry>& entries);
+EffectNames names_with(const std::vector<EffectEntry>& entries, const EffectEntry& further);
+
+/// A refitted rival of a round, as far as it is needed once the round is over.
+struct KeptRival {
+  EffectEntry entry;                    ///< what it adds
+  std::vector<double> values;           ///< of the model with it, SI
+  std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
+  bool timed = false;                   ///< the timing of commands was fitted beside them
+  Gain gain;                            ///< over the round's model
+};
+
+/// A round in which an effect was chosen.
+struct SearchStep {
+  std::vector<EffectEntry> added;  ///< of the model that was looked at
+  std::vector<KeptRival> rivals;   ///< the largest gain first
+  std::size_t chosen = 0;
+  std::vector<Eigen::VectorXd> timing;  ///< by segment: the nuisance of the round's base; empty: it had none
+};
+
+/// Where a search for what is missing stands between two rounds: all that the rest of it follows from, beside what is
+/// diagnosed.
+struct SearchState {
+  std::vector<EffectEntry> added;
+  std::vector<double> values;           ///< of the model with `added`, SI
+  std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
+  std::optional<SearchStep> last;       ///< whose choice may still be taken back
+  std::set<EffectNames> tried;          ///< models that were looked at
+  std::map<EffectNames, Gain> gains;    ///< of models, over the one without any
+  std::vector<double> base_values;      ///< refitted, of the model without any
+  Diagnosis so_far;
+};
+
+}  // namespace lacuna

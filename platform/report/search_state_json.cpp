@@ -1,0 +1,110 @@
+#include "report/search_state_json.h"
+
+#include "report/diagnosis_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lacuna {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kFormat = 1;  ///< to be counted up when the state, or the search that follows from it, changes
+
+ordered_json entries_json(const std::vector<EffectEntry>& entries) {
+  ordered_json all = ordered_json::array();
+  for (const EffectEntry& one : entries)
+    all.push_back({{"id", one.id},
+                   {"effect", one.effect},
+                   {"where", one.where},
+                   {"start", one.start},
+                   {"fixed", one.fixed},
+                   {"range", one.range}});
+  return all;
+}
+
+std::vector<EffectEntry> read_entries(const ordered_json& json) {
+  std::vector<EffectEntry> entries;
+  for (const ordered_json& one : json)
+    entries.push_back({one.at("id"), one.at("effect"), one.at("where").get<std::vector<std::string>>(),
+                       one.at("start").get<std::map<std::string, double>>(),
+                       one.at("fixed").get<std::vector<std::string>>(),
+                       one.at("range").get<std::map<std::string, std::pair<double, double>>>()});
+  return entries;
+}
+
+ordered_json vectors_json(const std::vector<Eigen::VectorXd>& vectors) {
+  ordered_json all = ordered_json::array();
+  for (const Eigen::VectorXd& one : vectors) all.push_back(std::vector<double>(one.begin(), one.end()));
+  return all;
+}
+
+std::vector<Eigen::VectorXd> read_vectors(const ordered_json& json) {
+  std::vector<Eigen::VectorXd> vectors;
+  for (const ordered_json& one : json) {
+    const auto numbers = one.get<std::vector<double>>();
+    vectors.emplace_back(Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
+  }
+  return vectors;
+}
+
+ordered_json gain_json(const Gain& gain) { return {gain.value, gain.standard_error, gain.lower_95, gain.upper_95}; }
+
+Gain read_gain(const ordered_json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3)}; }
+
+ordered_json step_json(const SearchStep& step) {
+  ordered_json rivals = ordered_json::array();
+  for (const KeptRival& one : step.rivals)
+    rivals.push_back({{"entry", entries_json({one.entry})},
+                      {"values", one.values},
+                      {"states", vectors_json(one.states)},
+                      {"timed", one.timed},
+                      {"gain", gain_json(one.gain)}});
+  return {{"added", entries_json(step.added)},
+          {"rivals", rivals},
+          {"chosen", step.chosen},
+          {"timing", vectors_json(step.timing)}};
+}
+
+SearchStep read_step(const ordered_json& json) {
+  SearchStep step{read_entries(json.at("added")), {}, json.at("chosen"), read_vectors(json.at("timing"))};
+  for (const ordered_json& one : json.at("rivals"))
+    step.rivals.push_back({read_entries(one.at("entry")).front(), one.at("values").get<std::vector<double>>(),
+                           read_vectors(one.at("states")), one.at("timed"), read_gain(one.at("gain"))});
+  return step;
+}
+
+}  // namespace
+
+std::string search_state_json(const SearchState& state) {
+  ordered_json gains = ordered_json::array();
+  for (const auto& [names, gain] : state.gains) gains.push_back({{"effects", names}, {"gain", gain_json(gain)}});
+  const ordered_json whole = {{"format", kFormat},
+                              {"added", entries_json(state.added)},
+                              {"values", state.values},
+                              {"states", vectors_json(state.states)},
+                              {"last", state.last ? step_json(*state.last) : ordered_json()},
+                              {"tried", state.tried},
+                              {"gains", gains},
+                              {"base_values", state.base_values},
+                              {"so_far", ordered_json::parse(diagnosis_json(state.so_far))}};
+  return whole.dump();
+}
+
+std::optional<SearchState> read_search_state(const std::string& document) {
+  const ordered_json whole = ordered_json::parse(document);
+  if (whole.value("format", 0) != kFormat) return std::nullopt;
+  SearchState state;
+  state.added = read_entries(whole.at("added"));
+  state.values = whole.at("values").get<std::vector<double>>();
+  state.states = read_vectors(whole.at("states"));
+  if (!whole.at("last").is_null()) state.last = read_step(whole.at("last"));
+  state.tried = whole.at("tried").get<std::set<EffectNames>>();
+  for (const ordered_json& one : whole.at("gains"))
+    state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
+  state.base_values = whole.at("base_values").get<std::vector<double>>();
+  state.so_far = read_diagnosis(whole.at("so_far").dump());
+  return state;
+}
+
+}  // namespace lacuna
