@@ -39,7 +39,7 @@ void measure_by(const std::vector<ChannelError>& last, Diagnosis& diagnosis) {
 }  // namespace
 
 void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues& first, const Round& last,
-              std::uint64_t seed) {
+              bool outdone_by_law, std::uint64_t seed) {
   const std::vector<ChannelError> errors = channel_errors(last.base, last.bins, last.noise, last.fit, last.folds);
   if (contender.added.empty()) {
     diagnosis.ranking = ranking_of(contender, last, std::nullopt, {}, seed);
@@ -50,7 +50,7 @@ void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues
   diagnosis.forces = random_forces(last);
   diagnosis.free_force_p = last.free_force.p;
   diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, seed);
-  diagnosis.verdict = verdict_of(diagnosis, contender, last);
+  diagnosis.verdict = outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, contender, last);
   if (diagnosis.verdict != Verdict::not_in_library) {
     diagnosis.residual_force.clear();
     diagnosis.formulas.clear();

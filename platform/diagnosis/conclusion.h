@@ -5,8 +5,9 @@
 namespace lacuna {
 
 /// Ends a diagnosis with verdict, probabilities and findings. `diagnosis`: what its rounds found; `first`: the model
-/// without any effect; `last`: the round that found nothing more to add to `contender`; `seed`: of the bootstrap.
+/// without any effect; `last`: the round that found nothing more to add to `contender`; `outdone_by_law`: nothing more
+/// was looked for, since a formula outdoes the library; `seed`: of the bootstrap.
 void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues& first, const Round& last,
-              std::uint64_t seed);
+              bool outdone_by_law, std::uint64_t seed);
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include "diagnosis/conclusion.h"
 #include "diagnosis/cut_trials.h"
 #include "diagnosis/integration_error.h"
+#include "diagnosis/outdone_library.h"
 #include "diagnosis/propose_test.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/rejudge.h"
@@ -42,8 +43,9 @@ class EffectSearch {
       state_.tried.insert(names_of(contender_.added));
       again_ = {};
       if (!state_.last || !takes_another(round)) {
-        const std::optional<std::size_t> chosen = next_of(round);
-        if (!chosen) return ended(round);
+        const bool outdone = outdone_by_law(round);
+        const std::optional<std::size_t> chosen = outdone ? std::nullopt : next_of(round);
+        if (!chosen) return ended(round, outdone);
         take_in(round, *chosen);
       }
       keep();
@@ -65,12 +67,18 @@ class EffectSearch {
     state_.base_values = round.fit.values;
     result.residual_force = round.free_force.curves;
     result.formulas = round.formulas;
+    state_.law_leads = law_leads(round, task_.seed);
     result.hypotheses = round.hypotheses.size();
     result.untestable = round.untestable;
     result.base = channel_errors(round.base, round.bins, round.noise, round.fit, round.folds);
     result.base_times_floor = times_floor(result.base);
     result.p_by_chance = round.screening.p;
     result.chance_95 = 0.5 * round.screening.chance_95;
+  }
+
+  bool outdone_by_law(const Round& round) {
+    return state_.law_leads && outdoes_library(state_.so_far.formulas.front(), round, contender_.added.size(),
+                                               state_.gains[names_of(contender_.added)]);
   }
 
   /// The rival to go on with: not one that leads back to where the search was.
@@ -141,9 +149,10 @@ class EffectSearch {
     return left;
   }
 
-  Diagnosis ended(const Round& round) {
-    conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, task_.seed);
-    propose(round);
+  Diagnosis ended(const Round& round, bool outdone_by_law) {
+    conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
+             task_.seed);
+    if (state_.so_far.verdict == Verdict::effect_found) propose(round);
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }

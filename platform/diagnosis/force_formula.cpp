@@ -104,7 +104,7 @@ ForceFormula formula_of(const WhitenedSegments& whitened, const JointMotion& mot
   const Eigen::VectorXd power = whitened.whiten(columns).colwise().squaredNorm();
   const FoldedRegression regression(whitened, folds, whitened.project(columns));
   const Eigen::VectorXd plain = regression.held_out({});
-  ForceFormula formula{motion.joint, motion.force_unit, {}, {}};
+  ForceFormula formula{motion.joint, motion.force_unit, {}, {}, {}};
   std::vector<Eigen::Index> terms;
   Eigen::VectorXd deviance = plain;
   while (terms.size() < kMostTerms) {
@@ -127,6 +127,7 @@ ForceFormula formula_of(const WhitenedSegments& whitened, const JointMotion& mot
   }
   if (terms.empty()) return formula;
   formula.gain = gain(plain, deviance, seed);
+  formula.held_out = deviance;
   const Eigen::VectorXd sizes = regression.sizes(terms);
   const Eigen::MatrixXd covariance = regression.covariance(terms);
   for (std::size_t i = 0; i < terms.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "diagnosis/joint_motion.h"
 #include "diagnosis/whitened.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,18 @@ struct ForceCurve {
   std::string unit;  ///< of that quantity
   std::string force_unit;
   std::vector<double> at, force, standard_error;
+  /// Of a slice: the whole force where the joint is at this position. Without it: what this quantity alone adds.
+  std::optional<double> position = {};
 };
 
 /// A force on the joints of any form: a sum of functions of a joint's position, velocity and command, each linear
-/// between knots. What it explains and no effect of the library does is missing from the library.
+/// between knots, and of products of position and velocity. What it explains and no effect of the library does is
+/// missing from the library.
 struct FreeForce {
   /// By segment, bins × functions: change of the prediction by each function at size 1.
   std::vector<Eigen::MatrixXd> columns;
-  std::vector<ForceCurve> curves;  ///< knots only; functions in this order
+  std::vector<ForceCurve> curves;  ///< where the force is to be told only: of each quantity, then slices of each joint
+  Eigen::MatrixXd readings;        ///< places of the curves, one after the other × functions
   bool empty() const { return curves.empty(); }
 };
 
@@ -35,7 +40,7 @@ struct FreeForceTest {
   double p = 1.0;         ///< of χ²
   /// Held-out deviance by segment, folds left out one by one; ridge by cross-validation.
   Eigen::VectorXd held_out;
-  std::vector<ForceCurve> curves;
+  std::vector<ForceCurve> curves;  ///< told
 };
 FreeForceTest test_free_force(const WhitenedSegments& whitened, const FreeForce& force,
                               const std::vector<std::size_t>& folds);

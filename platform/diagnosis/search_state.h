@@ -48,6 +48,7 @@ struct SearchState {
   std::set<EffectNames> tried;          ///< models that were looked at
   std::map<EffectNames, Gain> gains;    ///< of models, over the one without any
   std::vector<double> base_values;      ///< refitted, of the model without any
+  bool law_leads = false;               ///< the first formula for it, over every single effect (outdone_library.h)
   Diagnosis so_far;
 };
 

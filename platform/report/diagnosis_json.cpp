@@ -59,13 +59,15 @@ ordered_json document(const ForceFormula& formula) {
 }
 
 ordered_json document(const ForceCurve& curve) {
-  return {{"joint", curve.joint},
-          {"of", curve.of},
-          {"unit", curve.unit},
-          {"force_unit", curve.force_unit},
-          {"at", curve.at},
-          {"force", curve.force},
-          {"standard_error", curve.standard_error}};
+  ordered_json document = {{"joint", curve.joint},
+                           {"of", curve.of},
+                           {"unit", curve.unit},
+                           {"force_unit", curve.force_unit},
+                           {"at", curve.at},
+                           {"force", curve.force},
+                           {"standard_error", curve.standard_error}};
+  if (curve.position) document["position"] = *curve.position;
+  return document;
 }
 
 ordered_json document(const Untestable& one) {

@@ -7,7 +7,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -16,17 +18,43 @@ constexpr double k95 = 1.96;             // standard errors
 constexpr std::size_t kMostRanked = 12;  // bars
 constexpr double kBar = 0.5;             // of the distance between bars
 
-Panel force_panel(const ForceCurve& curve) {
-  Series band{"", Mark::band, kOrange, curve.at, {}, {}},
-      force{"", Mark::line_points, kOrange, curve.at, curve.force, {}};
+void add_curve(const ForceCurve& curve, const std::string& label, const char* colour, Panel& panel) {
+  Series band{"", Mark::band, colour, curve.at, {}, {}},
+      force{label, Mark::line_points, colour, curve.at, curve.force, {}};
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
     band.y.push_back(curve.force[i] - k95 * curve.standard_error[i]);
     band.y2.push_back(curve.force[i] + k95 * curve.standard_error[i]);
   }
-  Panel panel{
-      "unexplained force [" + curve.force_unit + "]", {band, force, {"", Mark::level, kInk, {}, {0.0}, {}}}, 1.0, {}};
+  panel.series.push_back(std::move(band));
+  panel.series.push_back(std::move(force));
+}
+
+Panel empty_panel(const ForceCurve& curve) {
+  Panel panel{"unexplained force [" + curve.force_unit + "]", {{"", Mark::level, kInk, {}, {0.0}, {}}}, 1.0, {}};
   panel.x_label = curve.of + " [" + curve.unit + "]";
   return panel;
+}
+
+/// One panel for each quantity, and one for all slices: a map of the force over velocity and position.
+std::vector<Panel> force_panels(const std::vector<ForceCurve>& curves, const std::string& joint) {
+  constexpr std::array kColours = {kBlue, kOrange, kGreen};
+  std::vector<Panel> panels;
+  std::optional<Panel> slices;
+  std::size_t slice = 0;
+  for (const ForceCurve& curve : curves) {
+    if (curve.joint != joint) continue;
+    if (!curve.position) {
+      panels.push_back(empty_panel(curve));
+      add_curve(curve, "", kOrange, panels.back());
+      continue;
+    }
+    if (!slices) slices = empty_panel(curve);
+    const std::string position_unit = curve.unit.substr(0, curve.unit.find('/'));
+    add_curve(curve, fmt::format("at {:.2f} {}", *curve.position, position_unit), kColours[slice++ % kColours.size()],
+              *slices);
+  }
+  if (slices) panels.push_back(std::move(*slices));
+  return panels;
 }
 
 /// The force on one joint, and the formula for it if there is one.
@@ -34,12 +62,11 @@ Figure force_figure(const Diagnosis& diagnosis, const std::string& joint, const 
   Figure figure{fmt::format("{} · force on joint.{}", title, joint), "", {}};
   for (const ForceFormula& formula : diagnosis.formulas)
     if (formula.joint == joint) figure.title += fmt::format(": {} {}", formula.text(), formula.unit);
-  for (const ForceCurve& curve : diagnosis.residual_force)
-    if (curve.joint == joint) figure.panels.push_back(force_panel(curve));
-  figure.columns = static_cast<int>(figure.panels.size());
+  figure.panels = force_panels(diagnosis.residual_force, joint);
+  figure.columns = figure.panels.size() == 4 ? 2 : static_cast<int>(figure.panels.size());
   figure.x_label = figure.panels.front().x_label;  // where there is one column only
   figure.same_y = true;
-  figure.height = 380;
+  figure.height = figure.panels.size() == 4 ? 700 : 380;
   return figure;
 }
 

@@ -67,13 +67,15 @@ ForceFormula formula_of(const ordered_json& json) {
 }
 
 ForceCurve curve_of(const ordered_json& json) {
-  return {json["joint"],
-          json["of"],
-          json["unit"],
-          json["force_unit"],
-          numbers(json["at"]),
-          numbers(json["force"]),
-          numbers(json["standard_error"])};
+  ForceCurve curve = {json["joint"],
+                      json["of"],
+                      json["unit"],
+                      json["force_unit"],
+                      numbers(json["at"]),
+                      numbers(json["force"]),
+                      numbers(json["standard_error"])};
+  if (json.contains("position")) curve.position = figure(json["position"]);
+  return curve;
 }
 
 }  // namespace

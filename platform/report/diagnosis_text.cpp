@@ -96,12 +96,13 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
                        fmt::join(diagnosis.findings, "\n"));
   std::string text =
       fmt::format("verdict {} · P {:.2f} (uncalibrated)\n", to_string(diagnosis.verdict), diagnosis.probability);
+  text += formula_text(diagnosis);
+  if (!diagnosis.formulas.empty() && !diagnosis.ranking.empty()) text += "what the library comes to beside it:\n";
   text += ranking_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
   text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
                       diagnosis.free_force_p);
-  text += formula_text(diagnosis);
   text += noise_text(diagnosis);
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);

@@ -229,6 +229,13 @@ std::string panel_commands(const Figure& figure, std::size_t index, double top, 
   return text + plot_command(panel, index);
 }
 
+/// Within the panel, where one of its series has a label.
+std::string panel_key(const Panel& panel) {
+  const bool labelled =
+      std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return !series.label.empty(); });
+  return labelled ? "set key inside right top vertical\n" : "unset key\n";
+}
+
 /// Panels in rows, each with its own axes.
 std::string grid_commands(const Figure& figure) {
   constexpr double kTopOfGrid = 0.93, kBetweenRows = 62.0, kBetweenColumns = 84.0;  // px between
@@ -245,7 +252,8 @@ std::string grid_commands(const Figure& figure) {
     const double right = cell_width * static_cast<double>(p % columns + 1) - 14.0 / figure.width;
     const double bottom = top - cell_height + (kBetweenRows + kRoomForKey) / figure.height;
     text += fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", left, right);
-    text += fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nunset key\n", top, bottom);
+    text += fmt::format("set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", top, bottom);
+    text += panel_key(panel);
     text += axis_label("y", p % columns == 0 ? panel.y_label : "", (top - bottom) * figure.height);
     text += axis_label("x", panel.x_label, (right - left) * figure.width) + "set xtics auto\nset xrange [*:*]\n";
     text += narrow_ticks(panel, (right - left) * figure.width);

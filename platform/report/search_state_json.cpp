@@ -87,6 +87,7 @@ std::string search_state_json(const SearchState& state) {
                               {"tried", state.tried},
                               {"gains", gains},
                               {"base_values", state.base_values},
+                              {"law_leads", state.law_leads},
                               {"so_far", ordered_json::parse(diagnosis_json(state.so_far))}};
   return whole.dump();
 }
@@ -103,6 +104,7 @@ std::optional<SearchState> read_search_state(const std::string& document) {
   for (const ordered_json& one : whole.at("gains"))
     state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
   state.base_values = whole.at("base_values").get<std::vector<double>>();
+  state.law_leads = whole.at("law_leads");
   state.so_far = read_diagnosis(whole.at("so_far").dump());
   return state;
 }

@@ -74,11 +74,37 @@ TEST(FreeForce, DrawsTheForceAndRefutesChance) {
   rail.add([](double, double v) { return v > 0.0 ? -1.0 : 1.0; });
   const FreeForceTest free = rail.free();
   EXPECT_LT(free.p, 1e-6);
-  ASSERT_EQ(free.curves.size(), 2U);
+  ASSERT_EQ(free.curves.size(), 5U);  // and three slices
   const ForceCurve& by_velocity = free.curves[1];
   EXPECT_EQ(by_velocity.of, "velocity");
   // A constant may stand in either curve: the step from fast backward to fast forward is what is told.
   EXPECT_NEAR(by_velocity.force.back() - by_velocity.force.front(), -2.0, 0.5);
+}
+
+/// The damping on a slice: minus the slope of its force over velocity, by least squares.
+double damping(const ForceCurve& slice) {
+  double mean = 0.0, sum = 0.0, squares = 0.0;
+  for (const double v : slice.at) mean += v / static_cast<double>(slice.at.size());
+  for (std::size_t i = 0; i < slice.at.size(); ++i) {
+    sum += (slice.at[i] - mean) * slice.force[i];
+    squares += (slice.at[i] - mean) * (slice.at[i] - mean);
+  }
+  return -sum / squares;
+}
+
+TEST(FreeForce, TellsDampingThatDependsOnThePosition) {
+  constexpr double kLaw = 0.5, kTolerance = 0.2;  // N*s/m^3; the values of the model take some of it
+  Rail rail(3);
+  rail.add([](double q, double v) { return -kLaw * q * q * v; });
+  const FreeForceTest free = rail.free();
+  EXPECT_LT(free.p, 1e-6);
+  ASSERT_EQ(free.curves.size(), 5U);
+  const ForceCurve &left = free.curves[2], &middle = free.curves[3], &right = free.curves[4];
+  for (const ForceCurve* end : {&left, &right}) {
+    ASSERT_TRUE(end->position);
+    const double expected = kLaw * (*end->position * *end->position - *middle.position * *middle.position);
+    EXPECT_NEAR(damping(*end) - damping(middle), expected, kTolerance * expected);
+  }
 }
 
 TEST(FreeForce, IsUniformlyDistributedUnderNoise) {

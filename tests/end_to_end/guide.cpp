@@ -2,8 +2,11 @@
 
 #include "end_to_end/printed_lines.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -49,6 +52,30 @@ std::vector<GuideStep> guide_steps(const std::string& markdown) {
   }
   std::for_each(steps.begin(), steps.end(), take_exit_code);
   return steps;
+}
+
+std::vector<std::string> words_of_picture(const std::string& svg) {
+  static const std::regex kText("<text[^>]*>(?:<tspan[^>]*>)?([^<]*)");
+  std::vector<std::string> words;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), kText), end; found != end; ++found)
+    words.push_back((*found)[1]);
+  return words;
+}
+
+void follow_guide(const std::string& document, const Program& program) {
+  const std::vector<GuideStep> steps = guide_steps(source_file(document));
+  ASSERT_FALSE(steps.empty()) << document << " has no steps";
+  for (const GuideStep& step : steps) {
+    SCOPED_TRACE(document + ":" + std::to_string(step.line));
+    if (!step.file.empty()) {
+      program.write(step.file, edited(program.read(step.file), step.lines));
+      continue;
+    }
+    const Outcome outcome = program.shell(step.command);
+    EXPECT_EQ(outcome.exit_code, step.exit_code) << outcome.errors;
+    const std::string& printed = outcome.exit_code == 0 ? outcome.output : outcome.errors;
+    EXPECT_EQ(difference(step.lines, lines_of(printed), kFigureTolerance), "") << printed;
+  }
 }
 
 std::string edited(const std::string& text, const std::vector<std::string>& lines) {

@@ -7,6 +7,9 @@
 
 namespace lacuna {
 
+/// Of a figure in a document: compilers and processors differ in last digits.
+inline constexpr double kFigureTolerance = 0.05;
+
 /// A step of a guide in Markdown, which a reader would take by hand.
 struct GuideStep {
   int line = 0;                    ///< in the document, from 1
@@ -19,6 +22,13 @@ struct GuideStep {
 /// The steps of all ```console blocks ("$ " begins a command, its output follows) and of all ```toml blocks
 /// that name a file behind the language (each line "KEY = VALUE" takes the place of the file's line with that key).
 std::vector<GuideStep> guide_steps(const std::string& markdown);
+
+/// Takes the steps of a document of the source tree, such as "docs/tutorials/first-steps.md", in the program's folder.
+/// A command that does not print what is said, or ends with another exit code, fails the test.
+void follow_guide(const std::string& document, const Program& program);
+
+/// The words of a picture, one a line.
+std::vector<std::string> words_of_picture(const std::string& svg);
 
 /// `text` after an edit: each line takes the place of the first one that sets the same key, be it commented out or
 /// not. A key that is not there but follows one that is goes below it. Throws where the first key is nowhere.

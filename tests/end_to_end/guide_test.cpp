@@ -11,29 +11,15 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFigureTolerance = 0.05;  // of a figure in a document: compilers and processors differ in last digits
-
 /// The guides that take the small rig of experiments/first-steps.toml, a fit of which takes a second or two, or an
 /// experiment of experiments/smoke/, shortened.
 class Guide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Guide, PrintsWhatItSays) {
-  const std::vector<GuideStep> steps = guide_steps(source_file(GetParam()));
-  ASSERT_FALSE(steps.empty()) << GetParam() << " has no steps";
   const Program program;
   program.copy_first_steps();
   program.copy_smoke();
-  for (const GuideStep& step : steps) {
-    SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(step.line));
-    if (!step.file.empty()) {
-      program.write(step.file, edited(program.read(step.file), step.lines));
-      continue;
-    }
-    const Outcome outcome = program.shell(step.command);
-    EXPECT_EQ(outcome.exit_code, step.exit_code) << outcome.errors;
-    const std::string& printed = outcome.exit_code == 0 ? outcome.output : outcome.errors;
-    EXPECT_EQ(difference(step.lines, lines_of(printed), kFigureTolerance), "") << printed;
-  }
+  follow_guide(GetParam(), program);
 }
 
 INSTANTIATE_TEST_SUITE_P(Guides, Guide,
@@ -88,15 +74,6 @@ TEST(CommandReference, HasTheHelpOfEveryCommand) {
     EXPECT_THAT(text, testing::HasSubstr("\n$ " + command + " --help\n"));
     EXPECT_THAT(text, testing::HasSubstr("\n## `" + command + "`\n"));
   }
-}
-
-/// The words of a picture, one a line.
-std::vector<std::string> words_of_picture(const std::string& svg) {
-  static const std::regex kText("<text[^>]*>(?:<tspan[^>]*>)?([^<]*)");
-  std::vector<std::string> words;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), kText), end; found != end; ++found)
-    words.push_back((*found)[1]);
-  return words;
 }
 
 TEST(FirstStepsPicture, IsWhatCompareDraws) {

@@ -48,7 +48,7 @@ std::string content(const fs::path& file) {
 
 }  // namespace
 
-Program::Program() : folder_(new_folder()), captured_(new_folder()) {}
+Program::Program() : folder_(new_folder()), programs_(LACUNA_BINARY_DIRECTORY "/bin"), captured_(new_folder()) {}
 
 Program::~Program() {
   std::error_code ignored;
@@ -56,16 +56,25 @@ Program::~Program() {
   fs::remove_all(captured_, ignored);
 }
 
-void Program::copy_experiment(const std::string& name) const {
+void Program::copy_experiment(const std::string& experiment, const std::string& robot, const std::string& data) const {
   fs::create_directories(folder_ / "robots");
   fs::create_directories(folder_ / "data");
-  fs::copy(fs::path(kExperiments) / name, folder_);
-  fs::copy(fs::path(kExperiments) / "robots/servo-pendulum.toml", folder_ / "robots");
-  fs::copy(fs::path(kExperiments) / "data/servo_pendulum", folder_ / "data/servo_pendulum");
+  fs::copy(fs::path(kExperiments) / experiment, folder_);
+  fs::copy(fs::path(kExperiments) / "robots" / robot, folder_ / "robots");
+  fs::copy(fs::path(kExperiments) / "data" / data, folder_ / "data" / data);
 }
 
-void Program::copy_servo_pendulum() const { copy_experiment("servo-pendulum.toml"); }
-void Program::copy_first_steps() const { copy_experiment("first-steps.toml"); }
+void Program::copy_servo_pendulum() const {
+  copy_experiment("servo-pendulum.toml", "servo-pendulum.toml", "servo_pendulum");
+}
+void Program::copy_first_steps() const { copy_experiment("first-steps.toml", "servo-pendulum.toml", "servo_pendulum"); }
+void Program::copy_damped_flap() const { copy_experiment("damped-flap.toml", "damped-flap.toml", "damped_flap"); }
+
+Outcome Program::install(const std::string& prefix) {
+  const Outcome outcome = shell("cmake --install " LACUNA_BINARY_DIRECTORY " --prefix " + prefix);
+  programs_ = folder_ / prefix / "bin";
+  return outcome;
+}
 
 void Program::copy_smoke() const { fs::copy(fs::path(kExperiments) / "smoke", folder_ / "smoke"); }
 
@@ -115,7 +124,8 @@ Outcome Program::finish(pid_t child) const {
 Outcome Program::run(const std::vector<std::string>& arguments) const { return finish(start(arguments)); }
 
 Outcome Program::shell(const std::string& line) const {
-  return finish(start_program("/bin/sh", {"sh", "-c", "PATH=" LACUNA_BINARY_DIRECTORY "/bin:$PATH; " + line}));
+  const std::string compiler = "export CXX='" LACUNA_COMPILER "' CXXFLAGS='" LACUNA_COMPILER_FLAGS "'; ";
+  return finish(start_program("/bin/sh", {"sh", "-c", compiler + "PATH=" + programs_.string() + ":$PATH; " + line}));
 }
 
 Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,

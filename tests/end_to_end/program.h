@@ -31,6 +31,10 @@ class Program {
   void copy_light_servo_pendulum() const;
   /// Copies experiments/first-steps.toml with its robot and recordings: a fit of it takes a second or two.
   void copy_first_steps() const;
+  /// Copies experiments/damped-flap.toml with its robot and recordings.
+  void copy_damped_flap() const;
+  /// Installs this build into the subfolder `prefix`, whose `lacuna` is the one that `shell` runs from then on.
+  Outcome install(const std::string& prefix);
   /// Copies experiments/smoke/, whose experiments bring no files.
   void copy_smoke() const;
   void write(const std::string& file, const std::string& text) const;
@@ -38,7 +42,7 @@ class Program {
 
   /// Runs `lacuna` with these arguments to its end.
   Outcome run(const std::vector<std::string>& arguments) const;
-  /// Runs a line as a shell takes it, in which `lacuna` is this build's.
+  /// Runs a line as a shell takes it, in which `lacuna` is this build's. CMake takes the compiler of this build.
   Outcome shell(const std::string& line) const;
   /// Starts it, waits until `ready` (looked at every millisecond), sends `signal`, and waits for its end.
   Outcome run_and_signal(const std::vector<std::string>& arguments, const std::function<bool()>& ready,
@@ -47,12 +51,13 @@ class Program {
   Outcome run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const;
 
  private:
-  void copy_experiment(const std::string& name) const;
+  void copy_experiment(const std::string& experiment, const std::string& robot, const std::string& data) const;
   pid_t start(const std::vector<std::string>& arguments) const;
   pid_t start_program(const std::string& program, std::vector<std::string> words) const;
   Outcome finish(pid_t child) const;
 
   std::filesystem::path folder_;
+  std::filesystem::path programs_;  ///< where `lacuna` lies
   std::filesystem::path captured_;  ///< holds what the program prints
 };
 

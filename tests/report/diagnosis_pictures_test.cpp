@@ -39,6 +39,10 @@ Diagnosis not_in_library() {
   for (const char* joint : {"hinge", "wrist"}) diagnosis.residual_force.push_back(drag(joint, "position", "rad"));
   diagnosis.residual_force.push_back(drag("hinge", "velocity", "rad/s"));
   diagnosis.residual_force.push_back(drag("hinge", "command", "N*m"));
+  for (const double position : {-0.8, 0.8}) {
+    diagnosis.residual_force.push_back(drag("hinge", "velocity", "rad/s"));
+    diagnosis.residual_force.back().position = position;
+  }
   diagnosis.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0003}}, {}}};
   return diagnosis;
 }
@@ -53,11 +57,13 @@ TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
     EXPECT_THAT(ranking, HasSubstr(words));
   EXPECT_EQ(files[1].filename(), "residual-force-hinge.svg");
   const std::string hinge = read_bytes(files[1]);
-  for (const char* words : {"-0.0105*v*abs(v) N*m", "position [rad]", "velocity [rad/s]", "command [N*m]"})
+  for (const char* words :
+       {"-0.0105*v*abs(v) N*m", "position [rad]", "velocity [rad/s]", "command [N*m]", "at -0.80 rad", "at 0.80 rad"})
     EXPECT_THAT(hinge, HasSubstr(words));
   const std::string wrist = read_bytes(files[2]);
   EXPECT_THAT(wrist, HasSubstr("position [rad]"));
   EXPECT_THAT(wrist, Not(HasSubstr("abs(v)")));
+  EXPECT_THAT(wrist, Not(HasSubstr("at 0.80 rad")));
 }
 
 TEST(DiagnosisPictures, ShowNothingWhereThereIsNothing) {

@@ -40,6 +40,8 @@ Diagnosis diagnosis(Verdict verdict) {
   result.free_force_gain = {3.0, 1.0, 1.0, 5.0};
   result.residual_force = {
       {"hinge", "velocity", "rad/s", "N*m", {-1.0, 0.0, 1.0}, {0.1, 0.0, -0.1}, {0.01, 0.02, 0.01}}};
+  result.residual_force.push_back(result.residual_force.front());
+  result.residual_force.back().position = -0.8;
   result.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0002}}, {480.0, 20.0, 440.0, 520.0}}};
   result.hypotheses = 43;
   result.untestable = {{"slope", "", "the robot has no ground to touch"}};
@@ -69,6 +71,8 @@ TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
 TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
   const std::string text = diagnosis_text(diagnosis(Verdict::not_in_library), "rig.toml");
   EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +480 ± 39 nats held out"));
+  EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
+      << "the answer stands first";
   EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula \"-0.0105*v*abs(v)\"\n"));
 }
 

@@ -1,60 +1,24 @@
 #include "bench.h"
 
+#include "bench/bench_noise.h"
 #include "stick_slip.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace servo_pendulum {
 namespace {
 
+using bench::ramp;
+using bench::rounded;
 using std::numbers::pi;
 
 constexpr int kKnotsASample = 4;  ///< the disturbance is linear between knots 0.5 ms apart
 constexpr int kStepsAKnot = 50;   ///< integration steps of 10 µs
 constexpr double kKnotInterval = kSampleInterval / kKnotsASample;
-
-/// Normal numbers that are the same with every standard library (whose own distributions are not): Box and Muller.
-class Normal {
- public:
-  explicit Normal(std::uint64_t seed) : bits_(seed) {}
-  double operator()() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * pi * uniform());
-  }
-
- private:
-  double uniform() { return static_cast<double>(bits_() >> 11) * 0x1.0p-53; }
-  std::mt19937_64 bits_;
-};
-
-/// Stationary Ornstein–Uhlenbeck process, sampled exactly at the knots.
-class Disturbance {
- public:
-  Disturbance(const Truth& truth, std::uint64_t seed)
-      : deviation_(truth.disturbance),
-        memory_(std::exp(-kKnotInterval / truth.disturbance_time)),
-        normal_(seed),
-        value_(deviation_ * normal_()) {}
-  double value() const { return value_; }
-  void next() { value_ = memory_ * value_ + deviation_ * std::sqrt(1.0 - memory_ * memory_) * normal_(); }
-
- private:
-  double deviation_, memory_;
-  Normal normal_;
-  double value_;
-};
-
-double rounded(double value, double quantum) { return quantum * std::round(value / quantum) + 0.0; }  // no −0
-
-/// Rises smoothly from 0 to 1 within `rise` seconds of `time` = 0.
-double ramp(double time, double rise) {
-  return time <= 0.0 ? 0.0 : time >= rise ? 1.0 : 0.5 - 0.5 * std::cos(pi * time / rise);
-}
 
 double sine(double time) { return 0.42 * ramp(time, 1.0) * std::sin(2.0 * pi * 0.4 * time); }
 
@@ -104,13 +68,13 @@ std::vector<double> excitation(const std::string& trial, const Truth& truth) {
   return commands;
 }
 
-std::vector<Row> record(const std::vector<double>& commands, const Truth& truth, std::uint64_t seed) {
+std::vector<bench::Row> record(const std::vector<double>& commands, const Truth& truth, std::uint64_t seed) {
   const Pendulum pendulum{truth.inertia, truth.gravity_torque, truth.damping, truth.friction};
   const double encoder_step = 2.0 * pi / truth.encoder_counts;
-  Disturbance disturbance(truth, 2 * seed);
-  Normal sensor(2 * seed + 1);
+  bench::Disturbance disturbance(truth.disturbance, truth.disturbance_time, kKnotInterval, 2 * seed);
+  bench::Normal sensor(2 * seed + 1);
   Motion motion;
-  std::vector<Row> rows;
+  std::vector<bench::Row> rows;
   rows.reserve(commands.size());
   for (std::size_t k = 0; k < commands.size(); ++k) {
     const double reading = motion.angle + truth.sensor_noise * sensor();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bench/recording.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,15 +31,8 @@ inline constexpr double kRest = 0.3;              ///< s without command at the 
 /// Torque commands, one a sample: "sine", "steps", "multisine" or "chirp".
 std::vector<double> excitation(const std::string& trial, const Truth& truth);
 
-/// What the bench's recorder writes, row by row.
-struct Row {
-  double time = 0.0;     ///< s
-  double command = 0.0;  ///< N·m
-  double angle = 0.0;    ///< rad, as the encoder says
-};
-
 /// Carries a trial out: equation of motion, disturbance, sensor noise and encoder. The same
 /// `seed` gives the same noise.
-std::vector<Row> record(const std::vector<double>& commands, const Truth& truth, std::uint64_t seed);
+std::vector<bench::Row> record(const std::vector<double>& commands, const Truth& truth, std::uint64_t seed);
 
 }  // namespace servo_pendulum

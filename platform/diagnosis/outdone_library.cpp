@@ -1,0 +1,21 @@
+#include "diagnosis/outdone_library.h"
+
+#include "diagnosis/selection.h"
+
+#include <algorithm>
+
+namespace lacuna {
+
+bool law_leads(const Round& round, std::uint64_t seed) {
+  return !round.formulas.empty() && std::all_of(round.rivals.begin(), round.rivals.end(), [&](const Rival& rival) {
+    return gain(rival.held_out, round.formulas.front().held_out, seed).lower_95 > 0.0;
+  });
+}
+
+bool outdoes_library(const ForceFormula& law, const Round& round, std::size_t added, const Gain& before) {
+  if (added < law.terms.size() || round.free_force.p >= kFreeForceLevel || before.value >= law.gain.value) return false;
+  return std::all_of(round.rivals.begin(), round.rivals.end(),
+                     [&](const Rival& rival) { return sum(before, rival.gain).value < law.gain.value; });
+}
+
+}  // namespace lacuna
