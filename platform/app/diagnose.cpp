@@ -37,6 +37,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
                                   .trials = rig.trials,
                                   .values = fit.parameters(),
                                   .among = options.among,
+                                  .segment = rig.experiment.diagnosis.segment,
                                   .seed = options.seed.value_or(rig.experiment.seed),
                                   .threads = bench.threads(),
                                   .progress = line.callback(),

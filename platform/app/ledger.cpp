@@ -53,7 +53,8 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const FitResul
 
 /// A diagnosis also follows from the effects that there are to try.
 std::string Ledger::settings(const Rig& rig, const std::vector<std::string>& among) const {
-  std::string text = settings(rig) + fmt::format(" diagnosis among [{}]", fmt::join(among, ","));
+  std::string text = settings(rig) + fmt::format(" diagnosis segments {} among [{}]", rig.experiment.diagnosis.segment,
+                                                 fmt::join(among, ","));
   for (const PluginListing& listing : rig.catalog->list())
     if (listing.kind == "effect") text += " " + listing.sha256;
   return text;

@@ -112,6 +112,11 @@ struct NoiseSection {
   double process_correlation_time = 0.0;  ///< s; 0: white from step to step
 };
 
+/// How it is found out what the model lacks (diagnosis/).
+struct DiagnosisSection {
+  double segment = 0.5;  ///< s: short enough that errors do not build up, long enough to show slow effects
+};
+
 /// An experiment file, checked. `locations` tells where a key stands: "model.effects[0].where[1]".
 struct Experiment {
   std::filesystem::path file;
@@ -131,6 +136,7 @@ struct Experiment {
   ExplorationSection exploration;
   FitSection fit;
   NoiseSection noise;
+  DiagnosisSection diagnosis;
 
   /// Units as written, by key, of numbers whose dimension only the model can judge: "model.set.body.arm.mass" → "g".
   /// The numbers themselves are SI already.

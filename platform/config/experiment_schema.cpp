@@ -112,6 +112,12 @@ Table<NoiseSection> noise_keys() {
            "how long that force keeps its value; 0: white from step to step");
 }
 
+Table<DiagnosisSection> diagnosis_keys() {
+  return Table<DiagnosisSection>().key(
+      "segment", &DiagnosisSection::segment, number("s").at_least(0.05),
+      "length of the stretches that are predicted, each from a start of its own that the data around it tell");
+}
+
 Table<Experiment> experiment_keys() {
   const Table<Experiment> head =
       Table<Experiment>()
@@ -141,6 +147,7 @@ Table<Experiment> experiment_keys() {
            "How `lacuna run` evolves the next test.")
       .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
       .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
+      .key("diagnosis", &Experiment::diagnosis, diagnosis_keys().value(), "How `lacuna diagnose` looks at the data.")
       .check({}, check_contact);
 }
 

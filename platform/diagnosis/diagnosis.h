@@ -33,6 +33,12 @@ struct FoundEffect {
   std::vector<FoundParameter> parameters;
 };
 
+/// The answer's effects, refitted over segments of another length.
+struct EffectsAtLength {
+  double segment = 0.0;  ///< s
+  std::vector<FoundEffect> effects;
+};
+
 /// RMS over short bins, of one channel, in its unit.
 struct ChannelError {
   std::string channel;
@@ -73,6 +79,7 @@ struct Diagnosis {
   Gain free_force_gain;              ///< of that force, over the answer
   std::vector<ForceCurve> residual_force;  ///< that force, where it explains more than noise
   std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
+  std::vector<EffectsAtLength> lengths;    ///< of the answer (segment_lengths.h)
   std::size_t hypotheses = 0;              ///< effect × place
   std::vector<Untestable> untestable;
   std::vector<std::string> findings;  ///< sentences
@@ -80,6 +87,12 @@ struct Diagnosis {
   std::string next_test_worth;        ///< the same with what it tells in nats, beside what a random test does
   double seconds = 0.0;
 };
+
+/// The share of what is to be gained that the answer gains; the rest is a force of free form beside it. 0 without an
+/// answer.
+double share_of_answer(const Diagnosis& diagnosis);
+/// From this share on, an answer is to be added although something is left that the library does not have.
+inline constexpr double kMostOfIt = 0.95;
 
 struct SearchState;  // search_state.h
 

@@ -47,6 +47,13 @@ std::string what_is_left(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+double share_of_answer(const Diagnosis& diagnosis) {
+  if (diagnosis.ranking.empty() || diagnosis.ranking.front().effects.empty()) return 0.0;
+  const double answer = std::max(0.0, diagnosis.ranking.front().gain.value);
+  const double all = answer + std::max(0.0, diagnosis.free_force_gain.value);
+  return all > 0.0 ? answer / all : 0.0;
+}
+
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,
                                      const Round& last) {
   std::vector<std::string> findings;
@@ -60,7 +67,15 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
       findings.push_back(what_is_left(diagnosis));
       if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
       break;
-    case Verdict::not_in_library: findings.emplace_back("a force that no effect of the library has is missing"); break;
+    case Verdict::not_in_library:
+      if (share_of_answer(diagnosis) < kMostOfIt)
+        findings.emplace_back("a force that no effect of the library has is missing");
+      else
+        findings.push_back(fmt::format(
+            "the effects of the first row gain {:.0f} % of what is to be gained; the rest is a force that no "
+            "effect of the library has: add them and diagnose again",
+            100.0 * share_of_answer(diagnosis)));
+      break;
     case Verdict::nothing_missing: break;
   }
   return findings;

@@ -9,6 +9,7 @@
 #include "diagnosis/ranking.h"
 #include "diagnosis/rejudge.h"
 #include "diagnosis/round.h"
+#include "diagnosis/segment_lengths.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
 
@@ -16,7 +17,8 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kMostEffects = 3;
-constexpr int kUsualRounds = 2;  ///< one that finds an effect, one that finds nothing more
+constexpr double kUnsteady = 0.5;  ///< of the probability, where an effect does not survive other segment lengths
+constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
  public:
@@ -152,9 +154,21 @@ class EffectSearch {
   Diagnosis ended(const Round& round, bool outdone_by_law) {
     conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
              task_.seed);
+    if (!contender_.added.empty()) change_lengths(round);
     if (state_.so_far.verdict == Verdict::effect_found) propose(round);
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
+  }
+
+  /// What does not survive a change of segment length is less likely to be the answer.
+  void change_lengths(const Round& round) {
+    Diagnosis& result = state_.so_far;
+    result.lengths = refit_at_lengths(
+        {{task_.definition, task_.model, task_.trials, task_.values, task_.segment}, contender_, round, task_.threads});
+    const LengthVerdict verdict =
+        judge_lengths(result.ranking.front().effects, task_.segment, result.lengths, task_.catalog);
+    if (!verdict.survives) result.probability *= kUnsteady;
+    result.findings.insert(result.findings.end(), verdict.findings.begin(), verdict.findings.end());
   }
 
   /// The test that would tell the answer from what looks most like it.

@@ -10,9 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kMostIterations = 30;
-constexpr double kPrecision = 0.01;  ///< of the deviance
-constexpr double kThreshold = 4.0;   ///< standard deviations, beyond which a bin counts linearly
+constexpr double kThreshold = 4.0;  ///< standard deviations, beyond which a bin counts linearly
 
 /// Takes out of the rows what the segment's own start could explain. Returns how the start follows the values.
 Eigen::MatrixXd project_out(const Eigen::MatrixXd& state, Eigen::VectorXd& residual, Eigen::MatrixXd& derivatives) {
@@ -93,20 +91,22 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
 }  // namespace
 
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
-            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads) {
+            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,
+            const RefitEffort& effort) {
   const TrialPredictor predictor(refitted.model, base.trials, threads);
   const ParameterSpace space(refitted.definition.free);
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, base.nuisance);
   const RobustLoss loss{kThreshold};
-  LeastSquaresOptions options{.loss = loss, .max_iterations = kMostIterations, .tolerance = 0.0, .progress = {}};
-  options.tolerance = kPrecision / static_cast<double>(bins.rows());
+  LeastSquaresOptions options{.loss = loss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}};
+  options.tolerance = effort.precision / static_cast<double>(bins.rows());
   const std::optional<FitPoint> start = best_start(problem, space, base, starts, loss);
   Refit best;
   if (!start) return best;
   const LeastSquaresResult solution = minimize(problem, *start, options);
   best.valid = solution.valid;
+  best.converged = solution.converged;
   best.deviance = solution.cost;
   if (!best.valid) return best;
   best.values = space.to_values(solution.point.values.head(space.size()));

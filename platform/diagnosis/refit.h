@@ -10,6 +10,7 @@ namespace lacuna {
 /// A model fitted to the whitened segments, with what cross-validation needs of it.
 struct Refit {
   bool valid = false;
+  bool converged = false;
   std::vector<double> values;           ///< of the model's free values, SI
   std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
   Eigen::VectorXd nuisance;             ///< coefficients of the nuisance columns
@@ -31,8 +32,14 @@ struct RefittedModel {
   const std::vector<std::size_t>& base;  ///< where it has the base's free values
 };
 
+struct RefitEffort {
+  double precision = 0.01;  ///< of the deviance: a step that lowers it by less is the last
+  int iterations = 30;
+};
+
 /// Minimises from the best of `starts` (free values, SI).
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
-            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads);
+            const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,
+            const RefitEffort& effort = {});
 
 }  // namespace lacuna

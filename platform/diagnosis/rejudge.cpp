@@ -11,6 +11,9 @@ constexpr double kClose = 0.5;  ///< of the chosen one's gain: less is no close 
 constexpr std::size_t kMostClose = 4;
 constexpr std::size_t kMostInseparable = 2;
 constexpr double kToldApart = 2.0;  ///< nats: less does not tell two effects apart
+/// A close call is judged by gains of this precision, and needs no more iterations.
+constexpr double kFineEnough = 1e-3;
+constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
 
@@ -36,7 +39,25 @@ Refit refit_again(const RejudgeTask& task, const KeptRival& rival, const Contend
   BaseSolution base = without_values(task.now.base);
   base.nuisance.clear();
   if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
-  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, 1);
+  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, 1,
+               {std::max(RefitEffort().precision, kFineEnough * 2.0 * rival.gain.value), kIterations});
+}
+
+/// Whether the chosen effect and one more, with no more parameters than the richer rival, predict as well as it does:
+/// what takes the place of two simple effects at once need not be what is there. Equally many parameters must do so
+/// within the standard error, fewer may miss a tenth of what the rival adds.
+bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eigen::VectorXd& held_out) {
+  const Round& now = task.now;
+  const std::size_t most = richer.values.size(), base = task.before.rivals[task.before.chosen].values.size();
+  const double added = gain(now.held_out, held_out, task.seed).value;
+  for (const Rival& further : now.rivals) {
+    const std::size_t pair = base + now.hypotheses[further.hypothesis].own.size();
+    if (pair > most) continue;
+    const Gain behind = gain(further.held_out, held_out, task.seed);
+    const double share = pair < most ? kAlikeShare * added : 0.0;
+    if (behind.value <= std::max({kToldApart, behind.standard_error, share})) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -55,12 +76,14 @@ Rejudged rejudge(const RejudgeTask& task) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (!fits[i].valid) continue;
-    const Gain ahead = gain(task.now.held_out, held_out_deviance(fits[i], task.now.folds), task.seed);
+    const Eigen::VectorXd held_out = held_out_deviance(fits[i], task.now.folds);
+    const Gain ahead = gain(task.now.held_out, held_out, task.seed);
     if (ahead.upper_95 >= 0.0 || ahead.value > -alike) order.emplace_back(-ahead.value, i);
     const std::size_t freedom = before.rivals[close[i]].values.size();
     const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
     const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&
-                         (freedom <= chosen.values.size() || ahead.value > alike);
+                         (freedom <= chosen.values.size() ||
+                          (ahead.value > alike && !a_pair_does_it(task, before.rivals[close[i]], held_out)));
     if ((simpler || further) && (!result.better || ahead.value > most)) {
       result.better = close[i];
       most = ahead.value;

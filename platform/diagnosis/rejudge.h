@@ -15,7 +15,8 @@ namespace lacuna {
 /// the noise of the first was estimated beside a model that lacks something, and close calls depend on it.
 struct Rejudged {
   /// A rival that is better after all: ahead of the chosen one by more than its standard error, or no further behind
-  /// and simpler.
+  /// and simpler. A richer one must be ahead of the chosen one together with any single effect of the next round, too,
+  /// as long as the two have no more parameters.
   std::optional<std::size_t> better;
   /// Rivals that these data do not tell from the chosen one, the closest first, refitted.
   std::vector<std::pair<std::size_t, Refit>> inseparable;

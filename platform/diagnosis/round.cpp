@@ -21,6 +21,13 @@ constexpr double kChance = 0.05;                            ///< beyond, the bes
 constexpr std::size_t kRefitsByChance = 2;                  ///< then, to be shown
 constexpr double kComparable = 0.3;                         ///< of the best score: others as good are refitted, too
 constexpr std::size_t kStarts = 2;                          ///< probes that a refit starts from
+/// Of the deviance that a rival is worth by its score: a choice between rivals needs no finer fit, and the chosen one
+/// is refitted in the next round.
+constexpr double kFineEnough = 1e-3;
+/// Rivals go on after so many iterations unless they are far behind the best: by that share of what it explains, and by
+/// that much.
+constexpr int kScoutIterations = 6;
+constexpr double kFarBehind = 0.3, kFarDeviance = 20.0;
 
 /// The model at its base solution, ready to be simulated.
 struct BaseBench {
@@ -185,6 +192,37 @@ void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeSco
   starts.push_back(hypothesis.values(base, scaled));
 }
 
+void refit_rivals(Round& round, const std::vector<std::vector<Probe>>& probes, int threads) {
+  const auto list = shortlist(round.screening);
+  round.rivals.resize(list.size());
+  const auto fit = [&](std::size_t i, const std::vector<std::vector<double>>& starts,
+                       const std::vector<Eigen::VectorXd>& states, int iterations) {
+    const auto& [h, scores] = list[i];
+    const Hypothesis& hypothesis = round.hypotheses[h];
+    BaseSolution base = base_for(round, probes[h], scores);
+    base.states = states;
+    return refit({hypothesis.definition, *hypothesis.model, hypothesis.base}, base, round.bins, round.factors, starts,
+                 1, {std::max(RefitEffort().precision, kFineEnough * scores.front().deviance), iterations});
+  };
+  parallel_for(list.size(), threads, [&](std::size_t i, int) {
+    const auto& [h, scores] = list[i];
+    std::vector<std::vector<double>> starts;
+    for (const ProbeScore& score : scores)
+      add_starts(round.hypotheses[h], probes[h][score.probe], score, round.base.values, starts);
+    round.rivals[i] = {h, scores.front().deviance, fit(i, starts, round.base.states, kScoutIterations), {}, {}};
+  });
+  double best = round.fit.deviance;
+  for (const Rival& rival : round.rivals)
+    if (rival.fit.valid) best = std::min(best, rival.fit.deviance);
+  const double reach = std::max(kFarDeviance, kFarBehind * (round.fit.deviance - best));
+  parallel_for(list.size(), threads, [&](std::size_t i, int) {
+    const Refit& scout = round.rivals[i].fit;
+    if (!scout.valid || scout.converged || scout.deviance > best + reach) return;
+    Refit further = fit(i, {scout.values}, scout.states, RefitEffort().iterations);
+    if (further.valid) round.rivals[i].fit = std::move(further);
+  });
+}
+
 }  // namespace
 
 Round run_round(const RoundTask& task) {
@@ -238,22 +276,12 @@ Round run_round(const RoundTask& task) {
   task.meter.end_part();
 
   task.meter.begin_part("refits of candidates");
-  const auto list = shortlist(round.screening);
-  round.rivals.resize(list.size());
-  parallel_for(list.size(), task.threads, [&](std::size_t i, int) {
-    const auto& [h, scores] = list[i];
-    std::vector<std::vector<double>> starts;
-    for (const ProbeScore& score : scores)
-      add_starts(round.hypotheses[h], probes[h][score.probe], score, round.base.values, starts);
-    Rival& rival = round.rivals[i];
-    rival.hypothesis = h;
-    rival.deviance = scores.front().deviance;
-    rival.fit = refit({round.hypotheses[h].definition, *round.hypotheses[h].model, round.hypotheses[h].base},
-                      base_for(round, probes[h], scores), round.bins, round.factors, starts, 1);
-    if (!rival.fit.valid) return;
+  refit_rivals(round, probes, task.threads);
+  for (Rival& rival : round.rivals) {
+    if (!rival.fit.valid) continue;
     rival.held_out = held_out_deviance(rival.fit, round.folds);
     rival.gain = gain(round.held_out, rival.held_out, task.seed);
-  });
+  }
   std::erase_if(round.rivals, [](const Rival& rival) { return !rival.fit.valid; });
   std::stable_sort(round.rivals.begin(), round.rivals.end(),
                    [](const Rival& a, const Rival& b) { return a.gain.value > b.gain.value; });

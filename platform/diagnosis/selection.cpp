@@ -11,10 +11,23 @@ constexpr double kBeyond = 1.959963984540054;  ///< of a normal distribution, 95
 /// Share of the gain that is no reason for a model with more parameters: the noise is not quite as it is modelled, and
 /// an effect that a simple one stands for is found by a further round.
 constexpr double kAsGood = 0.1;
+/// Share of the best gain from which on a simpler effect is tried first: two of them may do what a richer one does, and
+/// the next round judges that (rejudge.h).
+constexpr double kSimpleFirst = 0.5;
 constexpr double kTold = 2.0;  ///< nats: less does not tell two effects apart
 constexpr std::size_t kMostLookAlikes = 2;
 
 std::size_t freedom(const Round& round, const Rival& rival) { return round.hypotheses[rival.hypothesis].own.size(); }
+
+/// The best of the rivals with fewer parameters than `chosen` that still has a good part of the best gain.
+std::size_t simpler_first(const Round& round, std::size_t chosen) {
+  const double enough = kSimpleFirst * round.rivals.front().gain.value;
+  for (std::size_t i = 0; i < round.rivals.size(); ++i)  // the largest gain first
+    if (freedom(round, round.rivals[i]) < freedom(round, round.rivals[chosen]) &&
+        round.rivals[i].gain.value >= enough && round.rivals[i].gain.lower_95 > 0.0)
+      return i;
+  return chosen;
+}
 
 }  // namespace
 
@@ -29,7 +42,7 @@ std::optional<std::size_t> choose(const Round& round, double level) {
         round.rivals[i].gain.value > 0.0 && freedom(round, round.rivals[i]) < freedom(round, round.rivals[chosen]))
       chosen = i;
   }
-  return chosen;
+  return simpler_first(round, chosen);
 }
 
 std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed) {

@@ -31,12 +31,21 @@ Eigen::MatrixXd WhitenedProblem::whitened(std::size_t k, const Eigen::MatrixXd& 
   return result;
 }
 
-bool WhitenedProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
+bool WhitenedProblem::simulate(const FitPoint& point) {
+  FitPoint model = of_model(point);
+  if (!raw_.empty() && model.values == simulated_.values && model.states == simulated_.states) return true;
   std::vector<Eigen::VectorXd> raw;
-  if (!problem_.residuals(of_model(point), raw)) return false;
-  residuals.resize(raw.size());
-  for (std::size_t k = 0; k < raw.size(); ++k) {
-    residuals[k] = whitened(k, raw[k]);
+  if (!problem_.residuals(model, raw)) return false;
+  raw_ = std::move(raw);
+  simulated_ = std::move(model);
+  return true;
+}
+
+bool WhitenedProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
+  if (!simulate(point)) return false;
+  residuals.resize(raw_.size());
+  for (std::size_t k = 0; k < raw_.size(); ++k) {
+    residuals[k] = whitened(k, raw_[k]);
     if (nuisances() > 0) residuals[k].head(bins_.rows(k)) += nuisance_[k] * point.values.tail(nuisances());
   }
   return true;
@@ -44,13 +53,11 @@ bool WhitenedProblem::residuals(const FitPoint& point, std::vector<Eigen::Vector
 
 void WhitenedProblem::linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>&,
                                 std::vector<SegmentJacobian>& jacobians) {
-  std::vector<Eigen::VectorXd> raw;
+  if (!simulate(point)) throw Error("a point that was simulated before cannot be simulated again");
   std::vector<SegmentJacobian> unwhitened;
-  const FitPoint model = of_model(point);
-  if (!problem_.residuals(model, raw)) throw Error("a point that was simulated before cannot be simulated again");
-  problem_.linearize(model, raw, unwhitened);
-  jacobians.resize(raw.size());
-  for (std::size_t k = 0; k < raw.size(); ++k) {
+  problem_.linearize(simulated_, raw_, unwhitened);
+  jacobians.resize(raw_.size());
+  for (std::size_t k = 0; k < raw_.size(); ++k) {
     const Eigen::MatrixXd values = whitened(k, unwhitened[k].values);
     jacobians[k].values = Eigen::MatrixXd::Zero(values.rows(), values.cols() + nuisances());
     jacobians[k].values.leftCols(values.cols()) = values;

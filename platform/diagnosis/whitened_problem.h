@@ -29,8 +29,12 @@ class WhitenedProblem : public SegmentedProblem {
   Eigen::MatrixXd whitened(std::size_t k, const Eigen::MatrixXd& rows) const;
   /// The point of the model alone.
   FitPoint of_model(const FitPoint& point) const;
+  /// Brings `raw_` to that point. False where it cannot be simulated.
+  bool simulate(const FitPoint& point);
 
   ShootingProblem& problem_;
+  std::vector<Eigen::VectorXd> raw_;  ///< residuals of the model at the last point that could be simulated,
+  FitPoint simulated_;                ///< which most often is linearised next
   const RowBins& bins_;
   const std::vector<Eigen::MatrixXd>& factors_;
   std::vector<Eigen::MatrixXd> nuisance_;  ///< whitened

@@ -78,6 +78,12 @@ ordered_json document(const RandomForce& force) {
   return {{"joint", force.joint}, {"deviation", force.deviation}, {"unit", force.unit}, {"duration_s", force.duration}};
 }
 
+ordered_json document(const EffectsAtLength& at) {
+  ordered_json effects = ordered_json::array();
+  for (const FoundEffect& effect : at.effects) effects.push_back(document(effect));
+  return {{"segment_s", at.segment}, {"effects", effects}};
+}
+
 template <class Value>
 ordered_json list(const std::vector<Value>& values) {
   ordered_json all = ordered_json::array();
@@ -100,6 +106,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
         {"cv_rmse", by_channel(diagnosis.base, &ChannelError::held_out)},
         {"ratio_to_floor", diagnosis.base_times_floor}}},
       {"ranking", list(diagnosis.ranking)},
+      {"segment_lengths", list(diagnosis.lengths)},
       {"p_by_chance", diagnosis.p_by_chance},
       {"chance_95", diagnosis.chance_95},
       {"free_force", {{"p", diagnosis.free_force_p}, {"gain", document(diagnosis.free_force_gain)}}},

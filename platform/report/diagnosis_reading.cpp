@@ -90,6 +90,10 @@ Diagnosis read_diagnosis(const std::string& document) {
   for (const ordered_json& one : whole["random_forces"])
     diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
+  for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
+    diagnosis.lengths.push_back({figure(one["segment_s"]), {}});
+    for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
+  }
   diagnosis.p_by_chance = figure(whole["p_by_chance"]);
   diagnosis.chance_95 = figure(whole["chance_95"]);
   diagnosis.free_force_p = figure(whole["free_force"]["p"]);

@@ -43,6 +43,7 @@ Diagnosis diagnosis(Verdict verdict) {
   result.residual_force.push_back(result.residual_force.front());
   result.residual_force.back().position = -0.8;
   result.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0002}}, {480.0, 20.0, 440.0, 520.0}}};
+  result.lengths = {{0.1, {{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.128, 0.12, 0.136}}}}}};
   result.hypotheses = 43;
   result.untestable = {{"slope", "", "the robot has no ground to touch"}};
   result.findings = {"body.arm.mass (0.56 kg → 0.50 kg) had soaked it up"};
@@ -69,11 +70,21 @@ TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
 }
 
 TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
-  const std::string text = diagnosis_text(diagnosis(Verdict::not_in_library), "rig.toml");
+  Diagnosis outside = diagnosis(Verdict::not_in_library);
+  outside.free_force_gain.value = 0.3 * outside.ranking.front().gain.value;
+  const std::string text = diagnosis_text(outside, "rig.toml");
   EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +480 ± 39 nats held out"));
   EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
       << "the answer stands first";
   EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula \"-0.0105*v*abs(v)\"\n"));
+}
+
+TEST(DiagnosisText, AddsWhatExplainsNearlyAllBeforeWhatNoEffectHas) {
+  Diagnosis outside = diagnosis(Verdict::not_in_library);
+  outside.free_force_gain.value = 0.03 * outside.ranking.front().gain.value;
+  const std::string text = diagnosis_text(outside, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
+  EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
 }
 
 /// The database keeps the document; what is read from it prints the same.

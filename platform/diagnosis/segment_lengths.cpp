@@ -1,0 +1,120 @@
+#include "diagnosis/segment_lengths.h"
+
+#include "diagnosis/integration_error.h"
+#include "diagnosis/selection.h"
+#include "fitting/stages.h"
+#include "foundation/interrupt.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr std::array kUsualLengths = {0.1, 0.5};  ///< s
+constexpr double kSameLength = 1.3;               ///< lengths that differ by less tell nothing new
+constexpr double kShortestOther = 0.1;            ///< s: shorter ones hold little more than their start
+
+double longest_trial(const std::vector<Trial>& trials) {
+  double longest = 0.0;
+  for (const Trial& trial : trials) {
+    const Eigen::VectorXd& times = trial.measured.times;
+    if (!trial.held_out && times.size() > 0) longest = std::max(longest, times(times.size() - 1) - times(0));
+  }
+  return longest;
+}
+
+bool can_cut(const StartStates& states, std::size_t trials) {
+  for (std::size_t trial = 0; trial < trials; ++trial)
+    if (!states.reconstructible(trial)) return false;
+  return true;
+}
+
+/// How long a start stays certain. Nothing where the model cannot be started anywhere.
+std::optional<double> horizon(const LengthTask& task, const RobotSpec& robot, const CompiledModel& model,
+                              const std::vector<double>& values) {
+  const TrialPredictor predictor(model, task.last.base.trials, task.threads);
+  const StartStates states(robot, predictor, task.last.base.noise);
+  if (!can_cut(states, predictor.trials().size())) return std::nullopt;
+  return automatic_horizon(predictor, states, values, task.cut.segment);
+}
+
+/// Of the contender, or, where one of its effects has a state that no sensor tells, of the model without them.
+double horizon(const LengthTask& task) {
+  const Contender& contender = task.contender;
+  const std::optional<double> own =
+      horizon(task, contender.definition.structure.robot, *contender.model, task.last.fit.values);
+  if (own) return *own;
+  return horizon(task, task.cut.definition.structure.robot, task.cut.model, task.cut.values).value_or(0.0);
+}
+
+/// Shorter ones first.
+std::vector<double> other_lengths(const LengthTask& task) {
+  const double longest = longest_trial(task.cut.trials);
+  std::vector<double> lengths(kUsualLengths.begin(), kUsualLengths.end());
+  lengths.push_back(std::min(horizon(task), longest));
+  std::sort(lengths.begin(), lengths.end());
+  std::vector<double> kept;
+  for (const double length : lengths) {
+    const auto alike = [&](double other) { return std::max(length, other) < kSameLength * std::min(length, other); };
+    if (length < kShortestOther || length > longest || alike(task.cut.segment) || (!kept.empty() && alike(kept.back())))
+      continue;
+    kept.push_back(length);
+  }
+  return kept;
+}
+
+/// The noise of the last round on other segments: sensors keep theirs; a white force's mean over a longer pulse is
+/// smaller.
+NoiseModel same_noise(const Round& last, const RowBins& bins, const ForceResponses& forces) {
+  NoiseModel noise(bins, forces);
+  std::vector<double> deviations = last.noise.deviations();
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    if (last.noise.components()[i].kind == NoiseComponent::Kind::force && forces.width > 0.0)
+      deviations[i] *= std::sqrt(last.forces.width / forces.width);
+  noise.set_deviations(deviations);
+  return noise;
+}
+
+Refit refit_over(const LengthTask& task, double length) {
+  const Contender& contender = task.contender;
+  CutTask cut = task.cut;
+  cut.segment = length;
+  BaseSolution base = cut_trials(cut);
+  base.values = task.last.fit.values;
+  correct_for_steps(contender.definition, base, task.threads);
+  const TrialPredictor predictor(*contender.model, base.trials, task.threads);
+  const ParameterSpace space(contender.definition.free);
+  ShootingProblem problem(predictor, space, base.segments, base.noise);
+  const RowBins bins(problem);
+  base.steps = problem.steps();
+  const FitPoint point{space.to_coordinates(base.values), base.states};
+  const ForceResponses forces = force_responses(contender.definition, problem, bins, point, base.values,
+                                                std::max(1.0, task.last.base.residual), task.threads);
+  const NoiseModel noise = same_noise(task.last, bins, forces);
+  if (noise.components().size() != task.last.noise.components().size()) return {};
+  std::vector<std::size_t> places(base.values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  return refit({contender.definition, *contender.model, places}, base, bins, noise_factors(noise), {base.values},
+               task.threads);
+}
+
+}  // namespace
+
+std::vector<EffectsAtLength> refit_at_lengths(const LengthTask& task) {
+  std::vector<EffectsAtLength> found;
+  const TrialPredictor predictor(task.cut.model, task.last.base.trials, 1);
+  const StartStates states(task.cut.definition.structure.robot, predictor, task.last.base.noise);
+  if (!can_cut(states, predictor.trials().size())) return found;
+  for (const double length : other_lengths(task)) {
+    throw_if_interrupted();
+    const Refit fit = refit_over(task, length);
+    if (fit.valid) found.push_back({length, found_effects(task.contender.added, task.contender.definition, fit)});
+  }
+  return found;
+}
+
+}  // namespace lacuna

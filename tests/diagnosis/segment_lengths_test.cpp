@@ -1,0 +1,86 @@
+#include "diagnosis/segment_lengths.h"
+
+#include "plugins/built_catalog.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+FoundEffect effect(const std::string& name, const std::string& parameter, double value, double half) {
+  return {name, "joint.hinge", {{parameter, "N*m", value, value - half, value + half}}};
+}
+
+/// Found over 0.5 s, then over 0.1 and over 3.2 s.
+LengthVerdict judged(const FoundEffect& found, const FoundEffect& shorter, const FoundEffect& longer) {
+  return judge_lengths({found}, 0.5, {{0.1, {shorter}}, {3.2, {longer}}}, built_catalog());
+}
+
+LengthVerdict judged_as(const std::string& name, const std::string& parameter, double value, double shorter,
+                        double longer, double half = 0.001) {
+  return judged(effect(name, parameter, value, half), effect(name, parameter, shorter, half),
+                effect(name, parameter, longer, half));
+}
+
+TEST(SegmentLengths, AnEffectOfTheSameSizeSurvivesAndIsShownAtEachLength) {
+  const LengthVerdict verdict = judged_as("coulomb_friction", "torque", 0.2, 0.18, 0.22);
+  EXPECT_TRUE(verdict.survives);
+  ASSERT_EQ(verdict.findings.size(), 1U);
+  EXPECT_THAT(verdict.findings[0], testing::HasSubstr("torque 0.18 at 0.1 s, 0.2 at 0.5 s, 0.22 at 3.2 s (N*m)"));
+}
+
+TEST(SegmentLengths, OneOfAnotherSizeDoesNot) {
+  const LengthVerdict verdict = judged_as("coulomb_friction", "torque", 0.2, 0.19, 0.05);
+  EXPECT_FALSE(verdict.survives);
+  EXPECT_THAT(verdict.findings.at(0), testing::HasSubstr("does not survive"));
+}
+
+TEST(SegmentLengths, OneOfAnotherSignDoesNot) {
+  EXPECT_FALSE(judged_as("joint_offset_torque", "torque", 0.1, 0.1, -0.1).survives);
+}
+
+TEST(SegmentLengths, WhatIsNotToldAtOneLengthContradictsNothing) {
+  FoundEffect wide = effect("coulomb_friction", "torque", 0.02, 0.3);
+  EXPECT_TRUE(judged(effect("coulomb_friction", "torque", 0.2, 0.01), wide, wide).survives);
+}
+
+/// A size at its bound has no interval: an effect that vanishes does not survive.
+TEST(SegmentLengths, OneThatVanishesDoesNot) {
+  const FoundEffect gone{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.0, kNone, kNone}}};
+  EXPECT_FALSE(judged(effect("coulomb_friction", "torque", 0.2, 0.01), gone, gone).survives);
+}
+
+/// A gain is as large as its distance from 1.
+TEST(SegmentLengths, SizeIsTheDistanceFromDoingNothing) {
+  EXPECT_TRUE(judged_as("torque_gain", "gain", 1.10, 1.11, 1.09).survives);
+  EXPECT_FALSE(judged_as("torque_gain", "gain", 1.10, 1.11, 1.01).survives);
+}
+
+/// Of a stiffness, which does nothing where it is infinite, it is the stiffness.
+TEST(SegmentLengths, AStiffnessMustStayAsStiff) {
+  EXPECT_TRUE(judged_as("joint_compliance", "stiffness", 1000.0, 1200.0, 900.0, 1.0).survives);
+  EXPECT_FALSE(judged_as("joint_compliance", "stiffness", 1000.0, 1000.0, 100.0, 1.0).survives);
+}
+
+TEST(SegmentLengths, AShapeMayMove) {
+  const auto stribeck = [](double velocity) {
+    FoundEffect one = effect("stribeck_friction", "coulomb", 0.2, 0.01);
+    one.parameters.push_back({"velocity", "rad/s", velocity, 0.99 * velocity, 1.01 * velocity});
+    return one;
+  };
+  EXPECT_TRUE(judged(stribeck(0.05), stribeck(0.5), stribeck(0.01)).survives);
+}
+
+TEST(SegmentLengths, WithoutOtherLengthsNothingIsSaid) {
+  const LengthVerdict verdict =
+      judge_lengths({effect("coulomb_friction", "torque", 0.2, 0.01)}, 0.5, {}, built_catalog());
+  EXPECT_TRUE(verdict.survives);
+  EXPECT_TRUE(verdict.findings.empty());
+}
+
+}  // namespace
+}  // namespace lacuna
