@@ -2,6 +2,7 @@
 
 #include "diagnosis/linear_segments.h"
 
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -19,6 +20,15 @@ struct BaseSolution {
   /// By segment, bins × any number: what else the residual may hold, linear in coefficients from −1 to 1 that are
   /// fitted beside the values (timing.h). Empty: nothing.
   std::vector<Eigen::MatrixXd> nuisance;
+
+  /// Whether the segments are blocks of free runs (free_run.h), all of a trial from one start; else each has a start of
+  /// its own.
+  bool free_run = false;
+  std::vector<double> bin_widths;  ///< s, least ones, by channel of `noise`; empty: as RowBins has them
+  /// By segment, bins × any number: what a right model's prediction may be wrong by (contact_doubt.h), multiples of the
+  /// sensor noise. Empty: nothing.
+  std::vector<Eigen::MatrixXd> doubts;
+  std::vector<std::string> remarks;  ///< sentences on how the trials were cut
 };
 
 }  // namespace lacuna

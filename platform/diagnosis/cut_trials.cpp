@@ -1,5 +1,6 @@
 #include "diagnosis/cut_trials.h"
 
+#include "diagnosis/free_run.h"
 #include "fitting/shooting_problem.h"
 
 #include <algorithm>
@@ -29,14 +30,18 @@ BaseSolution cut_trials(const CutTask& task) {
   base.trials = fit_trials(task.trials);
   const RobotSpec& robot = task.definition.structure.robot;
   base.noise = sensor_noise(robot, base.trials);
-  const TrialPredictor predictor(task.model, base.trials, 1);
+  const TrialPredictor predictor(task.model, base.trials, task.threads);
   const StartStates states(robot, predictor, base.noise);
   bool reconstructible = true;
   for (std::size_t trial = 0; trial < base.trials.size(); ++trial)
     reconstructible = reconstructible && states.reconstructible(trial);
-  base.segments = make_segments(predictor, states, reconstructible ? task.segment : 0.0, task.values);
-  for (Segment& segment : base.segments)
-    if (segment.stretch.first == 0) segment.deviation *= kDoubt;
+  if (reconstructible) {
+    base.segments = make_segments(predictor, states, task.segment, task.values);
+    for (Segment& segment : base.segments)
+      if (segment.stretch.first == 0) segment.deviation *= kDoubt;
+  } else {
+    cut_free_runs(task, predictor, states, base);
+  }
   if (base.segments.empty())
     throw Error(
         "there is nothing to diagnose: no stretch of the fit files holds more measured values than its start "

@@ -14,10 +14,12 @@ struct CutTask {
   const std::vector<Trial>& trials;
   const std::vector<double>& values;  ///< of the fitted model
   double segment = 0.5;               ///< s
+  int threads = 1;
 };
 
 /// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements
-/// around them; whole where the sensors do not tell the state. Throws `Error` where nothing is left to diagnose.
+/// around them; into blocks of free runs (free_run.h) where the sensors do not tell the state. Throws `Error` where
+/// nothing is left to diagnose.
 BaseSolution cut_trials(const CutTask& task);
 
 }  // namespace lacuna

@@ -64,7 +64,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
           "trials, or livelier ones, would tell");
       break;
     case Verdict::effect_found:
-      findings.push_back(what_is_left(diagnosis));
+      if (!last.base.free_run) findings.push_back(what_is_left(diagnosis));
       if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
       break;
     case Verdict::not_in_library:
@@ -78,6 +78,11 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
       break;
     case Verdict::nothing_missing: break;
   }
+  if (last.base.free_run)
+    findings.emplace_back(
+        "whether a force that no effect has is missing was not tested: the motion of the joints cannot be told from "
+        "these sensors");
+  findings.insert(findings.end(), last.base.remarks.begin(), last.base.remarks.end());
   return findings;
 }
 

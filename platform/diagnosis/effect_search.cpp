@@ -25,7 +25,7 @@ class EffectSearch {
   explicit EffectSearch(const DiagnosisTask& task)
       : task_(task),
         meter_(task.progress),
-        cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment})),
+        cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
         plain_(plain(task.experiment, task.catalog, task.values,
                      sufficient_substeps(task.definition, cut_, task.threads))),
         contender_(plain_) {
@@ -163,8 +163,11 @@ class EffectSearch {
   /// What does not survive a change of segment length is less likely to be the answer.
   void change_lengths(const Round& round) {
     Diagnosis& result = state_.so_far;
-    result.lengths = refit_at_lengths(
-        {{task_.definition, task_.model, task_.trials, task_.values, task_.segment}, contender_, round, task_.threads});
+    result.lengths =
+        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, task_.segment, task_.threads},
+                          contender_,
+                          round,
+                          task_.threads});
     const LengthVerdict verdict =
         judge_lengths(result.ranking.front().effects, task_.segment, result.lengths, task_.catalog);
     if (!verdict.survives) result.probability *= kUnsteady;

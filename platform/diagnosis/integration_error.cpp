@@ -37,6 +37,7 @@ std::optional<Predictions> predictions(const ModelDefinition& definition, int su
 }  // namespace
 
 bool correct_for_steps(const ModelDefinition& definition, BaseSolution& base, int threads) {
+  if (base.free_run) return false;
   const int substeps = definition.engine.substeps;
   const auto own = predictions(definition, substeps, base, threads);
   const auto fine = predictions(definition, kFiner / 2 * substeps, base, threads);

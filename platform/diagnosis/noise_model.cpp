@@ -35,7 +35,41 @@ Eigen::MatrixXd force_shape(const Eigen::MatrixXd& response, const Eigen::Vector
   return response * correlation * response.transpose();
 }
 
-std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResponses& forces) {
+/// Whether a bin lies so near another of its channel that the moment of an event may as well be in one as in the other.
+bool near(const RowBins::Bin& one, const RowBins::Bin& other) {
+  return one.channel == other.channel && std::abs(one.time - other.time) <= kSlowSensor + 1e-9;
+}
+
+/// RMS of the doubts around each bin.
+Eigen::VectorXd doubt_around(const std::vector<RowBins::Bin>& bins, const Eigen::MatrixXd& doubt) {
+  const Eigen::VectorXd variance = doubt.rowwise().squaredNorm() / static_cast<double>(doubt.cols());
+  Eigen::VectorXd around(doubt.rows());
+  for (Eigen::Index a = 0; a < doubt.rows(); ++a) {
+    double sum = 0.0, count = 0.0;
+    for (Eigen::Index b = 0; b < doubt.rows(); ++b) {
+      if (!near(bins[static_cast<std::size_t>(a)], bins[static_cast<std::size_t>(b)])) continue;
+      sum += variance(b);
+      count += 1.0;
+    }
+    around(a) = std::sqrt(sum / count);
+  }
+  return around;
+}
+
+/// The doubts, and beside them what is as large but less alike: moments of events are not known to a bin.
+Eigen::MatrixXd doubt_shape(const std::vector<RowBins::Bin>& bins, const Eigen::MatrixXd& doubt) {
+  const Eigen::VectorXd around = doubt_around(bins, doubt);
+  Eigen::MatrixXd shape = doubt * doubt.transpose();
+  for (Eigen::Index a = 0; a < doubt.rows(); ++a)
+    for (Eigen::Index b = 0; b < doubt.rows(); ++b) {
+      const RowBins::Bin &one = bins[static_cast<std::size_t>(a)], &other = bins[static_cast<std::size_t>(b)];
+      if (one.channel == other.channel)
+        shape(a, b) += around(a) * around(b) * std::exp(-std::abs(one.time - other.time) / kSlowSensor);
+    }
+  return shape;
+}
+
+std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResponses& forces, bool doubtful) {
   using Kind = NoiseComponent::Kind;
   std::map<std::size_t, bool> channels;
   for (std::size_t k = 0; k < bins.segments(); ++k)
@@ -45,18 +79,24 @@ std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResp
   for (const auto& [channel, unused] : channels) components.push_back({Kind::slow_sensor, channel, 0.0});
   for (const Kind kind : {Kind::force, Kind::slow_force})
     for (std::size_t joint = 0; joint < forces.joints.size(); ++joint) components.push_back({kind, joint, 0.0});
+  if (doubtful) components.push_back({Kind::doubt, 0, 1.0});
   return components;
 }
 
 }  // namespace
 
-NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces)
-    : components_(list_components(bins, forces)), shapes_(bins.segments()) {
+NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces, const std::vector<Eigen::MatrixXd>& doubts)
+    : components_(list_components(bins, forces, !doubts.empty())), shapes_(bins.segments()) {
   using Kind = NoiseComponent::Kind;
   std::vector<double> power(components_.size(), 0.0);
   for (std::size_t k = 0; k < bins.segments(); ++k)
     for (std::size_t i = 0; i < components_.size(); ++i) {
       const NoiseComponent& one = components_[i];
+      if (one.kind == Kind::doubt) {
+        shapes_[k].push_back(doubt_shape(bins.bins(k), doubts[k]));
+        power[i] += shapes_[k].back().trace();
+        continue;
+      }
       const bool slow = one.kind == Kind::slow_sensor || one.kind == Kind::slow_force;
       const bool sensor = one.kind == Kind::sensor || one.kind == Kind::slow_sensor;
       shapes_[k].push_back(sensor ? sensor_shape(bins.bins(k), one.index, slow)
@@ -66,6 +106,7 @@ NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces)
   const double white = std::max(power.front(), 1e-300);
   for (const double one : power) sizes_.push_back(one > 0.0 ? std::sqrt(white / one) : 0.0);
   least_.assign(components_.size(), 0.0);
+  if (!doubts.empty()) least_.back() = 1.0;
 }
 
 void NoiseModel::require_force(std::size_t joint, double deviation) {

@@ -10,20 +10,25 @@ namespace lacuna {
 
 /// One independent source of noise.
 struct NoiseComponent {
-  enum class Kind { sensor, slow_sensor, force, slow_force };
+  enum class Kind { sensor, slow_sensor, force, slow_force, doubt };
   Kind kind = Kind::sensor;
-  std::size_t index = 0;   ///< channel of the noise list, or joint of the force responses
-  double deviation = 0.0;  ///< sensors: multiples of the problem's scale; forces: N·m or N, mean over a pulse
+  std::size_t index = 0;  ///< channel of the noise list, or joint of the force responses
+  /// Sensors: multiples of the problem's scale; forces: N·m or N, mean over a pulse; doubt: multiples of what was
+  /// found.
+  double deviation = 0.0;
 };
 
 inline constexpr double kSlowSensor = 0.05;  ///< s, correlation time of slow sensor noise
 inline constexpr double kSlowForce = 0.25;   ///< s, correlation time of a slow random force
 
 /// Residuals of a right model as a sum of independent Gaussian noises: sensor noise, white and slow, of each channel,
-/// and random force, white and slow, on each joint, passed through the model. Segments are independent.
+/// and random force, white and slow, on each joint, passed through the model; where a prediction is known to be
+/// doubtful (contact_doubt.h), the doubts themselves, each of a random size, and slow noise that is as large where they
+/// are; both at least as large as was found. Segments are independent.
 class NoiseModel {
  public:
-  NoiseModel(const RowBins& bins, const ForceResponses& forces);
+  /// `doubts`: by segment, bins × any number, in units of the problem's scales; empty: none.
+  NoiseModel(const RowBins& bins, const ForceResponses& forces, const std::vector<Eigen::MatrixXd>& doubts = {});
 
   const std::vector<NoiseComponent>& components() const { return components_; }
   std::vector<double> deviations() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -60,6 +61,7 @@ class Ladder {
       : hypothesis_(hypothesis),
         bench_(hypothesis, base, kLadderSegments),
         residual_(std::max(1.0, base.residual)),
+        may_jump_(base.free_run),
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
   }
@@ -83,6 +85,7 @@ class Ladder {
   std::optional<double> size(std::size_t i) {
     const double range = room(i, direction(i));
     double below = 0.0, above = range, way = kFirst * range, best = 0.0, most = 0.0;
+    std::vector<std::pair<double, double>> jumps;  // ways and changes, too large
     for (int trial = 0; trial < kTrials && way > 0.0; ++trial) {
       const std::optional<double> change = changed_by(i, way);
       if (change && *change > most && *change <= kTooMuch * residual_) {
@@ -90,16 +93,25 @@ class Ladder {
         best = way;
       }
       if (change && *change >= kEnough * residual_ && *change <= kTooMuch * residual_) return value(i, way);
+      if (change && *change > kTooMuch * residual_) jumps.emplace_back(way, *change);
       const bool small = change && *change < kEnough * residual_;
       if (small && way >= range) break;
       (small ? below : above) = way;
       way = next_way(below, above, range, way, change);
     }
-    if (most < kVisible) return std::nullopt;
-    return value(i, best);
+    if (most >= kVisible) return value(i, best);
+    return may_jump_ && !jumps.empty() ? std::optional(value(i, beyond_jump(jumps))) : std::nullopt;
   }
 
  private:
+  /// Of ways that all change too much, the furthest on which what grows with the way does not yet outgrow the jump.
+  static double beyond_jump(const std::vector<std::pair<double, double>>& jumps) {
+    double least = jumps.front().second, furthest = 0.0;
+    for (const auto& [way, change] : jumps) least = std::min(least, change);
+    for (const auto& [way, change] : jumps)
+      if (change <= 2.0 * least) furthest = std::max(furthest, way);
+    return furthest;
+  }
   double neutral(std::size_t i) const {
     return bench_.space().to_coordinate(static_cast<Eigen::Index>(hypothesis_.own[i]), hypothesis_.neutral[i]);
   }
@@ -137,6 +149,7 @@ class Ladder {
   const Hypothesis& hypothesis_;
   Bench bench_;
   double residual_;
+  bool may_jump_;  ///< a foot that just touches leaves the ground at the smallest tilt
   std::vector<double> others_;
   bool valid_ = false;
   std::vector<Eigen::VectorXd> calm_, moved_;

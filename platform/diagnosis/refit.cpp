@@ -10,6 +10,9 @@
 namespace lacuna {
 namespace {
 
+/// Of free runs through contacts, where the deviance is no smoother: impacts happen at whole steps.
+constexpr int kMostRunIterations = 10;
+constexpr double kRunPrecision = 0.5;
 constexpr double kThreshold = 4.0;  ///< standard deviations, beyond which a bin counts linearly
 
 /// Takes out of the rows what the segment's own start could explain. Returns how the start follows the values.
@@ -92,13 +95,17 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
 
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
             const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,
-            const RefitEffort& effort) {
+            RefitEffort effort) {
   const TrialPredictor predictor(refitted.model, base.trials, threads);
   const ParameterSpace space(refitted.definition.free);
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, base.nuisance);
   const RobustLoss loss{kThreshold};
+  if (base.free_run) {
+    effort.iterations = std::min(effort.iterations, kMostRunIterations);
+    effort.precision = std::max(effort.precision, kRunPrecision);
+  }
   LeastSquaresOptions options{.loss = loss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}};
   options.tolerance = effort.precision / static_cast<double>(bins.rows());
   const std::optional<FitPoint> start = best_start(problem, space, base, starts, loss);

@@ -40,6 +40,6 @@ struct RefitEffort {
 /// Minimises from the best of `starts` (free values, SI).
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
             const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,
-            const RefitEffort& effort = {});
+            RefitEffort effort = {});
 
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 #include "diagnosis/round.h"
 
+#include "diagnosis/contact_doubt.h"
 #include "diagnosis/data_scales.h"
 #include "diagnosis/timing.h"
 #include "fitting/disturbance.h"
@@ -228,16 +229,19 @@ void refit_rivals(Round& round, const std::vector<std::vector<Probe>>& probes, i
 Round run_round(const RoundTask& task) {
   task.meter.begin_part("noise");
   BaseBench bench(task.contender, task.start, task.threads);
-  Round round{RowBins(bench.problem)};
+  Round round{RowBins(bench.problem, task.start.bin_widths)};
   round.base = task.start;
   round.base.values = task.contender.values;
   settle(bench, round.base);
   linearise(bench, round.bins, round.base);
   round.base.nuisance = timing_beside(task.contender, round, task.threads);
-  round.forces = force_responses(task.contender.definition, bench.problem, round.bins,
-                                 {bench.space.to_coordinates(round.base.values), round.base.states}, round.base.values,
-                                 round.base.residual, task.threads);
-  round.noise = NoiseModel(round.bins, round.forces);
+  if (round.base.free_run)
+    round.base.doubts = contact_doubts(task.contender.definition, round.base, round.bins, task.threads);
+  else
+    round.forces = force_responses(task.contender.definition, bench.problem, round.bins,
+                                   {bench.space.to_coordinates(round.base.values), round.base.states},
+                                   round.base.values, round.base.residual, task.threads);
+  round.noise = NoiseModel(round.bins, round.forces, round.base.doubts);
   require_declared(task.contender, round);
   round.folds = folds(round.base.segments);
   task.meter.end_part();
@@ -271,6 +275,7 @@ Round run_round(const RoundTask& task) {
   const WhitenedSegments whitened(round.noise, with_nuisance(round.base, round.fit));
   round.screening = screen(whitened, probes, task.seed);
   round.free_force = test_free_force(whitened, force, round.folds);
+  if (force.empty()) round.free_force.held_out = round.held_out;
   if (round.free_force.p < kFreeForceLevel)
     round.formulas = find_formulas(whitened, motions, round.forces, round.folds, task.seed);
   task.meter.end_part();

@@ -14,17 +14,21 @@ constexpr double kMostRows = 600.0;   // a segment
 
 }  // namespace
 
-RowBins::RowBins(const ShootingProblem& problem) {
+RowBins::RowBins(const ShootingProblem& problem, const std::vector<double>& least_widths) {
   for (std::size_t k = 0; k < problem.segments().size(); ++k) {
     const Eigen::Index measured = problem.robust_rows(k);
     std::set<std::size_t> channels;
     for (Eigen::Index row = 0; row < measured; ++row) channels.insert(problem.place(k, row).channel);
     const double begin = problem.place(k, 0).time, end = problem.place(k, measured - 1).time;
-    const double width = std::max(kShortest, (end - begin) * static_cast<double>(channels.size()) / kMostRows);
+    const double shortest = (end - begin) * static_cast<double>(channels.size()) / kMostRows;
+    const auto width_of = [&](std::size_t channel) {
+      return std::max(least_widths.empty() ? kShortest : least_widths[channel], shortest);
+    };
     Segment segment;
     std::map<std::pair<std::size_t, long>, Eigen::Index> known;
     for (Eigen::Index row = 0; row < measured; ++row) {
       const ResidualPlace place = problem.place(k, row);
+      const double width = width_of(place.channel);
       const auto key = std::pair(place.channel, static_cast<long>((place.time - begin) / width + 1e-6));
       const auto [at, is_new] = known.try_emplace(key, static_cast<Eigen::Index>(segment.bins.size()));
       if (is_new) segment.bins.push_back({place.channel, 0.0, 0.0});

@@ -16,7 +16,8 @@ class RowBins {
     double count = 0.0;       ///< samples
   };
 
-  explicit RowBins(const ShootingProblem& problem);
+  /// `least_widths`: s, by channel of the noise list; empty: 12.5 ms for all.
+  explicit RowBins(const ShootingProblem& problem, const std::vector<double>& least_widths = {});
   /// A row a bin.
   explicit RowBins(std::vector<std::vector<Bin>> segments);
 

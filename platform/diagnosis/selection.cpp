@@ -35,6 +35,8 @@ std::optional<std::size_t> choose(const Round& round, double level) {
   if (round.rivals.empty() || round.screening.p > level) return std::nullopt;
   const Rival& best = round.rivals.front();
   if (best.gain.value <= 0.0) return std::nullopt;
+  // Errors of one block of a free run are in the next, too: the score's chance counts them as more than they are.
+  if (round.base.free_run && best.gain.lower_95 <= 0.0) return std::nullopt;
   std::size_t chosen = 0;
   for (std::size_t i = 1; i < round.rivals.size(); ++i) {
     const Gain behind = gain(round.rivals[i].held_out, best.held_out, 1);

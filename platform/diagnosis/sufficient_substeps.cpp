@@ -36,6 +36,7 @@ double rms_change(const Residuals& a, const Residuals& b) {
 }  // namespace
 
 int sufficient_substeps(const ModelDefinition& definition, const BaseSolution& base, int threads) {
+  if (base.free_run) return definition.engine.substeps;
   int substeps = 1;
   Residuals coarse = residuals_with(substeps, definition, base, threads);
   while (substeps < definition.engine.substeps) {

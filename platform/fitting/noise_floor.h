@@ -22,8 +22,9 @@ struct ChannelNoise {
 
 /// Sensor noise of every channel that `trials` measure, in the order of the first trial that has it.
 /// In order of trust: what the columns declare; what the robot's sensor declares (noise and quantiser
-/// step/√12); noise while the rig rests; the high-frequency part of the recording (second differences),
-/// which takes fast motion for noise. Where nothing varies at all, the resolution of a double.
+/// step/√12); of a touch sensor, one uncertain reading beside each change; noise while the rig rests; the
+/// high-frequency part of the recording (second differences), which takes fast motion for noise. Where nothing varies
+/// at all, the resolution of a double.
 std::vector<ChannelNoise> sensor_noise(const RobotSpec& robot, const std::vector<Trial>& trials);
 
 /// What remains of a free run's error in one channel when the model is right; channel unit, RMS over

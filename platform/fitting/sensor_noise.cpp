@@ -85,9 +85,37 @@ Figure from_second_differences(const std::vector<Trial>& trials, const std::stri
   return {resolution, "resolution of a double, the recording shows no noise"};
 }
 
+const SensorSpec* touch_sensor(const RobotSpec& robot, const std::string& channel) {
+  for (const SensorSpec& sensor : robot.sensors)
+    if (sensor.kind == SensorKind::touch && sensor.name == channel) return &sensor;
+  return nullptr;
+}
+
+/// A touch reads one of two values, and is exactly right but for when it changes, which is known to a sample: beside
+/// each change one reading is as likely wrong as right. A foot that never changes might have done so once.
+Figure from_switches(const std::vector<Trial>& trials, const SensorSpec& sensor) {
+  double switches = 0.0, samples = 0.0;
+  for (const Trial& trial : trials)
+    for (std::size_t i = 0; i < trial.measured.channels.size(); ++i) {
+      if (trial.measured.channels[i].name != sensor.name) continue;
+      double before = std::numeric_limits<double>::quiet_NaN();
+      for (const double value : trial.measured.samples.col(static_cast<Eigen::Index>(i))) {
+        if (!std::isfinite(value)) continue;
+        samples += 1.0;
+        if (std::isfinite(before) && (before < sensor.offset) != (value < sensor.offset)) switches += 1.0;
+        before = value;
+      }
+    }
+  const double apart = 2.0 * std::abs(sensor.scale);
+  const double share = 0.5 * std::max(switches, 1.0) / std::max(samples, 1.0);
+  return {apart * std::sqrt(share), "one sample beside each change of touch is uncertain"};
+}
+
 ChannelNoise noise_of(const RobotSpec& robot, const std::vector<Trial>& trials, const Channel& channel) {
   std::optional<Figure> figure = declared_by_columns(trials, channel.name);
   if (!figure) figure = declared_by_robot(robot, channel);
+  const SensorSpec* touch = touch_sensor(robot, channel.name);
+  if (!figure && touch && touch->scale != 0.0) figure = from_switches(trials, *touch);
   if (!figure) figure = found_at_rest(trials, channel);
   if (!figure) figure = from_second_differences(trials, channel.name);
   return {channel.name, channel.unit, figure->deviation, figure->origin};

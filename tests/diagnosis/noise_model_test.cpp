@@ -68,5 +68,21 @@ TEST_F(NoiseModelTest, GivesTheSameDigitsWithAnyThreads) {
   EXPECT_EQ(estimate_.deviations(), other.deviations());
 }
 
+/// White noise of deviation 1, a doubt c in every bin as one random number, and slow noise of the same size.
+TEST(DoubtfulNoise, IsNeverSmallerThanTheDoubts) {
+  constexpr double kDoubt = 3.0;
+  const RowBins bins = one_channel();
+  NoiseModel noise(bins, {}, std::vector<Eigen::MatrixXd>(kSegments, Eigen::MatrixXd::Constant(kRows, 1, kDoubt)));
+  ASSERT_EQ(noise.components().back().kind, NoiseComponent::Kind::doubt);
+  EXPECT_EQ(noise.least().back(), 1.0);
+  const Eigen::MatrixXd covariance = noise.covariance(0);
+  for (Eigen::Index a : {0, 7})
+    for (Eigen::Index b = 0; b < kRows; ++b) {
+      const double apart = kInterval * std::abs(static_cast<double>(a - b));
+      const double expected = (a == b ? 1.0 : 0.0) + kDoubt * kDoubt * (1.0 + std::exp(-apart / kSlowSensor));
+      EXPECT_NEAR(covariance(a, b), expected, 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace lacuna::test

@@ -63,6 +63,19 @@ TEST(SensorNoise, ElseTheScatterAtRest) {
   EXPECT_THAT(noise.origin, HasSubstr("rest"));
 }
 
+/// Five changes in 500 readings of −1 or 1: beside each, one reading is off by 2 with a chance of one half.
+TEST(SensorNoise, OfATouchIsTheMomentOfItsChanges) {
+  RobotSpec robot = one_joint_robot();
+  robot.sensors[0].kind = SensorKind::touch;
+  Eigen::VectorXd touch(500);
+  for (Eigen::Index i = 0; i < touch.size(); ++i) touch(i) = (i + 30) / 100 % 2 == 0 ? -1.0 : 1.0;
+  Trial trial = trial_of(touch);
+  trial.measured.channels = {{robot.sensors[0].name, "1"}};
+  const ChannelNoise noise = sensor_noise(robot, {trial}).front();
+  EXPECT_DOUBLE_EQ(noise.deviation, std::sqrt(4.0 * 0.5 * 5.0 / 500.0));
+  EXPECT_THAT(noise.origin, HasSubstr("change of touch"));
+}
+
 TEST(SensorNoise, ElseSecondDifferencesAndSaysSo) {
   Trial trial = moving_trial(0.01);
   for (Eigen::Index i = 0; i < trial.measured.samples.rows(); ++i)  // never at rest
