@@ -1,0 +1,30 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "diagnosis/contender.h"
+
+namespace lacuna {
+
+/// A round's model at its base solution, ready to be simulated. Trials, segments and noise of `start` are copied into
+/// its problem; `contender` must live as long as it.
+class BaseBench {
+ public:
+  BaseBench(const Contender& contender, const BaseSolution& start, int threads);
+
+  /// Least squares under sensor noise alone, to begin with: moves values and states. Throws `Error` where the model
+  /// cannot be simulated.
+  void settle(BaseSolution& base);
+  /// Residual and derivatives at the base's values and states. Throws like `settle`.
+  void linearise(const RowBins& bins, BaseSolution& base);
+
+  const TrialPredictor& predictor() const { return predictor_; }
+  ShootingProblem& problem() { return problem_; }
+  FitPoint point(const BaseSolution& base) const { return {space_.to_coordinates(base.values), base.states}; }
+
+ private:
+  TrialPredictor predictor_;
+  ParameterSpace space_;
+  ShootingProblem problem_;
+};
+
+}  // namespace lacuna

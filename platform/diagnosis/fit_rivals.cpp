@@ -1,0 +1,143 @@
+#include "diagnosis/fit_rivals.h"
+
+#include "diagnosis/nuisance.h"
+#include "foundation/parallel.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kFewestRefits = 5, kMostRefits = 10;  ///< refits
+constexpr double kChance = 0.05;                            ///< beyond, the best score is no more than noise reaches
+constexpr std::size_t kRefitsByChance = 2;                  ///< then, to be shown
+constexpr double kComparable = 0.3;                         ///< of the best score: others as good are refitted, too
+constexpr std::size_t kProbeStarts = 2;                     ///< probes that a refit starts from
+/// Of the deviance that a rival is worth by its score: a choice between rivals needs no finer fit, and the chosen one
+/// is refitted in the next round.
+constexpr double kFineEnough = 1e-3;
+/// Rivals go on after so many iterations unless they are far behind the best: by that share of what it explains, and by
+/// that much.
+constexpr int kScoutIterations = 6;
+constexpr double kFarBehind = 0.3, kFarDeviance = 20.0;
+
+/// A hypothesis worth a refit, with the probes that it starts from.
+struct Listed {
+  std::size_t hypothesis = 0;
+  std::vector<ProbeScore> scores;
+};
+
+/// The best score first.
+std::vector<Listed> shortlist(const Screening& screening) {
+  std::vector<Listed> list;
+  const bool by_chance = screening.p > kChance;
+  for (const ProbeScore& score : screening.scores) {
+    const auto known =
+        std::find_if(list.begin(), list.end(), [&](const Listed& one) { return one.hypothesis == score.hypothesis; });
+    if (known != list.end()) {
+      if (known->scores.size() < kProbeStarts) known->scores.push_back(score);
+      continue;
+    }
+    const bool comparable = score.deviance >= kComparable * screening.scores.front().deviance;
+    if (list.size() < (by_chance ? kRefitsByChance : kFewestRefits) ||
+        (comparable && !by_chance && list.size() < kMostRefits))
+      list.push_back({score.hypothesis, {score}});
+  }
+  return list;
+}
+
+/// The base that a hypothesis is refitted on: without a nuisance that does what the effect does.
+BaseSolution base_for(const Round& round, const std::vector<Probe>& probes, const std::vector<ProbeScore>& scores) {
+  BaseSolution base = round.base;
+  if (base.nuisance.empty()) return base;
+  const Probe& probe = probes[scores.front().probe];
+  const std::vector<Eigen::MatrixXd> response(probe.response.begin(), probe.response.end());
+  if (is_among(response, base.nuisance)) base.nuisance.clear();
+  return base;
+}
+
+/// Values to start a refit from: the probe, and the probe scaled to the size that its score wants.
+void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeScore& score,
+                const std::vector<double>& base, std::vector<std::vector<double>>& starts) {
+  starts.push_back(hypothesis.values(base, probe.own));
+  const double size = std::clamp(score.size, probe.one_sided ? 0.1 : -3.0, 3.0);
+  std::vector<double> scaled = hypothesis.neutral;
+  for (std::size_t i = 0; i < scaled.size(); ++i) {
+    const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
+    if (free.scale == Scale::logarithmic)
+      scaled[i] = probe.own[i];
+    else
+      scaled[i] = std::clamp(scaled[i] + size * (probe.own[i] - scaled[i]), free.lower, free.upper);
+  }
+  starts.push_back(hypothesis.values(base, scaled));
+}
+
+class RivalFits {
+ public:
+  RivalFits(const Round& round, const std::vector<std::vector<Probe>>& probes)
+      : round_(round), probes_(probes), list_(shortlist(round.screening)), rivals_(list_.size()) {}
+
+  std::vector<Rival> run(std::uint64_t seed, int threads) {
+    parallel_for(list_.size(), threads, [&](std::size_t i, int) { scout(i); });
+    const double most = most_deviance();
+    parallel_for(list_.size(), threads, [&](std::size_t i, int) { go_on(i, most); });
+    std::erase_if(rivals_, [](const Rival& rival) { return !rival.fit.valid; });
+    for (Rival& rival : rivals_) {
+      rival.held_out = held_out_deviance(rival.fit, round_.folds);
+      rival.gain = gain(round_.held_out, rival.held_out, seed);
+    }
+    std::stable_sort(rivals_.begin(), rivals_.end(),
+                     [](const Rival& a, const Rival& b) { return a.gain.value > b.gain.value; });
+    return std::move(rivals_);
+  }
+
+ private:
+  void scout(std::size_t i) {
+    const auto& [h, scores] = list_[i];
+    std::vector<std::vector<double>> starts;
+    for (const ProbeScore& score : scores)
+      add_starts(round_.hypotheses[h], probes_[h][score.probe], score, round_.base.values, starts);
+    rivals_[i].hypothesis = h;
+    rivals_[i].deviance = scores.front().deviance;
+    rivals_[i].fit = fit(i, starts, round_.base.states, kScoutIterations);
+  }
+
+  /// Beyond which a scout goes no further.
+  double most_deviance() const {
+    double best = round_.fit.deviance;
+    for (const Rival& rival : rivals_)
+      if (rival.fit.valid) best = std::min(best, rival.fit.deviance);
+    return best + std::max(kFarDeviance, kFarBehind * (round_.fit.deviance - best));
+  }
+
+  void go_on(std::size_t i, double most) {
+    const Refit& scout = rivals_[i].fit;
+    if (!scout.valid || scout.converged || scout.deviance > most) return;
+    Refit further = fit(i, {scout.values}, scout.states, RefitEffort().iterations);
+    if (further.valid) rivals_[i].fit = std::move(further);
+  }
+
+  Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const std::vector<Eigen::VectorXd>& states,
+            int iterations) const {
+    const auto& [h, scores] = list_[i];
+    const Hypothesis& hypothesis = round_.hypotheses[h];
+    BaseSolution base = base_for(round_, probes_[h], scores);
+    base.states = states;
+    return refit({hypothesis.definition, *hypothesis.model, hypothesis.base}, base, round_.bins, round_.factors, starts,
+                 1, {std::max(RefitEffort().precision, kFineEnough * scores.front().deviance), iterations});
+  }
+
+  const Round& round_;
+  const std::vector<std::vector<Probe>>& probes_;
+  const std::vector<Listed> list_;
+  std::vector<Rival> rivals_;
+};
+
+}  // namespace
+
+std::vector<Rival> fit_rivals(const Round& round, const std::vector<std::vector<Probe>>& probes, std::uint64_t seed,
+                              int threads) {
+  return RivalFits(round, probes).run(seed, threads);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,57 @@
+#include "diagnosis/nuisance.h"
+
+#include "diagnosis/timing.h"
+
+#include <Eigen/QR>
+
+namespace lacuna {
+namespace {
+
+constexpr double kAlike = 0.02;  ///< share below which a column is another one, scaled
+
+/// Share of the column's power that the others, without their starts, do not span.
+double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others) {
+  const Eigen::Index count = others.front().cols();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd mixed = Eigen::VectorXd::Zero(count);
+  double power = 0.0;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    gram += others[k].transpose() * others[k];
+    mixed += others[k].transpose() * column[k].col(0);
+    power += column[k].squaredNorm();
+  }
+  if (power <= 0.0) return 0.0;
+  return 1.0 - mixed.dot(gram.completeOrthogonalDecomposition().solve(mixed)) / power;
+}
+
+}  // namespace
+
+bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others) {
+  return share_beside(column, others) < kAlike;
+}
+
+std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const BaseSolution& base, const RowBins& bins,
+                                           int threads) {
+  std::vector<Eigen::MatrixXd> timing = timing_columns(*contender.model, contender.definition, base, bins, threads);
+  if (timing.empty()) return timing;
+  std::vector<Eigen::MatrixXd> values;
+  for (const LinearSegment& segment : base.linear) values.push_back(segment.values);
+  if (values.front().cols() > 0 && is_among(timing, values)) timing.clear();
+  return timing;
+}
+
+std::vector<LinearSegment> with_nuisance(const BaseSolution& base, const Refit& fit) {
+  std::vector<LinearSegment> segments = base.linear;
+  const Eigen::Index count = fit.nuisance.size();
+  for (std::size_t k = 0; k < segments.size() && count > 0; ++k) {
+    segments[k].residual += base.nuisance[k] * fit.nuisance;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (fit.at_bound[fit.at_bound.size() - static_cast<std::size_t>(count - i)]) continue;
+      segments[k].values.conservativeResize(Eigen::NoChange, segments[k].values.cols() + 1);
+      segments[k].values.rightCols(1) = base.nuisance[k].col(i);
+    }
+  }
+  return segments;
+}
+
+}  // namespace lacuna

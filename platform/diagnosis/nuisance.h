@@ -1,0 +1,21 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/refit.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// Whether a column, by segment, is what the others make up, but for a fiftieth of its power. Starts are not counted.
+bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others);
+
+/// The timing of commands (timing.h), unless the model has a value that does the same; empty then. `base`: linearised.
+std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const BaseSolution& base, const RowBins& bins,
+                                           int threads);
+
+/// The base's linear segments with the nuisances that the refit has inside their bounds: taken off the residual, and
+/// beside the values. What is at its bound is taken off alone.
+std::vector<LinearSegment> with_nuisance(const BaseSolution& base, const Refit& fit);
+
+}  // namespace lacuna
