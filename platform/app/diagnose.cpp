@@ -27,8 +27,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   const Rig& rig = bench.rig();
   const std::optional<SearchState> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
   if (before && !options.quiet)
-    fmt::print(stderr, "going on after {}, which an interrupted call had done\n",
-               counted(before->tried.size(), "model"));
+    fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->tried.size(), "model"));
   ProgressLine line(options.quiet);
   Diagnosis diagnosis = diagnose({.experiment = rig.experiment,
                                   .catalog = *rig.catalog,

@@ -51,10 +51,13 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const FitResul
   store_.record_fit(revision.id, fit_record(fit, rig.experiment.fit, settings(rig)));
 }
 
-/// A diagnosis also follows from the effects that there are to try.
+/// A diagnosis also follows from the effects that there are to try, and from the declared noise.
 std::string Ledger::settings(const Rig& rig, const std::vector<std::string>& among) const {
   std::string text = settings(rig) + fmt::format(" diagnosis segments {} among [{}]", rig.experiment.diagnosis.segment,
                                                  fmt::join(among, ","));
+  const NoiseSection& noise = rig.experiment.noise;
+  for (const auto& [joint, deviation] : noise.process)
+    text += fmt::format(" process {} {} {}", joint, deviation, noise.process_correlation_time);
   for (const PluginListing& listing : rig.catalog->list())
     if (listing.kind == "effect") text += " " + listing.sha256;
   return text;

@@ -10,6 +10,8 @@ namespace lacuna {
 class BaseBench {
  public:
   BaseBench(const Contender& contender, const BaseSolution& start, int threads);
+  BaseBench(const BaseBench&) = delete;
+  BaseBench& operator=(const BaseBench&) = delete;
 
   /// Least squares under sensor noise alone, to begin with: moves values and states. Throws `Error` where the model
   /// cannot be simulated.

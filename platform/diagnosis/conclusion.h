@@ -2,6 +2,8 @@
 
 #include "diagnosis/diagnosis_findings.h"
 
+#include <cstdint>
+
 namespace lacuna {
 
 /// Ends a diagnosis with verdict, probabilities and findings. `diagnosis`: what its rounds found; `first`: the model

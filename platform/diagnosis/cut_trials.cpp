@@ -8,10 +8,6 @@
 namespace lacuna {
 namespace {
 
-/// A trial's start is told by the model as it is, and what is missing may have misled it: its deviation is so much
-/// wider.
-constexpr double kDoubt = 100.0;
-
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
   std::copy_if(trials.begin(), trials.end(), std::back_inserter(kept),
@@ -32,13 +28,15 @@ BaseSolution cut_trials(const CutTask& task) {
   base.noise = sensor_noise(robot, base.trials);
   const TrialPredictor predictor(task.model, base.trials, task.threads);
   const StartStates states(robot, predictor, base.noise);
-  bool reconstructible = true;
-  for (std::size_t trial = 0; trial < base.trials.size(); ++trial)
+  bool measured = true, reconstructible = true;
+  for (std::size_t trial = 0; trial < base.trials.size(); ++trial) {
+    measured = measured && states.unmeasured(trial).empty();
     reconstructible = reconstructible && states.reconstructible(trial);
-  if (reconstructible) {
-    base.segments = make_segments(predictor, states, task.segment, task.values);
+  }
+  if (measured) {
+    base.segments = make_segments(predictor, states, reconstructible ? task.segment : 0.0, task.values);
     for (Segment& segment : base.segments)
-      if (segment.stretch.first == 0) segment.deviation *= kDoubt;
+      if (segment.stretch.first == 0) segment.deviation *= kDoubtOfStart;
   } else {
     cut_free_runs(task, predictor, states, base);
   }

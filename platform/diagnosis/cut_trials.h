@@ -7,6 +7,10 @@
 
 namespace lacuna {
 
+/// A trial's start is told by the model as it is, and what is missing may have misled it: its deviation is so much
+/// wider.
+inline constexpr double kDoubtOfStart = 100.0;
+
 /// What is cut. Everything referred to must live until `cut_trials` returns.
 struct CutTask {
   const ModelDefinition& definition;
@@ -18,8 +22,8 @@ struct CutTask {
 };
 
 /// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements
-/// around them; into blocks of free runs (free_run.h) where the sensors do not tell the state. Throws `Error` where
-/// nothing is left to diagnose.
+/// around them; whole, where an effect has a state that no sensor tells; into blocks of free runs (free_run.h) where
+/// not all positions are measured. Throws `Error` where nothing is left to diagnose.
 BaseSolution cut_trials(const CutTask& task);
 
 }  // namespace lacuna

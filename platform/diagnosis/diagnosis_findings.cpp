@@ -57,6 +57,7 @@ double share_of_answer(const Diagnosis& diagnosis) {
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,
                                      const Round& last) {
   std::vector<std::string> findings;
+  const bool tested = !last.forces.joints.empty();
   switch (diagnosis.verdict) {
     case Verdict::cannot_tell:
       findings.emplace_back(
@@ -64,7 +65,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
           "trials, or livelier ones, would tell");
       break;
     case Verdict::effect_found:
-      if (!last.base.free_run) findings.push_back(what_is_left(diagnosis));
+      if (tested) findings.push_back(what_is_left(diagnosis));
       if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
       break;
     case Verdict::not_in_library:
@@ -78,10 +79,10 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
       break;
     case Verdict::nothing_missing: break;
   }
-  if (last.base.free_run)
+  if (!tested)
     findings.emplace_back(
-        "whether a force that no effect has is missing was not tested: the motion of the joints cannot be told from "
-        "these sensors");
+        "whether a force that no effect has is missing was not tested: these sensors do not tell the motion of the "
+        "joints, or there are too many of them");
   findings.insert(findings.end(), last.base.remarks.begin(), last.base.remarks.end());
   return findings;
 }

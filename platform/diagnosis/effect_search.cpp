@@ -154,10 +154,22 @@ class EffectSearch {
   Diagnosis ended(const Round& round, bool outdone_by_law) {
     conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
              task_.seed);
-    if (!contender_.added.empty()) change_lengths(round);
-    if (state_.so_far.verdict == Verdict::effect_found) propose(round);
+    if (is_answer()) {
+      meter_.add_parts(1);
+      meter_.begin_part("other lengths of segments");
+      change_lengths(round);
+      if (state_.so_far.verdict == Verdict::effect_found) propose(round);
+      meter_.end_part();
+    }
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
+  }
+
+  /// Whether the effects found are said to be missing, and do not only imitate something.
+  bool is_answer() const {
+    const Diagnosis& result = state_.so_far;
+    return !contender_.added.empty() &&
+           (result.verdict == Verdict::effect_found || share_of_answer(result) >= kMostOfIt);
   }
 
   /// What does not survive a change of segment length is less likely to be the answer.

@@ -99,10 +99,12 @@ void draw_curves(const Eigen::MatrixXd& readings, const Eigen::MatrixXd& combina
 class JointForce {
  public:
   explicit JointForce(const JointMotion& motion) : motion_(motion), interaction_(motion) {
-    for (Regressor& one : regressors(motion))
-      if (std::vector<double> at = knots(one); at.size() >= 3)
-        parts_.push_back({std::move(one), std::move(at), count_}),
-            count_ += static_cast<Eigen::Index>(parts_.back().at.size());
+    for (Regressor& one : regressors(motion)) {
+      std::vector<double> at = knots(one);
+      if (at.size() < 3) continue;
+      parts_.push_back({std::move(one), std::move(at), count_});
+      count_ += static_cast<Eigen::Index>(parts_.back().at.size());
+    }
     if (!parts_.empty()) count_ += ForceInteraction::kCount;
   }
 

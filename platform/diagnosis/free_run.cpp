@@ -113,10 +113,10 @@ std::string remark(const BaseSolution& base, const std::string& obstacle) {
     const double whole = seconds(base.trials[trial], base.trials[trial].measured.times.size());
     used += until;
     all += whole;
-    shortest = std::min(shortest, until);
+    if (until > 0.0) shortest = std::min(shortest, until);
     longest = std::max(longest, until);
   }
-  const std::string start = fmt::format("free runs from the known start, since {}", obstacle);
+  const std::string start = fmt::format("free runs from the start, since {}", obstacle);
   if (used > kWhole * all) return start + ": whole trials";
   return fmt::format(
       "{}: the first {:.2g} to {:.2g} s of a trial, {:.3g} of {:.3g} s in all; beyond, shorter steps or slightly "
@@ -139,21 +139,26 @@ void cut_free_runs(const CutTask& task, const TrialPredictor& predictor, const S
   base.free_run = true;
   base.values = task.values;
   base.bin_widths = widths(task.definition.structure.robot, base.noise);
-  for (const Segment& run : make_segments(predictor, states, 0.0, task.values))
+  for (Segment& run : make_segments(predictor, states, 0.0, task.values)) {
+    run.deviation *= kDoubtOfStart;
     add_blocks(run, base.trials[run.stretch.trial], task.segment, base.segments);
+  }
   if (base.segments.empty()) return;
   const ParameterSpace space(task.definition.free);
   base.states =
       ShootingProblem(predictor, space, base.segments, base.noise).start(space.to_coordinates(task.values)).states;
   std::vector<bool> kept = predicted(task, predictor, base);
   if (std::find(kept.begin(), kept.end(), true) == kept.end()) {
-    base.remarks.emplace_back(
-        "not even the first half second of a trial is predicted: shorter steps or slightly other contacts change "
-        "it by more than a third of the motion. Softer contacts ([engine] contact) or slower commands would help");
+    base.remarks.push_back(
+        fmt::format("not even the first {:.2g} s of a trial are predicted: shorter steps or slightly other contacts "
+                    "change them by more than a third of the motion. Softer contacts (engine.contact) or slower "
+                    "commands would help",
+                    task.segment));
     for (std::size_t k = 0; k < kept.size(); ++k)
       kept[k] = k == 0 || base.segments[k].stretch.trial != base.segments[k - 1].stretch.trial;
   }
   keep(kept, base.segments);
+  if (!base.remarks.empty()) return;
   std::string obstacle;
   for (std::size_t trial = 0; trial < base.trials.size() && obstacle.empty(); ++trial)
     obstacle = states.obstacle(trial);

@@ -51,6 +51,7 @@ SearchStep step_of(const Contender& contender, const Round& round, std::size_t c
 }
 
 void bring_to_front(std::vector<RankedModel>& ranking, const std::string& name) {
+  for (RankedModel& model : ranking) model.look_alikes.clear();  // they are those of the first
   const auto found = std::find_if(ranking.begin(), ranking.end(), [&](const RankedModel& model) {
     return model.effects.back().effect + " @ " + model.effects.back().where == name;
   });

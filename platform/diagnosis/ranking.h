@@ -18,7 +18,7 @@ std::vector<RankedModel> ranking_of(const Contender& contender, const Round& rou
 /// What later rounds need of a round of `contender`.
 SearchStep step_of(const Contender& contender, const Round& round, std::size_t chosen);
 
-/// Makes the model whose last effect is `name` the first, the others in their order.
+/// Makes the model whose last effect is `name` the first, the others in their order; all without look-alikes.
 void bring_to_front(std::vector<RankedModel>& ranking, const std::string& name);
 
 }  // namespace lacuna

@@ -68,9 +68,15 @@ std::vector<double> other_lengths(const LengthTask& task) {
 }
 
 /// The noise of the last round on other segments: sensors keep theirs; a white force's mean over a longer pulse is
-/// smaller.
-NoiseModel same_noise(const Round& last, const RowBins& bins, const ForceResponses& forces) {
+/// smaller. Nothing where they hold other channels.
+std::optional<NoiseModel> same_noise(const Round& last, const RowBins& bins, const ForceResponses& forces) {
   NoiseModel noise(bins, forces);
+  const auto same = [](const NoiseComponent& a, const NoiseComponent& b) {
+    return a.kind == b.kind && a.index == b.index;
+  };
+  if (!std::equal(noise.components().begin(), noise.components().end(), last.noise.components().begin(),
+                  last.noise.components().end(), same))
+    return std::nullopt;
   std::vector<double> deviations = last.noise.deviations();
   for (std::size_t i = 0; i < deviations.size(); ++i)
     if (last.noise.components()[i].kind == NoiseComponent::Kind::force && forces.width > 0.0)
@@ -94,11 +100,11 @@ Refit refit_over(const LengthTask& task, double length) {
   const FitPoint point{space.to_coordinates(base.values), base.states};
   const ForceResponses forces = force_responses(contender.definition, problem, bins, point, base.values,
                                                 std::max(1.0, task.last.base.residual), task.threads);
-  const NoiseModel noise = same_noise(task.last, bins, forces);
-  if (noise.components().size() != task.last.noise.components().size()) return {};
+  const std::optional<NoiseModel> noise = same_noise(task.last, bins, forces);
+  if (!noise) return {};
   std::vector<std::size_t> places(base.values.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  return refit({contender.definition, *contender.model, places}, base, bins, noise_factors(noise), {base.values},
+  return refit({contender.definition, *contender.model, places}, base, bins, noise_factors(*noise), {base.values},
                task.threads);
 }
 
@@ -111,8 +117,13 @@ std::vector<EffectsAtLength> refit_at_lengths(const LengthTask& task) {
   if (!can_cut(states, predictor.trials().size())) return found;
   for (const double length : other_lengths(task)) {
     throw_if_interrupted();
-    const Refit fit = refit_over(task, length);
-    if (fit.valid) found.push_back({length, found_effects(task.contender.added, task.contender.definition, fit)});
+    try {
+      const Refit fit = refit_over(task, length);
+      if (fit.valid) found.push_back({length, found_effects(task.contender.added, task.contender.definition, fit)});
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error&) {  // a length over which these data tell nothing
+    }
   }
   return found;
 }

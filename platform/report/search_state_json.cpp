@@ -74,6 +74,21 @@ SearchStep read_step(const ordered_json& json) {
   return step;
 }
 
+SearchState read_state(const ordered_json& whole) {
+  SearchState state;
+  state.added = read_entries(whole.at("added"));
+  state.values = whole.at("values").get<std::vector<double>>();
+  state.states = read_vectors(whole.at("states"));
+  if (!whole.at("last").is_null()) state.last = read_step(whole.at("last"));
+  state.tried = whole.at("tried").get<std::set<EffectNames>>();
+  for (const ordered_json& one : whole.at("gains"))
+    state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
+  state.base_values = whole.at("base_values").get<std::vector<double>>();
+  state.law_leads = whole.at("law_leads");
+  state.so_far = read_diagnosis(whole.at("so_far").dump());
+  return state;
+}
+
 }  // namespace
 
 std::string search_state_json(const SearchState& state) {
@@ -93,20 +108,12 @@ std::string search_state_json(const SearchState& state) {
 }
 
 std::optional<SearchState> read_search_state(const std::string& document) {
-  const ordered_json whole = ordered_json::parse(document);
-  if (whole.value("format", 0) != kFormat) return std::nullopt;
-  SearchState state;
-  state.added = read_entries(whole.at("added"));
-  state.values = whole.at("values").get<std::vector<double>>();
-  state.states = read_vectors(whole.at("states"));
-  if (!whole.at("last").is_null()) state.last = read_step(whole.at("last"));
-  state.tried = whole.at("tried").get<std::set<EffectNames>>();
-  for (const ordered_json& one : whole.at("gains"))
-    state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
-  state.base_values = whole.at("base_values").get<std::vector<double>>();
-  state.law_leads = whole.at("law_leads");
-  state.so_far = read_diagnosis(whole.at("so_far").dump());
-  return state;
+  try {
+    const ordered_json whole = ordered_json::parse(document);
+    if (whole.value("format", 0) == kFormat) return read_state(whole);
+  } catch (const nlohmann::json::exception&) {  // a figure that JSON does not have, such as NaN: begin anew
+  }
+  return std::nullopt;
 }
 
 }  // namespace lacuna

@@ -70,8 +70,8 @@ class ResultStore {
   DiagnosisId record_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
   /// The document of the latest diagnosis of this revision with the same settings.
   std::optional<std::string> diagnosis_of(RevisionId revision, const std::string& settings) const;
-  /// Stores where a diagnosis stands, JSON, in place of what it stored before; a finished one with the same settings
-  /// removes it.
+  /// Stores where a diagnosis stands, JSON, in place of what it stored before; a finished one of the
+  /// revision removes all of its own.
   void keep_unfinished_diagnosis(RevisionId revision, const std::string& settings, const std::string& document);
   std::optional<std::string> unfinished_diagnosis_of(RevisionId revision, const std::string& settings) const;
 

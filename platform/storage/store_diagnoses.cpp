@@ -39,8 +39,7 @@ DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRe
       .run_with(id, revision, d.settings, d.verdict, d.probability, d.calibrated, d.chance, d.hypotheses,
                 d.base_times_floor, d.document);
   insert_candidates(database_, id, d.candidates);
-  Statement(database_, "DELETE FROM unfinished_diagnosis WHERE revision = ? AND settings = ?")
-      .run_with(revision, d.settings);
+  Statement(database_, "DELETE FROM unfinished_diagnosis WHERE revision = ?").run_with(revision);
   transaction.commit();
   return id;
 }

@@ -60,7 +60,9 @@ TEST_F(HopperDiagnosis, FindsWhatTheLegLosesThoughNobodyMeasuresTheTrunk) {
 
 TEST_F(HopperDiagnosis, NamesNoEffectWhereNothingIsHiddenThoughTheGroundIsIntegratedOtherwise) {
   const Diagnosis diagnosis = diagnose_with({});
-  EXPECT_NE(diagnosis.verdict, Verdict::effect_found) << diagnosis.ranking.front().effects.front().effect;
+  EXPECT_TRUE(diagnosis.verdict == Verdict::nothing_missing || diagnosis.verdict == Verdict::cannot_tell)
+      << testing::PrintToString(diagnosis.findings);
+  EXPECT_GT(diagnosis.hypotheses, 0U);
 }
 
 }  // namespace
