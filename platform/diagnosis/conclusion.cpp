@@ -26,6 +26,11 @@ Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const
   return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
 }
 
+bool is_about(const std::string& finding, const std::vector<EffectEntry>& added) {
+  return std::any_of(added.begin(), added.end(),
+                     [&](const EffectEntry& entry) { return finding.starts_with(name_of(entry) + " "); });
+}
+
 /// The floor is that of the last round, in which the least that is structured passes for noise.
 void measure_by(const std::vector<ChannelError>& last, Diagnosis& diagnosis) {
   const auto take_floor = [&](std::vector<ChannelError>& errors) {
@@ -57,7 +62,10 @@ void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues
   }
   measure_by(errors, diagnosis);
   weigh(diagnosis);
+  std::vector<std::string> classes = std::move(diagnosis.findings);
+  std::erase_if(classes, [&](const std::string& text) { return !is_about(text, contender.added); });
   diagnosis.findings = findings_of(diagnosis, first, contender, last);
+  diagnosis.findings.insert(diagnosis.findings.end(), classes.begin(), classes.end());
 }
 
 }  // namespace lacuna

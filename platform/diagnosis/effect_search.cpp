@@ -13,6 +13,9 @@
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace lacuna {
 namespace {
 
@@ -93,6 +96,7 @@ class EffectSearch {
   }
 
   void take_in(const Round& round, std::size_t chosen) {
+    if (state_.last) keep_class();
     const Gain before = contender_.added.empty() ? Gain{} : state_.gains[names_of(contender_.added)];
     state_.so_far.ranking = ranking_of(contender_, round, chosen, before, task_.seed);
     state_.last = step_of(contender_, round, chosen);
@@ -100,6 +104,14 @@ class EffectSearch {
       state_.gains[names_with(contender_.added, rival.entry)] = sum(before, rival.gain);
     take_chosen();
     if (leave_out_spent(round, chosen)) state_.last.reset();
+  }
+
+  /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.
+  void keep_class() {
+    const RankedModel& answer = state_.so_far.ranking.front();
+    if (!answer.look_alikes.empty())
+      state_.so_far.findings.push_back(fmt::format("{} was not told apart from {}", name_of(contender_.added.back()),
+                                                   fmt::join(answer.look_alikes, ", ")));
   }
 
   void take_chosen() {
