@@ -1,8 +1,8 @@
 #include "flap.h"
 
 #include "bench/bench_noise.h"
+#include "bench/signals.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +13,7 @@ namespace {
 
 using bench::ramp;
 using bench::rounded;
+using bench::Tone;
 using std::numbers::pi;
 
 constexpr int kKnotsASample = 8;  ///< the disturbance is linear between knots 0.5 ms apart
@@ -34,23 +35,15 @@ double swings(double time) {
 }
 
 double multisine(double time) {
-  struct Tone {
-    double amplitude, frequency, phase;  // N·m, Hz, rad
-  };
   constexpr std::array kTones = {Tone{0.28, 0.2, 0.6}, Tone{0.24, 0.45, 2.4}, Tone{0.11, 0.8, 4.3},
                                  Tone{0.11, 1.1, 1.0}, Tone{0.18, 1.6, 5.0},  Tone{0.18, 2.1, 3.3}};
-  double sum = 0.0;
-  for (const Tone& tone : kTones) sum += tone.amplitude * std::sin(2.0 * pi * tone.frequency * time + tone.phase);
-  return ramp(time, 0.6) * sum;
+  return ramp(time, 0.6) * bench::multitone(kTones, time);
 }
 
 /// Levels held for 0.75 s, each reached within 50 ms.
 double steps(double time) {
   constexpr std::array kLevels = {0.0, 0.45, -0.25, 0.5, 0.0, -0.55, -0.1, 0.35, -0.2};
-  constexpr double kHeld = 0.75;
-  const std::size_t level = std::min(static_cast<std::size_t>(time / kHeld), kLevels.size() - 2);
-  const double since = time - kHeld * static_cast<double>(level);
-  return std::lerp(kLevels[level], kLevels[level + 1], ramp(since, 0.05));
+  return bench::held_levels(kLevels, 0.75, time);
 }
 
 }  // namespace

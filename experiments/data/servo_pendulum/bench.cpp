@@ -1,9 +1,9 @@
 #include "bench.h"
 
 #include "bench/bench_noise.h"
+#include "bench/signals.h"
 #include "stick_slip.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,6 +14,7 @@ namespace {
 
 using bench::ramp;
 using bench::rounded;
+using bench::Tone;
 using std::numbers::pi;
 
 constexpr int kKnotsASample = 4;  ///< the disturbance is linear between knots 0.5 ms apart
@@ -25,21 +26,13 @@ double sine(double time) { return 0.42 * ramp(time, 1.0) * std::sin(2.0 * pi * 0
 /// Levels held for 0.7 s, each reached within 50 ms.
 double steps(double time) {
   constexpr std::array kLevels = {0.0, 0.25, -0.15, 0.35, 0.1, -0.3, -0.05, 0.2, -0.25, 0.05, 0.3, 0.0};
-  constexpr double kHeld = 0.7;
-  const std::size_t level = std::min(static_cast<std::size_t>(time / kHeld), kLevels.size() - 2);
-  const double since = time - kHeld * static_cast<double>(level);
-  return std::lerp(kLevels[level], kLevels[level + 1], ramp(since, 0.05));
+  return bench::held_levels(kLevels, 0.7, time);
 }
 
 double multisine(double time) {
-  struct Tone {
-    double amplitude, frequency, phase;  // N·m, Hz, rad
-  };
   constexpr std::array kTones = {Tone{0.16, 0.15, 0.4}, Tone{0.14, 0.35, 2.1}, Tone{0.09, 0.65, 4.0},
                                  Tone{0.08, 1.2, 1.3},  Tone{0.14, 1.7, 5.2},  Tone{0.16, 2.3, 3.1}};
-  double sum = 0.0;
-  for (const Tone& tone : kTones) sum += tone.amplitude * std::sin(2.0 * pi * tone.frequency * time + tone.phase);
-  return ramp(time, 0.8) * sum;
+  return ramp(time, 0.8) * bench::multitone(kTones, time);
 }
 
 /// From 0.1 Hz to 2.2 Hz, weaker around the arm's natural frequency of about 0.9 Hz.
