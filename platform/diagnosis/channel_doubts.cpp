@@ -17,6 +17,7 @@ namespace {
 constexpr double kStretch = 0.5;  // s, of which a diagnosis takes the prediction error as one
 /// As many stretches that all favour a model by chance: once in 2⁷, less than one in a hundred.
 constexpr double kFewestPerTrial = 7.0;
+constexpr double kSurelyMoves = 0.5;                             // of a range that moved the joint
 constexpr double kLargeScatter = 1.0, kNoticeableScatter = 0.2;  // over the motion
 
 bool measures_a_joint(const RobotSpec& robot, const Channel& channel) {
@@ -56,14 +57,14 @@ struct Look {
   bool moves() const { return shape.lowest < shape.highest && scatter <= kLargeScatter * motion; }
 };
 
-/// Whether the trial should have moved: as much was commanded as where the same channel did, or it never did. A joint
-/// that stands still under less may be held by friction.
+/// Whether the trial should have moved: half as much was commanded as where the same channel did, or it never did. A
+/// joint that stands still under less may be held by friction.
 bool should_move(const Look& look, const std::vector<Look>& all) {
   const double range = command_range(look.trial);
   double least = std::numeric_limits<double>::infinity();
   for (const Look& other : all)
     if (other.channel == look.channel && other.moves()) least = std::min(least, command_range(other.trial));
-  return range > 0.0 && (range >= least || std::isinf(least));
+  return range > 0.0 && (range >= kSurelyMoves * least || std::isinf(least));
 }
 
 Doubt constant_doubt(const Look& look, bool expected) {

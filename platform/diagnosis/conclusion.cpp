@@ -3,6 +3,7 @@
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/unexplained_motion.h"
 
 #include <algorithm>
 
@@ -56,6 +57,8 @@ void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues
   diagnosis.free_force_p = last.free_force.p;
   diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, seed);
   diagnosis.verdict = outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, contender, last);
+  const std::vector<std::string> unexplained = unexplained_motion(last.base, errors);
+  if (diagnosis.verdict == Verdict::nothing_missing && !unexplained.empty()) diagnosis.verdict = Verdict::cannot_tell;
   if (diagnosis.verdict != Verdict::not_in_library) {
     diagnosis.residual_force.clear();
     diagnosis.formulas.clear();
@@ -65,6 +68,7 @@ void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues
   std::vector<std::string> classes = std::move(diagnosis.findings);
   std::erase_if(classes, [&](const std::string& text) { return !is_about(text, contender.added); });
   diagnosis.findings = findings_of(diagnosis, first, contender, last);
+  diagnosis.findings.insert(diagnosis.findings.begin(), unexplained.begin(), unexplained.end());
   diagnosis.findings.insert(diagnosis.findings.end(), classes.begin(), classes.end());
 }
 

@@ -17,12 +17,39 @@ std::string_view to_string(Verdict verdict) {
   return "";
 }
 
+namespace {
+
+constexpr const char* kSaturation = "sensor_saturation";
+
+Diagnosis without_search(const std::vector<Doubt>& doubts) {
+  Diagnosis result;
+  for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
+  return result;
+}
+
+bool is_tried(const DiagnosisTask& task) {
+  return task.among.empty() || std::find(task.among.begin(), task.among.end(), kSaturation) != task.among.end();
+}
+
+bool is_found(const Diagnosis& diagnosis) {
+  const auto saturates = [](const FoundEffect& effect) { return effect.effect == kSaturation; };
+  return !diagnosis.ranking.empty() &&
+         std::any_of(diagnosis.ranking.front().effects.begin(), diagnosis.ranking.front().effects.end(), saturates);
+}
+
+}  // namespace
+
 Diagnosis diagnose(const DiagnosisTask& task) {
-  const bool saturation_is_tried =
-      task.among.empty() || std::find(task.among.begin(), task.among.end(), "sensor_saturation") != task.among.end();
-  const std::vector<Doubt> doubts =
-      data_doubts({task.definition, task.model, task.trials, task.values, saturation_is_tried});
-  Diagnosis result = disqualifying(doubts).empty() ? search_effects(task) : Diagnosis{};
+  DoubtTask about{task.definition, task.model, task.trials, task.values, is_tried(task)};
+  std::vector<Doubt> doubts = data_doubts(about);
+  if (!disqualifying(doubts).empty()) return without_search(doubts);
+  Diagnosis result = search_effects(task);
+  if (about.saturation_is_tried &&
+      !is_found(result)) {  // then clipped readings are not explained, and allow no verdict
+    about.saturation_is_tried = false;
+    doubts = data_doubts(about);
+    if (!disqualifying(doubts).empty()) return without_search(doubts);
+  }
   for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
   return result;
 }

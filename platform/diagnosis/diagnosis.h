@@ -88,11 +88,9 @@ struct Diagnosis {
   double seconds = 0.0;
 };
 
-/// The share of what is to be gained that the answer gains; the rest is a force of free form beside it. 0 without an
-/// answer.
-double share_of_answer(const Diagnosis& diagnosis);
-/// From this share on, an answer is to be added although something is left that the library does not have.
-inline constexpr double kMostOfIt = 0.95;
+/// Whether the answer is to be added although something is left that the library does not have: it gains nearly all
+/// that a force of free form beside it would leave to be gained, or more than the formula does.
+bool answer_comes_first(const Diagnosis& diagnosis);
 
 struct SearchState;  // search_state.h
 

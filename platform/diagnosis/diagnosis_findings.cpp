@@ -1,5 +1,6 @@
 #include "diagnosis/diagnosis_findings.h"
 
+#include "diagnosis/selection.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 namespace lacuna {
 namespace {
 
+constexpr double kMostOfIt = 0.95;    ///< of all that is to be gained
 constexpr double kMoved = 2.0;        ///< standard errors
 constexpr double kNoticeable = 0.01;  ///< of the value
 
@@ -45,13 +47,20 @@ std::string what_is_left(const Diagnosis& diagnosis) {
                      100.0 * std::clamp(after / before, 0.0, 1.0));
 }
 
-}  // namespace
-
+/// Of all that is to be gained.
 double share_of_answer(const Diagnosis& diagnosis) {
   if (diagnosis.ranking.empty() || diagnosis.ranking.front().effects.empty()) return 0.0;
   const double answer = std::max(0.0, diagnosis.ranking.front().gain.value);
   const double all = answer + std::max(0.0, diagnosis.free_force_gain.value);
   return all > 0.0 ? answer / all : 0.0;
+}
+
+}  // namespace
+
+bool answer_comes_first(const Diagnosis& diagnosis) {
+  const double share = share_of_answer(diagnosis);
+  if (share >= kMostOfIt || diagnosis.formulas.empty()) return share >= kMostOfIt;
+  return share > 0.0 && diagnosis.ranking.front().gain.value > diagnosis.formulas.front().gain.value;
 }
 
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,
@@ -60,6 +69,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
   const bool tested = !last.forces.joints.empty();
   switch (diagnosis.verdict) {
     case Verdict::cannot_tell:
+      if (last.screening.p > kFirstLevel) break;
       findings.emplace_back(
           "something departs from noise, but no effect predicts what was left out better than the model alone: more "
           "trials, or livelier ones, would tell");
@@ -69,7 +79,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
       if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
       break;
     case Verdict::not_in_library:
-      if (share_of_answer(diagnosis) < kMostOfIt)
+      if (!answer_comes_first(diagnosis))
         findings.emplace_back("a force that no effect of the library has is missing");
       else
         findings.push_back(fmt::format(

@@ -20,6 +20,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kMostEffects = 3;
+constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
 constexpr double kUnsteady = 0.5;  ///< of the probability, where an effect does not survive other segment lengths
 constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
 
@@ -103,7 +104,9 @@ class EffectSearch {
     for (const KeptRival& rival : state_.last->rivals)
       state_.gains[names_with(contender_.added, rival.entry)] = sum(before, rival.gain);
     take_chosen();
-    if (leave_out_spent(round, chosen)) state_.last.reset();
+    if (!leave_out_spent(round, chosen)) return;
+    state_.last.reset();
+    state_.so_far.ranking.front().look_alikes.clear();  // they stand for the last effect beside those that left
   }
 
   /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.
@@ -143,14 +146,16 @@ class EffectSearch {
   }
 
   /// Backward deletion: an effect that was added before leaves again where, with the new one there, it predicts
-  /// nothing better. Whether one left.
+  /// nothing better, or explains no more than its parameters would explain of noise. Whether one left.
   bool leave_out_spent(const Round& round, std::size_t chosen) {
     bool left = false;
     const Eigen::VectorXd& with_it = round.rivals[chosen].held_out;
     for (std::size_t i = 0; i + 1 < contender_.added.size();) {
       Contender less = without(contender_, i, plain_, task_.catalog);
       const Refit fit = refit_reduced(less, round, task_.threads);
-      const bool spent = fit.valid && gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0;
+      const double by_chance = kByChance * static_cast<double>(contender_.values.size() - less.values.size());
+      const bool spent = fit.valid && (fit.deviance - round.rivals[chosen].fit.deviance <= by_chance ||
+                                       gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0);
       if (!spent || state_.tried.contains(names_of(less.added))) {
         ++i;
         continue;
@@ -164,6 +169,10 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
+    if (!state_.law_leads && !contender_.added.empty()) {  // the library has the law; what is left may have another
+      state_.so_far.residual_force = round.free_force.curves;
+      state_.so_far.formulas = round.formulas;
+    }
     conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
              task_.seed);
     if (is_answer()) {
@@ -180,8 +189,7 @@ class EffectSearch {
   /// Whether the effects found are said to be missing, and do not only imitate something.
   bool is_answer() const {
     const Diagnosis& result = state_.so_far;
-    return !contender_.added.empty() &&
-           (result.verdict == Verdict::effect_found || share_of_answer(result) >= kMostOfIt);
+    return !contender_.added.empty() && (result.verdict == Verdict::effect_found || answer_comes_first(result));
   }
 
   /// What does not survive a change of segment length is less likely to be the answer.

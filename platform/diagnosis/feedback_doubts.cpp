@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kPartOfNoise = 0.5;  // of the noise that the readings hold
 constexpr double kExact = 1e-5;       // of the command's own deviation
+constexpr double kNearly = 0.02;      // of the same
 constexpr double kFeedback = 0.2;     // of the scatter of a command, that is the readings'
 constexpr double kWhite = -0.5;       // white noise has −2/3, between neighbouring second differences
 constexpr Eigen::Index kLate = 3;     // samples that a controller takes
@@ -43,7 +44,8 @@ Eigen::VectorXd second_differences(const Eigen::VectorXd& values) {
 double spread(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
 /// Whether the command is what the readings say at the same moment: what it differs by is less than their noise, which
-/// it would not know of if it were sent to the motor.
+/// it would not know of if it were sent to the motor; or nearly so with the sign of one reading, where a controller
+/// would have the other.
 bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double& left) {
   const Eigen::VectorXd command = data.commands.col(u);
   Eigen::MatrixXd columns(data.readings.rows(), data.readings.cols() + 1);
@@ -54,7 +56,8 @@ bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double
   double noise = 0.0;
   for (Eigen::Index c = 0; c < data.readings.cols(); ++c)
     noise = std::hypot(noise, fit.coefficients(c) * scatter_of(trial.measured, c) / size);
-  return left < std::max(kPartOfNoise * noise, kExact);
+  return left < std::max(kPartOfNoise * noise, kExact) ||
+         (left < kNearly && data.readings.cols() == 1 && fit.coefficients(0) > 0.0);
 }
 
 /// The share of a command's scatter that is a reading's, of the same or the last few samples; 0 where the reading is so

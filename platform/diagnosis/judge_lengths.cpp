@@ -37,8 +37,7 @@ bool overlap(const FoundParameter& one, const FoundParameter& other) {
   return has_interval(one) && has_interval(other) && one.lower_95 <= other.upper_95 && other.lower_95 <= one.upper_95;
 }
 
-bool agree(const FoundParameter& one, const FoundParameter& other, double neutral) {
-  if (overlap(one, other)) return true;
+bool is_of_size(const FoundParameter& one, const FoundParameter& other, double neutral) {
   const double ratio = (other.value - neutral) / (one.value - neutral);
   return ratio > 1.0 / kSameSize && ratio < kSameSize;
 }
@@ -62,7 +61,7 @@ LengthVerdict judge_lengths(const std::vector<FoundEffect>& found, double segmen
   for (std::size_t e = 0; e < found.size() && !others.empty(); ++e) {
     const EffectDescription description = catalog.get<PhysicalEffect>(found[e].effect).describe();
     std::vector<std::string> values;
-    bool survives = true;
+    bool survives = true, same_size = true;
     for (std::size_t p = 0; p < found[e].parameters.size(); ++p) {
       const FoundParameter& one = found[e].parameters[p];
       const std::optional<double> neutral = neutral_of(description, one.name);
@@ -70,7 +69,9 @@ LengthVerdict judge_lengths(const std::vector<FoundEffect>& found, double segmen
       std::vector<std::pair<double, double>> by_length = {{segment, one.value}};
       for (const EffectsAtLength& at : others) {
         by_length.emplace_back(at.segment, same(at, e, p).value);
-        survives = survives && agree(one, same(at, e, p), *neutral);
+        const FoundParameter& other = same(at, e, p);
+        same_size = same_size && is_of_size(one, other, *neutral);
+        survives = survives && (is_of_size(one, other, *neutral) || overlap(one, other));
       }
       std::sort(by_length.begin(), by_length.end());
       std::vector<std::string> texts;
@@ -82,8 +83,9 @@ LengthVerdict judge_lengths(const std::vector<FoundEffect>& found, double segmen
     verdict.survives = verdict.survives && survives;
     verdict.findings.push_back(fmt::format(
         "over segments of other lengths, {} @ {}: {}: {}", found[e].effect, found[e].where, fmt::join(values, "; "),
-        survives ? "sign and size survive"
-                 : "sign or size does not survive, so that it stands for something else at least in part"));
+        !survives   ? "sign or size does not survive, so that it stands for something else at least in part"
+        : same_size ? "sign and size survive"
+                    : "they agree within their intervals, which are wide"));
   }
   return verdict;
 }

@@ -28,9 +28,9 @@ Eigen::MatrixXd project_out(const Eigen::MatrixXd& state, Eigen::VectorXd& resid
 }
 
 void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::MatrixXd>& factors,
-                       const LeastSquaresResult& search, const RobustLoss& loss, Refit& result) {
-  std::vector<SegmentJacobian> jacobians;
-  problem.linearize(search.point, search.residuals, jacobians);
+                       LeastSquaresResult& search, const RobustLoss& loss, Refit& result) {
+  std::vector<SegmentJacobian>& jacobians = search.jacobians;
+  if (jacobians.empty()) problem.linearize(search.point, search.residuals, jacobians);
   const Eigen::Index count = search.point.values.size();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   for (std::size_t k = 0; k < jacobians.size(); ++k) {
@@ -106,12 +106,13 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
     effort.iterations = std::min(effort.iterations, kMostRunIterations);
     effort.precision = std::max(effort.precision, kRunPrecision);
   }
-  LeastSquaresOptions options{.loss = loss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}};
+  LeastSquaresOptions options{
+      .loss = loss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}, .secants = true};
   options.tolerance = effort.precision / static_cast<double>(bins.rows());
   const std::optional<FitPoint> start = best_start(problem, space, base, starts, loss);
   Refit best;
   if (!start) return best;
-  const LeastSquaresResult solution = minimize(problem, *start, options);
+  LeastSquaresResult solution = minimize(problem, *start, options);
   best.valid = solution.valid;
   best.converged = solution.converged;
   best.deviance = solution.cost;

@@ -35,11 +35,11 @@ std::vector<Contender> close_models(const RejudgeTask& task, const std::vector<s
   return models;
 }
 
-Refit refit_again(const RejudgeTask& task, const KeptRival& rival, const Contender& model) {
+Refit refit_again(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
   BaseSolution base = without_values(task.now.base);
   base.nuisance.clear();
   if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
-  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, 1,
+  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
                {std::max(RefitEffort().precision, kFineEnough * 2.0 * rival.gain.value), kIterations});
 }
 
@@ -68,8 +68,9 @@ Rejudged rejudge(const RejudgeTask& task) {
   const std::vector<std::size_t> close = close_calls(before);
   const std::vector<Contender> models = close_models(task, close);
   std::vector<Refit> fits(close.size());
+  const int inner = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(close.size(), 1)));
   parallel_for(close.size(), task.threads,
-               [&](std::size_t i, int) { fits[i] = refit_again(task, before.rivals[close[i]], models[i]); });
+               [&](std::size_t i, int) { fits[i] = refit_again(task, before.rivals[close[i]], models[i], inner); });
   const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
   Rejudged result;
   double most = 0.0;

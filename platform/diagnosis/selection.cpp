@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lacuna {
 namespace {
@@ -14,10 +15,17 @@ constexpr double kAsGood = 0.1;
 /// Share of the best gain from which on a simpler effect is tried first: two of them may do what a richer one does, and
 /// the next round judges that (rejudge.h).
 constexpr double kSimpleFirst = 0.5;
-constexpr double kTold = 2.0;  ///< nats: less does not tell two effects apart
+constexpr double kSomething = 0.5;  ///< nats: what an effect must predict better, to be one
+constexpr double kTold = 2.0;       ///< nats: less does not tell two effects apart
 constexpr std::size_t kMostLookAlikes = 2;
 
 std::size_t freedom(const Round& round, const Rival& rival) { return round.hypotheses[rival.hypothesis].own.size(); }
+
+/// How sure it is that a gain is one at all, blocks of data being drawn at random.
+double above_zero(const Gain& gain) {
+  if (gain.standard_error <= 0.0) return gain.value > 0.0 ? 1.0 : 0.0;
+  return 0.5 * std::erfc(-gain.value / gain.standard_error / std::numbers::sqrt2);
+}
 
 /// The best of the rivals with fewer parameters than `chosen` that still has a good part of the best gain.
 std::size_t simpler_first(const Round& round, std::size_t chosen) {
@@ -34,7 +42,7 @@ std::size_t simpler_first(const Round& round, std::size_t chosen) {
 std::optional<std::size_t> choose(const Round& round, double level) {
   if (round.rivals.empty() || round.screening.p > level) return std::nullopt;
   const Rival& best = round.rivals.front();
-  if (best.gain.value <= 0.0) return std::nullopt;
+  if (best.gain.value <= kSomething) return std::nullopt;
   // Errors of one block of a free run are in the next, too: the score's chance counts them as more than they are.
   if (round.base.free_run && best.gain.lower_95 <= 0.0) return std::nullopt;
   std::size_t chosen = 0;
@@ -98,7 +106,9 @@ void weigh(Diagnosis& diagnosis) {
   for (RankedModel& model : diagnosis.ranking) model.probability = std::exp(model.gain.value - most) / total;
   switch (diagnosis.verdict) {
     case Verdict::nothing_missing: diagnosis.probability = std::sqrt(diagnosis.p_by_chance); break;
-    case Verdict::effect_found: diagnosis.probability = 1.0 - std::exp(-most) / total; break;
+    case Verdict::effect_found:
+      diagnosis.probability = std::min(1.0 - std::exp(-most) / total, above_zero(diagnosis.ranking.front().gain));
+      break;
     case Verdict::not_in_library: diagnosis.probability = 1.0 - diagnosis.free_force_p; break;
     case Verdict::cannot_tell: diagnosis.probability = 0.5; break;
   }

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTolerated = 0.1;  ///< of the sensor noise
+constexpr double kTolerated = 1.0;  ///< of the sensor noise
 
 using Residuals = std::optional<std::vector<Eigen::VectorXd>>;
 

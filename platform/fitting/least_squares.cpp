@@ -11,6 +11,7 @@ namespace {
 constexpr double kFirstDamping = 1e-3;
 constexpr double kSmallestDamping = 1e-12;
 constexpr double kLargestDamping = 1e12;
+constexpr double kGoodEnough = 0.25;  ///< of the predicted decrease: derivatives may follow such a step
 
 /// Normal equations of one segment's own unknowns.
 struct StateEquations {
@@ -153,51 +154,110 @@ double total_cost(const SegmentedProblem& problem, const std::vector<Eigen::Vect
   return sum;
 }
 
-LeastSquaresResult minimize(SegmentedProblem& problem, const FitPoint& start, const LeastSquaresOptions& options) {
-  LeastSquaresResult result;
-  result.point = start;
-  result.valid = problem.residuals(start, result.residuals);
-  if (!result.valid) return result;
-  result.cost = total_cost(problem, result.residuals, options.loss);
+namespace {
 
-  std::vector<SegmentJacobian> jacobians;
-  std::vector<Eigen::VectorXd> trial_residuals;
-  double damping = kFirstDamping;
-  double growth = 2.0;
-  int small_steps = 0;
-  while (result.iterations < options.max_iterations && !result.converged) {
-    if (options.progress) options.progress(result.iterations);
-    ++result.iterations;
-    problem.linearize(result.point, result.residuals, jacobians);
-    const NormalEquations equations = assemble(problem, result.residuals, jacobians, options.loss);
+/// Broyden's update: the derivatives of a segment, changed no more than it takes to agree with what a step did.
+/// Unknowns are measured by what they do to the residuals.
+void follow(const Step& step, std::size_t k, const Eigen::VectorXd& change, SegmentJacobian& jacobian) {
+  const Eigen::VectorXd& values = step.values;
+  const Eigen::VectorXd& state = step.states[k];
+  const Eigen::VectorXd missed = change - jacobian.values * values - jacobian.state * state;
+  const Eigen::VectorXd by_values = jacobian.values.colwise().squaredNorm().transpose().cwiseProduct(values);
+  const Eigen::VectorXd by_state = jacobian.state.colwise().squaredNorm().transpose().cwiseProduct(state);
+  const double size = by_values.dot(values) + by_state.dot(state);
+  if (!(size > 0.0)) return;
+  jacobian.values += missed * (by_values / size).transpose();
+  jacobian.state += missed * (by_state / size).transpose();
+}
 
-    bool accepted = false;
-    while (!accepted && damping < kLargestDamping) {
-      const Step step = solve(problem, equations, result.point, damping);
-      // Nothing left to gain is the end, whatever the damping.
-      if (!(step.predicted > 0.01 * options.tolerance * result.cost)) break;
-      const FitPoint next = moved(result.point, step);
-      const double cost = problem.residuals(next, trial_residuals) ? total_cost(problem, trial_residuals, options.loss)
-                                                                   : std::numeric_limits<double>::infinity();
-      if (cost < result.cost) {
-        accepted = true;
-        // Under heavy damping a short step alone proves nothing; two in a row do.
-        small_steps = result.cost - cost < options.tolerance * result.cost ? small_steps + 1 : 0;
-        result.converged = small_steps > 1 || (small_steps == 1 && damping < 1.0);
-        const double ratio = (result.cost - cost) / step.predicted;
-        damping = std::max(damping * std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3)), kSmallestDamping);
-        growth = 2.0;
-        result.point = next;
-        result.cost = cost;
-        std::swap(result.residuals, trial_residuals);
-      } else {
-        damping *= growth;
-        growth *= 2.0;
+class Descent {
+ public:
+  Descent(SegmentedProblem& problem, const FitPoint& start, const LeastSquaresOptions& options)
+      : problem_(problem), options_(options) {
+    result_.point = start;
+    result_.valid = problem.residuals(start, result_.residuals);
+    if (result_.valid) result_.cost = total_cost(problem, result_.residuals, options.loss);
+  }
+
+  LeastSquaresResult run() {
+    while (result_.valid && !result_.converged) {
+      if (follows_ == 0) {
+        if (result_.iterations == options_.max_iterations) break;
+        linearize();
+      }
+      const bool exact = follows_ == 0;
+      const bool stepped = step();
+      if (!exact && (!stepped || result_.converged)) {  // derivatives that only follow say nothing about the end
+        result_.converged = at_point_ = false;
+        follows_ = 0;
+      } else if (!stepped) {
+        result_.converged = true;
       }
     }
-    if (!accepted) result.converged = true;
+    if (!at_point_) result_.jacobians.clear();
+    return std::move(result_);
   }
-  return result;
+
+ private:
+  void linearize() {
+    if (options_.progress) options_.progress(result_.iterations);
+    ++result_.iterations;
+    problem_.linearize(result_.point, result_.residuals, result_.jacobians);
+    at_point_ = true;
+  }
+
+  /// Goes to a better point, if there is one worth going to.
+  bool step() {
+    const NormalEquations equations = assemble(problem_, result_.residuals, result_.jacobians, options_.loss);
+    while (damping_ < kLargestDamping) {
+      const Step step = solve(problem_, equations, result_.point, damping_);
+      // Nothing left to gain is the end, whatever the damping.
+      if (!(step.predicted > 0.01 * options_.tolerance * result_.cost)) return false;
+      const FitPoint next = moved(result_.point, step);
+      const double cost = problem_.residuals(next, trial_residuals_)
+                              ? total_cost(problem_, trial_residuals_, options_.loss)
+                              : std::numeric_limits<double>::infinity();
+      if (cost < result_.cost) {
+        take(step, next, cost);
+        return true;
+      }
+      if (follows_ > 0) return false;
+      damping_ *= growth_;
+      growth_ *= 2.0;
+    }
+    return false;
+  }
+
+  void take(const Step& step, const FitPoint& next, double cost) {
+    const double gained = result_.cost - cost, ratio = gained / step.predicted;
+    // Under heavy damping a short step alone proves nothing; two in a row do.
+    small_steps_ = gained < options_.tolerance * result_.cost ? small_steps_ + 1 : 0;
+    result_.converged = small_steps_ > 1 || (small_steps_ == 1 && damping_ < 1.0);
+    damping_ = std::max(damping_ * std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3)), kSmallestDamping);
+    growth_ = 2.0;
+    follows_ = options_.secants && ratio > kGoodEnough && !result_.converged ? follows_ + 1 : 0;
+    for (std::size_t k = 0; follows_ > 0 && k < result_.jacobians.size(); ++k)
+      follow(step, k, trial_residuals_[k] - result_.residuals[k], result_.jacobians[k]);
+    at_point_ = result_.converged;
+    result_.point = next;
+    result_.cost = cost;
+    std::swap(result_.residuals, trial_residuals_);
+  }
+
+  SegmentedProblem& problem_;
+  const LeastSquaresOptions& options_;
+  LeastSquaresResult result_;
+  std::vector<Eigen::VectorXd> trial_residuals_;
+  double damping_ = kFirstDamping, growth_ = 2.0;
+  int small_steps_ = 0;
+  int follows_ = 0;        ///< steps that the derivatives have followed
+  bool at_point_ = false;  ///< they were taken where the search stands, or less than the tolerance before
+};
+
+}  // namespace
+
+LeastSquaresResult minimize(SegmentedProblem& problem, const FitPoint& start, const LeastSquaresOptions& options) {
+  return Descent(problem, start, options).run();
 }
 
 }  // namespace lacuna

@@ -40,15 +40,17 @@ class SegmentedProblem {
 
 struct LeastSquaresOptions {
   RobustLoss loss;
-  int max_iterations = 50;
+  int max_iterations = 50;                      ///< linearisations
   double tolerance = 1e-7;                      ///< relative decrease of the cost that ends the search
   std::function<void(int iteration)> progress;  ///< called before each iteration; may throw
+  bool secants = false;                         ///< derivatives follow the steps between one linearisation and the next
 };
 
 struct LeastSquaresResult {
   FitPoint point;
   std::vector<Eigen::VectorXd> residuals;
-  double cost = 0.0;  ///< Σ loss
+  std::vector<SegmentJacobian> jacobians;  ///< at `point`, or less than the tolerance before it; else empty
+  double cost = 0.0;                       ///< Σ loss
   int iterations = 0;
   bool valid = false;  ///< the starting point could be evaluated
   bool converged = false;
@@ -60,7 +62,12 @@ double total_cost(const SegmentedProblem& problem, const std::vector<Eigen::Vect
 
 /// Levenberg–Marquardt with Marquardt's scaling; segment states are eliminated by the Schur complement,
 /// bounds are kept by an active set and projection, points that cannot be evaluated count as steps too
-/// long. Serial and in a fixed order: the same digits whatever the problem does inside its calls.
+/// long. With secants, derivatives are updated after each step and taken anew only where a step disappoints, or where
+/// nothing is left to gain by them: fewer evaluations where derivatives are dear. Serial and in a fixed order: the same
+/// digits whatever the problem does inside its calls.
+///
+/// Literature: K. Madsen, H. B. Nielsen and O. Tingleff, "Methods for non-linear least squares problems", 2004
+/// (damping, secant version); C. G. Broyden, "A class of methods for solving nonlinear simultaneous equations", 1965.
 LeastSquaresResult minimize(SegmentedProblem& problem, const FitPoint& start, const LeastSquaresOptions& options);
 
 }  // namespace lacuna

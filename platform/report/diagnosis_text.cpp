@@ -107,7 +107,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);
   if (!diagnosis.next_test.empty()) text += fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
-  const bool outside = diagnosis.verdict == Verdict::not_in_library, most = share_of_answer(diagnosis) >= kMostOfIt;
+  const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
   if (outside && !most && !diagnosis.formulas.empty())
     text += fmt::format("→ lacuna plugins new effect NAME --formula \"{}\"\n", diagnosis.formulas.front().text());
   if (diagnosis.verdict == Verdict::effect_found || (outside && most))

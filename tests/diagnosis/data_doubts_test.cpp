@@ -144,6 +144,18 @@ TEST(DataDoubts, NameACommandColumnThatIsTheReading) {
                         HasSubstr("it is a measurement"))));
 }
 
+/// A second sensor of the same angle knows nothing of the first one's noise. A controller would have the other sign.
+TEST(DataDoubts, NameACommandColumnThatIsAnotherReadingOfTheSame) {
+  RecordedPendulum rig;
+  SeededNoise noise(7, 0);
+  for (Trial& trial : rig.trials)
+    for (Eigen::Index i = 0; i < trial.measured.samples.rows(); ++i)
+      trial.commands.series.samples(i, 0) = 0.8 * trial.measured.samples(i, 0) + 1e-3 * noise.normal();
+  EXPECT_THAT(faults_of(rig), ElementsAre(HasSubstr("it is a measurement")));
+  for (Trial& trial : rig.trials) trial.commands.series.samples *= -1.0;
+  EXPECT_THAT(faults_of(rig), testing::Each(Not(HasSubstr("what the sensors read at the same moment"))));
+}
+
 TEST(DataDoubts, NameACommandColumnThatIsAFilteredSpeed) {
   RecordedPendulum rig;
   for (Trial& trial : rig.trials) {
@@ -169,6 +181,9 @@ TEST(DataDoubts, NameWhatNeverChanges) {
   rig.angle(1).setConstant(0.1);
   EXPECT_THAT(faults_of(rig),
               ElementsAre(StartsWith("multi.csv: angle is 0.100 rad from the first sample to the last")));
+  // Less is commanded than where it moved, but not so much less that friction may hold it.
+  rig.trials[1].commands.series.samples *= 0.7;
+  EXPECT_THAT(faults_of(rig), ElementsAre(StartsWith("multi.csv: angle is")));
   // A joint that stands still where nothing is commanded is no fault.
   rig.trials[1].commands.series.samples.setZero();
   EXPECT_THAT(faults_of(rig), IsEmpty());

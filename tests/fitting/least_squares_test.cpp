@@ -25,6 +25,7 @@ class Formulas : public SegmentedProblem {
   }
   void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                  std::vector<SegmentJacobian>& jacobians) override {
+    ++linearisations;
     jacobians.resize(1);
     jacobians[0].state.resize(residuals[0].size(), 0);
     jacobians[0].values.resize(residuals[0].size(), point.values.size());
@@ -37,6 +38,7 @@ class Formulas : public SegmentedProblem {
       jacobians[0].values.col(j) = (r_ahead - r_behind) / 2e-6;
     }
   }
+  int linearisations = 0;
 
  private:
   Function function_;
@@ -64,6 +66,36 @@ TEST(Minimize, FindsRosenbrocksMinimum) {
   EXPECT_TRUE(result.converged);
   EXPECT_NEAR(result.point.values(0), 1.0, 1e-6);
   EXPECT_NEAR(result.point.values(1), 1.0, 1e-6);
+}
+
+/// A decay to 40 readings, from far off.
+bool decay(const Eigen::VectorXd& x, Eigen::VectorXd& r) {
+  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(40, 0.0, 4.0);
+  r = (2.0 * (-0.7 * t).exp() + 0.01 * (5.0 * t).sin() - x(0) * (-x(1) * t).exp()).matrix();
+  return true;
+}
+
+TEST(Minimize, BySecantsComesToTheSameMinimumWithFewerDerivatives) {
+  Formulas exactly(decay, -kFar, kFar), by_secants(decay, -kFar, kFar);
+  LeastSquaresOptions options;
+  options.tolerance = 1e-10;
+  const LeastSquaresResult one = search(exactly, Eigen::Vector2d(1.0, 3.0), options);
+  options.secants = true;
+  const LeastSquaresResult other = search(by_secants, Eigen::Vector2d(1.0, 3.0), options);
+  EXPECT_TRUE(other.converged);
+  EXPECT_TRUE(other.point.values.isApprox(one.point.values, 1e-5));
+  EXPECT_LT(by_secants.linearisations, exactly.linearisations);
+}
+
+TEST(Minimize, HandsOutTheDerivativesWhereItEnds) {
+  for (const bool secants : {false, true}) {
+    Formulas problem(decay, -kFar, kFar);
+    const LeastSquaresResult result = search(problem, Eigen::Vector2d(1.0, 3.0), {{}, 50, 1e-10, {}, secants});
+    std::vector<SegmentJacobian> there;
+    problem.linearize(result.point, result.residuals, there);
+    ASSERT_EQ(result.jacobians.size(), 1u);
+    EXPECT_TRUE(result.jacobians[0].values.isApprox(there[0].values, 1e-4));
+  }
 }
 
 TEST(Minimize, StopsAtABoundAtTheConstrainedMinimum) {

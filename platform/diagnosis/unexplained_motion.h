@@ -1,0 +1,16 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "diagnosis/diagnosis.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A sentence a channel of which the model misses a fifth of the motion in stretches that it is started on anew, far
+/// more than readings scatter by from sample to sample: a model that is so wrong is not right for want of an effect
+/// that explains it.
+std::vector<std::string> unexplained_motion(const BaseSolution& base, const std::vector<ChannelError>& errors);
+
+}  // namespace lacuna
