@@ -77,6 +77,13 @@ std::string formula_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// The ranking and, where there is one, the formula: what is to be added first stands first.
+std::string answers_text(const Diagnosis& diagnosis) {
+  if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
+  if (answer_comes_first(diagnosis)) return ranking_text(diagnosis) + "what is left:\n" + formula_text(diagnosis);
+  return formula_text(diagnosis) + "what the library comes to beside it:\n" + ranking_text(diagnosis);
+}
+
 /// Each reason with the effects that it keeps out.
 std::string untestable_text(const Diagnosis& diagnosis) {
   std::map<std::string, std::vector<std::string>> by_reason;
@@ -96,9 +103,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
                        fmt::join(diagnosis.findings, "\n"));
   std::string text =
       fmt::format("verdict {} · P {:.2f} (uncalibrated)\n", to_string(diagnosis.verdict), diagnosis.probability);
-  text += formula_text(diagnosis);
-  if (!diagnosis.formulas.empty() && !diagnosis.ranking.empty()) text += "what the library comes to beside it:\n";
-  text += ranking_text(diagnosis);
+  text += answers_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
   text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),

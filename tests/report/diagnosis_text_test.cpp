@@ -72,8 +72,9 @@ TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
 TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
   Diagnosis outside = diagnosis(Verdict::not_in_library);
   outside.free_force_gain.value = 0.3 * outside.ranking.front().gain.value;
+  outside.formulas.front().gain.value = 1.2 * outside.ranking.front().gain.value;
   const std::string text = diagnosis_text(outside, "rig.toml");
-  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +480 ± 39 nats held out"));
+  EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +2568 ± 39 nats held out"));
   EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
       << "the answer stands first";
   EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula \"-0.0105*v*abs(v)\"\n"));
@@ -83,6 +84,17 @@ TEST(DiagnosisText, AddsWhatExplainsNearlyAllBeforeWhatNoEffectHas) {
   Diagnosis outside = diagnosis(Verdict::not_in_library);
   outside.free_force_gain.value = 0.03 * outside.ranking.front().gain.value;
   const std::string text = diagnosis_text(outside, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
+  EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
+}
+
+/// A formula for what the library explains better is no plugin to write; what is left may be one, later.
+TEST(DiagnosisText, AddsWhatExplainsMoreThanTheFormula) {
+  Diagnosis outside = diagnosis(Verdict::not_in_library);
+  outside.free_force_gain.value = 0.3 * outside.ranking.front().gain.value;
+  const std::string text = diagnosis_text(outside, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("what is left:\nforce on joint.hinge: -0.0105*v*abs(v) N*m   +480 ± 39 nats held out"));
+  EXPECT_LT(text.find("coulomb_friction @ joint.hinge"), text.find("force on joint.hinge"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
   EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
 }
