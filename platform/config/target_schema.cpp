@@ -61,7 +61,7 @@ Value<std::string> time_unit() {
   return value;
 }
 
-/// A factor from column to channel, which remembers the unit it was written with.
+/// A factor, which remembers the unit it was written with.
 struct Gain {
   double value = 1.0;
   std::string unit;
@@ -109,6 +109,46 @@ Value<std::vector<ColumnMapping>> columns(const std::string& name_hint) {
       });
 }
 
+using GainOf = double ControllerMapping::*;
+using UnitOf = std::string ControllerMapping::*;
+
+auto set_gain(GainOf value, UnitOf unit) {
+  return [value, unit](ControllerMapping& mapping, Gain&& read) {
+    mapping.*value = read.value;
+    mapping.*unit = read.unit;
+  };
+}
+
+Table<ColumnMapping> reference_keys() {
+  return Table<ColumnMapping>()
+      .required("column", &ColumnMapping::column, text(), "the column's name in the file's header")
+      .required("unit", &ColumnMapping::unit, unit_name(), "what the column is measured in")
+      .located(&ColumnMapping::location);
+}
+
+Table<ControllerMapping> controller_keys() {
+  return Table<ControllerMapping>()
+      .required("reads", &ControllerMapping::sensor, text(), "the sensor (its channel) that is fed back")
+      .required("reference", &ControllerMapping::reference, reference_keys().value(),
+                "the column of what the sensor should read, as in { column = \"wanted\", unit = \"rad\" }")
+      .key<Gain>("proportional", gain(), {},
+                 set_gain(&ControllerMapping::proportional, &ControllerMapping::proportional_unit),
+                 "command per difference of reference and reading, as in \"8 N*m/rad\"")
+      .key<Gain>("derivative", gain(), {},
+                 set_gain(&ControllerMapping::derivative, &ControllerMapping::derivative_unit),
+                 "command against the reading's change from sample to sample, as in \"0.2 N*m*s/rad\"")
+      .located(&ControllerMapping::location);
+}
+
+Value<std::vector<ControllerMapping>> controllers() {
+  return named<std::vector<ControllerMapping>, ControllerMapping>(
+      "ACTUATOR", controller_keys().value(),
+      [](std::vector<ControllerMapping>& mappings, const TomlMember& member, ControllerMapping&& mapping) {
+        mapping.actuator = mapping.reference.channel = member.name;
+        mappings.push_back(std::move(mapping));
+      });
+}
+
 Table<RecordingSource> time_keys() {
   return Table<RecordingSource>()
       .key("column", &RecordingSource::time_column, text(), "the column of time stamps")
@@ -151,6 +191,9 @@ Table<RecordingSource> recording_keys() {
            "What was measured: each table is named like the robot's sensor (its channel) that reads the same.")
       .key("commands", &RecordingSource::commands, columns("ACTUATOR"),
            "What was applied: each table is named like the robot's actuator that gets the command.")
+      .key("controllers", &RecordingSource::controllers, controllers(),
+           "What made the commands, where a controller did: each table is named like the actuator. `lacuna diagnose` "
+           "then also fits with the controller in the loop, and says where the feedback biases what is identified.")
       .key("initial", &RecordingSource::initial, map_of("JOINT", initial_keys().value()),
            "What is known of a joint at the start of each trial; joints not named here are taken from the data.");
 }

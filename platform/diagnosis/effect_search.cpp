@@ -3,6 +3,7 @@
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/conclusion.h"
 #include "diagnosis/cut_trials.h"
+#include "diagnosis/feedback_bias.h"
 #include "diagnosis/integration_error.h"
 #include "diagnosis/outdone_library.h"
 #include "diagnosis/propose_test.h"
@@ -182,6 +183,7 @@ class EffectSearch {
       if (state_.so_far.verdict == Verdict::effect_found) propose(round);
       meter_.end_part();
     }
+    look_for_feedback();
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -204,6 +206,17 @@ class EffectSearch {
         judge_lengths(result.ranking.front().effects, task_.segment, result.lengths, task_.catalog);
     if (!verdict.survives) result.probability *= kUnsteady;
     result.findings.insert(result.findings.end(), verdict.findings.begin(), verdict.findings.end());
+  }
+
+  /// Whether a controller made the commands so that what is identified from them is another than with it in the loop.
+  void look_for_feedback() {
+    if (!has_controller(task_.trials)) return;
+    meter_.add_parts(1);
+    meter_.begin_part("the controller in the loop");
+    const std::vector<std::string> findings = feedback_bias(
+        {contender_.definition, *contender_.model, task_.trials, contender_.experiment.fit, task_.seed, task_.threads});
+    state_.so_far.findings.insert(state_.so_far.findings.end(), findings.begin(), findings.end());
+    meter_.end_part();
   }
 
   /// The test that would tell the answer from what looks most like it.

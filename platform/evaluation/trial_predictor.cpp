@@ -27,7 +27,9 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
   for (const Trial& trial : trials_) {
     check_shape(trial, model_);
     map_.push_back(match_channels(trial, model_.channels()));
-    tests_.push_back({trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}});
+    Test test{trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}};
+    if (trial.closed_loop) test.drive = trial.controller;
+    tests_.push_back(std::move(test));
   }
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
     desks_.push_back(std::make_unique<Desk>());

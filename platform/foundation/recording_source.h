@@ -26,6 +26,18 @@ struct ColumnMapping {
   SourceLocation location;
 };
 
+/// The law by which a controller made an actuator's commands from a sensor's readings (recorded_controller.h).
+struct ControllerMapping {
+  std::string actuator;
+  std::string sensor;             ///< the channel that it reads
+  ColumnMapping reference;        ///< what that channel should be
+  double proportional = 0.0;      ///< command's unit per sensor's unit
+  double derivative = 0.0;        ///< command's unit × s per sensor's unit
+  std::string proportional_unit;  ///< as written; empty: none
+  std::string derivative_unit;
+  SourceLocation location;
+};
+
 struct TimeRange {
   double start = 0.0;  ///< s, inclusive, in the file's own time
   double end = 0.0;    ///< s, inclusive
@@ -47,6 +59,7 @@ struct RecordingSource {
   bool decimal_comma = false;               ///< also found out where the delimiter is not a comma
   std::vector<ColumnMapping> sensors;
   std::vector<ColumnMapping> commands;
+  std::vector<ControllerMapping> controllers;  ///< of actuators whose commands were made by feedback
   Hold hold = Hold::zero_order;
   std::vector<TimeRange> use;   ///< empty: everything
   std::vector<TimeRange> mask;  ///< not compared

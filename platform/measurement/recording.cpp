@@ -3,6 +3,7 @@
 #include "foundation/address.h"
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
+#include "measurement/controller_plan.h"
 #include "measurement/csv_format.h"
 #include "measurement/csv_table.h"
 #include "measurement/plausibility.h"
@@ -27,7 +28,7 @@ struct WholeSource {
 
 CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
   CsvQuery query{source.time_column, source.trial_column, {}};
-  for (const auto* planned : {&plan.sensors, &plan.commands})
+  for (const auto* planned : {&plan.sensors, &plan.commands, &plan.references})
     for (const PlannedColumn& column : *planned) query.columns.push_back({column.mapping->column});
   return query;
 }
@@ -208,6 +209,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   RecordingPlan plan;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
   plan.commands = plan_columns(source.commands, actuators, "actuator", problems);
+  plan_controllers(source.controllers, channels, actuators, plan, problems);
   plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
   plan.initial = initial_values(source, coordinates, location, problems);
 

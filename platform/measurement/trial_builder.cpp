@@ -79,6 +79,13 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
   trial.commands.series = take_columns(plan.commands, plan.sensors.size(), table, clock);
   trial.commands.hold = source.hold;
   fill_commands(trial.commands, plan.commands, table, clock, report);
+  if (!plan.laws.empty()) {
+    const std::size_t first = plan.sensors.size() + plan.commands.size();
+    CommandSeries references{take_columns(plan.references, first, table, clock), source.hold};
+    fill_commands(references, plan.references, table, clock, report);
+    trial.controller = std::make_shared<RecordedController>(
+        plan.laws, RecordedSignals{references.series, trial.commands, plan.actuator_of, trial.measured});
+  }
   trial.initial = plan.initial;
   trial.sensor_noise = declared_noise(plan.sensors);
   trial.command_noise = declared_noise(plan.commands);

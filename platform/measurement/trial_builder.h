@@ -3,13 +3,17 @@
 #include "measurement/clock_check.h"
 #include "measurement/column_plan.h"
 #include "measurement/csv_table.h"
+#include "measurement/recorded_controller.h"
 
 namespace lacuna {
 
-/// Columns of a table in the order sensors, commands.
+/// Columns of a table in the order sensors, commands, references.
 struct RecordingPlan {
   std::vector<PlannedColumn> sensors;
   std::vector<PlannedColumn> commands;
+  std::vector<PlannedColumn> references;  ///< one a law
+  std::vector<ControlLaw> laws;
+  std::vector<std::size_t> actuator_of;  ///< by command: among all of the robot's
   double seconds_per_time_unit = 1.0;
   std::vector<InitialValue> initial;  ///< per joint coordinate
 };

@@ -29,6 +29,9 @@ struct Trial {
   std::vector<double> sensor_noise;   ///< declared standard deviation per measured channel, NaN where none is declared
   std::vector<double> command_noise;  ///< declared standard deviation per command channel, NaN where none is declared
   bool held_out = false;              ///< kept from every fit
+  /// What made the commands from the readings, where that is known; shared by copies of the trial.
+  std::shared_ptr<const Controller> controller;
+  bool closed_loop = false;  ///< models are driven by `controller` instead of by `commands`
   /// Path of the whole robot's centre of mass as an onlooker tracks it: columns x, y, z, world frame, m; empty where
   /// nobody does. Models are never scored by it.
   TimeSeries centre_of_mass;
