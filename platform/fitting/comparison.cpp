@@ -6,6 +6,7 @@
 #include "fitting/stages.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "foundation/unit.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,9 @@ namespace lacuna {
 namespace {
 
 constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
+/// Of the larger of error and floor: a tenth of its square. What the integrator does wrong beyond that is taken for the
+/// model's.
+constexpr double kCoarseSteps = 0.32;
 
 /// The noise that fit trials show; of channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
@@ -57,6 +61,7 @@ class Comparer {
     score_horizons();
     result_.pooled = pool(result_.trials, result_.floors);
     name_unscored();
+    name_coarse_steps();
     result_.seconds = meter_.seconds();
     return std::move(result_);
   }
@@ -188,6 +193,16 @@ class Comparer {
       const TimeSeries::Samples change = predictions[t].samples - trial.predicted;
       for (std::size_t c = 0; c < trial.channels.size(); ++c)
         trial.channels[c].numerical = scored_rms(change, static_cast<Eigen::Index>(c), trial.first_scored);
+    }
+  }
+
+  void name_coarse_steps() {
+    for (const PooledScore& score : result_.pooled) {
+      const double compared = std::fmax(score.floor, score.rmse);
+      if (score.held_out || !score.numerical || !(*score.numerical > kCoarseSteps * compared)) continue;
+      result_.notes.push_back(fmt::format(
+          "the numerical error of {}, {}, is not small beside its error and floor ({}); set more engine.substeps",
+          score.channel, format_quantity(*score.numerical, score.unit), format_quantity(compared, score.unit)));
     }
   }
 
