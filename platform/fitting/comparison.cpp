@@ -6,7 +6,6 @@
 #include "fitting/stages.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
-#include "foundation/unit.h"
 
 #include <fmt/format.h>
 
@@ -199,10 +198,9 @@ class Comparer {
   void name_coarse_steps() {
     for (const PooledScore& score : result_.pooled) {
       const double compared = std::fmax(score.floor, score.rmse);
-      if (score.held_out || !score.numerical || !(*score.numerical > kCoarseSteps * compared)) continue;
-      result_.notes.push_back(fmt::format(
-          "the numerical error of {}, {}, is not small beside its error and floor ({}); set more engine.substeps",
-          score.channel, format_quantity(*score.numerical, score.unit), format_quantity(compared, score.unit)));
+      if (!score.held_out && score.numerical && *score.numerical > kCoarseSteps * compared)
+        result_.notes.push_back("the numerical error of " + score.channel +
+                                " is not small beside its error and floor; set more engine.substeps");
     }
   }
 
