@@ -75,7 +75,8 @@ class Database {
   std::string lost_;  ///< why nothing can be written any more
 };
 
-/// Whether a database that is there, or could be made there, may be written. A write-ahead log needs the folder as well.
+/// Whether a database that is there, or could be made there, may be written. A write-ahead log needs the folder as
+/// well.
 bool is_writable(const std::filesystem::path& database);
 
 /// A transaction: what is not committed when it ends is rolled back. Begun inside another, it is
