@@ -4,6 +4,7 @@
 #include "app/rig.h"
 #include "app/run_summary.h"
 #include "config/file_references.h"
+#include "diagnosis/cut_trials.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
 
@@ -23,7 +24,7 @@ struct CheckOptions : CommonOptions {
 
 std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-/// What a fit or a comparison would stop at before it simulates anything.
+/// What a fit, a comparison or a diagnosis would stop at before it simulates anything.
 std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   const SourceLocation file{options.experiment.string(), 0, 0};
   std::vector<Problem> problems;
@@ -32,6 +33,7 @@ std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   try {
     const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
     disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
+    check_segment(rig.experiment.diagnosis.segment, rig.trials);
   } catch (const Error& error) {
     problems.push_back({file, error.what()});
   }

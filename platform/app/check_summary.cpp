@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -93,11 +94,17 @@ void widen(Extent& extent, const TimeSeries& series, const std::string& channel)
   }
 }
 
+/// " × 50 mN*m/A": the gain as it is written.
+std::string gain_text(const ColumnMapping& mapping) {
+  if (mapping.gain_unit.empty()) return mapping.gain == 1.0 ? "" : fmt::format(" × {:.7g}", mapping.gain);
+  const std::optional<Unit> unit = parse_unit(mapping.gain_unit);
+  return fmt::format(" × {:.7g} {}", mapping.gain / (unit ? unit->to_si : 1.0), mapping.gain_unit);
+}
+
 std::string mapping_text(const ColumnMapping& mapping, const Extent& extent, const char* what) {
   std::string text = fmt::format("{}, {}: column {}", mapping.channel, what, mapping.column);
   if (mapping.unit != "1") text += " in " + mapping.unit;
-  if (!mapping.gain_unit.empty() || mapping.gain != 1.0)
-    text += fmt::format(" × {:.7g} {}", mapping.gain, mapping.gain_unit);
+  text += gain_text(mapping);
   if (extent.smallest <= extent.largest)
     text += fmt::format(", {} to {}", format_quantity(extent.smallest, extent.unit),
                         format_quantity(extent.largest, extent.unit));

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -73,6 +74,7 @@ int run_program(int argc, char** argv) {
   add_plugins_command(program);
   add_sql_command(program);
 
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);
   watch_for_interrupts();
   try {

@@ -4,8 +4,10 @@
 #include "app/progress_line.h"
 #include "app/workbench.h"
 #include "diagnosis/among.h"
+#include "diagnosis/cut_trials.h"
 #include "diagnosis/search_state.h"
 #include "foundation/counted.h"
+#include "foundation/interrupt.h"
 #include "report/diagnosis_pictures.h"
 #include "report/diagnosis_text.h"
 
@@ -24,6 +26,7 @@ struct DiagnoseOptions : CommonOptions {
 
 /// Goes on from where an interrupted call came to, and keeps where it comes to itself.
 Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const FitResult& fit) {
+  bench.ledger().check_kept();
   const Rig& rig = bench.rig();
   const std::optional<SearchState> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
   if (before && !options.quiet)
@@ -48,11 +51,12 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   return diagnosis;
 }
 
-void run_diagnose(const DiagnoseOptions& options) {
+void run_diagnose(DiagnoseOptions options) {
   check_output(options.json);
   make_output_folder(options.out);
   Workbench bench(options);
-  check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
+  options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
+  check_segment(bench.rig().experiment.diagnosis.segment, bench.rig().trials);
   const FitResult fit = bench.fit_model().result;
   const std::optional<std::string> known = bench.ledger().known_diagnosis(bench.revision(), bench.rig(), options.among);
   const Diagnosis diagnosis = known ? read_diagnosis(*known) : make_diagnosis(options, bench, fit);
@@ -77,7 +81,13 @@ void add_diagnose_command(CLI::App& program) {
   add_work_options(*command, *options);
   command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
-  command->callback([options] { run_diagnose(*options); });
+  command->callback([options] {
+    try {
+      run_diagnose(*options);
+    } catch (const Interrupted& interruption) {
+      throw Interrupted(std::string(interruption.what()) + "; run the same command again to go on");
+    }
+  });
 }
 
 }  // namespace lacuna

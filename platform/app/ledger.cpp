@@ -4,14 +4,23 @@
 #include "app/used_plugins.h"
 #include "foundation/interrupt.h"
 #include "report/search_state_json.h"
+#include "storage/storage_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace lacuna {
+namespace {
+
+Database open_or_copy(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) && !is_writable(file) ? Database::open_copy(file) : Database::open(file);
+}
+
+}  // namespace
+
 Ledger::Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads)
-    : database_(Database::open(database_of(options, rig.experiment))), store_(database_), seed_(seed) {
+    : database_(open_or_copy(database_of(options, rig.experiment))), store_(database_), seed_(seed) {
   Transaction transaction(database_);
   store_.begin_run({command_line(), seed, threads}, provenance_of_this_program());
   store_.record_plugins(plugins_of_model(rig.experiment, *rig.catalog));
@@ -27,6 +36,10 @@ Ledger::~Ledger() {
   } catch (const std::exception&) {
     return;  // the run stays without an end, which says the same
   }
+}
+
+void Ledger::check_kept() const {
+  if (!is_writable(file())) throw_read_only(file());
 }
 
 StoredRevision Ledger::enter(const Rig& rig) { return store_.find_or_add_revision(experiment_, revision_record(rig)); }

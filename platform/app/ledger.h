@@ -14,13 +14,17 @@
 namespace lacuna {
 
 /// What one command writes into its experiment's database. A command that ends by an exception is
-/// stored as failed, by Ctrl-C as interrupted.
+/// stored as failed, by Ctrl-C as interrupted. Of a database that may not be written to a temporary copy is used:
+/// whoever finds there what was made before needs no more.
 class Ledger {
  public:
   Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads);
   ~Ledger();
   Ledger(const Ledger&) = delete;
   Ledger& operator=(const Ledger&) = delete;
+
+  /// Throws `Error` where nothing that is written would be kept. To be called before what takes long.
+  void check_kept() const;
 
   /// The revision that the rig's model is; from now on the experiment's current one.
   StoredRevision enter(const Rig& rig);

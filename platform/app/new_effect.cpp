@@ -97,6 +97,7 @@ void print_law(const std::string& folder, const ForceLaw& law) {
   for (const LawParameter& p : law.parameters)
     fmt::print("  {:<{}}  {:<10g}  {:<{}}  within {:g} to {:g}\n", p.name, name, p.start, unit_in_words(p.unit), unit,
                p.lower, p.upper);
+  for (const std::string& note : law.notes) fmt::print("note: {}\n", note);
 }
 
 /// Where `find_package` finds the package of this program, if it is installed.

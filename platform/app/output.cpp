@@ -1,8 +1,7 @@
 #include "app/output.h"
 
-#include <lacuna/error.h>
-
 #include "foundation/problem.h"
+#include "report/not_written.h"
 
 #include <unistd.h>
 
@@ -37,8 +36,7 @@ void write_output(const std::string& to, const std::string& text) {
     return;
   }
   std::ofstream stream(to, std::ios::binary);
-  if (!(stream << text) || !stream.flush())
-    throw Error(to + ": cannot be written; check that its folder exists and is writable");
+  if (!(stream << text) || !stream.flush()) throw_not_written(to);
 }
 
 bool takes_standard_output(const std::optional<std::string>& option) { return option && option->empty(); }

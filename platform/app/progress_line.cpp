@@ -22,14 +22,17 @@ void ProgressLine::show(const Progress& progress) {
   if (!live_ || now - last_ < 100ms) return;
   last_ = now;
   shown_ = true;
-  const std::string line = fmt::format("{} · {:.0f} % · {} left", progress.what, 100.0 * progress.fraction,
-                                       format_duration(progress.seconds_left));
-  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(line));
+  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(progress_text(progress)));
   std::fflush(stderr);
 }
 
 ProgressCallback ProgressLine::callback() {
   return [this](const Progress& progress) { show(progress); };
+}
+
+std::string progress_text(const Progress& progress) {
+  const std::string done = fmt::format("{} · {:.0f} %", progress.what, 100.0 * progress.fraction);
+  return std::isfinite(progress.seconds_left) ? done + " · " + format_duration(progress.seconds_left) + " left" : done;
 }
 
 std::string first_characters(const std::string& text, std::size_t width) {

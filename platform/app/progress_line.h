@@ -26,6 +26,8 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// "segments of 0.5 s · 40 % · 1.2 s left"; without a time while none is known.
+std::string progress_text(const Progress& progress);
 /// As many characters of a line as the terminal of standard error is wide, so that it can be wiped; all of them where
 /// that is not known.
 std::string fitted_to_terminal(const std::string& line);

@@ -1,8 +1,7 @@
-#include <lacuna/error.h>
-
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output.h"
+#include "report/not_written.h"
 #include "storage/query.h"
 #include "storage/query_output.h"
 
@@ -42,9 +41,7 @@ void query(const SqlOptions& options) {
   std::ostream& stream = to_file ? file : std::cout;
   const QueryFormat format = options.json ? QueryFormat::json : options.csv ? QueryFormat::csv : QueryFormat::table;
   run_queries(database, options.sql, *make_query_output(format, stream));
-  if (!stream.flush()) {
-    throw Error((to_file ? *options.json : "standard output") + ": cannot be written; check the disk and permissions");
-  }
+  if (!stream.flush()) throw_not_written(to_file ? *options.json : "standard output");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ Workbench::Workbench(const CommonOptions& options, Rig rig)
 
 Workbench::Fitted Workbench::fit_model() {
   if (std::optional<FitResult> known = ledger_.known_fit(revision_, rig_)) return {std::move(*known), true};
+  ledger_.check_kept();
   ProgressLine line(options_.quiet);
   const std::unique_ptr<CompiledModel> coarser = compile_coarser(rig_.definition);
   const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
@@ -36,6 +37,7 @@ Workbench::Fitted Workbench::fit_model() {
 }
 
 Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted, bool with_held_out) {
+  ledger_.check_kept();
   const std::vector<Trial> trials = with_held_out ? rig_.trials : rig_.fit_trials();
   const bool looks = with_held_out && rig_.count(true) > 0;
   const int look = looks ? ledger_.count_look(revision_) : 0;

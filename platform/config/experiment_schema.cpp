@@ -115,7 +115,8 @@ Table<NoiseSection> noise_keys() {
 Table<DiagnosisSection> diagnosis_keys() {
   return Table<DiagnosisSection>().key(
       "segment", &DiagnosisSection::segment, number("s").at_least(0.05),
-      "length of the stretches that are predicted, each from a start of its own that the data around it tell");
+      "length of the stretches that are predicted, each from a start of its own that the data around it tell; at most "
+      "as long as the longest trial that is fitted to");
 }
 
 Table<Experiment> experiment_keys() {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace lacuna {
 namespace {
 
@@ -37,13 +39,18 @@ std::string objection(const std::string& name, const Experiment& experiment, con
 
 }  // namespace
 
-void check_among(const std::vector<std::string>& among, const Experiment& experiment, const PluginCatalog& catalog,
-                 const ModelDefinition& base) {
+std::vector<std::string> check_among(const std::vector<std::string>& among, const Experiment& experiment,
+                                     const PluginCatalog& catalog, const ModelDefinition& base) {
   ProblemList problems;
-  for (const std::string& name : among)
+  std::vector<std::string> once;
+  for (const std::string& name : among) {
+    if (std::find(once.begin(), once.end(), name) != once.end()) continue;
+    once.push_back(name);
     if (std::string sentence = objection(name, experiment, catalog, base); !sentence.empty())
       problems.add({}, std::move(sentence));
+  }
   problems.throw_if_any();
+  return once;
 }
 
 }  // namespace lacuna

@@ -2,11 +2,17 @@
 
 #include "diagnosis/free_run.h"
 #include "fitting/shooting_problem.h"
+#include "foundation/problem.h"
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace lacuna {
 namespace {
+
+constexpr double kAsLong = 1.01;  ///< a trial of 4 s may end a sample before that
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
@@ -19,7 +25,30 @@ std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   return kept;
 }
 
+double duration_of(const Trial& trial) {
+  const Eigen::VectorXd& times = trial.measured.times;
+  return times.size() > 0 ? times(times.size() - 1) - times(0) : 0.0;
+}
+
 }  // namespace
+
+double longest_fit_trial(const std::vector<Trial>& trials) {
+  double longest = 0.0;
+  for (const Trial& trial : trials)
+    if (!trial.held_out) longest = std::max(longest, duration_of(trial));
+  return longest;
+}
+
+void check_segment(double segment, const std::vector<Trial>& trials) {
+  const double longest = longest_fit_trial(trials);
+  if (segment <= kAsLong * longest || segment == DiagnosisSection{}.segment || longest == 0.0) return;
+  std::string lengths;
+  for (const Trial& trial : trials)
+    if (!trial.held_out)
+      lengths += (lengths.empty() ? "" : ", ") + trial.name + " " + format_quantity(duration_of(trial), "s");
+  throw_problem({}, fmt::format("diagnosis.segment is {}, but no fit trial is that long: {}; choose at most {}",
+                                format_quantity(segment, "s"), lengths, format_quantity(longest, "s")));
+}
 
 BaseSolution cut_trials(const CutTask& task) {
   BaseSolution base;

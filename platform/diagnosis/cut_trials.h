@@ -21,6 +21,13 @@ struct CutTask {
   int threads = 1;
 };
 
+/// The longest trial that is not held out, s; 0 if there is none.
+double longest_fit_trial(const std::vector<Trial>& trials);
+
+/// Throws `BadInput` where a user asks for segments that are longer than every trial that is not held out. The usual
+/// length may be: `cut_trials` then takes what there is.
+void check_segment(double segment, const std::vector<Trial>& trials);
+
 /// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements
 /// around them; whole, where an effect has a state that no sensor tells; into blocks of free runs (free_run.h) where
 /// not all positions are measured. Throws `Error` where nothing is left to diagnose.

@@ -18,15 +18,6 @@ constexpr std::array kUsualLengths = {0.1, 0.5};  ///< s
 constexpr double kSameLength = 1.3;               ///< lengths that differ by less tell nothing new
 constexpr double kShortestOther = 0.1;            ///< s: shorter ones hold little more than their start
 
-double longest_trial(const std::vector<Trial>& trials) {
-  double longest = 0.0;
-  for (const Trial& trial : trials) {
-    const Eigen::VectorXd& times = trial.measured.times;
-    if (!trial.held_out && times.size() > 0) longest = std::max(longest, times(times.size() - 1) - times(0));
-  }
-  return longest;
-}
-
 bool can_cut(const StartStates& states, std::size_t trials) {
   for (std::size_t trial = 0; trial < trials; ++trial)
     if (!states.reconstructible(trial)) return false;
@@ -53,7 +44,7 @@ double horizon(const LengthTask& task) {
 
 /// Shorter ones first.
 std::vector<double> other_lengths(const LengthTask& task) {
-  const double longest = longest_trial(task.cut.trials);
+  const double longest = longest_fit_trial(task.cut.trials);
   std::vector<double> lengths(kUsualLengths.begin(), kUsualLengths.end());
   lengths.push_back(std::min(horizon(task), longest));
   std::sort(lengths.begin(), lengths.end());

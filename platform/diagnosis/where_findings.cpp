@@ -76,20 +76,22 @@ class Collector {
                          .unit = tests.unit});
   }
 
+  /// What one factor on the swings of all trials would take away: a trial too wide and one too narrow share none.
   void magnitude(const ChannelTests& tests) {
-    double squares = 0.0, part = 0.0, size = 0.0;
+    double squares = 0.0, motion = 0.0, excess = 0.0;
     for (const auto& [trial, score] : scores(tests)) {
-      if (!std::isfinite(score->parts.magnitude_share) || !std::isfinite(score->parts.spread_error)) continue;
+      if (!(score->normalised_rmse > 0.0) || !std::isfinite(score->parts.spread_error)) continue;
       const double power = static_cast<double>(score->samples) * score->rmse * score->rmse;
+      const double swing = power / (score->normalised_rmse * score->normalised_rmse);
       squares += power;
-      part += power * score->parts.magnitude_share;
-      size += power * score->parts.spread_error;
+      motion += swing;
+      excess += swing * score->parts.spread_error;
     }
-    if (!(squares > 0.0) || part < kLeastPart * squares) return;
+    if (!(squares > 0.0) || excess * excess / motion < kLeastPart * squares) return;
     findings_.push_back({.kind = FindingKind::magnitude,
-                         .share = part / squares * tests.share_of_error,
+                         .share = excess * excess / motion / squares * tests.share_of_error,
                          .channel = tests.channel,
-                         .size = size / squares});
+                         .size = excess / motion});
   }
 
   void majority_trial() {

@@ -69,7 +69,7 @@ enum class FindingKind {
   regime,      ///< error gathers under `conditions`
   dependence,  ///< the residual of `channel` varies with `features`, the strongest first
   offset,      ///< a constant part of the residual of `channel`
-  magnitude,   ///< predicted swings of `channel` are too wide or too narrow
+  magnitude,   ///< predicted swings of `channel` are too wide or too narrow, in all trials alike
   trial        ///< one trial has much more than its part
 };
 

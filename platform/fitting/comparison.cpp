@@ -17,6 +17,9 @@ namespace lacuna {
 namespace {
 
 constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
+/// Of the larger of error and floor: a tenth of its square. What the integrator does wrong beyond that is taken for the
+/// model's.
+constexpr double kCoarseSteps = 0.32;
 
 /// The noise that fit trials show; of channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
@@ -57,6 +60,7 @@ class Comparer {
     score_horizons();
     result_.pooled = pool(result_.trials, result_.floors);
     name_unscored();
+    name_coarse_steps();
     result_.seconds = meter_.seconds();
     return std::move(result_);
   }
@@ -188,6 +192,15 @@ class Comparer {
       const TimeSeries::Samples change = predictions[t].samples - trial.predicted;
       for (std::size_t c = 0; c < trial.channels.size(); ++c)
         trial.channels[c].numerical = scored_rms(change, static_cast<Eigen::Index>(c), trial.first_scored);
+    }
+  }
+
+  void name_coarse_steps() {
+    for (const PooledScore& score : result_.pooled) {
+      const double compared = std::fmax(score.floor, score.rmse);
+      if (!score.held_out && score.numerical && *score.numerical > kCoarseSteps * compared)
+        result_.notes.push_back("the numerical error of " + score.channel +
+                                " is not small beside its error and floor; set more engine.substeps");
     }
   }
 

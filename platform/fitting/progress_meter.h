@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,11 @@ class ProgressMeter {
 
   void set_parts(int parts) { parts_ = parts; }
   void add_parts(int parts) { parts_ += parts; }
+  /// The first of the parts were done before this meter began: they count as done, but tell no time.
+  void skip_parts(int parts) {
+    done_ += parts;
+    skipped_ += parts;
+  }
   void begin_part(std::string what) {
     what_ = std::move(what);
     report(0);
@@ -27,8 +33,9 @@ class ProgressMeter {
     double left = 1.0;
     for (int i = 0; i < iteration; ++i) left *= 0.8;
     fraction_ = std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may begin anew: never back
-    const double remaining = fraction_ > 0.0 ? seconds() * (1.0 - fraction_) / fraction_ : 0.0;
-    callback_({what_, fraction_, remaining});
+    const double own = fraction_ - static_cast<double>(skipped_) / parts_;
+    callback_(
+        {what_, fraction_, own > 0.0 ? seconds() * (1.0 - fraction_) / own : std::numeric_limits<double>::quiet_NaN()});
   }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
@@ -39,6 +46,7 @@ class ProgressMeter {
   std::string what_;
   int parts_ = 1;
   int done_ = 0;
+  int skipped_ = 0;
   double fraction_ = 0.0;
 };
 

@@ -5,11 +5,14 @@
 #include "formula/formula_scanner.h"
 #include "formula/formula_unit.h"
 #include "formula/law_terms.h"
+#include "foundation/placement_unit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -20,8 +23,18 @@ using Kind = Expression::Kind;
 
 constexpr double kReach = 100.0;  ///< how many times its start a parameter may become
 
+/// A bound, without the digits that its product leaves behind the third.
+double rounded(double bound) { return std::strtod(fmt::format("{:.3g}", bound).c_str(), nullptr); }
+
 /// Whether a fit can begin there and has bounds around it.
-bool can_start(double number) { return number != 0.0 && std::isfinite(kReach * number); }
+bool can_start(double number) { return number != 0.0 && std::isfinite(rounded(kReach * number)); }
+
+/// A formula on one line: it is written into comments and strings.
+std::string on_one_line(std::string formula) {
+  std::replace_if(
+      formula.begin(), formula.end(), [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
+  return formula;
+}
 
 /// What the names of a formula do there: `factor` multiplies a whole term, `summand` shifts something inside of a term,
 /// `scale` divides or stretches something and must keep its sign.
@@ -101,9 +114,11 @@ void check_terms(const std::vector<RawTerm>& terms, ProblemList& problems) {
 /// Turns terms into parameters and values.
 class LawBuilder {
  public:
-  LawBuilder(const std::vector<RawTerm>& terms, const Roles& roles, const std::map<std::string, double>& values)
-      : terms_(terms), roles_(roles), values_(values) {
+  LawBuilder(const std::vector<RawTerm>& terms, const Roles& roles, const std::map<std::string, double>& values,
+             ProblemList& problems)
+      : terms_(terms), roles_(roles), values_(values), problems_(problems) {
     for (const auto& [name, role] : roles.all()) taken_.insert(name);
+    for (const RawTerm& term : terms) note_inner_units(term.rest());
   }
 
   void build(ForceLaw& law) {
@@ -120,7 +135,7 @@ class LawBuilder {
                        [&](const LawParameter& parameter) { return parameter.name == name; });
   }
   static LawParameter multiplier(const std::string& name, double start, const Expression& of) {
-    const double reach = kReach * std::abs(start);
+    const double reach = rounded(kReach * std::abs(start));
     return {name,  unit_of_factor(dimension_of(of)),
             start, -reach,
             reach, 0.0,
@@ -136,8 +151,12 @@ class LawBuilder {
       factor.name = head->name;
       number = raw.number;
       left.over.erase(head);
+      note_unit(factor.name, unit_of_factor(dimension_of(left.rest())));
       if (!declared(law, factor.name))
         law.parameters.push_back(multiplier(factor.name, values_.at(factor.name), left.rest()));
+      if (std::abs(number) != 1.0)
+        law.notes.push_back(fmt::format("{} stays as it is in the term with {}; a fit changes {} alone",
+                                        number_text(number), factor.name, factor.name));
     } else {
       factor.name = free_name(left.rest(), count);
       law.parameters.push_back(multiplier(factor.name, raw.number, left.rest()));
@@ -162,23 +181,31 @@ class LawBuilder {
     return {std::move(value), along};
   }
 
+  /// Complains of a name that stands for two things.
+  void note_unit(const std::string& name, const std::string& unit) {
+    const std::string& known = units_.emplace(name, unit).first->second;
+    if (known != unit)
+      problems_.add(
+          formula_place(roles_.column(name)),
+          fmt::format("{0} is in {1} in one place and in {2} in another; name them apart, as in {0} and {0}_2", name,
+                      unit_in_words(known), unit_in_words(unit)));
+  }
+
+  /// Beside a number, which has whatever unit fits, a name has none of its own.
+  void note_inner_units(const Expression& rest) {
+    for (const auto& [name, dimension] : inner_dimensions(rest))
+      if (dimension != FormulaDimension{}) note_unit(name, unit_of(dimension));
+  }
+
   /// Names that stand inside of terms.
   void add_inner(const Expression& rest, ForceLaw& law) {
-    const std::map<std::string, FormulaDimension> dimensions = inner_dimensions(rest);
     walk(rest, [&](const Expression& e) {
       if (e.kind != Kind::parameter || declared(law, e.name)) return;
-      const double start = values_.at(e.name);
-      const auto dimension = dimensions.find(e.name);
-      LawParameter parameter{e.name,
-                             dimension == dimensions.end() ? "1" : unit_of(dimension->second),
-                             start,
-                             -kReach * std::abs(start),
-                             kReach * std::abs(start),
-                             start,
-                             false,
-                             "A scale inside of " + formula_text(rest)};
+      const double start = values_.at(e.name), reach = rounded(kReach * std::abs(start));
+      LawParameter parameter{e.name, units_.emplace(e.name, "1").first->second, start, -reach, reach, start,
+                             false,  "A scale inside of " + formula_text(rest)};
       if (roles_.all().at(e.name) == Role::scale) {
-        parameter.lower = start / kReach;
+        parameter.lower = rounded(start / kReach);
         parameter.logarithmic = true;
       } else if (roles_.all().at(e.name) == Role::summand) {
         parameter.description = "A shift inside of " + formula_text(rest);
@@ -200,7 +227,9 @@ class LawBuilder {
   const std::vector<RawTerm>& terms_;
   const Roles& roles_;
   const std::map<std::string, double>& values_;
+  ProblemList& problems_;
   std::set<std::string> taken_;
+  std::map<std::string, std::string> units_;
 };
 
 }  // namespace
@@ -228,11 +257,12 @@ ForceLaw read_force_law(const std::string& formula, const std::map<std::string, 
   check_finite(*parsed, roles.scales(), problems);
   problems.throw_if_any();
   ForceLaw law;
-  law.text = formula;
+  law.text = on_one_line(formula);
   walk(*parsed, [&](const Expression& e) {
     law.uses_command = law.uses_command || (e.kind == Kind::variable && e.name == "u");
   });
-  LawBuilder(terms, roles, values).build(law);
+  LawBuilder(terms, roles, values, problems).build(law);
+  problems.throw_if_any();
   return law;
 }
 

@@ -26,10 +26,11 @@ struct LawTerm {
 
 /// The force on a joint as a function of its position q, velocity v and its actuator's command u.
 struct ForceLaw {
-  std::string text;  ///< the formula as given
+  std::string text;  ///< the formula as given, on one line
   bool uses_command = false;
   std::vector<LawParameter> parameters;
   std::vector<LawTerm> terms;
+  std::vector<std::string> notes;  ///< sentences on what a reader of the formula may not expect
 
   /// "c_v*v + c_sgn_v*sgn(v)".
   std::string equation() const;

@@ -78,8 +78,8 @@ std::string unit_of(const FormulaDimension& dimension) {
   return text.front() == '*' ? text.substr(1) : "1" + text;
 }
 
-std::map<std::string, FormulaDimension> inner_dimensions(const Expression& expression) {
-  std::map<std::string, FormulaDimension> found;
+std::multimap<std::string, FormulaDimension> inner_dimensions(const Expression& expression) {
+  std::multimap<std::string, FormulaDimension> found;
   walk(expression, [&](const Expression& e) {
     const auto pair_up = [&](const Expression& name, const Expression& other) {
       if (name.kind == Kind::parameter) found.emplace(name.name, dimension_of(other));

@@ -23,7 +23,8 @@ std::string unit_of_factor(const FormulaDimension& of);
 /// The unit of that dimension itself: "{position}/s", "1".
 std::string unit_of(const FormulaDimension& dimension);
 
-/// Of each parameter that divides something or stands in a sum the dimension that the other side gives it.
-std::map<std::string, FormulaDimension> inner_dimensions(const Expression& expression);
+/// Of each parameter that divides something or stands in a sum the dimension that the other side gives it, once a
+/// place.
+std::multimap<std::string, FormulaDimension> inner_dimensions(const Expression& expression);
 
 }  // namespace lacuna

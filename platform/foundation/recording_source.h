@@ -20,7 +20,7 @@ struct ColumnMapping {
   std::string column;   ///< header name
   std::string unit = "1";
   double gain = 1.0;      ///< channel unit (SI) per column's SI unit
-  std::string gain_unit;  ///< unit of `gain` as written, e.g. "N/V"; empty: none given
+  std::string gain_unit;  ///< unit in which `gain` was written, e.g. "mN/V"; empty: none given
   double offset = 0.0;    ///< channel unit, added after the gain
   double noise = std::numeric_limits<double>::quiet_NaN();  ///< declared standard deviation, channel unit
   SourceLocation location;

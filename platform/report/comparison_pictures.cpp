@@ -2,9 +2,8 @@
 
 #include "report/figure.h"
 #include "report/file_name.h"
+#include "report/not_written.h"
 #include "report/times_floor_text.h"
-
-#include <lacuna/error.h>
 
 #include <fmt/format.h>
 
@@ -77,8 +76,7 @@ std::vector<std::filesystem::path> write_predictions(const Comparison& compariso
         stream << fmt::format(",{},{},{}", trial.measured(i, c), trial.predicted(i, c), trial.residuals(i, c));
       stream << '\n';
     }
-    if (!stream.flush())
-      throw Error(files.back().string() + ": cannot be written; check the folder's permissions and the disk");
+    if (!stream.flush()) throw_not_written(files.back());
   }
   return files;
 }

@@ -1,5 +1,6 @@
 #include "report/figure.h"
 
+#include "report/not_written.h"
 #include "report/thinning.h"
 
 #include <lacuna/error.h>
@@ -337,8 +338,10 @@ void write_svg(const Figure& figure, const std::filesystem::path& file) {
   if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
   const auto beside = [&](const char* ending) { return std::filesystem::path(file.string() + ending); };
   const std::filesystem::path draft = beside(".draft"), commands = beside(".gnuplot"), log = beside(".log");
-  if (!(std::ofstream(commands) << script(figure, draft)))
-    throw Error(file.string() + ": cannot be written; check that its folder is writable and the disk not full");
+  if (!(std::ofstream(commands) << script(figure, draft) << std::flush)) {
+    std::filesystem::remove(commands);
+    throw_not_written(file);
+  }
   const int code = run_gnuplot(commands, log);
   const std::string complaints = content_of(log);
   std::filesystem::remove(commands);

@@ -10,6 +10,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -136,6 +137,18 @@ Database Database::open_read_only(const std::filesystem::path& file) {
   if (!is_of_version(database, schema_migrations())) database.read_copy_of_this_version();
   database.execute("PRAGMA query_only = ON");
   return database;
+}
+
+Database Database::open_copy(const std::filesystem::path& file) {
+  Database database = open_read_only(file);
+  database.read_copy_of_this_version();
+  return database;
+}
+
+bool is_writable(const std::filesystem::path& database) {
+  const std::filesystem::path folder = database.has_parent_path() ? database.parent_path() : ".";
+  const bool exists = ::access(database.c_str(), F_OK) == 0;
+  return ::access(folder.c_str(), W_OK) == 0 && (!exists || ::access(database.c_str(), W_OK) == 0);
 }
 
 sqlite3* Database::handle() const { return connection_->getHandle(); }

@@ -45,6 +45,9 @@ class Database {
   /// Opens for reading what exists. Nothing can be written through it. Of a file of an older version a temporary copy
   /// is brought up to date and read.
   static Database open_read_only(const std::filesystem::path& file);
+  /// Opens for writing a temporary copy of what exists, brought up to date, which ends with the object: for commands
+  /// that find their answer in a file that they may not write to.
+  static Database open_copy(const std::filesystem::path& file);
 
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
@@ -71,6 +74,10 @@ class Database {
   std::optional<FileIdentity> identity_;
   std::string lost_;  ///< why nothing can be written any more
 };
+
+/// Whether a database that is there, or could be made there, may be written. A write-ahead log needs the folder as
+/// well.
+bool is_writable(const std::filesystem::path& database);
 
 /// A transaction: what is not committed when it ends is rolled back. Begun inside another, it is
 /// part of that one.

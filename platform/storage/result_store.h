@@ -66,9 +66,9 @@ class ResultStore {
   std::optional<StoredComparison> latest_comparison(RevisionId revision, ComparisonKind kind,
                                                     bool held_out = false) const;
 
-  /// Stores a finished diagnosis.
+  /// Stores a finished diagnosis, unless this revision has one with the same settings.
   DiagnosisId record_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
-  /// The document of the latest diagnosis of this revision with the same settings.
+  /// The document of the diagnosis of this revision with the same settings.
   std::optional<std::string> diagnosis_of(RevisionId revision, const std::string& settings) const;
   /// Stores where a diagnosis stands, JSON, in place of what it stored before; a finished one of the
   /// revision removes all of its own.

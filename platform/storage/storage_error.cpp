@@ -4,12 +4,17 @@
 
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 namespace lacuna {
 namespace {
 
 /// What the primary code means and what to do, without the file's name in front.
 std::string sentence(int code, const std::string& message) {
+  if (code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
+    return "cannot grow: the disk or the quota is full, or files may not grow this large (ulimit -f); make room and "
+           "run "
+           "again (lacuna run: with --resume), what was finished is kept";
   switch (code & 0xff) {
     case SQLITE_NOTADB: return "is not a database; name another file, or move this one away";
     case SQLITE_CORRUPT:
@@ -32,9 +37,19 @@ std::string sentence(int code, const std::string& message) {
   }
 }
 
+/// Whether the file itself could be used, were it not for its folder.
+bool folder_is_read_only(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (::access(folder.c_str(), X_OK) != 0 || ::access(folder.c_str(), W_OK) == 0) return false;
+  return ::access(file.c_str(), F_OK) != 0 || ::access(file.c_str(), R_OK | W_OK) == 0;
+}
+
 }  // namespace
 
 void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message) {
+  const int code = extended_code & 0xff;
+  if ((code == SQLITE_CANTOPEN || code == SQLITE_READONLY) && folder_is_read_only(file))
+    throw Error(file.string() + ": cannot be written: its folder is read-only; --db FILE puts the database elsewhere");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
   throw Error(file.string() + ": " + sentence(extended_code, message));
 }
@@ -43,5 +58,7 @@ void throw_storage_error(const std::filesystem::path& file, const SQLite::Except
   throw_storage_error(file, error.getExtendedErrorCode() > 0 ? error.getExtendedErrorCode() : error.getErrorCode(),
                       error.what());
 }
+
+void throw_read_only(const std::filesystem::path& file) { throw_storage_error(file, SQLITE_READONLY, ""); }
 
 }  // namespace lacuna

@@ -14,5 +14,7 @@ namespace lacuna {
 /// what to do about it.
 [[noreturn]] void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message);
 [[noreturn]] void throw_storage_error(const std::filesystem::path& file, const SQLite::Exception& error);
+/// The same for a file that may not be written to.
+[[noreturn]] void throw_read_only(const std::filesystem::path& file);
 
 }  // namespace lacuna

@@ -28,17 +28,23 @@ void insert_candidates(const Database& database, DiagnosisId diagnosis,
   }
 }
 
-}  // namespace
-
-DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRecord& d) {
-  Transaction transaction(database_);
-  const DiagnosisId id{next_id("diagnosis")};
-  Statement(database_,
+void insert_diagnosis(const Database& database, DiagnosisId id, RevisionId revision, const DiagnosisRecord& d) {
+  Statement(database,
             "INSERT INTO diagnosis (id, revision, settings, verdict, probability, calibrated, chance, hypotheses,"
             " base_times_floor, document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .run_with(id, revision, d.settings, d.verdict, d.probability, d.calibrated, d.chance, d.hypotheses,
                 d.base_times_floor, d.document);
-  insert_candidates(database_, id, d.candidates);
+  insert_candidates(database, id, d.candidates);
+}
+
+}  // namespace
+
+DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRecord& d) {
+  Transaction transaction(database_);
+  Statement made(database_, "SELECT id FROM diagnosis WHERE revision = ? AND settings = ?");
+  const bool another_process_was_faster = made.with(revision, d.settings).step();
+  const DiagnosisId id{another_process_was_faster ? made.integer(0) : next_id("diagnosis")};
+  if (!another_process_was_faster) insert_diagnosis(database_, id, revision, d);
   Statement(database_, "DELETE FROM unfinished_diagnosis WHERE revision = ?").run_with(revision);
   transaction.commit();
   return id;

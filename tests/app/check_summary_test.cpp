@@ -38,7 +38,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
   source.commands[0].column = "i_A";
   source.commands[0].unit = "A";
   source.commands[0].gain = 0.05;
-  source.commands[0].gain_unit = "N*m/A";
+  source.commands[0].gain_unit = "mN*m/A";
   const std::vector<Trial> trials = {trial("sine.csv", false), trial("chirp.csv", true)};
   std::vector<ReadingNote> notes(1);
   notes[0].location.file = "sine.csv";
@@ -56,7 +56,7 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
             "          chirp.csv (held out): 5 samples, 2.00 s, 2 Hz\n"
             "          together 10 samples, 4.00 s\n"
             "channels  angle, measured: column angle_deg in deg, -0.500 rad to 1.50 rad, 2 values not compared\n"
-            "          servo, commanded: column i_A in A × 0.05 N*m/A, 20.0 mN*m to 20.0 mN*m\n"
+            "          servo, commanded: column i_A in A × 50 mN*m/A, 20.0 mN*m to 20.0 mN*m\n"
             "note      sine.csv:3: a gap\n");
 }
 

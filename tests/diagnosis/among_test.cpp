@@ -39,6 +39,13 @@ std::string objections(const std::vector<std::string>& among) {
 
 TEST(Among, TakesEffectsThatCanBeAdded) { EXPECT_EQ(objections({"coulomb_friction", "command_delay"}), ""); }
 
+TEST(Among, CountsAnEffectOnce) {
+  const Experiment experiment = servo_pendulum();
+  EXPECT_THAT(check_among({"coulomb_friction", "command_delay", "coulomb_friction"}, experiment, built_catalog(),
+                          define_model(experiment, built_catalog())),
+              testing::ElementsAre("coulomb_friction", "command_delay"));
+}
+
 TEST(Among, NamesEveryEffectThatCannotBeAddedAndWhy) {
   const std::string text = objections({"coulomb_fiction", "viscous_friction", "coulomb_friction"});
   EXPECT_THAT(text, testing::HasSubstr("--among coulomb_fiction: "));

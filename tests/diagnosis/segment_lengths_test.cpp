@@ -82,5 +82,24 @@ TEST(SegmentLengths, WithoutOtherLengthsNothingIsSaid) {
   EXPECT_TRUE(verdict.findings.empty());
 }
 
+/// Sampled every 4 ms, so that it ends a sample early.
+Trial trial_of(const std::string& name, double seconds, bool held_out) {
+  Trial trial;
+  trial.name = name;
+  trial.held_out = held_out;
+  trial.measured.times = Eigen::VectorXd::LinSpaced(2, 0.0, seconds - 0.004);
+  return trial;
+}
+
+TEST(SegmentLengths, OneLongerThanEveryFitTrialIsRefused) {
+  const std::vector<Trial> trials = {trial_of("sine.csv", 4.0, false), trial_of("steps.csv", 2.0, false),
+                                     trial_of("long.csv", 60.0, true)};
+  EXPECT_NO_THROW(check_segment(4.0, trials));
+  EXPECT_THAT([&] { check_segment(20.0, trials); },
+              testing::ThrowsMessage<BadInput>("diagnosis.segment is 20.0 s, but no fit trial is that long: sine.csv "
+                                               "4.00 s, steps.csv 2.00 s; choose at most 4.00 s"));
+  EXPECT_NO_THROW(check_segment(0.5, {trial_of("short.csv", 0.3, false)}));  // nobody asked for it
+}
+
 }  // namespace
 }  // namespace lacuna

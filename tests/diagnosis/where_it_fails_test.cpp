@@ -195,6 +195,39 @@ TEST(WhereItFails, HeldOutTrialsAreNotAsked) {
   EXPECT_TRUE(where.findings.empty());
 }
 
+/// Findings about two trials of a sine, whose predictions swing wider by these parts.
+std::vector<Finding> findings_of_swings(double first, double second) {
+  const Eigen::VectorXd measured = Eigen::ArrayXd::LinSpaced(1000, 0.0, 20.0).sin();
+  Comparison comparison;
+  for (const double wider : {first, second}) {
+    ChannelScore score;
+    score.channel = "angle";
+    score.samples = 1000;
+    score.rmse = std::abs(wider) * std::sqrt(measured.squaredNorm() / 1000.0);
+    score.normalised_rmse = score.rmse / std::sqrt((measured.array() - measured.mean()).square().mean());
+    score.times_floor = score.rmse / kNoise;
+    score.parts = error_parts(measured, (1.0 + wider) * measured);
+    TrialComparison trial;
+    trial.channels = {score};
+    comparison.trials.push_back(trial);
+  }
+  ResidualView view;
+  view.times_floor = 20.0;
+  view.channels.resize(1);
+  view.channels[0].channel = "angle";
+  view.channels[0].share_of_error = 1.0;
+  return findings_of(comparison, {view});
+}
+
+TEST(WhereItFails, SwingsAreTooWideOnlyWhereTheTrialsAgree) {
+  EXPECT_TRUE(findings_of_swings(0.03, -0.03).empty());
+  const std::vector<Finding> found = findings_of_swings(0.03, 0.03);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, FindingKind::magnitude);
+  EXPECT_NEAR(found[0].size, 0.03, 1e-12);
+  EXPECT_GT(found[0].share, 0.95);  // the rest is the sine's mean, which is not quite zero
+}
+
 TEST(Motion, CountsFromTheMomentItStops) {
   const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(7, 0.0, 6.0);
   Eigen::VectorXd velocities(7);

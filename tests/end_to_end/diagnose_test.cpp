@@ -37,6 +37,7 @@ TEST(Diagnose, InterruptedGoesOnToTheSameAnswer) {
   const Outcome first = parts.run_and_signal(
       kDiagnose, [&] { return unfinished(parts).find("\n1") != std::string::npos; }, SIGINT);
   ASSERT_EQ(first.exit_code, 75) << "it ended before it was interrupted";
+  EXPECT_THAT(first.errors, HasSubstr("run the same command again to go on"));
   const Outcome second = parts.run(kDiagnose);
   EXPECT_EQ(second.exit_code, 0);
   EXPECT_THAT(second.errors, HasSubstr("going on after 1 model"));

@@ -125,6 +125,38 @@ TEST(ExitCode, IsTwoWhereTheDatabaseIsNoDatabaseOfOurs) {
   EXPECT_EQ(program.run({"sql", ".", "SELECT 1"}).exit_code, kBadInput);
 }
 
+TEST(ExitCode, IsOneWhereAFileMayNotGrowFurther) {
+  const Program program;
+  program.copy_first_steps();
+  const Outcome database = program.shell("ulimit -f 100; lacuna fit first-steps.toml");
+  EXPECT_EQ(database.exit_code, kFailed);
+  EXPECT_THAT(database.errors, HasSubstr("first-steps.db: cannot grow: the disk or the quota is full, or files may"));
+  const Outcome json = program.shell("ulimit -f 8; lacuna plugins list --json=plugins.json");
+  EXPECT_EQ(json.exit_code, kFailed);
+  EXPECT_THAT(json.errors, HasSubstr("plugins.json: cannot be written to its end; check that its folder is writable "
+                                     "and the disk not full"));
+}
+
+TEST(ExitCode, IsZeroForWhatADatabaseInAReadOnlyFolderHas) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.shell("mkdir kept && lacuna compare first-steps.toml --db kept/a.db && chmod 555 kept").exit_code,
+            kDone);
+  const auto read_only = [&](const std::string& arguments) {  // root may write anywhere unless it drops that
+    return program.shell("may=; [ $(id -u) = 0 ] && may='setpriv --bounding-set=-dac_override'; $may lacuna " +
+                         arguments + " --db kept/a.db");
+  };
+  const Outcome history = read_only("history first-steps.toml");
+  EXPECT_EQ(history.exit_code, kDone) << history.errors;
+  EXPECT_THAT(history.output, HasSubstr("first-steps · kept/a.db"));
+  EXPECT_EQ(read_only("fit first-steps.toml").exit_code, kDone);
+  const Outcome look = read_only("compare first-steps.toml");
+  EXPECT_EQ(look.exit_code, kFailed);
+  EXPECT_THAT(look.errors, HasSubstr("kept/a.db: cannot be written: its folder is read-only; --db FILE"));
+  EXPECT_EQ(read_only("diagnose first-steps.toml --among coulomb_friction").exit_code, kFailed);
+  program.shell("chmod 755 kept");
+}
+
 TEST(ExitCode, Is75AfterCtrlCAndTheNextRunWorks) {
   const Program program;
   program.copy_light_servo_pendulum();

@@ -107,6 +107,23 @@ TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
   EXPECT_FALSE(compare_spring(trials, 0.5).trials[0].channels[0].numerical.has_value());
 }
 
+TEST(Compare, AsksForSmallerStepsWhereTheyCount) {
+  const OneJointModel model(spring);
+  const OneJointModel other(
+      [](std::span<const double> p, double q, double v, double u) { return spring(p, q, v, u) + 0.05; });
+  const ModelDefinition definition = spring_definition();
+  const NoiseSection noise;
+  const std::vector<Trial> trials = {spring_trial(kNoise, 1)};
+  const auto notes = [&](double damping) {
+    return compare({definition, model, trials, noise, {damping}, &other}).notes;
+  };
+  // 12.5 mrad at rest, beside an error of 10 that the uncertain start makes.
+  EXPECT_THAT(notes(0.5),
+              ::testing::ElementsAre("the numerical error of angle is not small beside its error and floor; "
+                                     "set more engine.substeps"));
+  EXPECT_THAT(notes(0.0), ::testing::IsEmpty());  // small beside the error of a spring without damping
+}
+
 /// The spring's model, but for angles beyond 0.6 rad, and a trial on either side.
 Comparison compare_spring_that_fails_beyond(bool fails_held_out) {
   const OneJointModel model([](std::span<const double> p, double q, double v, double u) {

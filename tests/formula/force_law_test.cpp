@@ -83,6 +83,23 @@ TEST(ForceLaw, NamesOfItsOwnAreParametersToo) {
   EXPECT_LT(law.parameters[4].lower, -0.4);
 }
 
+TEST(ForceLaw, ANumberBesideANameStaysAndIsSaid) {
+  const ForceLaw law = read_force_law("-0.1*v*w0 + c*q", {{"w0", 1.0}, {"c", 0.5}});
+  EXPECT_THAT(names(law), ElementsAre("w0", "c"));
+  EXPECT_EQ(law.equation(), "-0.1*w0*v + c*q");
+  EXPECT_THAT(law.notes, ElementsAre("-0.1 stays as it is in the term with w0; a fit changes w0 alone"));
+}
+
+TEST(ForceLaw, BoundsHaveFewDigits) {
+  const ForceLaw law = read_force_law("-0.144*v*tanh(q/w)", {{"w", 0.123456}});
+  EXPECT_EQ(law.parameters[0].lower, -14.4);  // 100 * 0.144 is 14.399999999999999
+  EXPECT_EQ(law.parameters[1].lower, 0.00123);
+  EXPECT_EQ(law.parameters[1].upper, 12.3);
+  EXPECT_EQ(law.parameters[1].start, 0.123456);
+}
+
+TEST(ForceLaw, ItsTextStandsOnOneLine) { EXPECT_EQ(read_force_law("-0.1*v\n\t*q\r", {}).text, "-0.1*v  *q "); }
+
 TEST(ForceLaw, ThePrecedenceOfSignsIsThatOfArithmetic) {
   const auto text = [](const char* formula) { return read_force_law(formula, {}).equation(); };
   EXPECT_EQ(text("-q^2"), "c_q2*q^2");

@@ -86,6 +86,13 @@ TEST(Formula, ValuesMustFitItsNames) {
   EXPECT_THAT(message("b*v", {{"b", 0.0}}), HasSubstr("the value of b must be a number other than 0"));
   EXPECT_THAT(message("0.1*tanh(v/w)", {{"w", -0.1}}), HasSubstr(":1:12: w divides or scales something"));
   EXPECT_EQ(message("0.1*tanh(v/w)", {{"w", 0.1}}), "");
+  EXPECT_THAT(message("-b*v - b*q", {{"b", 0.1}}),
+              HasSubstr(":1:2: b is in N*m*s/rad (N*s/m on a slider) in one place and in N*m/rad (N/m on a slider) in "
+                        "another; name them apart, as in b and b_2"));
+  EXPECT_THAT(message("0.1*tanh(v/w) + 0.2*tanh(q/w)", {{"w", 0.1}}),
+              HasSubstr(":1:12: w is in rad/s (m/s on a slider) in one place and in rad (m on a slider)"));
+  EXPECT_EQ(message("-b*v - b*q*tanh(v/w)/(w + abs(v))", {{"b", 0.1}, {"w", 0.1}}).find("w is"), std::string::npos);
+  EXPECT_EQ(message("-b*v - b*v*q^2/(0.1 + q^2)", {{"b", 0.1}}), "");
 }
 
 }  // namespace

@@ -312,5 +312,15 @@ TEST_F(ResultStoreTest, ADiagnosisIsFoundByRevisionAndSettings) {
   EXPECT_EQ(store_.diagnosis_of(small.with_friction, "all effects"), std::nullopt);
 }
 
+TEST_F(ResultStoreTest, ADiagnosisThatTwoProcessesMakeIsStoredOnce) {
+  const SmallDatabase small = fill_small_database(store_);
+  const DiagnosisId first = store_.record_diagnosis(small.with_friction, test::found_friction());
+  EXPECT_EQ(store_.record_diagnosis(small.with_friction, test::found_friction()), first);
+  EXPECT_NO_THROW(
+      database_.execute("CREATE TEMP TABLE expect (two INTEGER CHECK (two = 2)); INSERT INTO expect "
+                        "SELECT count(*) FROM diagnosis"))
+      << "one of each revision";
+}
+
 }  // namespace
 }  // namespace lacuna
