@@ -17,6 +17,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace lacuna {
 namespace {
 
@@ -38,12 +40,15 @@ class EffectSearch {
     state_.states = cut_.states;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
+    const int before = rounds_before();
+    meter_.set_parts(kRoundParts * std::max(kUsualRounds, before + 1));
+    meter_.skip_parts(kRoundParts * before);
     contender_ = with_effects(plain_, state_.added, state_.values, task.catalog);
     seconds_before_ = state_.so_far.seconds;
   }
 
   Diagnosis run() {
-    for (int number = 1;; ++number) {
+    for (int number = 1 + rounds_before();; ++number) {
       if (number > kUsualRounds) meter_.add_parts(kRoundParts);
       const Round round = look();
       if (state_.tried.empty()) describe_first(round);
@@ -60,6 +65,8 @@ class EffectSearch {
   }
 
  private:
+  int rounds_before() const { return static_cast<int>(state_.tried.size()); }
+
   Round look() {
     BaseSolution start = cut_;
     start.states = state_.states;

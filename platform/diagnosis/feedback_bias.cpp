@@ -1,5 +1,6 @@
 #include "diagnosis/feedback_bias.h"
 
+#include "fitting/comparison.h"
 #include "foundation/unit.h"
 #include "measurement/recorded_controller.h"
 
@@ -53,10 +54,18 @@ std::vector<Trial> in_the_loop(std::vector<Trial> trials) {
   return trials;
 }
 
+/// Of the interval, which reaches as far as the integration step has moved the value. None at a bound: the other one
+/// says how far away from it is far.
+double error_of(const FittedValue& value) {
+  constexpr double kWithin = 2.0 * 1.959963984540054;  // standard errors, 95 %
+  if (value.at_lower_bound || value.at_upper_bound) return 0.0;
+  return std::max(value.standard_error, (value.upper_95 - value.lower_95) / kWithin);
+}
+
 std::string difference(const FittedValue& replayed, const FittedValue& looped) {
-  const double error = std::hypot(replayed.standard_error, looped.standard_error);
-  const double times = std::abs(replayed.value - looped.value) / error;
-  if (!(times > kBiased)) return "";  // at bounds and where the data do not tell there is no error
+  const double error = std::hypot(error_of(replayed), error_of(looped));
+  const double times = error > 0.0 ? std::abs(replayed.value - looped.value) / error : 0.0;
+  if (times <= kBiased) return "";
   return fmt::format("{} ({} by the recorded commands, {} with the controller in the loop: {:.1f} standard errors)",
                      replayed.address, format_quantity(replayed.value, replayed.unit),
                      format_quantity(looped.value, looped.unit), times);
@@ -70,9 +79,13 @@ bool has_controller(const std::vector<Trial>& trials) {
 
 std::vector<std::string> feedback_bias(const FitTask& task) {
   if (std::vector<std::string> wrong = wrong_controllers(task.trials); !wrong.empty()) return wrong;
-  const FitResult replayed = fit(task);
-  const std::vector<Trial> trials = in_the_loop(task.trials);
-  const FitResult looped = fit({task.definition, task.model, trials, task.options, task.seed, task.threads});
+  const std::unique_ptr<CompiledModel> finer = compile_finer(task.definition);
+  const auto fitted_to = [&](const std::vector<Trial>& trials) {
+    FitTask one{task.definition, task.model, trials, task.options, task.seed, task.threads};
+    one.finer = finer.get();
+    return fit(one);
+  };
+  const FitResult replayed = fitted_to(task.trials), looped = fitted_to(in_the_loop(task.trials));
   std::vector<std::string> biased;
   for (std::size_t i = 0; i < replayed.values.size(); ++i)
     if (std::string text = difference(replayed.values[i], looped.values[i]); !text.empty())

@@ -15,15 +15,16 @@ namespace lacuna {
 
 /// A pendulum on a hinge with a motor and an encoder, and recordings of it that are integrated here, not by the engine.
 struct PendulumTruth {
-  double inertia = 0.025;  // kg·m², about the hinge
-  double gravity = 0.981;  // N·m at 90°
-  double damping = 0.0;    // N·m·s/rad
-  double friction = 0.0;   // N·m, dry
-  double spring = 0.0;     // N·m/rad
-  double cubic = 0.0;      // N·m/rad³
-  double delay = 0.0;      // s, of the command
-  double feedback = 0.0;   // N·m/rad, of the noisy reading, added to the command
-  double noise = 5e-4;     // rad
+  double inertia = 0.025;    // kg·m², about the hinge
+  double gravity = 0.981;    // N·m at 90°
+  double damping = 0.0;      // N·m·s/rad
+  double friction = 0.0;     // N·m, dry
+  double spring = 0.0;       // N·m/rad
+  double cubic = 0.0;        // N·m/rad³
+  double delay = 0.0;        // s, of the command
+  double feedback = 0.0;     // N·m/rad, of the noisy reading, added to the command
+  double noise = 5e-4;       // rad
+  double disturbance = 0.0;  // N·m, standard deviation of a torque that nobody records, over about 0.2 s
 };
 
 inline RobotSpec pendulum_robot() {
@@ -80,16 +81,19 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
   trial.commands.series.samples.resize(samples, 1);
   trial.sensor_noise = {truth.noise};
   SeededNoise random(seed, 0);
-  double q = 0.0, v = 0.0;
+  double q = 0.0, v = 0.0, disturbance = 0.0;
+  const double kept = std::exp(-kInterval / 0.2);
   for (Eigen::Index i = 0; i < samples; ++i) {
     const double reading = q + truth.noise * random.normal();
     trial.measured.samples(i, 0) = reading;
     trial.commands.series.samples(i, 0) = command(trial.measured.times(i)) - truth.feedback * reading;
+    disturbance = kept * disturbance + truth.disturbance * std::sqrt(1.0 - kept * kept) * random.normal();
     for (int k = 0; k < kSubsteps; ++k) {
       const double sent = trial.measured.times(i) + k * h - truth.delay;
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
-      const double torque = trial.commands.series.samples(std::min(held, i), 0) - truth.gravity * std::sin(q) -
-                            truth.damping * v - truth.spring * q - truth.cubic * q * q * q;
+      const double torque = trial.commands.series.samples(std::min(held, i), 0) + disturbance -
+                            truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
+                            truth.cubic * q * q * q;
       const double free = v + h * torque / truth.inertia, stopped = h * truth.friction / truth.inertia;
       v = std::abs(free) <= stopped ? 0.0 : free - std::copysign(stopped, free);
       q += h * v;
