@@ -6,16 +6,31 @@
 #include "diagnosis/unexplained_motion.h"
 
 #include <algorithm>
+#include <map>
 
 namespace lacuna {
 namespace {
 
+constexpr double kCounts = 1e-3;  ///< of the stronger force's power
+
+/// Of what a force does to a motion, roughly: its power at low frequencies.
+double power_of(const RandomForce& force) { return force.deviation * force.deviation * force.duration; }
+
+/// Quick and slow ones of each joint, but for those that do next to nothing beside the other.
 std::vector<RandomForce> random_forces(const Round& round) {
+  using Kind = NoiseComponent::Kind;
   std::vector<RandomForce> forces;
-  for (const NoiseComponent& one : round.noise.components())
-    if (one.kind == NoiseComponent::Kind::force)
-      forces.push_back({"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
-                        round.forces.width});
+  std::map<std::size_t, double> most;
+  for (const bool all : {false, true})
+    for (const NoiseComponent& one : round.noise.components()) {
+      if (one.kind != Kind::force && one.kind != Kind::slow_force) continue;
+      const RandomForce force{"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
+                              one.kind == Kind::force ? round.forces.width : kSlowForce};
+      if (!all)
+        most[one.index] = std::max(most[one.index], power_of(force));
+      else if (power_of(force) >= kCounts * most[one.index])
+        forces.push_back(force);
+    }
   return forces;
 }
 
