@@ -20,17 +20,15 @@ double power_of(const RandomForce& force) { return force.deviation * force.devia
 std::vector<RandomForce> random_forces(const Round& round) {
   using Kind = NoiseComponent::Kind;
   std::vector<RandomForce> forces;
-  std::map<std::size_t, double> most;
-  for (const bool all : {false, true})
-    for (const NoiseComponent& one : round.noise.components()) {
-      if (one.kind != Kind::force && one.kind != Kind::slow_force) continue;
-      const RandomForce force{"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
-                              one.kind == Kind::force ? round.forces.width : kSlowForce};
-      if (!all)
-        most[one.index] = std::max(most[one.index], power_of(force));
-      else if (power_of(force) >= kCounts * most[one.index])
-        forces.push_back(force);
-    }
+  std::map<std::string, double> most;
+  for (const NoiseComponent& one : round.noise.components()) {
+    if (one.kind != Kind::force && one.kind != Kind::slow_force) continue;
+    forces.push_back({"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
+                      one.kind == Kind::force ? round.forces.width : kSlowForce});
+    double& largest = most[forces.back().joint];
+    largest = std::max(largest, power_of(forces.back()));
+  }
+  std::erase_if(forces, [&](const RandomForce& force) { return power_of(force) < kCounts * most[force.joint]; });
   return forces;
 }
 

@@ -94,29 +94,26 @@ TEST(Compare, GivesPicturesTheirSeries) {
   EXPECT_EQ(comparison.residuals(3, 0), comparison.measured(3, 0) - comparison.predicted(3, 0));
 }
 
-TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
+/// The spring, beside a finer model that is pushed by so many rad/s².
+Comparison compare_with_pushed(double push, double damping) {
   const OneJointModel model(spring);
   const OneJointModel other(
-      [](std::span<const double> p, double q, double v, double u) { return spring(p, q, v, u) + 0.01; });
+      [push](std::span<const double> p, double q, double v, double u) { return spring(p, q, v, u) + push; });
   const ModelDefinition definition = spring_definition();
   const NoiseSection noise;
   const std::vector<Trial> trials = {spring_trial(kNoise, 1)};
-  const Comparison comparison = compare({definition, model, trials, noise, {0.5}, &other});
+  return compare({definition, model, trials, noise, {damping}, &other});
+}
+
+TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
+  const Comparison comparison = compare_with_pushed(0.01, 0.5);
   // A constant push of 0.01 rad/s² against k = 4 1/s² moves the rest by 2.5 mrad, after an overshoot.
   EXPECT_NEAR(comparison.trials[0].channels[0].numerical.value(), 2.5e-3, 1e-3);
-  EXPECT_FALSE(compare_spring(trials, 0.5).trials[0].channels[0].numerical.has_value());
+  EXPECT_FALSE(compare_spring({spring_trial(kNoise, 1)}, 0.5).trials[0].channels[0].numerical.has_value());
 }
 
 TEST(Compare, AsksForSmallerStepsWhereTheyCount) {
-  const OneJointModel model(spring);
-  const OneJointModel other(
-      [](std::span<const double> p, double q, double v, double u) { return spring(p, q, v, u) + 0.05; });
-  const ModelDefinition definition = spring_definition();
-  const NoiseSection noise;
-  const std::vector<Trial> trials = {spring_trial(kNoise, 1)};
-  const auto notes = [&](double damping) {
-    return compare({definition, model, trials, noise, {damping}, &other}).notes;
-  };
+  const auto notes = [](double damping) { return compare_with_pushed(0.05, damping).notes; };
   // 12.5 mrad at rest, beside an error of 10 that the uncertain start makes.
   EXPECT_THAT(notes(0.5),
               ::testing::ElementsAre("the numerical error of angle is not small beside its error and floor; "
