@@ -1,0 +1,35 @@
+#include "refit/plant_model.h"
+
+namespace hidden_effects {
+
+std::size_t PlantModel::size() const {
+  std::size_t count = free.size();
+  for (const PlacedLaw& law : laws) count += law.kind->parameters.size();
+  return count;
+}
+
+PlantSpec PlantModel::spec_at(const Eigen::VectorXd& values) const {
+  PlantSpec at = spec;
+  for (std::size_t i = 0; i < free.size(); ++i) free[i].of(at) = values[static_cast<Eigen::Index>(i)];
+  return at;
+}
+
+Laws PlantModel::laws_at(const Eigen::VectorXd& values) const {
+  Laws at;
+  std::size_t next = free.size();
+  for (const PlacedLaw& law : laws) {
+    const std::size_t count = law.kind->parameters.size();
+    at.push_back(law.kind->make({values.data() + next, count}, law.element));
+    next += count;
+  }
+  return at;
+}
+
+Readings predict(const PlantModel& model, const Eigen::VectorXd& values, const Excitation& excitation,
+                 const Start& start) {
+  const Laws laws = model.laws_at(values);
+  Simulation plant(model.spec_at(values), laws, excitation, kFitStep);
+  return read_sensors(plant.spec(), laws, simulate(plant, start, excitation.samples(), 1));
+}
+
+}  // namespace hidden_effects
