@@ -37,6 +37,7 @@ struct FoundEffect {
 struct EffectsAtLength {
   double segment = 0.0;  ///< s
   std::vector<FoundEffect> effects;
+  double against = 0.0;  ///< by how much the deviance over these segments grows where the answer's own values are put
 };
 
 /// RMS over short bins, of one channel, in its unit.

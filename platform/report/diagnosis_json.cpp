@@ -81,7 +81,7 @@ ordered_json document(const RandomForce& force) {
 ordered_json document(const EffectsAtLength& at) {
   ordered_json effects = ordered_json::array();
   for (const FoundEffect& effect : at.effects) effects.push_back(document(effect));
-  return {{"segment_s", at.segment}, {"effects", effects}};
+  return {{"segment_s", at.segment}, {"effects", effects}, {"against", at.against}};
 }
 
 template <class Value>

@@ -91,7 +91,7 @@ Diagnosis read_diagnosis(const std::string& document) {
     diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
   for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
-    diagnosis.lengths.push_back({figure(one["segment_s"]), {}});
+    diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
     for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
   }
   diagnosis.p_by_chance = figure(whole["p_by_chance"]);
