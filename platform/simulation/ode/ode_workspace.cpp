@@ -113,7 +113,7 @@ std::vector<std::pair<std::string, std::size_t>> OdeWorkspace::sections() const 
   return {{"clock", 2},
           {"positions", joint_forces.size()},
           {"velocities", joint_forces.size()},
-          {"bodies", Bodies::kDoublesPerBody * body_loads.size()},
+          {"bodies", kDoublesPerBody * body_loads.size()},
           {"actuators", kDoublesPerActuator * memories.size()},
           {"effects", model_.effects().state_size()},
           {"sensors", readings},
