@@ -18,6 +18,8 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
   return matrix;
 }
 
+Eigen::Quaterniond quaternion_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
+
 }  // namespace
 
 bool LoneJoint::fits(const RobotSpec& robot) {
@@ -38,10 +40,13 @@ void LoneJoint::prepare(const RobotSpec& robot, dWorldID world, dBodyID body, do
   mass_ = spec.mass;
   lower_ = joint.lower;
   upper_ = joint.upper;
-  const dReal* q = dBodyGetQuaternion(body);
-  zero_ = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-  const MapVector centre(dBodyGetPosition(body));
-  const MapRotation rotation(dBodyGetRotation(body));
+  pose_ = {dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body)};
+  quaternion_ = dBodyGetQuaternion(body);
+  force_ = dBodyGetForce(body);
+  torque_ = dBodyGetTorque(body);
+  zero_ = quaternion_at(quaternion_);
+  const MapVector centre = pose_.x();
+  const MapRotation rotation = pose_.R();
   anchor_ = linear_ ? Eigen::Vector3d(centre) : joint.anchor;
   axis_ = joint.axis.normalized();
   const InertiaSpec& i = spec.inertia;
@@ -63,9 +68,11 @@ void LoneJoint::prepare(const RobotSpec& robot, dWorldID world, dBodyID body, do
   yielding.diagonal().array() += cfm_ / step_;
   corrected_ = yielding.llt().solve(reached.transpose()).transpose();
   left_ = Matrix6::Identity() - corrected_ * rows;
+  corrected_ *= erp_ / step_;
   along_.setZero();
   (linear_ ? along_.head<3>() : along_.tail<3>()) = own_axis_;
   pushed_ = left_ * (inverse_mass * along_);
+  mobility_ = along_.dot(pushed_);
 }
 
 LoneJoint::Rows LoneJoint::constraints() const {
@@ -83,19 +90,18 @@ LoneJoint::Rows LoneJoint::constraints() const {
   return rows;
 }
 
-/// Velocities that bring a body back which has drifted off its joint.
-Eigen::Matrix<double, 5, 1> LoneJoint::corrections(const Pose& pose) const {
+/// How far the body has drifted off its joint.
+Eigen::Matrix<double, 5, 1> LoneJoint::drift() const {
   Eigen::Matrix<double, 5, 1> errors;
-  const Eigen::Vector3d off = pose.R().transpose() * (anchor_ - pose.x());
+  const Eigen::Vector3d off = pose_.R().transpose() * (anchor_ - pose_.x());
   if (linear_) {
-    const dReal* q = dBodyGetQuaternion(body_);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * zero_;
+    const Eigen::Quaterniond turn = quaternion_at(quaternion_).conjugate() * zero_;
     errors << (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec(), across_.dot(off), aside_.dot(off);
   } else {
-    const Eigen::Vector3d tilt = own_axis_.cross(pose.R().transpose() * axis_);
+    const Eigen::Vector3d tilt = own_axis_.cross(pose_.R().transpose() * axis_);
     errors << off - own_anchor_, across_.dot(tilt), aside_.dot(tilt);
   }
-  return erp_ / step_ * errors;
+  return errors;
 }
 
 /// As ODE has it: implicit, so that it never adds energy (C. Lacoursière, "Stabilizing gyroscopic forces in rigid
@@ -117,31 +123,28 @@ std::optional<CoordinateLaw> LoneJoint::stop(double position) const {
 double LoneJoint::advance(std::span<const CoordinateLaw> laws) {
   dVector3 gravity;
   dWorldGetGravity(world_, gravity);
-  const Pose pose{dBodyGetPosition(body_), dBodyGetRotation(body_), dBodyGetLinearVel(body_),
-                  dBodyGetAngularVel(body_)};
-  const auto to_body = pose.R().transpose();
+  const auto to_body = pose_.R().transpose();
   Vector6 velocity;
-  velocity << to_body * pose.v(), to_body * pose.w();
-  const Eigen::Vector3d force = to_body * (MapVector(dBodyGetForce(body_)) + mass_ * MapVector(gravity));
-  Eigen::Vector3d torque = to_body * MapVector(dBodyGetTorque(body_));
+  velocity << to_body * pose_.v(), to_body * pose_.w();
+  const Eigen::Vector3d force = to_body * (MapVector(force_) + mass_ * MapVector(gravity));
+  Eigen::Vector3d torque = to_body * MapVector(torque_);
   if (gyroscopic_) torque += gyroscopic_torque(velocity.tail<3>());
   velocity.head<3>() += step_ / mass_ * force;
   velocity.tail<3>() += step_ * (inverse_inertia_ * torque);
-  velocity = left_ * velocity + corrected_ * corrections(pose);
-  const double free = along_.dot(velocity), mobility = step_ * along_.dot(pushed_);
-  const double settled = settled_velocity(free, mobility, laws);
-  velocity += (settled - free) / along_.dot(pushed_) * pushed_;
-  move(velocity, pose);
+  velocity = left_ * velocity + corrected_ * drift();
+  const double free = along_.dot(velocity);
+  const double settled = settled_velocity(free, step_ * mobility_, laws);
+  velocity += (settled - free) / mobility_ * pushed_;
+  move(velocity);
   return settled;
 }
 
-void LoneJoint::move(const Vector6& velocity, const Pose& pose) {
-  const Eigen::Vector3d v = pose.R() * velocity.head<3>(), w = pose.R() * velocity.tail<3>();
-  const dReal* q = dBodyGetQuaternion(body_);
-  const Eigen::Quaterniond before(q[0], q[1], q[2], q[3]);
+void LoneJoint::move(const Vector6& velocity) {
+  const Eigen::Vector3d v = pose_.R() * velocity.head<3>(), w = pose_.R() * velocity.tail<3>();
+  const Eigen::Quaterniond before = quaternion_at(quaternion_);
   const Eigen::Quaterniond rate = Eigen::Quaterniond(0.0, w.x(), w.y(), w.z()) * before;
   const Eigen::Quaterniond after(Eigen::Vector4d(before.coeffs() + 0.5 * step_ * rate.coeffs()).normalized());
-  const Eigen::Vector3d x = pose.x() + step_ * v;
+  const Eigen::Vector3d x = pose_.x() + step_ * v;
   set_motion(body_, {x.x(), x.y(), x.z(), after.w(), after.x(), after.y(), after.z(), v.x(), v.y(), v.z(), w.x(), w.y(),
                      w.z()});
   dBodySetForce(body_, 0.0, 0.0, 0.0);

@@ -37,12 +37,15 @@ class LoneJoint {
   using Rows = Eigen::Matrix<double, 5, 6>;
 
   Rows constraints() const;
-  Eigen::Matrix<double, 5, 1> corrections(const Pose& pose) const;
+  Eigen::Matrix<double, 5, 1> drift() const;
   Eigen::Vector3d gyroscopic_torque(const Eigen::Vector3d& angular_velocity) const;
-  void move(const Vector6& velocity, const Pose& pose);
+  void move(const Vector6& velocity);
 
   dWorldID world_ = nullptr;
   dBodyID body_ = nullptr;
+  Pose pose_{};
+  const double* quaternion_ = nullptr;
+  const double *force_ = nullptr, *torque_ = nullptr;  ///< gathered for the step
   bool linear_ = false;
   bool gyroscopic_ = false;  ///< the joint's axis is no principal axis of the body
   double step_ = 0.0, erp_ = 0.0, cfm_ = 0.0;
@@ -54,11 +57,12 @@ class LoneJoint {
   // in the body, from its centre of mass
   Eigen::Matrix3d inertia_, inverse_inertia_;
   Eigen::Vector3d own_anchor_, own_axis_, across_, aside_;
-  // of velocities (linear, angular) in the body: those that the constraints leave, what their corrections add, and what
-  // a force on the coordinate adds
+  // of velocities (linear, angular) in the body: those that the constraints leave, what they add per drift, and what a
+  // unit of force on the coordinate adds in a unit of time
   Matrix6 left_;
   Eigen::Matrix<double, 6, 5> corrected_;
   Vector6 along_, pushed_;
+  double mobility_ = 0.0;  ///< `pushed_` along the coordinate
 };
 
 }  // namespace lacuna::ode
