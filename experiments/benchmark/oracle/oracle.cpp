@@ -25,10 +25,9 @@ Candidate representative(const TrueData& data) {
       continue;
     }
     const PlacedLaw form = library_form(at.model.laws[l]);
-    Stand stand(data, at, l);
-    stand.judge(form, 0.0);
-    if (!stand.best()) throw std::runtime_error("the oracle cannot fit " + form.kind->name);
-    at = *stand.best();
+    auto best = Stand(data, at, l).best(form);
+    if (!best) throw std::runtime_error("the oracle cannot fit " + form.kind->name);
+    at = std::move(*best);
   }
   return at;
 }
@@ -38,7 +37,7 @@ double base_non_centrality(const MadeCase& made, const TrueData& data) {
   Candidate base = data.truth();
   base.model = made.base;
   base.values = made.base_values;
-  const auto fitted = data.refitted(base, kToldApart);
+  const auto fitted = data.refitted(base, kToldApart, 0.0);
   return fitted ? fitted->deviance : std::numeric_limits<double>::infinity();
 }
 
@@ -75,13 +74,12 @@ std::vector<Width> widths_of(const Candidate& at, const Eigen::MatrixXd& informa
 
 /// All laws of the library in the place of law number `law`; those that the model has already stay out.
 std::vector<Rival> rivals_of(const TrueData& data, const Candidate& at, std::size_t law) {
-  Stand stand(data, at, law);
+  const Stand stand(data, at, law);
   std::vector<Rival> rivals;
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
     const auto& laws = at.model.laws;
     if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return same(one, rival); })) continue;
-    rivals.push_back(stand.judge(rival, at.deviance + kToldApart));
-    rivals.back().told_apart = rivals.back().non_centrality >= at.deviance + kToldApart;
+    rivals.push_back(stand.judge(rival, at.deviance));
   }
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const Rival& a, const Rival& b) { return a.non_centrality < b.non_centrality; });

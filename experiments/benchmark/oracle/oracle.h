@@ -13,10 +13,11 @@ inline constexpr double kToldApart = 4.0;
 struct OracleOptions {
   double step = 1e-3;            ///< s, of all predictions, the truth's too: so the integrator's error drops out
   std::size_t most_shapes = 6;   ///< of a law, in the linear screening
-  std::size_t most_refined = 2;  ///< starts of a rival
-  int most_iterations = 12;
-  double refined_below = 60.0;  ///< of a linear lower estimate of the non-centrality, and
-  double refined_share = 0.25;  ///< of what the base alone would leave; the larger counts
+  std::size_t most_refined = 3;  ///< starts of a rival
+  int most_iterations = 25;
+  double hopeless = 0.1;        ///< of the deviance: a fit that an iteration helps less than that is given up
+  double refined_below = 60.0;  ///< of a linear estimate of the non-centrality beyond the representative's, and
+  double refined_share = 0.7;   ///< of what the base alone would leave; the larger counts
 };
 
 /// A law in the place of a hidden one, and what is left of the noise-free data by the best fit that was found.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hidden_effects {
 namespace {
@@ -38,7 +39,46 @@ std::vector<bool> positive_parameters(const LawKind& kind) {
   return positive;
 }
 
+/// What laws of dry friction have in common.
+struct DryFriction {
+  double level = 0.0;     ///< when sliding fast, N·m or N
+  double excess = 0.0;    ///< at break-away
+  double velocity = 0.0;  ///< over which the excess falls, rad/s or m/s
+  double bending = 0.0;   ///< way over which it turns round, rad or m
+};
+
+std::optional<DryFriction> dry_friction(const std::string& effect, const std::vector<double>& p, const Scales& scales) {
+  constexpr double kShort = 3e-6, kSlow = 0.1;  // of the motion's range and velocity
+  DryFriction dry{p[0], 1e-3 * p[0], kSlow * scales.velocity, kShort * scales.position};
+  if (effect == "coulomb_friction" || effect == "position_friction") return dry;
+  if (effect == "directional_friction") dry.level = 0.5 * (p[0] + p[1]);
+  if (effect == "hysteresis") dry.bending = p[1];
+  if (effect == "stribeck_friction" || effect == "lugre_friction") dry.excess = p[1], dry.velocity = p[2];
+  if (effect == "lugre_friction") dry.bending = p[0] / p[3];
+  if (effect.ends_with("_friction") || effect == "hysteresis") return dry;
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law, const std::vector<double>& parameters,
+                                   const Scales& scales) {
+  const std::string& effect = rival.kind->effect;
+  const auto viscous = [](const std::string& name) { return name == "viscous_friction" || name == "load_friction"; };
+  if (law.kind->place != Place::joint || rival.element != law.element || viscous(law.kind->effect)) return {};
+  const std::optional<DryFriction> dry = dry_friction(law.kind->effect, parameters, scales);
+  if (!dry || rival.kind->place != Place::joint) return {};
+  const double c = dry->level;
+  if (effect == "coulomb_friction") return {c};
+  if (effect == "directional_friction") return {c, c};
+  if (effect == "stribeck_friction") return {c, dry->excess, dry->velocity};
+  if (effect == "position_friction") return {c, 1e-3 * c, 1e-3 * c, 1.0 / scales.position};
+  if (effect == "hysteresis") return {c, dry->bending, 0.5};
+  const double stiffness = c / dry->bending;
+  if (effect == "lugre_friction")
+    return {c, dry->excess, dry->velocity, stiffness, 0.2 * std::sqrt(stiffness * scales.inertia)};
+  return {};
+}
 
 std::vector<PlacedLaw> library_laws(const PlantSpec& spec) {
   std::vector<PlacedLaw> laws;

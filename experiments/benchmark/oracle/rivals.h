@@ -21,4 +21,9 @@ Bounds bounds_of(const PlantModel& model);
 /// Shapes that a search for a law begins with, spread evenly; those that change nothing of `kind` are left out.
 std::vector<Shape> first_shapes(const LawKind& kind, const Scales& scales, std::size_t most);
 
+/// Parameters at which `rival` is, or in a limit comes close to, the dry friction `law` with `parameters` on the same
+/// joint: without excess, with stiff bristles, alike in both directions. Empty where there are none.
+std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law, const std::vector<double>& parameters,
+                                   const Scales& scales);
+
 }  // namespace hidden_effects

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace hidden_effects {
 namespace {
 
 constexpr double kSmallestSize = 0.02, kLargestSize = 50.0;
+constexpr double kLeastFactor = 0.1, kMostFactor = 10.0;  ///< from one size to the next
 constexpr int kMostSizes = 3;
-constexpr double kHopeless = 0.1;  ///< of the deviance an iteration: slower fits do not get to the noise
 
 Start start_at_rest(const PlantSpec& spec) {
   const auto joints = static_cast<Eigen::Index>(spec.joints.size());
@@ -53,13 +54,13 @@ Question TrueData::question(const Candidate& at) const {
   return {at.model, at.values, trials_, at.starts, whiten_, options_.step};
 }
 
-std::optional<Candidate> TrueData::refitted(Candidate from, double settled) const {
+std::optional<Candidate> TrueData::refitted(Candidate from, double settled, double hopeless) const {
   FitOptions options;
   options.most_iterations = options_.most_iterations;
   options.enough = 1e-5;
   options.step = options_.step;
   options.settled = settled;
-  options.hopeless = kHopeless;
+  options.hopeless = hopeless;
   options.wants_information = false;
   Bounds bounds = bounds_of(from.model);
   options.lower = std::move(bounds.lower);
@@ -69,19 +70,14 @@ std::optional<Candidate> TrueData::refitted(Candidate from, double settled) cons
   return Candidate{std::move(from.model), std::move(fit.values), std::move(fit.starts), fit.deviance};
 }
 
-Stand::Stand(const TrueData& data, const Candidate& at, std::size_t law) : data_(data), kept_(at) {
-  auto first = static_cast<Eigen::Index>(at.model.free.size());
-  for (std::size_t l = 0; l < law; ++l) first += static_cast<Eigen::Index>(at.model.laws[l].kind->parameters.size());
-  const auto count = static_cast<Eigen::Index>(at.model.laws[law].kind->parameters.size());
-  nuisances_ = std::make_unique<Nuisances>(Nuisances(data.question(at)).without(first, count));
-  kept_.model.laws.erase(kept_.model.laws.begin() + static_cast<std::ptrdiff_t>(law));
-  kept_.values.resize(at.values.size() - count);
-  kept_.values << at.values.head(first), at.values.tail(at.values.size() - first - count);
-  without_ = whitened_residuals(data.question(kept_));
-  lacking_ = nuisances_->projected(without_);
-}
+Footing::Footing(const TrueData& data, Candidate kept, Nuisances nuisances)
+    : data_(data),
+      kept_(std::move(kept)),
+      nuisances_(std::move(nuisances)),
+      without_(whitened_residuals(data.question(kept_))),
+      lacking_(nuisances_.projected(without_)) {}
 
-Candidate Stand::with(const PlacedLaw& rival, const std::vector<double>& parameters) const {
+Candidate Footing::with(const PlacedLaw& rival, const std::vector<double>& parameters) const {
   Candidate at = kept_;
   at.model.laws.push_back(rival);
   at.values.resize(kept_.values.size() + static_cast<Eigen::Index>(parameters.size()));
@@ -90,12 +86,12 @@ Candidate Stand::with(const PlacedLaw& rival, const std::vector<double>& paramet
   return at;
 }
 
-/// What the rival changes, projected; nothing where the plant runs away.
-std::optional<Eigen::VectorXd> Stand::effect(const PlacedLaw& rival, const std::vector<double>& parameters) const {
+std::optional<Eigen::VectorXd> Footing::effect(const PlacedLaw& rival, const std::vector<double>& parameters) const {
   try {
-    std::vector<Eigen::VectorXd> changes = whitened_residuals(data_.question(with(rival, parameters)));
+    const Candidate changed = with(rival, parameters);
+    std::vector<Eigen::VectorXd> changes = whitened_residuals(data_.question(changed));
     for (std::size_t t = 0; t < changes.size(); ++t) changes[t] = without_[t] - changes[t];
-    Eigen::VectorXd projected = nuisances_->projected(changes);
+    Eigen::VectorXd projected = nuisances_.projected(changes);
     if (!projected.allFinite()) return std::nullopt;
     return projected;
   } catch (const std::runtime_error&) {
@@ -103,56 +99,122 @@ std::optional<Eigen::VectorXd> Stand::effect(const PlacedLaw& rival, const std::
   }
 }
 
-/// Makes the law as large as its share in what is lacking says, twice over.
-void Stand::search_size(const PlacedLaw& rival, const Scales& scales, const Shape& shape,
-                        std::vector<Attempt>& attempts, std::vector<Eigen::VectorXd>& effects) const {
-  double size = 1.0;
-  for (int i = 0; i < kMostSizes; ++i) {
-    const std::vector<double> parameters = rival.kind->at_size(size, scales, shape);
-    const std::optional<Eigen::VectorXd> change = effect(rival, parameters);
-    double wanted = 0.1;  // smaller, where it runs away
-    if (change) {
-      const double own = change->squaredNorm(), share = own > 0.0 ? change->dot(lacking_) / own : kLargestSize;
-      attempts.push_back({parameters, (lacking_ - *change).squaredNorm()});
-      effects.push_back(*change);
-      wanted = std::clamp(share, 0.1, 10.0);
-    }
-    const double next = std::clamp(size * wanted, kSmallestSize, kLargestSize);
-    if (std::abs(std::log(next / size)) < 0.1) return;
-    size = next;
+Stand::Stand(const TrueData& data, const Candidate& at, std::size_t law) : data_(data) {
+  auto first = static_cast<Eigen::Index>(at.model.free.size());
+  for (std::size_t l = 0; l < law; ++l) first += static_cast<Eigen::Index>(at.model.laws[l].kind->parameters.size());
+  const auto count = static_cast<Eigen::Index>(at.model.laws[law].kind->parameters.size());
+  taken_ = at.model.laws[law];
+  taken_parameters_.assign(at.values.data() + first, at.values.data() + first + count);
+  Candidate kept = at;
+  kept.model.laws.erase(kept.model.laws.begin() + static_cast<std::ptrdiff_t>(law));
+  kept.values.resize(at.values.size() - count);
+  kept.values << at.values.head(first), at.values.tail(at.values.size() - first - count);
+  footings_.emplace_back(data, kept, Nuisances(data.question(at)).without(first, count));
+  if (const auto refitted = data.refitted(kept, 0.0, 0.01)) {
+    const Nuisances about(data.question(*refitted));
+    footings_.emplace_back(data, *refitted, about);
   }
 }
 
-Stand::Screened Stand::screen(const PlacedLaw& rival) const {
-  Screened screened;
-  std::vector<Eigen::VectorXd> effects;
-  const Scales scales = data_.scales(rival);
-  for (const Shape& shape : first_shapes(*rival.kind, scales, data_.options().most_shapes))
-    search_size(rival, scales, shape, screened.attempts, effects);
-  screened.lower_estimate = lacking_.squaredNorm();
-  if (effects.empty()) return screened;
-  Eigen::MatrixXd columns(lacking_.size(), static_cast<Eigen::Index>(effects.size()));
+/// Sizes of a law such that it explains as much as it can of what is lacking: its own size times its share in that,
+/// over and over.
+class SizeSearch {
+ public:
+  SizeSearch(const Footing& footing, const PlacedLaw& rival, const Scales& scales)
+      : footing_(footing), rival_(rival), scales_(scales) {}
+
+  struct Found {
+    std::vector<double> parameters;
+    double left = 0.0;
+  };
+
+  /// The best size of a shape; nothing where the plant always runs away.
+  std::optional<Found> run(const Shape& shape) {
+    std::optional<Found> best;
+    double size = 1.0;
+    for (int i = 0; i < kMostSizes; ++i) {
+      const std::vector<double> parameters = rival_.kind->at_size(size, scales_, shape);
+      double factor = kLeastFactor;
+      if (const auto found = attempt(parameters)) {
+        if (!best || found->left < best->left) best = found;
+        factor = factor_of(effects.back());
+      }
+      const double next = std::clamp(size * factor, kSmallestSize, kLargestSize);
+      if (std::abs(std::log(next / size)) < 0.1) break;
+      size = next;
+    }
+    return best;
+  }
+
+  std::optional<Found> attempt(const std::vector<double>& parameters) {
+    const std::optional<Eigen::VectorXd> change = footing_.effect(rival_, parameters);
+    if (!change) return std::nullopt;
+    effects.push_back(*change);
+    return Found{parameters, (footing_.lacking() - *change).squaredNorm()};
+  }
+
+  std::vector<Eigen::VectorXd> effects;  ///< of all that was tried
+
+ private:
+  /// How many times larger it should be.
+  double factor_of(const Eigen::VectorXd& change) const {
+    const double own = change.squaredNorm();
+    return own > 0.0 ? std::clamp(change.dot(footing_.lacking()) / own, kLeastFactor, kMostFactor) : kMostFactor;
+  }
+
+  const Footing& footing_;
+  const PlacedLaw& rival_;
+  const Scales& scales_;
+};
+
+/// What is left of `lacking` by all effects together, each of any size.
+double left_by_all(const Eigen::VectorXd& lacking, const std::vector<Eigen::VectorXd>& effects) {
+  if (effects.empty()) return lacking.squaredNorm();
+  Eigen::MatrixXd columns(lacking.size(), static_cast<Eigen::Index>(effects.size()));
   for (std::size_t i = 0; i < effects.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = effects[i];
-  screened.lower_estimate -= (orthonormal(columns).transpose() * lacking_).squaredNorm();
+  return lacking.squaredNorm() - (orthonormal(columns).transpose() * lacking).squaredNorm();
+}
+
+Stand::Screened Stand::screen(const PlacedLaw& rival) const {
+  Screened screened{{}, std::numeric_limits<double>::infinity()};
+  const Scales scales = data_.scales(rival);
+  const std::vector<double> limit = friction_limit(rival, taken_, taken_parameters_, scales);
+  for (const Footing& footing : footings_) {
+    SizeSearch search(footing, rival, scales);
+    const auto keep = [&](const std::optional<SizeSearch::Found>& found) {
+      if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left});
+    };
+    for (const Shape& shape : first_shapes(*rival.kind, scales, data_.options().most_shapes)) keep(search.run(shape));
+    if (!limit.empty()) keep(search.attempt(limit));
+    screened.lower_estimate = std::min(screened.lower_estimate, left_by_all(footing.lacking(), search.effects));
+  }
   std::sort(screened.attempts.begin(), screened.attempts.end(),
             [](const Attempt& a, const Attempt& b) { return a.left < b.left; });
   return screened;
 }
 
-Rival Stand::judge(const PlacedLaw& law, double settled) {
-  const Screened screened = screen(law);
-  const OracleOptions& options = data_.options();
-  Rival rival{law, screened.lower_estimate, false, true};
-  best_.reset();
-  if (screened.lower_estimate > std::max(options.refined_below, options.refined_share * lacking_.squaredNorm()))
-    return rival;
-  for (std::size_t i = 0; i < std::min(options.most_refined, screened.attempts.size()); ++i) {
-    const auto fitted = data_.refitted(with(law, screened.attempts[i].parameters), settled);
-    if (fitted && (!best_ || fitted->deviance < best_->deviance)) best_ = fitted;
-    if (best_ && best_->deviance < settled) break;
+std::optional<Candidate> Stand::refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const {
+  std::optional<Candidate> best;
+  for (std::size_t i = 0; i < std::min(data_.options().most_refined, attempts.size()); ++i) {
+    auto fitted = data_.refitted(attempts[i].from, settled, hopeless);
+    if (fitted && (!best || fitted->deviance < best->deviance)) best = std::move(fitted);
+    if (best && best->deviance < settled) break;
   }
-  if (!best_) return rival;
-  rival.non_centrality = best_->deviance;
+  return best;
+}
+
+std::optional<Candidate> Stand::best(const PlacedLaw& law) const { return refine(screen(law).attempts, 0.0, 0.0); }
+
+Rival Stand::judge(const PlacedLaw& law, double reference) const {
+  const OracleOptions& options = data_.options();
+  const Screened screened = screen(law);
+  Rival rival{law, screened.lower_estimate, false, true};
+  const double base = footings_.back().lacking().squaredNorm();
+  if (screened.lower_estimate > std::max(reference + options.refined_below, options.refined_share * base)) return rival;
+  const auto fitted = refine(screened.attempts, reference + kToldApart, options.hopeless);
+  if (!fitted) return rival;
+  rival.non_centrality = fitted->deviance;
+  rival.told_apart = fitted->deviance >= reference + kToldApart;
   rival.refined = true;
   return rival;
 }

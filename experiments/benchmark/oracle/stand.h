@@ -4,7 +4,6 @@
 #include "oracle/oracle.h"
 #include "oracle/rivals.h"
 
-#include <memory>
 #include <optional>
 
 namespace hidden_effects {
@@ -31,7 +30,7 @@ class TrueData {
   Question question(const Candidate& at) const;
 
   /// Nothing where the plant runs away.
-  std::optional<Candidate> refitted(Candidate from, double settled) const;
+  std::optional<Candidate> refitted(Candidate from, double settled, double hopeless) const;
 
  private:
   const MadeCase& made_;
@@ -42,39 +41,55 @@ class TrueData {
   Whiten whiten_;
 };
 
+/// A model without the law that rivals replace, and the derivatives about it.
+class Footing {
+ public:
+  Footing(const TrueData& data, Candidate kept, Nuisances nuisances);
+
+  Candidate with(const PlacedLaw& rival, const std::vector<double>& parameters) const;
+
+  /// What the rival changes, with all else that is free projected out; nothing where the plant runs away.
+  std::optional<Eigen::VectorXd> effect(const PlacedLaw& rival, const std::vector<double>& parameters) const;
+
+  const Eigen::VectorXd& lacking() const { return lacking_; }  ///< of the data, projected
+
+ private:
+  const TrueData& data_;
+  Candidate kept_;
+  Nuisances nuisances_;
+  std::vector<Eigen::VectorXd> without_;  ///< whitened, by trial: data minus the kept model's prediction
+  Eigen::VectorXd lacking_;
+};
+
 /// One law of a model taken out, all others kept, and rivals tried in its place.
 class Stand {
  public:
   /// `at` explains the data; its law number `law` is taken out.
   Stand(const TrueData& data, const Candidate& at, std::size_t law);
 
-  /// A sum of squares below `settled` is not lowered further.
-  Rival judge(const PlacedLaw& rival, double settled);
+  /// A sum of squares that is told from `reference` is not lowered with all patience, one that is not is not lowered
+  /// further.
+  Rival judge(const PlacedLaw& rival, double reference) const;
 
-  /// The best fit with the rival; nothing where none was found.
-  const std::optional<Candidate>& best() const { return best_; }
+  /// The best fit with a law, however slow.
+  std::optional<Candidate> best(const PlacedLaw& law) const;
 
  private:
   struct Attempt {
-    std::vector<double> parameters;
-    double left = 0.0;
+    Candidate from;
+    double left = 0.0;  ///< by linear estimate
   };
   struct Screened {
     std::vector<Attempt> attempts;  ///< the least left first
     double lower_estimate = 0.0;    ///< what all of them together leave
   };
   Screened screen(const PlacedLaw& rival) const;
-  std::optional<Eigen::VectorXd> effect(const PlacedLaw& rival, const std::vector<double>& parameters) const;
-  void search_size(const PlacedLaw& rival, const Scales& scales, const Shape& shape, std::vector<Attempt>& attempts,
-                   std::vector<Eigen::VectorXd>& effects) const;
-  Candidate with(const PlacedLaw& rival, const std::vector<double>& parameters) const;
+  std::optional<Candidate> refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const;
 
   const TrueData& data_;
-  Candidate kept_;
-  std::unique_ptr<Nuisances> nuisances_;
-  std::vector<Eigen::VectorXd> without_;  ///< whitened, by trial: data minus the kept laws' prediction
-  Eigen::VectorXd lacking_;               ///< the same, projected
-  std::optional<Candidate> best_;
+  PlacedLaw taken_;
+  std::vector<double> taken_parameters_;
+  std::vector<Footing> footings_;  ///< about the truth, and about the best fit without the law
 };
 
 }  // namespace hidden_effects
