@@ -72,12 +72,17 @@ std::vector<Width> widths_of(const Candidate& at, const Eigen::MatrixXd& informa
   return widths;
 }
 
+bool wanted(const PlacedLaw& law, const std::vector<std::string>& among) {
+  return among.empty() || std::find(among.begin(), among.end(), law.kind->effect) != among.end();
+}
+
 /// All laws of the library in the place of law number `law`; those that the model has already stay out.
 std::vector<Rival> rivals_of(const TrueData& data, const Candidate& at, std::size_t law) {
   const Stand stand(data, at, law);
   std::vector<Rival> rivals;
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
     const auto& laws = at.model.laws;
+    if (!wanted(rival, data.options().among)) continue;
     if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return same(one, rival); })) continue;
     rivals.push_back(stand.judge(rival, at.deviance));
   }
