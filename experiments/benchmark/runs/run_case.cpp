@@ -4,8 +4,11 @@
 #include "cases/write_case.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
+#include "runs/truth_error.h"
 
 #include <exception>
+#include <optional>
+#include <stdexcept>
 
 namespace hidden_effects {
 namespace {
@@ -40,23 +43,30 @@ std::vector<std::string> withheld(const CaseRecord& about) {
   return effects;
 }
 
+/// A case whose truth cannot be predicted (it runs away) has no such error.
+void add_truth_error(const MadeCase& made, CaseResult& result) {
+  try {
+    const std::vector<HeldOutRecord> errors = truth_held_out(made);
+    result.held_out.insert(result.held_out.end(), errors.begin(), errors.end());
+  } catch (const std::runtime_error&) {
+  }
+}
+
 }  // namespace
 
 CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep,
                     const ProgramSettings& settings) {
   const CaseFolder folder(work / plan.name(), keep);
-  CaseResult result;
-  result.about = about_plan(plan, version);
+  std::optional<MadeCase> made;
   try {
-    const MadeCase made = make_case(plan);
-    write_case(made, folder.path());
-    const CaseRecord about = about_case(made, version);
-    result = go_through({about, folder.path(), true_free_values(made), withheld(about)}, settings);
-  } catch (const CaseStopped&) {
-    throw;
+    made = make_case(plan);
+    write_case(*made, folder.path());
   } catch (const std::exception& error) {
-    result.failure = std::string("the case cannot be made: ") + error.what();
+    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
   }
+  const CaseRecord about = about_case(*made, version);
+  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about)}, settings);
+  add_truth_error(*made, result);
   return result;
 }
 
