@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "figures/baseline_table.h"
 #include "figures/pictures.h"
 #include "figures/tables.h"
 
@@ -25,7 +26,7 @@ void show_figures(const FiguresOptions& options) {
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   Database database(options.database);
   const FigureValues all = read_figures(database, options.version, options.set);
-  const std::string page = markdown(all);
+  const std::string page = markdown(all) + baseline_table(database, all);
   fmt::print("{}", page);
   if (options.out.empty()) return;
   fs::create_directories(options.out);

@@ -39,7 +39,7 @@ std::string answer_text(const CaseResult& result) {
   const DiagnosisRecord& first = result.diagnoses.front();
   std::string words = first.verdict;
   if (first.verdict == "effect_found" && !first.ranking.empty())
-    for (const RankedEffect& effect : first.ranking.front().effects)
+    for (const RankedEffectRecord& effect : first.ranking.front().effects)
       words += fmt::format(" {} @ {}", effect.what.effect, effect.what.place);
   return fmt::format("{}, P {:.2f}, {:.0f} s", words, first.probability, first.seconds);
 }

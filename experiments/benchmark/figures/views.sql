@@ -102,9 +102,20 @@ SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
 FROM interval i
 JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
                    = (i.version, i.set_name, i.number, i.effect, i.place)
-LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.law, w.parameter)
-                          = (h.version, h.set_name, h.number, h.law, i.parameter)
+LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
+                          = (i.version, i.set_name, i.number, i.effect || '.' || i.parameter)
 WHERE i.round = 1 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL;
+
+-- Intervals of the free values, where the model that they were fitted with is right.
+CREATE TEMP VIEW value_interval AS
+SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
+FROM interval i
+JOIN judged j ON (j.version, j.set_name, j.number) = (i.version, i.set_name, i.number)
+JOIN loop_end l ON (l.version, l.set_name, l.number) = (i.version, i.set_name, i.number)
+LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
+                          = (i.version, i.set_name, i.number, i.parameter)
+WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
+  AND ((j.kind IN ('one', 'two') AND l.true_set) OR (j.group_name = 'nothing' AND j.verdict = 'nothing_missing'));
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
 -- stated probability over ten bins; bootstrap). `least` and `most` are the goal.
@@ -122,12 +133,13 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (11, 'held_out', 'held-out error at most 1.1 times that of the refitted truth', 'share', 0.95, NULL),
   (12, 'coverage', '95 % intervals of the effects cover the truth', 'share', 0.92, 0.97),
   (13, 'value_coverage', '95 % intervals of the free values cover the truth, where the model is right', 'share', 0.92, 0.97),
-  (14, 'width', 'width of an interval over the oracle''s', 'median', NULL, 1.5),
-  (15, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
-  (16, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
-  (17, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (18, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (19, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (14, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
+  (15, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
+  (16, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
+  (17, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
+  (18, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (19, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (20, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.
@@ -165,15 +177,12 @@ UNION ALL
 SELECT version, set_name, number, 'coverage', truth BETWEEN lower AND upper, NULL
   FROM judged JOIN effect_interval USING (version, set_name, number) WHERE made AND kind IN ('one', 'two')
 UNION ALL
-SELECT j.version, j.set_name, j.number, 'value_coverage', i.truth BETWEEN i.lower AND i.upper, NULL
-  FROM judged j
-  JOIN interval i ON (i.version, i.set_name, i.number, i.round) = (j.version, j.set_name, j.number, 0)
-  JOIN loop_end l ON (l.version, l.set_name, l.number) = (j.version, j.set_name, j.number)
-  WHERE j.made AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL
-    AND ((j.kind IN ('one', 'two') AND l.true_set) OR (j.group_name = 'nothing' AND j.verdict = 'nothing_missing'))
+SELECT version, set_name, number, 'value_coverage', truth BETWEEN lower AND upper, NULL FROM value_interval
 UNION ALL
 SELECT version, set_name, number, 'width', (upper - lower) / width, NULL
   FROM judged JOIN effect_interval USING (version, set_name, number) WHERE made AND kind IN ('one', 'two') AND width > 0
+UNION ALL
+SELECT version, set_name, number, 'value_width', (upper - lower) / width, NULL FROM value_interval WHERE width > 0
 UNION ALL
 SELECT version, set_name, number, 'brier', (probability - is_right) * (probability - is_right), NULL
   FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
@@ -201,3 +210,26 @@ SELECT j.version, j.set_name, j.number, CASE j.kind WHEN 'withheld' THEN 'withhe
             ELSE j.verdict END AS named
 FROM judged j
 WHERE j.made AND j.kind <> 'two';
+
+-- What other methods make of the same cases. A method is right about an effect when it chooses the true one first.
+CREATE TEMP VIEW baseline_value AS
+SELECT version, set_name, number, method, 'first right' AS figure,
+       b.chosen > 0 AND EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h
+                                ON (h.version, h.set_name, h.number, h.effect, h.place)
+                                 = (r.version, r.set_name, r.number, r.effect, r.place)
+                                WHERE (r.version, r.set_name, r.number, r.method, r.rank)
+                                    = (b.version, b.set_name, b.number, b.method, 1)) AS value
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+UNION ALL
+SELECT version, set_name, number, method, 'among the first three',
+       EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
+                                                                = (r.version, r.set_name, r.number, r.effect, r.place)
+               WHERE (r.version, r.set_name, r.number, r.method) = (b.version, b.set_name, b.number, b.method)
+                 AND r.rank <= 3)
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+UNION ALL
+SELECT version, set_name, number, method, 'something found where nothing is hidden', b.chosen > 0
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'nothing'
+UNION ALL
+SELECT version, set_name, number, method, 'processor seconds', b.seconds
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND b.seconds IS NOT NULL;

@@ -29,7 +29,7 @@ bool is_in(const EffectAt& what, const CaseResult& result) {
 bool add_answer(UserSession& session, CaseResult& result) {
   const DiagnosisRecord answer = result.diagnoses.back();
   if (answer.verdict != "effect_found" || answer.ranking.empty()) return false;
-  for (const RankedEffect& effect : answer.ranking.front().effects) {
+  for (const RankedEffectRecord& effect : answer.ranking.front().effects) {
     if (is_in(effect.what, result)) continue;
     session.add(effect.what);
     result.diagnoses.back().added.push_back(effect.what);

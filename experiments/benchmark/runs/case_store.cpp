@@ -54,7 +54,7 @@ void write_case(Writer& writer, const CaseResult& result) {
   }
 }
 
-void write_intervals(Writer& writer, const CaseRecord& about, int round, const RankedEffect& effect) {
+void write_intervals(Writer& writer, const CaseRecord& about, int round, const RankedEffectRecord& effect) {
   for (const IntervalRecord& one : effect.parameters)
     writer.insert("interval",
                   {std::int64_t{round}, effect.what.effect, effect.what.place, one.parameter, optional(one.value),
@@ -69,7 +69,7 @@ void write_ranked(Writer& writer, int round, std::size_t rank, const RankedModel
     writer.insert("ranked_effect",
                   {std::int64_t{round}, count(rank), count(position++), what.effect, what.place, flag(look_alike)});
   };
-  for (const RankedEffect& effect : model.effects) name(effect.what, false);
+  for (const RankedEffectRecord& effect : model.effects) name(effect.what, false);
   for (const EffectAt& what : model.look_alikes) name(what, true);
 }
 
@@ -79,7 +79,8 @@ void write_diagnosis(Writer& writer, const CaseRecord& about, const DiagnosisRec
                  optional(one.times_floor), optional(one.seconds), optional(one.processor_seconds), one.json});
   for (std::size_t i = 0; i < one.ranking.size(); ++i) write_ranked(writer, one.round, i + 1, one.ranking[i]);
   if (!one.ranking.empty())
-    for (const RankedEffect& effect : one.ranking.front().effects) write_intervals(writer, about, one.round, effect);
+    for (const RankedEffectRecord& effect : one.ranking.front().effects)
+      write_intervals(writer, about, one.round, effect);
   for (const EffectAt& added : one.added)
     writer.insert("added_effect", {std::int64_t{one.round}, added.effect, added.place});
 }
@@ -88,8 +89,7 @@ void write_oracle(Writer& writer, const OracleRecord& oracle) {
   for (const OracleRival& one : oracle.rivals)
     writer.insert("oracle_rival", {std::int64_t{one.law}, one.rival.effect, one.rival.place,
                                    optional(one.non_centrality), flag(one.told_apart)});
-  for (const OracleWidth& one : oracle.widths)
-    writer.insert("oracle_width", {std::int64_t{one.law}, one.parameter, optional(one.width)});
+  for (const OracleWidth& one : oracle.widths) writer.insert("oracle_width", {one.parameter, optional(one.width)});
 }
 
 void write_values(Writer& writer, const CaseResult& result) {
@@ -98,9 +98,13 @@ void write_values(Writer& writer, const CaseResult& result) {
                                optional(one.interval.lower), optional(one.interval.upper), optional(one.truth)});
   for (const HeldOutRecord& one : result.held_out)
     writer.insert("held_out", {one.stage, one.channel, optional(one.rmse)});
-  for (const BaselineAnswer& one : result.baselines)
-    writer.insert("baseline_answer", {one.method, std::int64_t{one.rank}, one.what.effect, one.what.place,
-                                      optional(one.score), optional(one.seconds)});
+}
+
+void write_baseline(Writer& writer, const BaselineRecord& one) {
+  writer.insert("baseline", {one.method, std::int64_t{one.chosen}, optional(one.seconds)});
+  for (std::size_t i = 0; i < one.ranking.size(); ++i)
+    writer.insert("baseline_rank", {one.method, count(i + 1), one.ranking[i].effect, one.ranking[i].place,
+                                    i < one.scores.size() ? optional(one.scores[i]) : Cell()});
 }
 
 }  // namespace
@@ -126,6 +130,7 @@ void keep_case(Database& database, const CaseResult& result) {
   for (const DiagnosisRecord& one : result.diagnoses) write_diagnosis(writer, about, one);
   write_oracle(writer, result.oracle);
   write_values(writer, result);
+  for (const BaselineRecord& one : result.baselines) write_baseline(writer, one);
   transaction.commit();
 }
 

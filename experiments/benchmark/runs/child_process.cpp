@@ -2,16 +2,18 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -22,29 +24,44 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPause{10};
 constexpr std::chrono::seconds kGrace{5};  // between asking a child to end and ending it
-constexpr std::streamoff kMostText = 1 << 16;
+constexpr off_t kMostText = 1 << 16;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string end_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in.tellg();
-  in.seekg(std::max<std::streamoff>(0, size - kMostText));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+/// A file in memory that a child writes to.
+class Captured {
+ public:
+  explicit Captured(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
+    if (file_ < 0) throw std::runtime_error(fmt::format("no room for a child's output: {}", strerror(errno)));
+  }
+  ~Captured() { close(file_); }
+  Captured(const Captured&) = delete;
+  Captured& operator=(const Captured&) = delete;
 
-/// How a child begins: in its folder, its output in files, in a process group of its own, so that an interrupt at the
-/// terminal reaches the benchmark alone.
+  int file() const { return file_; }
+
+  std::string end() const {
+    const off_t size = lseek(file_, 0, SEEK_END), from = std::max<off_t>(0, size - kMostText);
+    std::string text(static_cast<std::size_t>(size - from), '\0');
+    const ssize_t got = pread(file_, text.data(), text.size(), from);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    return text;
+  }
+
+ private:
+  int file_;
+};
+
+/// How a child begins: in its folder, with its output captured, in a process group of its own, so that an interrupt at
+/// the terminal reaches the benchmark alone.
 class Beginning {
  public:
-  Beginning(const std::filesystem::path& folder, const std::filesystem::path& output,
-            const std::filesystem::path& errors) {
+  Beginning(const std::filesystem::path& folder, const Captured& output, const Captured& errors) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    constexpr int kHow = O_WRONLY | O_CREAT | O_TRUNC;
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, output.c_str(), kHow, 0600);
-    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, errors.c_str(), kHow, 0600);
+    posix_spawn_file_actions_adddup2(&actions_, output.file(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, errors.file(), STDERR_FILENO);
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes_, 0);
@@ -95,10 +112,9 @@ void end_child(pid_t child, int& status, rusage& used) {
 
 ChildOutcome run_child(const std::vector<std::string>& words, const std::filesystem::path& folder, double longest,
                        const std::function<bool()>& stop) {
-  const std::filesystem::path here = std::filesystem::absolute(folder);
-  const std::filesystem::path output = here / "child-output.txt", errors = here / "child-errors.txt";
+  const Captured output("output"), errors("errors");
   const Clock::time_point start = Clock::now();
-  const pid_t child = Beginning(here, output, errors).spawn(words);
+  const pid_t child = Beginning(std::filesystem::absolute(folder), output, errors).spawn(words);
   ChildOutcome outcome;
   int status = 0;
   rusage used{};
@@ -114,8 +130,8 @@ ChildOutcome run_child(const std::vector<std::string>& words, const std::filesys
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.seconds = since(start);
   outcome.processor_seconds = processor_seconds(used);
-  outcome.output = end_of(output);
-  outcome.errors = end_of(errors);
+  outcome.output = output.end();
+  outcome.errors = errors.end();
   return outcome;
 }
 

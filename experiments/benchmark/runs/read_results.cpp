@@ -17,8 +17,8 @@ IntervalRecord interval_of(const std::string& name, const ordered_json& json) {
   return {name, number(json.at("value")), number(json.at("ci95").at(0)), number(json.at("ci95").at(1))};
 }
 
-RankedEffect effect_of(const ordered_json& json) {
-  RankedEffect effect{{json.at("effect"), place_of(json.at("where"))}, {}};
+RankedEffectRecord effect_of(const ordered_json& json) {
+  RankedEffectRecord effect{{json.at("effect"), place_of(json.at("where"))}, {}};
   for (const auto& [name, one] : json.at("parameters").items()) effect.parameters.push_back(interval_of(name, one));
   return effect;
 }

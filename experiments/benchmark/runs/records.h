@@ -47,14 +47,14 @@ struct IntervalRecord {
   double value = kUnknown, lower = kUnknown, upper = kUnknown;
 };
 
-struct RankedEffect {
+struct RankedEffectRecord {
   EffectAt what;
   std::vector<IntervalRecord> parameters;
 };
 
 struct RankedModelRecord {
   double probability = kUnknown, gain = kUnknown, times_floor = kUnknown;
-  std::vector<RankedEffect> effects;
+  std::vector<RankedEffectRecord> effects;
   std::vector<EffectAt> look_alikes;  ///< of the last effect
 };
 
@@ -90,10 +90,10 @@ struct OracleRival {
   bool told_apart = true;  ///< from the truth, by these data
 };
 
+/// The sharpness of the refitted truth.
 struct OracleWidth {
-  int law = 0;
-  std::string parameter;
-  double width = kUnknown;  ///< of the 95 % interval of the refitted truth
+  std::string parameter;    ///< an address of the base, or "coulomb_friction.torque"
+  double width = kUnknown;  ///< of the 95 % interval
 };
 
 struct OracleRecord {
@@ -101,12 +101,13 @@ struct OracleRecord {
   std::vector<OracleWidth> widths;
 };
 
-struct BaselineAnswer {
+/// What another method says of the same data.
+struct BaselineRecord {
   std::string method;
-  int rank = 1;  ///< no effect at rank 1: "nothing is missing"
-  EffectAt what;
-  double score = kUnknown;
-  double seconds = kUnknown;
+  int chosen = 0;             ///< the first so many of the ranking are there, it says; 0: nothing is missing
+  double seconds = kUnknown;  ///< of processor time
+  std::vector<EffectAt> ranking;
+  std::vector<double> scores;  ///< by rank; what they mean depends on the method
 };
 
 /// All that is kept of a case.
@@ -117,7 +118,7 @@ struct CaseResult {
   std::vector<HeldOutRecord> held_out;
   std::vector<FreeValueRecord> free_values;
   OracleRecord oracle;
-  std::vector<BaselineAnswer> baselines;
+  std::vector<BaselineRecord> baselines;
 };
 
 }  // namespace hidden_effects

@@ -136,30 +136,40 @@ CREATE TABLE oracle_rival (
   FOREIGN KEY (version, set_name, number, law) REFERENCES hidden_law ON DELETE CASCADE
 ) STRICT;
 
+-- How sharp the refitted truth is.
 CREATE TABLE oracle_width (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
-  law INTEGER NOT NULL,
-  parameter TEXT NOT NULL,
-  width REAL,  -- of the refitted truth's 95 % interval
-  PRIMARY KEY (version, set_name, number, law, parameter),
-  FOREIGN KEY (version, set_name, number, law) REFERENCES hidden_law ON DELETE CASCADE
+  parameter TEXT NOT NULL,  -- an address of the base, or 'coulomb_friction.torque'
+  width REAL,               -- of the 95 % interval; NULL: the data say nothing
+  PRIMARY KEY (version, set_name, number, parameter),
+  FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
--- What other methods answer on the same data. No effect at rank 1: nothing is missing.
-CREATE TABLE baseline_answer (
+-- What other methods answer on the same data.
+CREATE TABLE baseline (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
   method TEXT NOT NULL,
-  rank INTEGER NOT NULL,
+  chosen INTEGER NOT NULL,  -- the first so many of its ranking are there, it says; 0: nothing is missing
+  seconds REAL,             -- of processor time
+  PRIMARY KEY (version, set_name, number, method),
+  FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
+) STRICT;
+
+CREATE TABLE baseline_rank (
+  version TEXT NOT NULL,
+  set_name TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  method TEXT NOT NULL,
+  rank INTEGER NOT NULL,    -- from 1
   effect TEXT NOT NULL,
   place TEXT NOT NULL,
   score REAL,
-  seconds REAL,
   PRIMARY KEY (version, set_name, number, method, rank),
-  FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
+  FOREIGN KEY (version, set_name, number, method) REFERENCES baseline ON DELETE CASCADE
 ) STRICT;
 
 -- RMSE of free runs over the held-out trials.

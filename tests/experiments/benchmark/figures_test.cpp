@@ -126,7 +126,7 @@ TEST_F(Figures, HeldOutErrorIsMeanedOverChannels) {
 /// The interval [1, 3] holds the true 2, and is four times as wide as the oracle's; one without ends says nothing.
 TEST_F(Figures, IntervalsAreThoseOfRightAnswers) {
   CaseResult right = answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb, kSpring}));
-  right.oracle.widths = {{0, "size", 0.5}};
+  right.oracle.widths = {{"coulomb_friction.size", 0.5}};
   keep(right);
   CaseResult off = answered(1, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}));
   off.diagnoses[0].ranking[0].effects[0].parameters = {{"size", 1.2, 1.0, 1.5}};
