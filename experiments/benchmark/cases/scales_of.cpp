@@ -66,15 +66,13 @@ void describe_forces(Scales& at, std::size_t joint, const std::vector<Motion>& m
 
 void describe_drive(Scales& at, const PlantDrive& drive, std::size_t number,
                     const std::vector<Excitation>& excitations) {
-  std::vector<double> commands, slopes;
+  std::vector<double> commands;
   for (const Excitation& excitation : excitations) {
     const std::vector<double>& held = excitation.commands[number];
     commands.insert(commands.end(), held.begin(), held.end());
-    for (std::size_t k = 1; k < held.size(); ++k) slopes.push_back((held[k] - held[k - 1]) / excitation.interval);
   }
   at.command = positive(rms(commands));
   at.peak_command = positive(below_which(commands, 0.999));
-  at.command_slope = positive(below_which(slopes, 0.99));
   at.rotor = positive(drive.rotor_inertia);
   if (drive.servo) return;
   at.force = at.command;

@@ -236,7 +236,10 @@ std::vector<LawKind> drive_laws() {
        true,
        {"rate"},
        make<SlewLimit>,
-       [](double size, const Scales& at, const Shape&) { return Values{at.command_slope / (1.0 + size)}; },
+       [](double size, const Scales& at, const Shape&) {  // a step of the command takes this long: one that is shorter
+                                                          // than a sample would hide between two
+         return Values{at.peak_command / (kSample + 0.03 * size)};
+       },
        everywhere},
       {"torque_saturation",
        "torque_saturation",

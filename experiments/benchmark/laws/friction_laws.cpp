@@ -165,7 +165,7 @@ std::vector<LawKind> friction_laws() {
        {"ratio"},
        make<LoadDependent>,
        [](double size, const Scales&, const Shape&) { return Values{std::min(0.9, 0.1 * size)}; },
-       everywhere},
+       on_driven_joints},
       {"directional_friction",
        "directional_friction",
        Place::joint,

@@ -53,4 +53,10 @@ inline constexpr double kSample = 0.006;
 
 inline bool everywhere(const PlantSpec&, int) { return true; }
 
+inline bool on_driven_joints(const PlantSpec& spec, int joint) {
+  for (const PlantDrive& drive : spec.drives)
+    if (drive.joint == joint) return true;
+  return false;
+}
+
 }  // namespace hidden_effects

@@ -247,7 +247,7 @@ std::vector<LawKind> joint_laws() {
        [](double size, const Scales&, const Shape& u) {
          return Values{0.1 * size, kTurn * between(5.0, 12.0, u[0]), between(0.03, 0.1, u[1])};
        },
-       everywhere},
+       on_driven_joints},
   };
 }
 

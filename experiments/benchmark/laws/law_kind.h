@@ -25,9 +25,8 @@ struct Scales {
   double lever = 1.0;                   ///< from the joint to the body's centre of mass, m; 1 on a slider
   double command = 1.0;                 ///< RMS, in its unit
   double peak_command = 1.0;
-  double command_slope = 1.0;  ///< which 99 % of the changes stay below, a second
-  double rotor = 0.1;          ///< inertia of the rotor at the joint
-  double duration = 5.0;       ///< of a trial, s
+  double rotor = 0.1;     ///< inertia of the rotor at the joint
+  double duration = 5.0;  ///< of a trial, s
 };
 
 /// Numbers in [0, 1) that draw the shape of a law, once a case.
