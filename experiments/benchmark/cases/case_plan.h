@@ -27,7 +27,8 @@ struct CasePlan {
   std::string group;  ///< "one_joint", "two_joint", "contact", "nothing", "two_effects" or "withheld"
   std::string rig;
   std::vector<HiddenLaw> hidden;
-  double strength = 1.0;  ///< wanted: RMSE of the refitted base over that of the refitted truth; 1 where nothing is hidden
+  double strength =
+      1.0;  ///< wanted: RMSE of the refitted base over that of the refitted truth; 1 where nothing is hidden
   NoiseLevel noise = NoiseLevel::white;
   std::uint64_t seed = 0;
   std::vector<std::string> known;  ///< addresses of values that this case's user does not free

@@ -12,31 +12,31 @@ namespace hidden_effects {
 struct MadeTrial {
   std::string name;
   bool held_out = false;
-  Excitation applied;                                 ///< true commands and random forces
-  std::vector<std::vector<double>> recorded_commands; ///< by drive; with noise where the case has it
-  Readings readings;                                  ///< as recorded
-  Readings clean;                                     ///< of the same plant without random force or noise
+  Excitation applied;                                  ///< true commands and random forces
+  std::vector<std::vector<double>> recorded_commands;  ///< by drive; with noise where the case has it
+  Readings readings;                                   ///< as recorded
+  Readings clean;                                      ///< of the same plant without random force or noise
 
-  FittedTrial fitted() const;  ///< recorded commands and readings
+  FittedTrial fitted() const;      ///< recorded commands and readings
   FittedTrial noise_free() const;  ///< true commands without random force, clean readings
 };
 
 /// The standard deviations that a case's noise was made with, SI.
 struct CaseNoise {
   std::vector<double> sensor_white, sensor_slow, quantum;  ///< by sensor
-  double sensor_time = 0.03;         ///< s, correlation of the slow part
-  std::vector<double> random_force;  ///< by joint
-  double force_time = 0.05;          ///< s
-  std::vector<double> command;       ///< by drive, white from sample to sample
+  double sensor_time = 0.03;                               ///< s, correlation of the slow part
+  std::vector<double> random_force;                        ///< by joint
+  double force_time = 0.05;                                ///< s
+  std::vector<double> command;                             ///< by drive, white from sample to sample
 };
 
 /// A case with its truth.
 struct MadeCase {
   CasePlan plan;
-  PlantModel base;                ///< what the user believes: laws empty, free values nominal
-  PlantModel truth;               ///< the same with the hidden laws
-  Eigen::VectorXd base_values;    ///< true ones of the base
-  Eigen::VectorXd truth_values;   ///< base_values, then the hidden laws' parameters
+  PlantModel base;               ///< what the user believes: laws empty, free values nominal
+  PlantModel truth;              ///< the same with the hidden laws
+  Eigen::VectorXd base_values;   ///< true ones of the base
+  Eigen::VectorXd truth_values;  ///< base_values, then the hidden laws' parameters
   CaseNoise noise;
   std::vector<MadeTrial> trials;  ///< fit trials, then held-out ones
   double strength = 1.0;          ///< as it came out: RMSE of the refitted base over that of the refitted truth

@@ -43,8 +43,7 @@ class RoughDrag : public ElementLaw {
   void act(const Moment& at, double*, Load& load) const override {
     const InPlane& v = at.chain.com_velocity(element_);
     const double speed = v.norm();
-    if (speed > 0.0)
-      at.chain.add_body_force(element_, -0.5 * kAir * p_[0] * std::pow(speed, 0.8) * v, load.force);
+    if (speed > 0.0) at.chain.add_body_force(element_, -0.5 * kAir * p_[0] * std::pow(speed, 0.8) * v, load.force);
   }
 };
 
@@ -84,37 +83,73 @@ class MountTilt : public ElementLaw {
 
 std::vector<LawKind> body_laws() {
   return {
-      {"payload", "payload", Place::body, true, {"mass", "x", "z"}, make<Payload>,
+      {"payload",
+       "payload",
+       Place::body,
+       true,
+       {"mass", "x", "z"},
+       make<Payload>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.mass, between(-0.5, 0.5, u[0]) * at.lever, -between(0.8, 1.5, u[1]) * at.lever};
        },
        on_a_hinge},
-      {"quadratic_drag", "quadratic_drag", Place::body, true, {"area"}, make<QuadraticDrag>,
+      {"quadratic_drag",
+       "quadratic_drag",
+       Place::body,
+       true,
+       {"area"},
+       make<QuadraticDrag>,
        [](double size, const Scales& at, const Shape&) {
          const double speed = at.velocity * at.lever;
          return Values{0.1 * size * at.force / at.lever / (0.5 * kAir * speed * speed)};
        },
        everywhere},
-      {"rough_drag", "quadratic_drag", Place::body, false, {"area"}, make<RoughDrag>,
+      {"rough_drag",
+       "quadratic_drag",
+       Place::body,
+       false,
+       {"area"},
+       make<RoughDrag>,
        [](double size, const Scales& at, const Shape&) {
          const double speed = at.velocity * at.lever;
          return Values{0.1 * size * at.force / at.lever / (0.5 * kAir * std::pow(speed, 1.8))};
        },
        everywhere},
-      {"linear_drag", "linear_drag", Place::body, true, {"drag"}, make<LinearDrag>,
+      {"linear_drag",
+       "linear_drag",
+       Place::body,
+       true,
+       {"drag"},
+       make<LinearDrag>,
        [](double size, const Scales& at, const Shape&) {
          return Values{0.1 * size * at.force / at.lever / (at.velocity * at.lever)};
        },
        everywhere},
-      {"buoyancy", "buoyancy", Place::body, true, {"displaced"}, make<Buoyancy>,
-       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.mass}; }, on_a_hinge},
-      {"cable_pull", "cable_pull", Place::body, true, {"tension", "x", "z"}, make<CablePull>,
+      {"buoyancy",
+       "buoyancy",
+       Place::body,
+       true,
+       {"displaced"},
+       make<Buoyancy>,
+       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.mass}; },
+       on_a_hinge},
+      {"cable_pull",
+       "cable_pull",
+       Place::body,
+       true,
+       {"tension", "x", "z"},
+       make<CablePull>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.force / at.lever, with_sign(between(2.0, 4.0, u[0]) * at.lever, u[1]),
                        between(-1.0, 2.0, u[2]) * at.lever};
        },
        everywhere},
-      {"mount_tilt", "mount_tilt", Place::world, true, {"pitch"}, make<MountTilt>,
+      {"mount_tilt",
+       "mount_tilt",
+       Place::world,
+       true,
+       {"pitch"},
+       make<MountTilt>,
        [](double size, const Scales&, const Shape& u) { return Values{with_sign(std::min(1.0, 0.05 * size), u[0])}; },
        everywhere},
   };

@@ -62,9 +62,7 @@ class LoadDependent : public JointLaw {
 class Directional : public JointLaw {
  public:
   using JointLaw::JointLaw;
-  void act(const Moment&, double*, Load& load) const override {
-    brake(load, p_[0], p_[1]);
-  }
+  void act(const Moment&, double*, Load& load) const override { brake(load, p_[0], p_[1]); }
 };
 
 class Positional : public JointLaw {
@@ -102,42 +100,88 @@ std::shared_ptr<const Law> bristly_coulomb(std::span<const double> p, int joint)
 
 std::vector<LawKind> friction_laws() {
   return {
-      {"coulomb_friction", "coulomb_friction", Place::joint, true, {"torque"}, make<Coulomb>,
-       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.force}; }, everywhere},
-      {"bristly_coulomb_friction", "coulomb_friction", Place::joint, false, {"torque", "bending"}, bristly_coulomb,
+      {"coulomb_friction",
+       "coulomb_friction",
+       Place::joint,
+       true,
+       {"torque"},
+       make<Coulomb>,
+       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.force}; },
+       everywhere},
+      {"bristly_coulomb_friction",
+       "coulomb_friction",
+       Place::joint,
+       false,
+       {"torque", "bending"},
+       bristly_coulomb,
        [](double size, const Scales& at, const Shape&) {
          return Values{0.1 * size * at.force, 0.002 * at.position};
        },
        everywhere},
-      {"viscous_friction", "viscous_friction", Place::joint, true, {"damping"}, make<Viscous>,
+      {"viscous_friction",
+       "viscous_friction",
+       Place::joint,
+       true,
+       {"damping"},
+       make<Viscous>,
        [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.force / at.velocity}; },
        everywhere},
-      {"thinning_viscous_friction", "viscous_friction", Place::joint, false, {"damping"}, make<ThinningViscous>,
+      {"thinning_viscous_friction",
+       "viscous_friction",
+       Place::joint,
+       false,
+       {"damping"},
+       make<ThinningViscous>,
        [](double size, const Scales& at, const Shape&) {
          return Values{0.1 * size * at.force / std::pow(at.velocity, 0.8)};
        },
        everywhere},
-      {"stribeck_friction", "stribeck_friction", Place::joint, true, {"coulomb", "excess", "velocity"}, make<Stribeck>,
+      {"stribeck_friction",
+       "stribeck_friction",
+       Place::joint,
+       true,
+       {"coulomb", "excess", "velocity"},
+       make<Stribeck>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.06 * size * at.force, 0.08 * between(0.7, 1.5, u[0]) * size * at.force,
                        between(0.05, 0.15, u[1]) * at.velocity};
        },
        everywhere},
-      {"tustin_friction", "stribeck_friction", Place::joint, false, {"coulomb", "excess", "velocity"}, make<Tustin>,
+      {"tustin_friction",
+       "stribeck_friction",
+       Place::joint,
+       false,
+       {"coulomb", "excess", "velocity"},
+       make<Tustin>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.06 * size * at.force, 0.08 * between(0.7, 1.5, u[0]) * size * at.force,
                        between(0.05, 0.15, u[1]) * at.velocity};
        },
        everywhere},
-      {"load_friction", "load_friction", Place::joint, true, {"ratio"}, make<LoadDependent>,
-       [](double size, const Scales&, const Shape&) { return Values{std::min(0.9, 0.1 * size)}; }, everywhere},
-      {"directional_friction", "directional_friction", Place::joint, true, {"positive", "negative"}, make<Directional>,
+      {"load_friction",
+       "load_friction",
+       Place::joint,
+       true,
+       {"ratio"},
+       make<LoadDependent>,
+       [](double size, const Scales&, const Shape&) { return Values{std::min(0.9, 0.1 * size)}; },
+       on_driven_joints},
+      {"directional_friction",
+       "directional_friction",
+       Place::joint,
+       true,
+       {"positive", "negative"},
+       make<Directional>,
        [](double size, const Scales& at, const Shape& u) {
          const double mean = 0.1 * size * at.force, part = with_sign(between(0.3, 0.7, u[1]), u[0]);
          return Values{mean * (1.0 + part), mean * (1.0 - part)};
        },
        everywhere},
-      {"position_friction", "position_friction", Place::joint, true, {"mean", "sine", "cosine", "periods"},
+      {"position_friction",
+       "position_friction",
+       Place::joint,
+       true,
+       {"mean", "sine", "cosine", "periods"},
        make<Positional>,
        [](double size, const Scales& at, const Shape& u) {
          const double mean = 0.1 * size * at.force, wave = between(0.5, 0.9, u[0]) * mean;
@@ -145,8 +189,12 @@ std::vector<LawKind> friction_laws() {
          return Values{mean, wave * std::sin(phase), wave * std::cos(phase), between(1.5, 4.0, u[2]) / at.position};
        },
        everywhere},
-      {"lugre_friction", "lugre_friction", Place::joint, true,
-       {"coulomb", "excess", "velocity", "bristle_stiffness", "bristle_damping"}, make<LuGre>,
+      {"lugre_friction",
+       "lugre_friction",
+       Place::joint,
+       true,
+       {"coulomb", "excess", "velocity", "bristle_stiffness", "bristle_damping"},
+       make<LuGre>,
        [](double size, const Scales& at, const Shape& u) {
          const double coulomb = 0.08 * size * at.force;
          const double stiffness = coulomb / (between(0.01, 0.04, u[0]) * at.position);

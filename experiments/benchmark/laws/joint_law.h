@@ -47,6 +47,16 @@ inline double between(double lower, double upper, double part) { return lower + 
 /// `size` with a sign that `part` in [0, 1) draws.
 inline double with_sign(double size, double part) { return part < 0.5 ? -size : size; }
 
+/// s, a little more than the samples of these rigs are apart: what is late by less is a matter of how commands are held
+/// between samples, and no effect.
+inline constexpr double kSample = 0.006;
+
 inline bool everywhere(const PlantSpec&, int) { return true; }
+
+inline bool on_driven_joints(const PlantSpec& spec, int joint) {
+  for (const PlantDrive& drive : spec.drives)
+    if (drive.joint == joint) return true;
+  return false;
+}
 
 }  // namespace hidden_effects

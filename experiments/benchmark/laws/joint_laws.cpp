@@ -136,27 +136,52 @@ class ShakingBase : public JointLaw {
 
 std::vector<LawKind> joint_laws() {
   return {
-      {"joint_spring", "joint_spring", Place::joint, true, {"stiffness", "rest"}, make<Spring>,
+      {"joint_spring",
+       "joint_spring",
+       Place::joint,
+       true,
+       {"stiffness", "rest"},
+       make<Spring>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.force / at.position, between(-0.5, 0.5, u[0]) * at.position};
        },
        everywhere},
-      {"cubic_stiffness", "cubic_stiffness", Place::joint, true, {"stiffness", "rest"}, make<CubicSpring>,
+      {"cubic_stiffness",
+       "cubic_stiffness",
+       Place::joint,
+       true,
+       {"stiffness", "rest"},
+       make<CubicSpring>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.2 * size * at.force / std::pow(at.position, 3), between(-0.2, 0.2, u[0]) * at.position};
        },
        everywhere},
-      {"rubber_spring", "cubic_stiffness", Place::joint, false, {"stiffness", "rest", "width"}, make<RubberSpring>,
+      {"rubber_spring",
+       "cubic_stiffness",
+       Place::joint,
+       false,
+       {"stiffness", "rest", "width"},
+       make<RubberSpring>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.force / at.position, between(-0.2, 0.2, u[0]) * at.position, 0.4 * at.position};
        },
        everywhere},
-      {"hysteresis", "hysteresis", Place::joint, true, {"torque", "distance", "sharpness"}, make<BoucWen>,
+      {"hysteresis",
+       "hysteresis",
+       Place::joint,
+       true,
+       {"torque", "distance", "sharpness"},
+       make<BoucWen>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.force, between(0.1, 0.3, u[0]) * at.position, between(0.5, 1.0, u[1])};
        },
        everywhere},
-      {"hard_stop", "hard_stop", Place::joint, true, {"lower", "upper", "stiffness", "damping"}, make<HardStop>,
+      {"hard_stop",
+       "hard_stop",
+       Place::joint,
+       true,
+       {"lower", "upper", "stiffness", "damping"},
+       make<HardStop>,
        [](double size, const Scales& at, const Shape& u) {
          const double reach = (at.highest - at.lowest) * std::min(0.45, 0.1 * size);
          const double stiffness = between(20.0, 60.0, u[0]) * at.force / at.position;
@@ -165,35 +190,64 @@ std::vector<LawKind> joint_laws() {
                            : Values{-1000.0, at.highest - reach, stiffness, damping};
        },
        everywhere},
-      {"armature", "armature", Place::joint, true, {"inertia"}, make<Armature>,
-       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.inertia}; }, everywhere},
-      {"cogging", "cogging", Place::joint, true, {"sine", "cosine", "periods"}, make<Cogging>,
+      {"armature",
+       "armature",
+       Place::joint,
+       true,
+       {"inertia"},
+       make<Armature>,
+       [](double size, const Scales& at, const Shape&) { return Values{0.1 * size * at.inertia}; },
+       everywhere},
+      {"cogging",
+       "cogging",
+       Place::joint,
+       true,
+       {"sine", "cosine", "periods"},
+       make<Cogging>,
        [](double size, const Scales& at, const Shape& u) {
          const double wave = 0.1 * size * at.force, phase = kTurn * u[0];
          return Values{wave * std::sin(phase), wave * std::cos(phase), between(5.0, 15.0, u[1]) / at.position};
        },
        everywhere},
-      {"sharp_cogging", "cogging", Place::joint, false, {"sine", "cosine", "periods"}, make<SharpCogging>,
+      {"sharp_cogging",
+       "cogging",
+       Place::joint,
+       false,
+       {"sine", "cosine", "periods"},
+       make<SharpCogging>,
        [](double size, const Scales& at, const Shape& u) {
          const double wave = 0.1 * size * at.force, phase = kTurn * u[0];
          return Values{wave * std::sin(phase), wave * std::cos(phase), between(5.0, 15.0, u[1]) / at.position};
        },
        everywhere},
-      {"joint_offset_torque", "joint_offset_torque", Place::joint, true, {"torque"}, make<OffsetTorque>,
+      {"joint_offset_torque",
+       "joint_offset_torque",
+       Place::joint,
+       true,
+       {"torque"},
+       make<OffsetTorque>,
        [](double size, const Scales& at, const Shape& u) { return Values{with_sign(0.1 * size * at.force, u[0])}; },
        everywhere},
-      {"link_flexibility", "link_flexibility", Place::joint, true, {"inertia", "frequency", "damping_ratio"},
+      {"link_flexibility",
+       "link_flexibility",
+       Place::joint,
+       true,
+       {"inertia", "frequency", "damping_ratio"},
        make<BendingMode>,
        [](double size, const Scales& at, const Shape& u) {
          return Values{0.1 * size * at.inertia, kTurn * between(5.0, 12.0, u[0]), between(0.02, 0.06, u[1])};
        },
        everywhere},
-      {"base_compliance", "base_compliance", Place::joint, true, {"ratio", "frequency", "damping_ratio"},
+      {"base_compliance",
+       "base_compliance",
+       Place::joint,
+       true,
+       {"ratio", "frequency", "damping_ratio"},
        make<ShakingBase>,
        [](double size, const Scales&, const Shape& u) {
          return Values{0.1 * size, kTurn * between(5.0, 12.0, u[0]), between(0.03, 0.1, u[1])};
        },
-       everywhere},
+       on_driven_joints},
   };
 }
 

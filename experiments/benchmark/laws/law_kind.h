@@ -15,24 +15,22 @@ enum class Place { joint, body, drive, sensor, world };
 
 /// How large things are in the motion of a rig that hides nothing, at one place. SI, all positive.
 struct Scales {
-  double force = 1.0;      ///< RMS of what drives the joint, N·m or N
+  double force = 1.0;  ///< RMS of what drives the joint, N·m or N
   double peak_force = 1.0;
-  double position = 1.0;   ///< half of the range, rad or m
+  double position = 1.0;                ///< half of the range, rad or m
   double lowest = -1.0, highest = 1.0;  ///< of the position
-  double velocity = 1.0;   ///< which 95 % of the samples stay below
-  double inertia = 1.0;    ///< that the joint moves, kg·m² or kg
-  double mass = 1.0;       ///< of the body on it, kg
-  double lever = 1.0;      ///< from the joint to the body's centre of mass, m; 1 on a slider
-  double command = 1.0;    ///< RMS, in its unit
+  double velocity = 1.0;                ///< which 95 % of the samples stay below
+  double inertia = 1.0;                 ///< that the joint moves, kg·m² or kg
+  double mass = 1.0;                    ///< of the body on it, kg
+  double lever = 1.0;                   ///< from the joint to the body's centre of mass, m; 1 on a slider
+  double command = 1.0;                 ///< RMS, in its unit
   double peak_command = 1.0;
-  double command_slope = 1.0;  ///< which 99 % of the changes stay below, a second
-  double rotor = 0.1;      ///< inertia of the rotor at the joint
-  double duration = 5.0;   ///< of a trial, s
+  double rotor = 0.1;     ///< inertia of the rotor at the joint
+  double duration = 5.0;  ///< of a trial, s
 };
 
 /// Numbers in [0, 1) that draw the shape of a law, once a case.
 using Shape = std::array<double, 8>;
-
 
 /// A law that a case can hide or the oracle try.
 struct LawKind {
@@ -40,7 +38,8 @@ struct LawKind {
   std::string effect;  ///< of the library: the answer that is right
   Place place = Place::joint;
   bool library_form = true;
-  std::vector<std::string> parameters;  ///< named like the effect's; those that a case leaves at the default are not here
+  std::vector<std::string>
+      parameters;  ///< named like the effect's; those that a case leaves at the default are not here
   std::shared_ptr<const Law> (*make)(std::span<const double> values, int element) = nullptr;
 
   /// The parameters at a size ≥ 0 that a search varies: 0 changes nothing, 1 is about a tenth of the forces at work.

@@ -26,7 +26,8 @@ Motion simulate(Simulation& plant, const Start& start, std::size_t samples, int 
   motion.position.resize(plant.spec().joints.size());
   motion.velocity.resize(plant.spec().joints.size());
   for (auto* of : {&motion.position, &motion.velocity})
-    for (std::vector<double>& one : *of) one.reserve((samples - 1) * static_cast<std::size_t>(motion.steps_a_sample) + 1);
+    for (std::vector<double>& one : *of)
+      one.reserve((samples - 1) * static_cast<std::size_t>(motion.steps_a_sample) + 1);
   PlantState state = plant.start(start.position, start.velocity);
   keep_state(state, motion);
   int step = 0;

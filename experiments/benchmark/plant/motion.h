@@ -17,8 +17,8 @@ struct Start {
   Coordinates position, velocity;
 };
 
-/// Carries a trial out. Keeps one motion every `keep` integration steps, or fewer where `keep` does not divide the steps
-/// of a sample. A plant that runs away (not finite, or faster than 1e4 a second) ends in `std::runtime_error`.
+/// Carries a trial out. Keeps one motion every `keep` integration steps, or fewer where `keep` does not divide the
+/// steps of a sample. A plant that runs away (not finite, or faster than 1e4 a second) ends in `std::runtime_error`.
 Motion simulate(Simulation& plant, const Start& start, std::size_t samples, int keep);
 
 /// What the sensors say of it, without noise: by sensor, one number a sample.

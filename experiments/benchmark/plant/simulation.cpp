@@ -97,8 +97,7 @@ void Simulation::add_drive_forces(const Moment& at, double time, double* memory,
     value += drive.offset;
     for (std::size_t l = 0; l < laws_.size(); ++l)
       value = laws_[l]->command(static_cast<int>(d), value, at, memory + memory_of_law_[l]);
-    if (drive.servo)
-      value = drive.gain * (drive.kp * (value - at.position[moved]) - drive.kd * at.velocity[moved]);
+    if (drive.servo) value = drive.gain * (drive.kp * (value - at.position[moved]) - drive.kd * at.velocity[moved]);
     value = std::clamp(value, -drive.limit, drive.limit);
     if (rotor < 0) {
       load.force[drive.joint] += value;
@@ -114,7 +113,8 @@ void Simulation::add_drive_forces(const Moment& at, double time, double* memory,
   }
 }
 
-/// Projected Gauss-Seidel over the coordinates: each impulse as large as needed to stop its coordinate, or at its bound.
+/// Projected Gauss-Seidel over the coordinates: each impulse as large as needed to stop its coordinate, or at its
+/// bound.
 void Simulation::brake(const Load& load, Coordinates& velocity) const {
   Coordinates impulse = Coordinates::Zero(coordinates_);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {

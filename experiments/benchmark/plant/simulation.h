@@ -32,7 +32,8 @@ struct PlantState {
 /// another half. `step` has to divide the sample interval.
 class Simulation {
  public:
-  /// `excitation` has to outlive it. Throws `std::invalid_argument` for a step that does not divide the sample interval.
+  /// `excitation` has to outlive it. Throws `std::invalid_argument` for a step that does not divide the sample
+  /// interval.
   Simulation(PlantSpec spec, Laws laws, const Excitation& excitation, double step);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;

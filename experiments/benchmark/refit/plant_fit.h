@@ -14,13 +14,13 @@ Whiten by_deviation(std::vector<double> deviations);
 
 struct PlantFit {
   Eigen::VectorXd values;
-  std::vector<Start> starts;     ///< by trial
-  double deviance = 0.0;         ///< sum of squares of what is left, whitened
-  std::size_t rows = 0;          ///< how many of these
-  Eigen::MatrixXd information;   ///< of the values, with the starts projected out
+  std::vector<Start> starts;               ///< by trial
+  double deviance = 0.0;                   ///< sum of squares of what is left, whitened
+  std::size_t rows = 0;                    ///< how many of these
+  Eigen::MatrixXd information;             ///< of the values, with the starts projected out
   std::vector<Eigen::VectorXd> residuals;  ///< whitened, by trial
-  bool valid = false;            ///< false: the plant ran away wherever the fit began
-  double rms() const;            ///< of what is left, 1 for noise alone
+  bool valid = false;                      ///< false: the plant ran away wherever the fit began
+  double rms() const;                      ///< of what is left, 1 for noise alone
 };
 
 struct FitOptions {

@@ -20,7 +20,7 @@ struct PlacedLaw {
 /// What is believed of a rig: which values are free, which laws act. Its values, in this order: the free values of the
 /// rig, then the parameters of each law.
 struct PlantModel {
-  PlantSpec spec;               ///< with the values that nobody frees
+  PlantSpec spec;  ///< with the values that nobody frees
   std::vector<FreeValue> free;
   std::vector<PlacedLaw> laws;
 

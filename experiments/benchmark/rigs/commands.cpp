@@ -34,21 +34,23 @@ class Multisine {
   double frequency_[kTones], phase_[kTones];
 };
 
-/// Levels held for half a second on average.
+/// Levels held for half a second on average, to and fro: what nothing holds would drift away otherwise.
 std::vector<double> held_levels(std::size_t samples, double interval, Draw& draw) {
   std::vector<double> values;
+  double sign = draw.uniform() < 0.5 ? -1.0 : 1.0;
   while (values.size() < samples) {
-    const double level = draw.between(-1.7, 1.7);
+    const double level = sign * draw.between(0.3, 1.5);
     const auto held = static_cast<std::size_t>(draw.between(0.25, 0.75) / interval);
     values.insert(values.end(), held, level);
+    sign = -sign;
   }
   values.resize(samples);
   return values;
 }
 
-double chirp(double time, double duration, double slowest, double fastest) {
+double chirp(double time, double duration, double slowest, double fastest, double phase) {
   const double rate = (fastest - slowest) / duration;
-  return std::numbers::sqrt2 * std::sin(kTurn * (slowest * time + 0.5 * rate * time * time));
+  return std::numbers::sqrt2 * std::sin(kTurn * (slowest * time + 0.5 * rate * time * time + phase));
 }
 
 double triangle(double place) { return 4.0 * std::abs(place - std::floor(place) - 0.5) - 1.0; }
@@ -63,7 +65,6 @@ std::vector<std::vector<double>> commands(const Rig& rig, int kind, std::uint64_
     const Multisine tones(rig.scales.slowest, rig.scales.fastest, draw);
     const std::vector<double> levels = held_levels(samples, rig.interval, draw);
     const double first = draw.uniform();
-    const double sign = draw.uniform() < 0.5 ? -1.0 : 1.0;
     std::vector<double> values(samples, 0.0);
     for (std::size_t k = 0; k < samples; ++k) {
       const double time = static_cast<double>(k) * rig.interval - kRest;
@@ -71,7 +72,7 @@ std::vector<std::vector<double>> commands(const Rig& rig, int kind, std::uint64_
       double value = 0.0;
       if (kind == 0) value = tones(time);
       if (kind == 1) value = levels[k];
-      if (kind == 2) value = sign * chirp(time, rig.duration, rig.scales.slowest, rig.scales.fastest);
+      if (kind == 2) value = chirp(time, rig.duration, rig.scales.slowest, rig.scales.fastest, first);
       if (kind == 3) value = 1.4 * triangle(first + 1.5 * rig.scales.slowest * time) + 0.3 * tones(time);
       values[k] = rig.scales.amplitude[d] * risen(time) * value;
     }

@@ -14,7 +14,7 @@ Rig servo_pendulum() {
   rig.nominal.sensors = {{"angle", 0, false}};
   rig.free = {{"body.arm.mass", 0.15, 0.3, 3.0, [](PlantSpec& s) -> double& { return s.bodies[0].mass; }},
               {"joint.hinge.damping", 0.4, 0.0, 10.0, [](PlantSpec& s) -> double& { return s.joints[0].damping; }}};
-  rig.scales = {.amplitude = {0.35}, .slowest = 0.15, .fastest = 2.5, .sensor_noise = {5e-4}, .quantum = {1.5e-3}};
+  rig.scales = {.amplitude = {0.2}, .slowest = 0.15, .fastest = 2.5, .sensor_noise = {5e-4}, .quantum = {1.5e-3}};
   return rig;
 }
 
@@ -61,7 +61,7 @@ Rig cart_pole() {
               {"joint.rail.damping", 0.4, 0.0, 10.0, [](PlantSpec& s) -> double& { return s.joints[0].damping; }},
               {"joint.pivot.damping", 0.4, 0.0, 20.0, [](PlantSpec& s) -> double& { return s.joints[1].damping; }}};
   rig.scales = {
-      .amplitude = {3.5}, .slowest = 0.3, .fastest = 3.0, .sensor_noise = {1e-4, 5e-4}, .quantum = {3e-4, 1.5e-3}};
+      .amplitude = {3.0}, .slowest = 0.3, .fastest = 3.0, .sensor_noise = {1e-4, 5e-4}, .quantum = {3e-4, 1.5e-3}};
   return rig;
 }
 
@@ -70,7 +70,8 @@ Rig two_link_arm() {
   Rig rig;
   rig.name = "two_link_arm";
   rig.nominal.bodies = {{"upper", 0.9, {0.0, -0.15}, 0.009}, {"lower", 0.6, {0.0, -0.14}, 0.005}};
-  rig.nominal.joints = {{.name = "shoulder", .damping = 0.06}, {.name = "elbow", .anchor = {0.0, -0.3}, .damping = 0.03}};
+  rig.nominal.joints = {{.name = "shoulder", .damping = 0.1},
+                        {.name = "elbow", .anchor = {0.0, -0.3}, .damping = 0.04}};
   rig.nominal.drives = {{.name = "shoulder_motor", .joint = 0, .rotor_inertia = 0.015},
                         {.name = "elbow_motor", .joint = 1, .rotor_inertia = 0.008}};
   rig.nominal.sensors = {{"shoulder_angle", 0, false}, {"elbow_angle", 1, false}};
@@ -78,7 +79,7 @@ Rig two_link_arm() {
               {"body.lower.mass", 0.15, 0.3, 3.0, [](PlantSpec& s) -> double& { return s.bodies[1].mass; }},
               {"joint.shoulder.damping", 0.4, 0.0, 10.0, [](PlantSpec& s) -> double& { return s.joints[0].damping; }},
               {"joint.elbow.damping", 0.4, 0.0, 10.0, [](PlantSpec& s) -> double& { return s.joints[1].damping; }}};
-  rig.scales = {.amplitude = {1.5, 0.5},
+  rig.scales = {.amplitude = {0.7, 0.2},
                 .slowest = 0.2,
                 .fastest = 3.0,
                 .sensor_noise = {4e-4, 4e-4},

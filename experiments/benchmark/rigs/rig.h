@@ -10,20 +10,20 @@ namespace hidden_effects {
 
 /// A value of the model that its user frees, and how the plant has it.
 struct FreeValue {
-  std::string address;         ///< in the robot file, as "body.arm.mass"
-  double spread = 0.15;        ///< by how large a share the true value may differ from the nominal one
+  std::string address;              ///< in the robot file, as "body.arm.mass"
+  double spread = 0.15;             ///< by how large a share the true value may differ from the nominal one
   double lower = 0.3, upper = 3.0;  ///< bounds of the fit, times the nominal value
   double& (*of)(PlantSpec&) = nullptr;
 };
 
 /// How strongly a rig is excited and read. SI.
 struct RigScales {
-  std::vector<double> amplitude;       ///< RMS of the commands, by drive
-  double slowest = 0.2, fastest = 3.0; ///< Hz, of the commands
-  std::vector<double> sensor_noise;    ///< standard deviation, by sensor
-  std::vector<double> quantum;         ///< of a coarse encoder, by sensor
-  double random_force = 0.02;          ///< RMS over the RMS of a drive's command or force
-  double command_noise = 0.01;         ///< RMS over the RMS of the command
+  std::vector<double> amplitude;        ///< RMS of the commands, by drive
+  double slowest = 0.2, fastest = 3.0;  ///< Hz, of the commands
+  std::vector<double> sensor_noise;     ///< standard deviation, by sensor
+  std::vector<double> quantum;          ///< of a coarse encoder, by sensor
+  double random_force = 0.02;           ///< RMS over the RMS of a drive's command or force
+  double command_noise = 0.01;          ///< RMS over the RMS of the command
 };
 
 /// A bench as its owner would write it down.
