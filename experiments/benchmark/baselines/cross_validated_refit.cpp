@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hidden_effects {
 namespace {
@@ -99,13 +98,11 @@ double mean(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).mean();
 }
 
-/// Whether the errors fall by more than a standard error of the paired differences.
-bool falls(const std::vector<double>& before, const std::vector<double>& after) {
-  const auto n = static_cast<Eigen::Index>(before.size());
-  const Eigen::ArrayXd gains =
-      Eigen::Map<const Eigen::ArrayXd>(before.data(), n) - Eigen::Map<const Eigen::ArrayXd>(after.data(), n);
-  const double average = gains.mean(), blocks = static_cast<double>(n);
-  return average > std::sqrt((gains - average).square().sum() / (blocks * std::max(1.0, blocks - 1.0)));
+/// Of the mean of block errors.
+double standard_error(const std::vector<double>& x) {
+  const Eigen::Map<const Eigen::ArrayXd> errors(x.data(), static_cast<Eigen::Index>(x.size()));
+  const double blocks = static_cast<double>(x.size());
+  return std::sqrt((errors - errors.mean()).square().sum() / (blocks * std::max(1.0, blocks - 1.0)));
 }
 
 }  // namespace
@@ -122,7 +119,7 @@ BaselineAnswer by_cross_validated_refit(const Observed& seen, const BaseFit& bas
     if (mean(errors) < mean(of_best)) of_best = std::move(errors);
   }
   BaselineAnswer answer{"cross_validated_refit", rank_fitted(candidates, fits, scores, order), 0, 0.0};
-  answer.chosen = falls(of_base, of_best) ? 1 : 0;
+  answer.chosen = mean(of_base) > mean(of_best) + standard_error(of_best) ? 1 : 0;
   return answer;
 }
 
