@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kTries = 9;  ///< shapes of an effect
 constexpr std::size_t kMostChosen = 3;
+constexpr double kNoRegressor = -1e9;  ///< nats
 constexpr double kIndependent = 1e-4;  ///< of a column's length: less is not told apart from the others
 
 /// Orthonormal columns that span what `columns` add to the orthonormal `basis`.
@@ -38,7 +39,7 @@ struct Group {
 };
 
 struct Entry {
-  double gain = -std::numeric_limits<double>::infinity();  ///< nats
+  double gain = kNoRegressor;  ///< nats
   Eigen::MatrixXd directions;
 };
 
@@ -57,7 +58,7 @@ class Stepwise {
 
   BaselineAnswer run() {
     BaselineAnswer answer{"stepwise_regression", {}, 0, 0.0};
-    std::vector<double> first(candidates_.size(), -std::numeric_limits<double>::infinity());
+    std::vector<double> first(candidates_.size(), kNoRegressor);
     std::vector<bool> taken(candidates_.size(), false);
     for (std::size_t round = 0; round < kMostChosen; ++round) {
       std::size_t best_group = groups_.size();
