@@ -7,7 +7,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kOut = 10.0;  ///< of the noise's power: a signal that stands out
+constexpr double kOut = 30.0;  ///< times the power of the noise: a signal that stands out
 constexpr std::size_t kFrequencies = 200;
 constexpr std::size_t kNeighbours = 2;  ///< on either side
 

@@ -10,8 +10,8 @@ namespace hidden_effects {
 std::vector<double> zero_phase(const std::vector<double>& values, double interval, double cutoff);
 
 /// Up to which frequency, Hz, signals stand out of the noise: the highest below which their power density, averaged
-/// over the signals and over neighbours, stays above ten times that of the upper half of the band. Between `least` and
-/// `most`.
+/// over the signals and over neighbours, stays above thirty times that of the upper half of the band. Between `least`
+/// and `most`.
 double bandwidth(const std::vector<std::vector<double>>& signals, double interval, double least, double most);
 
 }  // namespace hidden_effects
