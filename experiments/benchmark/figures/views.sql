@@ -1,8 +1,9 @@
 -- What the figures are made of. Every view has the key of a case: version, set_name, number.
 
--- A case and its first diagnosis. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
+-- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
 CREATE TEMP VIEW judged AS
-SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.planned_strength AS strength, c.failure,
+SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
+       CASE WHEN c.strength < 2.1 THEN 1.5 WHEN c.strength < 5.5 THEN 3 WHEN c.strength >= 5.5 THEN 10 END AS strength,
        c.strength IS NOT NULL AS made,
        CASE WHEN c.group_name = 'nothing' OR c.absorbed THEN 'nothing'
             WHEN c.group_name = 'withheld' THEN 'withheld'

@@ -2,6 +2,7 @@
 
 #include "cases/make_case.h"
 #include "cases/write_case.h"
+#include "runs/beside_the_program.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
 #include "runs/truth_error.h"
@@ -35,14 +36,6 @@ class CaseFolder {
   bool keep_;
 };
 
-/// What the library is not to have.
-std::vector<std::string> withheld(const CaseRecord& about) {
-  std::vector<std::string> effects;
-  if (about.group == "withheld")
-    for (const HiddenLawRecord& law : about.hidden) effects.push_back(law.answer.effect);
-  return effects;
-}
-
 /// A case whose truth cannot be predicted (it runs away) has no such error.
 void add_truth_error(const MadeCase& made, CaseResult& result) {
   try {
@@ -54,7 +47,7 @@ void add_truth_error(const MadeCase& made, CaseResult& result) {
 
 }  // namespace
 
-CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep,
+CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep, bool baselines,
                     const ProgramSettings& settings) {
   const CaseFolder folder(work / plan.name(), keep);
   std::optional<MadeCase> made;
@@ -65,8 +58,13 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::
     return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
   }
   const CaseRecord about = about_case(*made, version);
-  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about)}, settings);
+  const OracleAnswer oracle = ask_oracle(*made);
+  const std::vector<std::string> withheld =
+      plan.group == "withheld" ? class_effects(*made, oracle) : std::vector<std::string>{};
+  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld}, settings);
   add_truth_error(*made, result);
+  result.oracle = oracle_record(*made, oracle);
+  if (baselines) result.baselines = baseline_records(*made, withheld);
   return result;
 }
 

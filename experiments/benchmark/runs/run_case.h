@@ -9,9 +9,10 @@
 
 namespace hidden_effects {
 
-/// Makes a case in `work`/its name, sends it through the program, and removes the folder unless it is to be kept.
+/// Makes a case in `work`/its name, sends it through the program, asks the oracle and, if wanted, the baselines beside
+/// it, and removes the folder unless it is to be kept.
 /// A case that cannot be made is a result with its reason, too. Throws `CaseStopped`.
 CaseResult run_case(const CasePlan& plan, const std::string& version, const std::filesystem::path& work, bool keep,
-                    const ProgramSettings& settings);
+                    bool baselines, const ProgramSettings& settings);
 
 }  // namespace hidden_effects
