@@ -1,0 +1,52 @@
+#include "commands/commands.h"
+
+#include "figures/baseline_table.h"
+#include "figures/pictures.h"
+#include "figures/tables.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FiguresOptions {
+  std::string set = "reporting", version;
+  fs::path database, out;
+};
+
+void show_figures(const FiguresOptions& options) {
+  if (!fs::exists(options.database))
+    throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
+  Database database(options.database);
+  const FigureValues all = read_figures(database, options.version, options.set);
+  const std::string page = markdown(all) + baseline_table(database, all);
+  fmt::print("{}", page);
+  if (options.out.empty()) return;
+  fs::create_directories(options.out);
+  std::ofstream file(options.out / "figures.md", std::ios::binary);
+  file << page;
+  if (!file.flush()) throw std::runtime_error("figures.md cannot be written");
+  draw_pictures(database, all, options.out);
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& program) {
+  auto options = std::make_shared<FiguresOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("figures", "What the cases in a database say of the method");
+  command->add_option("--db", options->database, "Database that `run` wrote")->required()->option_text("FILE");
+  command->add_option("--set", options->set, "tuning, reporting or fixed (default: reporting)")->option_text("SET");
+  command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
+      ->option_text("TEXT");
+  command->add_option("--out", options->out, "Folder for figures.md and the pictures (SVG)")->option_text("FOLDER");
+  command->callback([options] { show_figures(*options); });
+}
+
+}  // namespace hidden_effects

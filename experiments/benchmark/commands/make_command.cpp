@@ -1,0 +1,51 @@
+#include "commands/commands.h"
+
+#include "cases/make_case.h"
+#include "cases/write_case.h"
+#include "runs/case_truth.h"
+#include "runs/selection.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+struct MakeOptions {
+  std::string set;
+  int number = 0;
+  std::filesystem::path out;
+  bool truth = false;
+};
+
+void make(const MakeOptions& options) {
+  const std::vector<CasePlan> plans = selected(plan_cases(options.set), std::to_string(options.number), "");
+  if (plans.empty())
+    throw std::invalid_argument(fmt::format("the set \"{}\" has no case {}", options.set, options.number));
+  const MadeCase made = make_case(plans.front());
+  std::filesystem::create_directories(options.out);
+  write_case(made, options.out);
+  fmt::print("{} is in {}\n", made.plan.name(), options.out.string());
+  if (!options.truth) return;
+  std::ofstream file(options.out / "truth.json", std::ios::binary);
+  file << truth_json(made);
+  if (!file.flush()) throw std::runtime_error("truth.json cannot be written");
+}
+
+}  // namespace
+
+void add_make_command(CLI::App& program) {
+  auto options = std::make_shared<MakeOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("make", "Write one case as a user would have it");
+  command->add_option("--set", options->set, "tuning, reporting or fixed")->required()->option_text("SET");
+  command->add_option("--case", options->number, "Its number")->required()->option_text("N");
+  command->add_option("--out", options->out, "Folder for its files")->required()->option_text("FOLDER");
+  command->add_flag("--truth", options->truth, "And what is hidden, as truth.json");
+  command->callback([options] { make(*options); });
+}
+
+}  // namespace hidden_effects

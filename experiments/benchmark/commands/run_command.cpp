@@ -1,0 +1,106 @@
+#include "commands/commands.h"
+
+#include "foundation/interrupt.h"
+#include "runs/case_store.h"
+#include "runs/run_case.h"
+#include "runs/run_set.h"
+#include "runs/selection.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+namespace hidden_effects {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+  std::string set, cases, part, version;
+  fs::path database, work, lacuna;
+  int jobs = 1;
+  double longest = 1800.0;
+  bool keep = false;
+};
+
+/// Beside this program, where a build puts both.
+fs::path lacuna_beside() { return fs::read_symlink("/proc/self/exe").parent_path() / "lacuna"; }
+
+std::string duration_text(double seconds) {
+  const auto minutes = static_cast<long>(seconds / 60.0);
+  if (minutes < 1) return fmt::format("{:.0f} s", seconds);
+  return minutes < 60 ? fmt::format("{} min", minutes) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+std::string answer_text(const CaseResult& result) {
+  if (!result.failure.empty()) return result.failure;
+  const DiagnosisRecord& first = result.diagnoses.front();
+  std::string words = first.verdict;
+  if (first.verdict == "effect_found" && !first.ranking.empty())
+    for (const RankedEffectRecord& effect : first.ranking.front().effects)
+      words += fmt::format(" {} @ {}", effect.what.effect, effect.what.place);
+  return fmt::format("{}, P {:.2f}, {:.0f} s", words, first.probability, first.seconds);
+}
+
+/// A line a case, with the time that the rest takes if it goes on like this.
+class Telling {
+ public:
+  void operator()(const CaseResult& result, const SetProgress& progress) const {
+    const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    fmt::print(stderr, "{}-{:04} {} · {} left, {}\n", result.about.set, result.about.number, answer_text(result),
+               progress.left, duration_text(passed / progress.kept * progress.left));
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void run(const RunOptions& options) {
+  const std::vector<CasePlan> plans = selected(plan_cases(options.set), options.cases, options.part);
+  fs::create_directories(options.work);
+  const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
+  if (!fs::exists(file))
+    throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
+  const ProgramSettings settings{file, options.longest, lacuna::interrupt_requested};
+  const std::string program = program_version(settings, options.work);
+  const std::string version = options.version.empty() ? program : options.version;
+  Database database(options.database);
+  keep_version(database, version, program);
+  const Telling told;
+  const SetProgress progress = run_set(
+      database, version, plans, options.jobs,
+      [&](const CasePlan& plan) { return run_case(plan, version, options.work, options.keep, settings); },
+      lacuna::interrupt_requested, told);
+  fmt::print(stderr, "{} cases run, {} were there before, {} left\n", progress.kept, progress.before, progress.left);
+  if (progress.stopped) throw lacuna::Interrupted("interrupted; run the same command again to go on");
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program) {
+  auto options = std::make_shared<RunOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command =
+      program.add_subcommand("run", "Send the cases that the database does not have through the program");
+  command->add_option("--set", options->set, "tuning, reporting or fixed")->required()->option_text("SET");
+  command->add_option("--db", options->database, "Database, made if it is not there")->required()->option_text("FILE");
+  command->add_option("--work", options->work, "Folder for the files of cases under way")
+      ->required()
+      ->option_text("FOLDER");
+  command->add_option("--cases", options->cases, "Numbers of the cases (default: all)")->option_text("A-B");
+  command->add_option("--part", options->part, "The K-th of N equal parts of them")->option_text("K/N");
+  command->add_option("--jobs", options->jobs, "Cases at a time (default: 1)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("J");
+  command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")->option_text("PATH");
+  command->add_option("--version", options->version, "Name of the method's version (default: the program's)")
+      ->option_text("TEXT");
+  command->add_option("--time-limit", options->longest, "Seconds that one call may take (default: 1800)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  command->add_flag("--keep", options->keep, "Keep the files of the cases");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace hidden_effects

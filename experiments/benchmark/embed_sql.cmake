@@ -1,0 +1,21 @@
+# Writes OUTPUT, a C++ source that holds two SQL files: cmake -DSCHEMA=... -DVIEWS=... -DOUTPUT=... -P embed_sql.cmake
+# A string literal may be long; it is cut where the language's smallest limit could bite.
+function(append_text name file)
+  file(READ ${file} text)
+  string(LENGTH "${text}" length)
+  string(APPEND source "const char* ${name}() {\n  return\n")
+  set(start 0)
+  while(start LESS length)
+    string(SUBSTRING "${text}" ${start} 8000 piece)
+    string(APPEND source "R\"~sql~(${piece})~sql~\"\n")
+    math(EXPR start "${start} + 8000")
+  endwhile()
+  string(APPEND source ";\n}\n\n")
+  set(source "${source}" PARENT_SCOPE)
+endfunction()
+
+set(source "// Made by embed_sql.cmake.\n#include \"runs/embedded.h\"\n\nnamespace hidden_effects {\n\n")
+append_text(schema_sql ${SCHEMA})
+append_text(views_sql ${VIEWS})
+string(APPEND source "}  // namespace hidden_effects\n")
+file(WRITE ${OUTPUT} "${source}")

@@ -1,0 +1,74 @@
+#include "figures/figure_values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+std::string last_version(Database& database, const std::string& set) {
+  const std::vector<Row> rows = database.query(
+      "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) "
+      "ORDER BY begun DESC, version DESC LIMIT 1",
+      {set});
+  return rows.empty() ? "" : text(rows[0][0]);
+}
+
+void count_cases(Database& database, FigureValues& all) {
+  const Row counts =
+      database.query("SELECT count(*), count(nullif(made, 0)) FROM judged WHERE version = ? AND set_name = ?",
+                     {all.version, all.set})[0];
+  all.cases = static_cast<std::size_t>(integer(counts[0]));
+  all.made = static_cast<std::size_t>(integer(counts[1]));
+}
+
+void read_values(Database& database, FigureValues& all) {
+  for (const Row& row : database.query(
+           "SELECT v.figure, v.value, v.probability, j.noise, j.strength, j.rig, j.effect FROM figure_value v "
+           "JOIN judged j USING (version, set_name, number) WHERE version = ? AND set_name = ? AND v.value IS NOT NULL "
+           "ORDER BY number",
+           {all.version, all.set}))
+    all.values.push_back({text(row[0]), real(row[1]), real(row[2]), text(row[3]), fmt::format("{:g}", real(row[4])),
+                          text(row[5]), text(row[6])});
+}
+
+}  // namespace
+
+bool FigureKind::has_goal() const { return !std::isnan(least) || !std::isnan(most); }
+
+bool FigureKind::met_by(double value) const {
+  return !(value < least) && !(value > most);  // NaN bounds bound nothing
+}
+
+FigureValues read_figures(Database& database, const std::string& version, const std::string& set) {
+  FigureValues all;
+  all.set = set;
+  all.version = version.empty() ? last_version(database, set) : version;
+  count_cases(database, all);
+  if (all.cases == 0)
+    throw std::runtime_error(fmt::format("the database has no case of the set \"{}\"{}", set,
+                                         version.empty() ? "" : " by version " + version));
+  for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
+    all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});
+  read_values(database, all);
+  return all;
+}
+
+Estimate estimate_of(const FigureValues& all, const FigureKind& figure,
+                     const std::function<bool(const FigureValue&)>& chosen) {
+  std::vector<double> values;
+  std::vector<Stated> stated;
+  for (const FigureValue& one : all.values) {
+    if (one.figure != figure.name || !chosen(one)) continue;
+    values.push_back(one.value);
+    stated.push_back({one.probability, one.value});
+  }
+  if (figure.kind == "share") return share(values);
+  if (figure.kind == "mean") return bootstrap(values, mean);
+  if (figure.kind == "median") return bootstrap(values, median);
+  return bootstrap(stated, [](const std::vector<Stated>& sample) { return calibration_error(sample); });
+}
+
+}  // namespace hidden_effects

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "figures/estimate.h"
+#include "runs/database.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hidden_effects {
+
+/// A row of the view `figure`. NaN: the goal has no such end.
+struct FigureKind {
+  std::string name, title, kind;
+  double least = 0.0, most = 0.0;
+  bool has_goal() const;
+  bool met_by(double value) const;
+};
+
+/// A row of the view `figure_value` with what its case is of.
+struct FigureValue {
+  std::string figure;
+  double value = 0.0, probability = 0.0;
+  std::string noise, strength, rig, effect;
+};
+
+/// What the cases of one version and set give.
+struct FigureValues {
+  std::string version, set;
+  std::vector<FigureKind> figures;
+  std::vector<FigureValue> values;
+  std::size_t cases = 0;  ///< in the database
+  std::size_t made = 0;   ///< of these; the others could not be
+};
+
+/// Throws `std::runtime_error` where the database has none. An empty version: the one that was begun last.
+FigureValues read_figures(Database& database, const std::string& version, const std::string& set);
+
+/// One figure over the values that `chosen` takes.
+Estimate estimate_of(const FigureValues& all, const FigureKind& figure,
+                     const std::function<bool(const FigureValue&)>& chosen);
+
+}  // namespace hidden_effects

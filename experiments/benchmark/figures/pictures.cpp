@@ -1,0 +1,97 @@
+#include "figures/pictures.h"
+
+#include "figures/matrix_picture.h"
+#include "report/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hidden_effects {
+namespace {
+
+using lacuna::Figure;
+using lacuna::Mark;
+using lacuna::Panel;
+using lacuna::Series;
+
+constexpr int kBins = 10;
+
+std::vector<Stated> stated_of(const FigureValues& all) {
+  std::vector<Stated> stated;
+  for (const FigureValue& one : all.values)
+    if (one.figure == "calibration") stated.push_back({one.probability, one.value});
+  return stated;
+}
+
+std::string title_of(const char* what, const FigureValues& all, std::size_t n) {
+  return fmt::format("{} · {} cases, version {} · n {}", what, all.set, all.version, n);
+}
+
+Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
+  std::array<std::vector<double>, kBins> right, said;
+  for (const Stated& one : stated) {
+    const auto bin = static_cast<std::size_t>(std::clamp(static_cast<int>(one.probability * kBins), 0, kBins - 1));
+    right[bin].push_back(one.is_right);
+    said[bin].push_back(one.probability);
+  }
+  Series points{"ten bins", Mark::points, lacuna::kBlue, {}, {}, {}};
+  Series intervals{"95 % interval", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    if (right[bin].empty()) continue;
+    const Estimate estimate = share(right[bin]);
+    points.x.push_back(mean(said[bin]));
+    points.y.push_back(estimate.value);
+    intervals.x.push_back(points.x.back());
+    intervals.y.push_back(estimate.lower_95);
+    intervals.y2.push_back(estimate.upper_95);
+  }
+  const Series ideal{"as stated", Mark::line, lacuna::kGrey, {0.0, 1.0}, {0.0, 1.0}, {}};
+  return {title_of("Reliability of the verdicts", all, stated.size()),
+          "stated probability",
+          {Panel{"share that is right", {ideal, intervals, points}, 1.0, {}}}};
+}
+
+/// The surest verdicts first; those that say `cannot_tell`, and cases that ended early, never count as given.
+Figure accuracy(const FigureValues& all, std::vector<Stated> stated) {
+  std::stable_sort(stated.begin(), stated.end(),
+                   [](const Stated& a, const Stated& b) { return a.probability > b.probability; });
+  Series curve{"", Mark::line, lacuna::kBlue, {}, {}, {}};
+  double right = 0.0;
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    right += stated[i].is_right;
+    const bool last_of_its_probability = i + 1 == stated.size() || stated[i + 1].probability < stated[i].probability;
+    if (!last_of_its_probability) continue;
+    curve.x.push_back(static_cast<double>(i + 1) / static_cast<double>(all.made));
+    curve.y.push_back(right / static_cast<double>(i + 1));
+  }
+  return {title_of("Accuracy against coverage", all, all.made),
+          "share of the cases, the surest verdicts first",
+          {Panel{"share of their verdicts that is right", {curve}, 1.0, {}}}};
+}
+
+Matrix confusion(Database& database, const FigureValues& all) {
+  Matrix matrix;
+  for (const Row& row : database.query("SELECT hidden, named, count(*) FROM confusion "
+                                       "WHERE version = ? AND set_name = ? GROUP BY hidden, named",
+                                       {all.version, all.set}))
+    matrix.count[text(row[0])][text(row[1])] = static_cast<int>(integer(row[2]));
+  matrix.title = fmt::format("Hidden effect and the first that is named · {} cases, version {}", all.set, all.version);
+  matrix.row_title = "hidden";
+  matrix.column_title = "named first";
+  return matrix;
+}
+
+}  // namespace
+
+void draw_pictures(Database& database, const FigureValues& all, const std::filesystem::path& folder) {
+  const std::vector<Stated> stated = stated_of(all);
+  if (!stated.empty()) {
+    lacuna::write_svg(reliability(all, stated), folder / "reliability.svg");
+    lacuna::write_svg(accuracy(all, stated), folder / "accuracy.svg");
+  }
+  write_matrix(confusion(database, all), folder / "confusion.svg");
+}
+
+}  // namespace hidden_effects

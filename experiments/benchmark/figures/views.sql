@@ -1,0 +1,235 @@
+-- What the figures are made of. Every view has the key of a case: version, set_name, number.
+
+-- A case and its first diagnosis. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
+CREATE TEMP VIEW judged AS
+SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.planned_strength AS strength, c.failure,
+       c.strength IS NOT NULL AS made,
+       CASE WHEN c.group_name = 'nothing' OR c.absorbed THEN 'nothing'
+            WHEN c.group_name = 'withheld' THEN 'withheld'
+            WHEN c.group_name = 'two_effects' THEN 'two'
+            ELSE 'one' END AS kind,
+       CASE WHEN c.group_name = 'nothing' OR c.absorbed THEN 'nothing'
+            WHEN c.group_name = 'two_effects' THEN 'two effects'
+            ELSE (SELECT h.effect FROM hidden_law h
+                  WHERE (h.version, h.set_name, h.number, h.law) = (c.version, c.set_name, c.number, 0)) END AS effect,
+       d.verdict, d.probability, d.seconds
+FROM bench_case c
+LEFT JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (c.version, c.set_name, c.number, 1);
+
+-- What an answer names: the effects of its first model and what the data do not tell from the last of them.
+CREATE TEMP VIEW reported AS
+SELECT DISTINCT r.version, r.set_name, r.number, r.round, r.effect, r.place
+FROM ranked_effect r
+JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (r.version, r.set_name, r.number, r.round)
+WHERE r.rank = 1 AND d.verdict = 'effect_found';
+
+-- Each hidden law: whether the first answer names it, how many of its other members the oracle tells from the law, whether
+-- one of the first three models names it, whether any round's answer does. An effect that the oracle did not look at
+-- counts as told apart.
+CREATE TEMP VIEW law_found AS
+SELECT h.version, h.set_name, h.number, h.law,
+       EXISTS (SELECT 1 FROM reported r
+               WHERE (r.version, r.set_name, r.number, r.round) = (h.version, h.set_name, h.number, 1)
+                 AND (r.effect, r.place) = (h.effect, h.place)) AS named,
+       (SELECT count(*) FROM reported r
+        WHERE (r.version, r.set_name, r.number, r.round) = (h.version, h.set_name, h.number, 1)
+          AND (r.effect, r.place) <> (h.effect, h.place)
+          AND NOT EXISTS (SELECT 1 FROM oracle_rival o
+                          WHERE (o.version, o.set_name, o.number, o.law) = (h.version, h.set_name, h.number, h.law)
+                            AND (o.effect, o.place) = (r.effect, r.place) AND o.told_apart = 0)) AS others,
+       EXISTS (SELECT 1 FROM ranked_effect r
+               WHERE (r.version, r.set_name, r.number, r.round) = (h.version, h.set_name, h.number, 1)
+                 AND r.rank <= 3 AND (r.effect, r.place) = (h.effect, h.place)) AS in_three,
+       EXISTS (SELECT 1 FROM reported r
+               WHERE (r.version, r.set_name, r.number) = (h.version, h.set_name, h.number)
+                 AND (r.effect, r.place) = (h.effect, h.place)) AS ever_named
+FROM hidden_law h;
+
+-- An added effect stands for a hidden law if it is that, or if the oracle does not tell it from it.
+CREATE TEMP VIEW stands_for AS
+SELECT a.version, a.set_name, a.number, a.effect, a.place, h.law
+FROM added_effect a
+JOIN hidden_law h ON (h.version, h.set_name, h.number) = (a.version, a.set_name, a.number)
+WHERE (h.effect, h.place) = (a.effect, a.place)
+   OR EXISTS (SELECT 1 FROM oracle_rival o
+              WHERE (o.version, o.set_name, o.number, o.law) = (h.version, h.set_name, h.number, h.law)
+                AND (o.effect, o.place) = (a.effect, a.place) AND o.told_apart = 0);
+
+-- How diagnose, add, diagnose again ended.
+CREATE TEMP VIEW loop_end AS
+SELECT j.version, j.set_name, j.number,
+       j.failure IS NULL
+       AND (SELECT d.verdict FROM diagnosis d WHERE (d.version, d.set_name, d.number) = (j.version, j.set_name, j.number)
+            ORDER BY d.round DESC LIMIT 1) <> 'effect_found'
+       AND (SELECT count(*) FROM added_effect a WHERE (a.version, a.set_name, a.number) = (j.version, j.set_name, j.number))
+         = (SELECT count(*) FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number))
+       AND NOT EXISTS (SELECT 1 FROM added_effect a
+                       WHERE (a.version, a.set_name, a.number) = (j.version, j.set_name, j.number)
+                         AND NOT EXISTS (SELECT 1 FROM stands_for s
+                                         WHERE (s.version, s.set_name, s.number, s.effect, s.place)
+                                             = (a.version, a.set_name, a.number, a.effect, a.place)))
+       AND NOT EXISTS (SELECT 1 FROM hidden_law h
+                       WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number)
+                         AND NOT EXISTS (SELECT 1 FROM stands_for s
+                                         WHERE (s.version, s.set_name, s.number, s.law)
+                                             = (h.version, h.set_name, h.number, h.law))) AS true_set
+FROM judged j;
+
+-- Whether the first verdict is right. An effect is right when a hidden law is among those named.
+CREATE TEMP VIEW verdict_right AS
+SELECT j.version, j.set_name, j.number, j.verdict, j.probability,
+       CASE j.kind WHEN 'nothing' THEN j.verdict = 'nothing_missing'
+                   WHEN 'withheld' THEN j.verdict = 'not_in_library'
+                   ELSE EXISTS (SELECT 1 FROM law_found f
+                                WHERE (f.version, f.set_name, f.number) = (j.version, j.set_name, j.number) AND f.named)
+       END AS is_right
+FROM judged j
+WHERE j.made AND j.verdict IS NOT NULL;
+
+-- Held-out error of what was found over that of the refitted truth, squared, meaned over the channels.
+CREATE TEMP VIEW held_out_ratio AS
+SELECT t.version, t.set_name, t.number,
+       CASE WHEN count(f.rmse) = count(*) THEN avg(f.rmse * f.rmse / (t.rmse * t.rmse)) END AS square
+FROM held_out t
+LEFT JOIN held_out f ON (f.version, f.set_name, f.number, f.channel, f.stage)
+                      = (t.version, t.set_name, t.number, t.channel, 'found')
+WHERE t.stage = 'truth' AND t.rmse > 0
+GROUP BY t.version, t.set_name, t.number;
+
+-- Intervals of parameters whose true values are known, of what the first diagnosis found.
+CREATE TEMP VIEW effect_interval AS
+SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
+FROM interval i
+JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
+                   = (i.version, i.set_name, i.number, i.effect, i.place)
+LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
+                          = (i.version, i.set_name, i.number, i.effect || '.' || i.parameter)
+WHERE i.round = 1 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL;
+
+-- Intervals of the free values, where the model that they were fitted with is right.
+CREATE TEMP VIEW value_interval AS
+SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
+FROM interval i
+JOIN judged j ON (j.version, j.set_name, j.number) = (i.version, i.set_name, i.number)
+JOIN loop_end l ON (l.version, l.set_name, l.number) = (i.version, i.set_name, i.number)
+LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
+                          = (i.version, i.set_name, i.number, i.parameter)
+WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
+  AND ((j.kind IN ('one', 'two') AND l.true_set) OR (j.group_name = 'nothing' AND j.verdict = 'nothing_missing'));
+
+-- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
+-- stated probability over ten bins; bootstrap). `least` and `most` are the goal.
+CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
+  (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
+  (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
+  (3, 'top1_10', 'first class right, strength 10 (score 1/(1 + k))', 'share', NULL, NULL),
+  (4, 'top3', 'among the first three', 'share', 0.99, NULL),
+  (5, 'false_positive', 'something found where nothing is hidden', 'share', 0.03, 0.07),
+  (6, 'nothing_missing', 'nothing_missing where nothing is hidden', 'share', NULL, NULL),
+  (7, 'not_in_library', 'not_in_library where the effect is withheld', 'share', 0.9, NULL),
+  (8, 'both_found', 'two effects: both found', 'share', 0.8, NULL),
+  (9, 'true_set', 'diagnose, add, again ends at the true set', 'share', 0.85, NULL),
+  (10, 'second_nothing', 'the second diagnosis says nothing_missing', 'share', 0.95, NULL),
+  (11, 'held_out', 'held-out error at most 1.1 times that of the refitted truth', 'share', 0.95, NULL),
+  (12, 'coverage', '95 % intervals of the effects cover the truth', 'share', 0.92, 0.97),
+  (13, 'value_coverage', '95 % intervals of the free values cover the truth, where the model is right', 'share', 0.92, 0.97),
+  (14, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
+  (15, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
+  (16, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
+  (17, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
+  (18, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (19, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (20, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+
+-- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
+-- ended early count as wrong; those that could not be made count in `failed` alone.
+CREATE TEMP VIEW figure_value AS
+SELECT version, set_name, number, 'top1_' || CASE strength WHEN 1.5 THEN '1.5' WHEN 3 THEN '3' WHEN 10 THEN '10' END
+       AS figure, CASE WHEN named THEN 1.0 / (1 + others) ELSE 0.0 END AS value, NULL AS probability
+  FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'one' AND strength IN (1.5, 3, 10)
+UNION ALL
+SELECT version, set_name, number, 'top3', in_three, NULL
+  FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'one'
+UNION ALL
+SELECT version, set_name, number, 'false_positive', verdict IN ('effect_found', 'not_in_library'), NULL
+  FROM judged WHERE made AND kind = 'nothing' AND verdict IS NOT NULL
+UNION ALL
+SELECT version, set_name, number, 'nothing_missing', coalesce(verdict = 'nothing_missing', 0), NULL
+  FROM judged WHERE made AND kind = 'nothing'
+UNION ALL
+SELECT version, set_name, number, 'not_in_library', coalesce(verdict = 'not_in_library', 0), NULL
+  FROM judged WHERE made AND kind = 'withheld'
+UNION ALL
+SELECT version, set_name, number, 'both_found', min(ever_named), NULL
+  FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'two'
+  GROUP BY version, set_name, number
+UNION ALL
+SELECT version, set_name, number, 'true_set', coalesce(true_set, 0), NULL
+  FROM judged JOIN loop_end USING (version, set_name, number) WHERE made AND kind IN ('one', 'two')
+UNION ALL
+SELECT j.version, j.set_name, j.number, 'second_nothing', d.verdict = 'nothing_missing', NULL
+  FROM judged j JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (j.version, j.set_name, j.number, 2)
+  WHERE j.made AND j.kind IN ('one', 'two')
+UNION ALL
+SELECT version, set_name, number, 'held_out', coalesce(square <= 1.1 * 1.1, 0), NULL
+  FROM judged JOIN held_out_ratio USING (version, set_name, number) WHERE made AND kind IN ('one', 'two')
+UNION ALL
+SELECT version, set_name, number, 'coverage', truth BETWEEN lower AND upper, NULL
+  FROM judged JOIN effect_interval USING (version, set_name, number) WHERE made AND kind IN ('one', 'two')
+UNION ALL
+SELECT version, set_name, number, 'value_coverage', truth BETWEEN lower AND upper, NULL FROM value_interval
+UNION ALL
+SELECT version, set_name, number, 'width', (upper - lower) / width, NULL
+  FROM judged JOIN effect_interval USING (version, set_name, number) WHERE made AND kind IN ('one', 'two') AND width > 0
+UNION ALL
+SELECT version, set_name, number, 'value_width', (upper - lower) / width, NULL FROM value_interval WHERE width > 0
+UNION ALL
+SELECT version, set_name, number, 'brier', (probability - is_right) * (probability - is_right), NULL
+  FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
+UNION ALL
+SELECT version, set_name, number, 'calibration', is_right, probability
+  FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
+UNION ALL
+SELECT j.version, j.set_name, j.number, 'cannot_tell', coalesce(j.verdict = 'cannot_tell', 0), NULL
+  FROM judged j WHERE j.made AND j.kind IN ('one', 'two')
+    AND EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number) = (j.version, j.set_name, j.number)
+                AND o.effect = '' AND o.told_apart)
+UNION ALL
+SELECT version, set_name, number, 'seconds', seconds, NULL FROM judged WHERE seconds IS NOT NULL
+UNION ALL
+SELECT version, set_name, number, 'failed', failure IS NOT NULL, NULL FROM judged;
+
+-- Hidden effect and what the first diagnosis named first.
+CREATE TEMP VIEW confusion AS
+SELECT j.version, j.set_name, j.number, CASE j.kind WHEN 'withheld' THEN 'withheld' ELSE j.effect END AS hidden,
+       CASE WHEN j.verdict IS NULL THEN 'ended early'
+            WHEN j.verdict = 'effect_found' THEN
+              (SELECT r.effect FROM ranked_effect r
+               WHERE (r.version, r.set_name, r.number, r.round, r.rank, r.position)
+                   = (j.version, j.set_name, j.number, 1, 1, 0))
+            ELSE j.verdict END AS named
+FROM judged j
+WHERE j.made AND j.kind <> 'two';
+
+-- What other methods make of the same cases. A method is right about an effect when it chooses the true one first.
+CREATE TEMP VIEW baseline_value AS
+SELECT version, set_name, number, method, 'first right' AS figure,
+       b.chosen > 0 AND EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h
+                                ON (h.version, h.set_name, h.number, h.effect, h.place)
+                                 = (r.version, r.set_name, r.number, r.effect, r.place)
+                                WHERE (r.version, r.set_name, r.number, r.method, r.rank)
+                                    = (b.version, b.set_name, b.number, b.method, 1)) AS value
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+UNION ALL
+SELECT version, set_name, number, method, 'among the first three',
+       EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
+                                                                = (r.version, r.set_name, r.number, r.effect, r.place)
+               WHERE (r.version, r.set_name, r.number, r.method) = (b.version, b.set_name, b.number, b.method)
+                 AND r.rank <= 3)
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+UNION ALL
+SELECT version, set_name, number, method, 'something found where nothing is hidden', b.chosen > 0
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'nothing'
+UNION ALL
+SELECT version, set_name, number, method, 'processor seconds', b.seconds
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND b.seconds IS NOT NULL;

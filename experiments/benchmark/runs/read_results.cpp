@@ -1,0 +1,99 @@
+#include "runs/read_results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+using nlohmann::ordered_json;
+
+double number(const ordered_json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
+
+std::string place_of(const std::string& where) { return where.empty() ? "world" : where; }
+
+IntervalRecord interval_of(const std::string& name, const ordered_json& json) {
+  return {name, number(json.at("value")), number(json.at("ci95").at(0)), number(json.at("ci95").at(1))};
+}
+
+RankedEffectRecord effect_of(const ordered_json& json) {
+  RankedEffectRecord effect{{json.at("effect"), place_of(json.at("where"))}, {}};
+  for (const auto& [name, one] : json.at("parameters").items()) effect.parameters.push_back(interval_of(name, one));
+  return effect;
+}
+
+/// "name @ where"
+EffectAt look_alike_of(const std::string& text) {
+  const std::size_t at = text.find(" @ ");
+  if (at == std::string::npos) return {text, "world"};
+  return {text.substr(0, at), place_of(text.substr(at + 3))};
+}
+
+RankedModelRecord model_of(const ordered_json& json) {
+  RankedModelRecord model{
+      number(json.at("probability")), number(json.at("gain")), number(json.at("ratio_to_floor")), {}, {}};
+  for (const ordered_json& effect : json.at("effects")) model.effects.push_back(effect_of(effect));
+  for (const ordered_json& name : json.at("class")) model.look_alikes.push_back(look_alike_of(name));
+  return model;
+}
+
+ordered_json parsed(const std::string& text, const char* what) {
+  try {
+    return ordered_json::parse(text);
+  } catch (const ordered_json::exception& error) {
+    throw std::runtime_error(std::string("the JSON of ") + what + " cannot be read: " + error.what());
+  }
+}
+
+/// `read(document)`, with its faults told as such.
+template <class Read>
+auto reading(const std::string& text, const char* what, const Read& read) {
+  const ordered_json document = parsed(text, what);
+  try {
+    return read(document);
+  } catch (const ordered_json::exception& error) {
+    throw std::runtime_error(std::string("the JSON of ") + what + " is not as expected: " + error.what());
+  }
+}
+
+}  // namespace
+
+DiagnosisRecord read_diagnosis(const std::string& json) {
+  return reading(json, "lacuna diagnose", [&](const ordered_json& document) {
+    DiagnosisRecord record;
+    record.verdict = document.at("verdict");
+    record.probability = number(document.at("probability"));
+    record.p_by_chance = number(document.at("p_by_chance"));
+    record.times_floor = number(document.at("base").at("ratio_to_floor"));
+    record.seconds = number(document.at("seconds"));
+    record.json = json;
+    for (const ordered_json& model : document.at("ranking")) record.ranking.push_back(model_of(model));
+    return record;
+  });
+}
+
+ReadComparison read_comparison(const std::string& json) {
+  return reading(json, "lacuna compare", [](const ordered_json& document) {
+    ReadComparison comparison;
+    for (const ordered_json& score : document.at("pooled")) {
+      if (!score.at("held_out").get<bool>()) continue;
+      const bool whole = score.at("failed_trials").get<int>() == 0;
+      comparison.held_out.push_back({score.at("channel"), whole ? number(score.at("rmse")) : kUnknown});
+    }
+    for (const ordered_json& value : document.at("fit").at("values"))
+      comparison.values.push_back(interval_of(value.at("address"), value));
+    return comparison;
+  });
+}
+
+std::vector<std::string> read_effects(const std::string& json) {
+  return reading(json, "lacuna plugins list", [](const ordered_json& document) {
+    std::vector<std::string> names;
+    for (const ordered_json& component : document.at("components"))
+      if (component.at("kind") == "effect") names.push_back(component.at("name"));
+    return names;
+  });
+}
+
+}  // namespace hidden_effects

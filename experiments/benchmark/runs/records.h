@@ -1,0 +1,124 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace hidden_effects {
+
+/// What the database keeps of a case, as plain data. Numbers are SI; NaN stands for what is not known.
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// An effect of the library at a place of the experiment's file, "joint.hinge"; "world" where it stands on nothing.
+struct EffectAt {
+  std::string effect;
+  std::string place;
+  bool operator==(const EffectAt&) const = default;
+};
+
+struct NamedValue {
+  std::string name;
+  double value = kUnknown;
+};
+
+/// What is really there.
+struct HiddenLawRecord {
+  std::string law;  ///< of `all_laws`
+  EffectAt answer;  ///< what the library calls it
+  bool library_form = true;
+  std::vector<NamedValue> parameters;
+};
+
+/// The plan of a case and how it came out.
+struct CaseRecord {
+  std::string version;  ///< of the method
+  std::string set;
+  int number = 0;
+  std::string group, rig, noise;
+  double planned_strength = 1.0;
+  double strength = kUnknown;  ///< measured
+  bool absorbed = false;
+  std::string seed;  ///< 64 bits without sign, as decimal digits
+  std::vector<HiddenLawRecord> hidden;
+};
+
+struct IntervalRecord {
+  std::string parameter;  ///< a parameter's name, or the address of a free value
+  double value = kUnknown, lower = kUnknown, upper = kUnknown;
+};
+
+struct RankedEffectRecord {
+  EffectAt what;
+  std::vector<IntervalRecord> parameters;
+};
+
+struct RankedModelRecord {
+  double probability = kUnknown, gain = kUnknown, times_floor = kUnknown;
+  std::vector<RankedEffectRecord> effects;
+  std::vector<EffectAt> look_alikes;  ///< of the last effect
+};
+
+/// One diagnosis, as the program told it.
+struct DiagnosisRecord {
+  int round = 1;
+  std::string verdict;
+  double probability = kUnknown, p_by_chance = kUnknown, times_floor = kUnknown;
+  double seconds = kUnknown, processor_seconds = kUnknown;
+  std::string json;
+  std::vector<RankedModelRecord> ranking;
+  std::vector<EffectAt> added;  ///< to the model because of it
+};
+
+/// RMSE of a free run over the held-out trials, by channel.
+struct HeldOutRecord {
+  std::string stage;  ///< "base", "found" or "truth"
+  std::string channel;
+  double rmse = kUnknown;
+};
+
+/// A fitted value of the last model whose true value is known.
+struct FreeValueRecord {
+  IntervalRecord interval;
+  double truth = kUnknown;
+};
+
+/// What the oracle says of an effect in the place of a hidden law.
+struct OracleRival {
+  int law = 0;     ///< the hidden law that it stands for, from 0
+  EffectAt rival;  ///< no effect: the law left out
+  double non_centrality = kUnknown;
+  bool told_apart = true;  ///< from the truth, by these data
+};
+
+/// The sharpness of the refitted truth.
+struct OracleWidth {
+  std::string parameter;    ///< an address of the base, or "coulomb_friction.torque"
+  double width = kUnknown;  ///< of the 95 % interval
+};
+
+struct OracleRecord {
+  std::vector<OracleRival> rivals;
+  std::vector<OracleWidth> widths;
+};
+
+/// What another method says of the same data.
+struct BaselineRecord {
+  std::string method;
+  int chosen = 0;             ///< the first so many of the ranking are there, it says; 0: nothing is missing
+  double seconds = kUnknown;  ///< of processor time
+  std::vector<EffectAt> ranking;
+  std::vector<double> scores;  ///< by rank; what they mean depends on the method
+};
+
+/// All that is kept of a case.
+struct CaseResult {
+  CaseRecord about;
+  std::string failure;  ///< the sentence with which it ended early; empty: it did not
+  std::vector<DiagnosisRecord> diagnoses;
+  std::vector<HeldOutRecord> held_out;
+  std::vector<FreeValueRecord> free_values;
+  OracleRecord oracle;
+  std::vector<BaselineRecord> baselines;
+};
+
+}  // namespace hidden_effects

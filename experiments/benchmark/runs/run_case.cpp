@@ -1,0 +1,73 @@
+#include "runs/run_case.h"
+
+#include "cases/make_case.h"
+#include "cases/write_case.h"
+#include "runs/case_loop.h"
+#include "runs/case_truth.h"
+#include "runs/truth_error.h"
+
+#include <exception>
+#include <optional>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that begins empty and goes away with its content, unless it is to be kept.
+class CaseFolder {
+ public:
+  CaseFolder(fs::path path, bool keep) : path_(std::move(path)), keep_(keep) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~CaseFolder() {
+    std::error_code ignored;
+    if (!keep_) fs::remove_all(path_, ignored);
+  }
+  CaseFolder(const CaseFolder&) = delete;
+  CaseFolder& operator=(const CaseFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  bool keep_;
+};
+
+/// What the library is not to have.
+std::vector<std::string> withheld(const CaseRecord& about) {
+  std::vector<std::string> effects;
+  if (about.group == "withheld")
+    for (const HiddenLawRecord& law : about.hidden) effects.push_back(law.answer.effect);
+  return effects;
+}
+
+/// A case whose truth cannot be predicted (it runs away) has no such error.
+void add_truth_error(const MadeCase& made, CaseResult& result) {
+  try {
+    const std::vector<HeldOutRecord> errors = truth_held_out(made);
+    result.held_out.insert(result.held_out.end(), errors.begin(), errors.end());
+  } catch (const std::runtime_error&) {
+  }
+}
+
+}  // namespace
+
+CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep,
+                    const ProgramSettings& settings) {
+  const CaseFolder folder(work / plan.name(), keep);
+  std::optional<MadeCase> made;
+  try {
+    made = make_case(plan);
+    write_case(*made, folder.path());
+  } catch (const std::exception& error) {
+    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
+  }
+  const CaseRecord about = about_case(*made, version);
+  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about)}, settings);
+  add_truth_error(*made, result);
+  return result;
+}
+
+}  // namespace hidden_effects

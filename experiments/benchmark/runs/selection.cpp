@@ -1,0 +1,42 @@
+#include "runs/selection.h"
+
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+namespace hidden_effects {
+namespace {
+
+int whole_number(const std::string& text, const std::string& whole, const char* form) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || rest != end) throw std::invalid_argument("\"" + whole + "\": write it as " + form);
+  return number;
+}
+
+std::pair<int, int> two_numbers(const std::string& text, char between, const char* form) {
+  const std::size_t at = text.find(between);
+  const int first = whole_number(text.substr(0, at), text, form);
+  return {first, at == std::string::npos ? first : whole_number(text.substr(at + 1), text, form)};
+}
+
+}  // namespace
+
+std::vector<CasePlan> selected(std::vector<CasePlan> plans, const std::string& cases, const std::string& part) {
+  if (!cases.empty()) {
+    const auto [first, last] = two_numbers(cases, '-', "A-B, as in 0-39");
+    std::erase_if(
+        plans, [first = first, last = last](const CasePlan& one) { return one.number < first || one.number > last; });
+  }
+  if (part.empty()) return plans;
+  const auto [k, n] = two_numbers(part, '/', "K/N, as in 2/8");
+  if (part.find('/') == std::string::npos || k < 1 || k > n)
+    throw std::invalid_argument("\"" + part + "\": write it as K/N, as in 2/8, with K from 1 to N");
+  std::vector<CasePlan> mine;
+  for (std::size_t i = static_cast<std::size_t>(k) - 1; i < plans.size(); i += static_cast<std::size_t>(n))
+    mine.push_back(plans[i]);
+  return mine;
+}
+
+}  // namespace hidden_effects

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "cases/case_plan.h"
+
+#include <string>
+#include <vector>
+
+namespace hidden_effects {
+
+/// Which cases of a set are meant: "12", "0-39" (numbers) or all, of these the K-th of N parts ("2/8", by turns).
+/// Empty texts mean all. Throws `std::invalid_argument` with a sentence.
+std::vector<CasePlan> selected(std::vector<CasePlan> plans, const std::string& cases, const std::string& part);
+
+}  // namespace hidden_effects

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "runs/child_process.h"
+#include "runs/read_results.h"
+#include "runs/records.h"
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hidden_effects {
+
+/// The program refused, crashed or took too long: a sentence of it.
+class CaseFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Somebody asked for the end; the case is to be begun again another time.
+class CaseStopped : public std::runtime_error {
+ public:
+  CaseStopped() : std::runtime_error("stopped") {}
+};
+
+/// How the program is run.
+struct ProgramSettings {
+  std::filesystem::path lacuna;  ///< the program, absolute
+  double longest = 1800.0;       ///< s, of one call
+  std::function<bool()> stop = [] { return false; };
+};
+
+/// `lacuna` as a user runs it on the `rig.toml` of a folder, one command after the other, with one thread and a
+/// database there. Throws `CaseFailure`, `CaseStopped`.
+class UserSession {
+ public:
+  /// `withheld`: names of effects that the library is not to have.
+  UserSession(ProgramSettings settings, std::filesystem::path folder, std::vector<std::string> withheld);
+
+  DiagnosisRecord diagnose();
+  void add(const EffectAt& what);
+  ReadComparison compare();
+
+ private:
+  ChildOutcome call(std::vector<std::string> words);
+  std::string expect_json(std::vector<std::string> words, ChildOutcome& outcome);
+  std::vector<std::string> library();
+
+  ProgramSettings settings_;
+  std::filesystem::path folder_;
+  std::vector<std::string> withheld_;
+};
+
+/// What `lacuna --version` prints.
+std::string program_version(const ProgramSettings& settings, const std::filesystem::path& folder);
+
+}  // namespace hidden_effects

@@ -1,0 +1,190 @@
+#include "figures/figure_values.h"
+#include "figures/matrix_picture.h"
+#include "figures/tables.h"
+#include "runs/case_store.h"
+
+#include "experiments/benchmark/small_results.h"
+#include "support/test_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hidden_effects {
+namespace {
+
+using testing::HasSubstr;
+
+class Figures : public testing::Test {
+ protected:
+  Figures() : database_(folder_ / "benchmark.db") { keep_version(database_, "v", "0.1.0"); }
+
+  void keep(const CaseResult& result) { keep_case(database_, result); }
+
+  Estimate figure(const std::string& name) {
+    const FigureValues all = read_figures(database_, "v", "tuning");
+    for (const FigureKind& kind : all.figures)
+      if (kind.name == name) return estimate_of(all, kind, [](const FigureValue&) { return true; });
+    ADD_FAILURE() << "no figure " << name;
+    return {};
+  }
+
+  /// A one-joint case that hides Coulomb friction, and what is answered.
+  CaseResult answered(int number, const DiagnosisRecord& diagnosis, double strength = 3.0) {
+    CaseResult result = small_case(number, "one_joint", {kCoulomb}, strength);
+    result.diagnoses.push_back(diagnosis);
+    return result;
+  }
+
+  lacuna::TestFolder folder_;
+  Database database_;
+};
+
+/// 1 for the truth alone, 1/2 with one more, 1 with one more that the oracle does not tell from it, 0 without the truth
+/// and for another verdict: 2.5 of 5.
+TEST_F(Figures, ClassScoreCountsMembersThatTheOracleTellsApart) {
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  keep(answered(1, small_diagnosis(1, "effect_found", 0.9, {kStribeck}, {kCoulomb})));
+  CaseResult alike = answered(2, small_diagnosis(1, "effect_found", 0.9, {kStribeck}, {kCoulomb}));
+  alike.oracle.rivals = {{0, kStribeck, 0.5, false}};
+  keep(alike);
+  keep(answered(3, small_diagnosis(1, "effect_found", 0.9, {kSpring})));
+  keep(answered(4, small_diagnosis(1, "cannot_tell", 0.9, {kCoulomb})));
+  EXPECT_EQ(figure("top1_3").n, 5U);
+  EXPECT_DOUBLE_EQ(figure("top1_3").value, 0.5);
+  EXPECT_EQ(figure("top1_1.5").n, 0U);
+  EXPECT_DOUBLE_EQ(figure("top3").value, 0.8);
+}
+
+TEST_F(Figures, AnEffectAtAnotherPlaceIsWrong) {
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {{"coulomb_friction", "joint.elbow"}})));
+  EXPECT_DOUBLE_EQ(figure("top1_3").value, 0.0);
+}
+
+TEST_F(Figures, AbsorbedCasesCountAsNothingHidden) {
+  CaseResult absorbed = answered(0, small_diagnosis(1, "nothing_missing", 0.9));
+  absorbed.about.absorbed = true;
+  keep(absorbed);
+  CaseResult alarm = small_case(1, "nothing", {}, 1.0);
+  alarm.diagnoses = {small_diagnosis(1, "not_in_library", 0.6)};
+  keep(alarm);
+  EXPECT_EQ(figure("top1_3").n, 0U);
+  EXPECT_EQ(figure("false_positive").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("false_positive").value, 0.5);
+  EXPECT_DOUBLE_EQ(figure("nothing_missing").value, 0.5);
+}
+
+TEST_F(Figures, AWithheldEffectIsRecognisedByTheVerdict) {
+  for (int number = 0; number < 4; ++number) {
+    CaseResult result = small_case(number, "withheld", {kCoulomb});
+    result.diagnoses = {small_diagnosis(1, number == 0 ? "effect_found" : "not_in_library", 0.9)};
+    keep(result);
+  }
+  EXPECT_DOUBLE_EQ(figure("not_in_library").value, 0.75);
+  EXPECT_EQ(figure("top3").n, 0U);
+}
+
+/// Case 0 finds both, one after the other; case 1 one of them and something else that the oracle takes for the other.
+TEST_F(Figures, TheLoopEndsAtTheTrueSetUpToTheOraclesClass) {
+  CaseResult both = small_case(0, "two_effects", {kCoulomb, kSpring});
+  both.diagnoses = {small_diagnosis(1, "effect_found", 0.9, {kSpring}),
+                    small_diagnosis(2, "effect_found", 0.9, {kCoulomb}), small_diagnosis(3, "nothing_missing", 0.9)};
+  both.diagnoses[0].added = {kSpring};
+  both.diagnoses[1].added = {kCoulomb};
+  keep(both);
+  CaseResult alike = small_case(1, "two_effects", {kCoulomb, kSpring});
+  alike.diagnoses = {small_diagnosis(1, "effect_found", 0.9, {kStribeck, kSpring}),
+                     small_diagnosis(2, "nothing_missing", 0.9)};
+  alike.diagnoses[0].added = {kStribeck, kSpring};
+  alike.oracle.rivals = {{0, kStribeck, 0.5, false}};
+  keep(alike);
+  CaseResult half = small_case(2, "two_effects", {kCoulomb, kSpring});
+  half.diagnoses = {small_diagnosis(1, "effect_found", 0.9, {kSpring}), small_diagnosis(2, "nothing_missing", 0.9)};
+  half.diagnoses[0].added = {kSpring};
+  keep(half);
+  EXPECT_NEAR(figure("both_found").value, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(figure("true_set").value, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(figure("second_nothing").value, 2.0 / 3.0, 1e-12);
+}
+
+/// Ratios √((1.0² + 1.1²)/2) = 1.051 and √((1.0² + 1.3²)/2) = 1.160; a found model that could not be simulated.
+TEST_F(Figures, HeldOutErrorIsMeanedOverChannels) {
+  for (int number = 0; number < 3; ++number) {
+    CaseResult result = answered(number, small_diagnosis(1, "nothing_missing", 0.9));
+    result.held_out = {{"truth", "angle", 2.0},
+                       {"truth", "speed", 1.0},
+                       {"found", "angle", 2.0},
+                       {"found", "speed",
+                        number == 0   ? 1.1
+                        : number == 1 ? 1.3
+                                      : kUnknown}};
+    keep(result);
+  }
+  EXPECT_EQ(figure("held_out").n, 3U);
+  EXPECT_NEAR(figure("held_out").value, 1.0 / 3.0, 1e-12);
+}
+
+/// The interval [1, 3] holds the true 2, and is four times as wide as the oracle's; one without ends says nothing.
+TEST_F(Figures, IntervalsAreThoseOfRightAnswers) {
+  CaseResult right = answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb, kSpring}));
+  right.oracle.widths = {{"coulomb_friction.size", 0.5}};
+  keep(right);
+  CaseResult off = answered(1, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}));
+  off.diagnoses[0].ranking[0].effects[0].parameters = {{"size", 1.2, 1.0, 1.5}};
+  keep(off);
+  CaseResult open = answered(2, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}));
+  open.diagnoses[0].ranking[0].effects[0].parameters = {{"size", 1.2, kUnknown, kUnknown}};
+  keep(open);
+  EXPECT_EQ(figure("coverage").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("coverage").value, 0.5);
+  EXPECT_EQ(figure("width").n, 1U);
+  EXPECT_DOUBLE_EQ(figure("width").value, 4.0);
+}
+
+/// (0.1² + 0.8²)/2 = 0.325; cannot_tell states nothing.
+TEST_F(Figures, ProbabilitiesAreThoseOfVerdicts) {
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  keep(answered(1, small_diagnosis(1, "nothing_missing", 0.8)));
+  CaseResult silent = answered(2, small_diagnosis(1, "cannot_tell", 0.5));
+  silent.oracle.rivals = {{0, {"", ""}, 50.0, true}};
+  keep(silent);
+  EXPECT_EQ(figure("brier").n, 2U);
+  EXPECT_NEAR(figure("brier").value, 0.325, 1e-12);
+  EXPECT_NEAR(figure("calibration").value, (0.1 + 0.8) / 2.0, 1e-12);
+  EXPECT_EQ(figure("cannot_tell").n, 1U);
+  EXPECT_DOUBLE_EQ(figure("cannot_tell").value, 1.0);
+}
+
+TEST_F(Figures, CasesThatEndedEarlyCountAsWrong) {
+  CaseResult failed = small_case(0, "one_joint", {kCoulomb});
+  failed.failure = "lacuna diagnose crashed with signal 11";
+  keep(failed);
+  CaseResult unmade = small_case(1, "one_joint", {kCoulomb});
+  unmade.about.strength = kUnknown;
+  unmade.failure = "the case cannot be made: it runs away";
+  keep(unmade);
+  EXPECT_EQ(figure("top1_3").n, 1U);
+  EXPECT_DOUBLE_EQ(figure("top1_3").value, 0.0);
+  EXPECT_DOUBLE_EQ(figure("failed").value, 1.0);
+  EXPECT_EQ(figure("failed").n, 2U);
+}
+
+TEST_F(Figures, ThePageHasEstimateIntervalAndGoal) {
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  const std::string page = markdown(read_figures(database_, "", "tuning"));
+  EXPECT_THAT(page, HasSubstr("| first class right, strength 3 (score 1/(1 + k)) | ≥ 95 % | "
+                              "100.0 % [20.7, 100.0] n 1 | yes | – | – | 100.0 % [20.7, 100.0] n 1 |"));
+  EXPECT_THAT(page, HasSubstr("## By rig"));
+  EXPECT_THAT(page, HasSubstr("| coulomb_friction |"));
+}
+
+TEST_F(Figures, ASetWithoutCasesIsSaid) { EXPECT_THROW(read_figures(database_, "v", "reporting"), std::runtime_error); }
+
+TEST(MatrixPicture, ShadesByTheShareOfTheRow) {
+  const std::string svg = matrix_svg({"title", "hidden", "named", {{"a", {{"a", 3}, {"b", 1}}}}});
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.750\" stroke=\"#D55E00\""));
+  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.250\" stroke=\"#DDDDDD\""));
+  EXPECT_THAT(svg, HasSubstr(">a (4)<"));
+}
+
+}  // namespace
+}  // namespace hidden_effects
