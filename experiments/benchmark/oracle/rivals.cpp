@@ -48,7 +48,7 @@ struct DryFriction {
 };
 
 std::optional<DryFriction> dry_friction(const std::string& effect, const std::vector<double>& p, const Scales& scales) {
-  constexpr double kShort = 3e-6, kSlow = 0.1;  // of the motion's range and velocity
+  constexpr double kShort = 1e-5, kSlow = 0.1;  // of the motion's range and velocity
   DryFriction dry{p[0], 1e-3 * p[0], kSlow * scales.velocity, kShort * scales.position};
   if (effect == "coulomb_friction" || effect == "position_friction") return dry;
   if (effect == "directional_friction") dry.level = 0.5 * (p[0] + p[1]);
@@ -68,12 +68,13 @@ std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law,
   if (law.kind->place != Place::joint || rival.element != law.element || viscous(law.kind->effect)) return {};
   const std::optional<DryFriction> dry = dry_friction(law.kind->effect, parameters, scales);
   if (!dry || rival.kind->place != Place::joint) return {};
+  constexpr double kTraceable = 1e-4;  // of the range; a shorter distance makes the torque of hysteresis chatter
   const double c = dry->level;
   if (effect == "coulomb_friction") return {c};
   if (effect == "directional_friction") return {c, c};
   if (effect == "stribeck_friction") return {c, dry->excess, dry->velocity};
   if (effect == "position_friction") return {c, 1e-3 * c, 1e-3 * c, 1.0 / scales.position};
-  if (effect == "hysteresis") return {c, dry->bending, 0.5};
+  if (effect == "hysteresis") return {c, std::max(dry->bending, kTraceable * scales.position), 0.5};
   const double stiffness = c / dry->bending;
   if (effect == "lugre_friction")
     return {c, dry->excess, dry->velocity, stiffness, 0.2 * std::sqrt(stiffness * scales.inertia)};

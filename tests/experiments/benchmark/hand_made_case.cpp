@@ -56,7 +56,7 @@ MadeCase pendulum_case(const std::vector<SizedPlacedLaw>& hidden, const CaseNois
   for (int t = 0; t < 3; ++t) {
     MadeTrial trial;
     trial.applied.interval = rig.interval;
-    trial.applied.commands = commands(rig, t, 7);
+    trial.applied.commands = commands(rig, t, static_cast<double>(samples) * rig.interval, 7);
     for (std::vector<double>& of_drive : trial.applied.commands) of_drive.resize(samples);
     trial.recorded_commands = trial.applied.commands;
     trial.clean = predict(made.truth, made.truth_values, trial.applied, at_rest(rig.nominal));

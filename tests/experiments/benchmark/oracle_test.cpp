@@ -36,7 +36,7 @@ TEST(Oracle, ATruthOfTheLibraryLeavesNothing) {
 
 TEST(Oracle, LawsThatHoldTheTruthAsALimitAreAlike) {
   const MadeCase made = pendulum_case({{"coulomb_friction", 0, {0.02}}}, white_noise(), kSamples);
-  const std::vector<std::string> limits = {"stribeck_friction", "directional_friction", "hysteresis"};
+  const std::vector<std::string> limits = {"stribeck_friction", "directional_friction", "position_friction"};
   EXPECT_THAT(names(ask_oracle(made, {.among = limits}).alike(0)), testing::UnorderedElementsAreArray(limits));
 }
 

@@ -18,7 +18,7 @@ constexpr double kFriction = 0.06;  // N·m
 Laws one(const std::string& name, std::vector<double> parameters) { return {law_kind(name).make(parameters, 0)}; }
 
 Excitation multisine(const Rig& rig) {
-  Excitation excitation{rig.interval, commands(rig, 0, 3), 0.001, {}};
+  Excitation excitation{rig.interval, commands(rig, 0, 2.0, 3), 0.001, {}};
   excitation.commands[0].resize(kSamples);
   return excitation;
 }
