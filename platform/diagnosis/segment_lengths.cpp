@@ -106,9 +106,9 @@ double deviance_against_answer(const LengthTask& task, const Refit& fit) {
   const auto count = static_cast<Eigen::Index>(fit.values.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
-  for (std::size_t k = 0; k < fit.derivatives.size(); ++k) {
-    information += fit.derivatives[k].transpose() * fit.derivatives[k];
-    slope += fit.derivatives[k].transpose() * fit.residuals[k];
+  for (const WeightedSegment& segment : fit.weighted) {
+    information += segment.values.transpose() * segment.values;
+    slope += segment.values.transpose() * segment.residual;
   }
   std::vector<Eigen::Index> moved, others;
   for (Eigen::Index i = 0; i < count; ++i) {
