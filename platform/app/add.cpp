@@ -6,6 +6,7 @@
 #include "app/workbench.h"
 #include "config/effects_editor.h"
 #include "config/value.h"
+#include "evaluation/redundant_effect.h"
 #include "foundation/problem.h"
 #include "report/change_text.h"
 
@@ -136,6 +137,7 @@ void run_add(const AddOptions& options) {
   const std::string edited = insert_effect(text, entry);
   Rig extended = open_extended(options, edited, base);  // everything is checked before the file is touched
   check_new(options, entry.id, extended.definition.effects);
+  const std::string redundancy = redundancy_of(extended.definition, entry.id);
 
   const RevisionErrors before = errors_before_edit(options, std::move(base));
   const RevisionErrors after = errors_before_edit(options, std::move(extended));
@@ -143,6 +145,7 @@ void run_add(const AddOptions& options) {
   if (!takes_standard_output(options.json)) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
     fmt::print("{}", change_text(before, after));
+    if (!redundancy.empty()) fmt::print("{}\n", redundancy);
     fmt::print("undo: lacuna undo {0}\n→ lacuna compare {0}\n", options.experiment.string());
   }
   if (options.json) write_output(*options.json, change_json(entry.id, before, after));

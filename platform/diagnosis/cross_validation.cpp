@@ -43,8 +43,8 @@ std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<s
   std::vector<Eigen::MatrixXd> fold_information(last + 1, information);
   std::vector<Eigen::VectorXd> fold_score(last + 1, score);
   for (std::size_t k = 0; k < folds.size(); ++k) {
-    fold_information[folds[k]] += fit.derivatives[k].transpose() * fit.derivatives[k];
-    fold_score[folds[k]] += fit.derivatives[k].transpose() * fit.residuals[k];
+    fold_information[folds[k]] += fit.weighted[k].values.transpose() * fit.weighted[k].values;
+    fold_score[folds[k]] += fit.weighted[k].values.transpose() * fit.weighted[k].residual;
   }
   for (std::size_t f = 0; f <= last; ++f) {
     information += fold_information[f];
@@ -66,8 +66,11 @@ std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<s
 Eigen::VectorXd held_out_deviance(const Refit& fit, const std::vector<std::size_t>& folds) {
   const std::vector<Eigen::VectorXd> steps = steps_without(fit, folds);
   Eigen::VectorXd deviance(static_cast<Eigen::Index>(folds.size()));
-  for (std::size_t k = 0; k < folds.size(); ++k)
-    deviance(static_cast<Eigen::Index>(k)) = (fit.residuals[k] + fit.derivatives[k] * steps[folds[k]]).squaredNorm();
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    const RobustSegment& segment = fit.segments[k];
+    deviance(static_cast<Eigen::Index>(k)) =
+        robust_deviance(segment, segment.residual + segment.values * steps[folds[k]]);
+  }
   return deviance;
 }
 

@@ -11,8 +11,9 @@ namespace lacuna {
 /// segments of a trial.
 std::vector<std::size_t> folds(const std::vector<Segment>& segments);
 
-/// Deviance (−2 log likelihood but for a constant) of every segment as predicted from the other folds: the values are
-/// those of one Gauss–Newton step from the full fit that leaves the fold out; the segment's start is marginalised.
+/// Deviance (−2 log likelihood under the loss of the fits, but for a constant) of every segment as predicted from the
+/// other folds: the values are those of one Gauss–Newton step from the full fit that leaves the fold out; the segment's
+/// start is free. Whatever is fitted in a round, effects and forces of any form, is judged by this.
 Eigen::VectorXd held_out_deviance(const Refit& fit, const std::vector<std::size_t>& folds);
 
 /// What the values move by when a fold is left out, in coordinates; by fold.

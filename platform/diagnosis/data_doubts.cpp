@@ -2,6 +2,7 @@
 
 #include "diagnosis/channel_doubts.h"
 #include "diagnosis/command_doubts.h"
+#include "diagnosis/copy_doubts.h"
 #include "diagnosis/trial_doubts.h"
 #include "diagnosis/unit_doubts.h"
 #include "fitting/noise_floor.h"
@@ -42,6 +43,7 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
   const std::vector<Doubt> feedback = feedback_doubts(task);
   add(feedback);
   if (disqualifying(feedback).empty()) add(motion_doubts(task));  // else the commands are none
+  add(copy_doubts(task.trials));
   add(amount_doubts(task));
   std::stable_partition(doubts.begin(), doubts.end(),
                         [](const Doubt& doubt) { return doubt.severity == Severity::disqualifying; });

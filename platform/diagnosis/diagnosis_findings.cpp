@@ -47,10 +47,10 @@ std::string what_is_left(const Diagnosis& diagnosis) {
                      100.0 * std::clamp(after / before, 0.0, 1.0));
 }
 
-/// Of all that is to be gained.
+/// Of all that is to be gained, all told under one noise.
 double share_of_answer(const Diagnosis& diagnosis) {
   if (diagnosis.ranking.empty() || diagnosis.ranking.front().effects.empty()) return 0.0;
-  const double answer = std::max(0.0, diagnosis.ranking.front().gain.value);
+  const double answer = std::max(0.0, diagnosis.answer_gain.value);
   const double all = answer + std::max(0.0, diagnosis.free_force_gain.value);
   return all > 0.0 ? answer / all : 0.0;
 }
@@ -60,7 +60,8 @@ double share_of_answer(const Diagnosis& diagnosis) {
 bool answer_comes_first(const Diagnosis& diagnosis) {
   const double share = share_of_answer(diagnosis);
   if (share >= kMostOfIt || diagnosis.formulas.empty()) return share >= kMostOfIt;
-  return share > 0.0 && diagnosis.ranking.front().gain.value > diagnosis.formulas.front().gain.value;
+  const Gain& answer = diagnosis.formulas_of_rest ? diagnosis.answer_gain : diagnosis.ranking.front().gain;
+  return share > 0.0 && answer.value > diagnosis.formulas.front().gain.value;
 }
 
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,

@@ -177,12 +177,11 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    if (!state_.law_leads && !contender_.added.empty()) {  // the library has the law; what is left may have another
-      state_.so_far.residual_force = round.free_force.curves;
-      state_.so_far.formulas = round.formulas;
-    }
+    if (!state_.law_leads && !contender_.added.empty()) tell_rest(round);  // the library has the law
+    state_.so_far.answer_gain = gain_of_answer(round);
     conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
              task_.seed);
+    if (state_.law_leads && state_.so_far.verdict == Verdict::not_in_library && is_answer()) tell_rest(round);
     if (is_answer()) {
       meter_.add_parts(1);
       meter_.begin_part("other lengths of segments");
@@ -193,6 +192,23 @@ class EffectSearch {
     look_for_feedback();
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
+  }
+
+  /// What the answer leaves may have a law of its own.
+  void tell_rest(const Round& round) {
+    state_.so_far.residual_force = round.free_force.curves;
+    state_.so_far.formulas = round.formulas;
+    state_.so_far.formulas_of_rest = true;
+  }
+
+  /// Over the model without any effect, both under the noise of `round`.
+  Gain gain_of_answer(const Round& round) const {
+    if (contender_.added.empty()) return {};
+    Contender none = plain_;
+    none.values = state_.base_values;
+    const Refit fit = refit_reduced(none, round, task_.threads);
+    if (!fit.valid) return state_.gains.at(names_of(contender_.added));
+    return gain(held_out_deviance(fit, round.folds), round.held_out, task_.seed);
   }
 
   /// Whether the effects found are said to be missing, and do not only imitate something.

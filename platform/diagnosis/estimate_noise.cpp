@@ -84,7 +84,7 @@ class RestrictedLikelihood {
   struct Part {
     bool valid = false;
     double deviance = 0.0;
-    Eigen::MatrixXd information;
+    Eigen::MatrixXd information;  ///< the lower half
     Eigen::VectorXd score;
   };
 
@@ -98,7 +98,9 @@ class RestrictedLikelihood {
     if (solver.info() != Eigen::Success) return {};
     const Eigen::VectorXd residual = solver.matrixL().solve(segment.residual);
     const Eigen::MatrixXd columns = solver.matrixL().solve(explained_[k]);
-    return {true, log_determinant(solver) + residual.squaredNorm(), columns.transpose() * columns,
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+    information.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+    return {true, log_determinant(solver) + residual.squaredNorm(), std::move(information),
             columns.transpose() * residual};
   }
 

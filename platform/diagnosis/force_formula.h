@@ -1,8 +1,8 @@
 #pragma once
 
 #include "diagnosis/cross_validation.h"
+#include "diagnosis/force_task.h"
 #include "diagnosis/joint_motion.h"
-#include "diagnosis/whitened.h"
 
 #include <string>
 #include <vector>
@@ -32,8 +32,7 @@ struct ForceFormula {
 ///
 /// Literature: S. L. Brunton, J. L. Proctor and J. N. Kutz, PNAS 113 (2016) 3932-3937 (sparse regression over
 /// candidate terms); here the terms pass through the model's own sensitivities, so that nothing is differentiated.
-std::vector<ForceFormula> find_formulas(const WhitenedSegments& whitened, const std::vector<JointMotion>& motions,
-                                        const ForceResponses& forces, const std::vector<std::size_t>& folds,
-                                        std::uint64_t seed);
+std::vector<ForceFormula> find_formulas(const ForceTask& task, const std::vector<JointMotion>& motions,
+                                        const ForceResponses& forces);
 
 }  // namespace lacuna

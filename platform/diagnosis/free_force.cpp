@@ -1,13 +1,19 @@
 #include "diagnosis/free_force.h"
 
+#include "diagnosis/cross_validation.h"
 #include "diagnosis/force_interaction.h"
+#include "diagnosis/force_regression.h"
+#include "diagnosis/screening.h"
+#include "fitting/seeded_noise.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <boost/math/distributions/chi_squared.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace lacuna {
@@ -19,6 +25,8 @@ constexpr int kSliceKnots = 9;                     // ... at so many velocities
 constexpr double kNear = 0.1, kSeen = 0.05;        // of the range of positions; of the velocities there
 constexpr double kRounding = 1e-6;                 // of the strongest direction
 constexpr std::array kRidges = {0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0};
+constexpr Eigen::Index kFewestBlocks = 16;
+constexpr int kMostChoices = 3;  // of a ridge, each with the weights of the fit before
 
 /// One of the quantities that a joint's force may follow.
 struct Regressor {
@@ -78,21 +86,71 @@ Eigen::MatrixXd independent(const Eigen::MatrixXd& columns) {
   return unit.asDiagonal() * Eigen::MatrixXd(eigen.eigenvectors()(Eigen::all, kept));
 }
 
-/// The force where `readings` say, and its standard errors.
-void draw_curves(const Eigen::MatrixXd& readings, const Eigen::MatrixXd& combinations, const Eigen::MatrixXd& gram,
-                 const Eigen::VectorXd& score, double ridge, std::vector<ForceCurve>& curves) {
-  Eigen::MatrixXd information = gram;
-  information.diagonal().array() += ridge;
-  const Eigen::LLT<Eigen::MatrixXd> solver(information);
-  const Eigen::MatrixXd seen = readings * combinations;
-  const Eigen::VectorXd force = seen * solver.solve(score);
-  const Eigen::VectorXd variance = solver.matrixL().solve(seen.transpose()).colwise().squaredNorm();
+/// The force where `readings` say, and its standard errors; of a fit of combinations.
+void draw_curves(const Eigen::MatrixXd& readings, const Eigen::VectorXd& sizes, const Eigen::MatrixXd& covariance,
+                 std::vector<ForceCurve>& curves) {
+  const Eigen::VectorXd force = readings * sizes;
+  const Eigen::VectorXd variance = (readings * covariance).cwiseProduct(readings).rowwise().sum();
   Eigen::Index row = 0;
   for (ForceCurve& curve : curves)
     for (std::size_t i = 0; i < curve.at.size(); ++i, ++row) {
       curve.force.push_back(force(row));
-      curve.standard_error.push_back(std::sqrt(variance(row)));
+      curve.standard_error.push_back(std::sqrt(std::max(0.0, variance(row))));
     }
+}
+
+/// What each segment contributes to the score of every column, columns made orthonormal: columns × segments.
+Eigen::MatrixXd scores_of(const WhitenedSegments& whitened, const Eigen::MatrixXd& columns, std::size_t segments) {
+  Eigen::MatrixXd scores(columns.cols(), static_cast<Eigen::Index>(segments));
+  for (std::size_t k = 0; k < segments; ++k) {
+    const Eigen::Index first = whitened.first(k), rows = whitened.first(k + 1) - first;
+    scores.col(static_cast<Eigen::Index>(k)) =
+        columns.middleRows(first, rows).transpose() * whitened.residual().segment(first, rows);
+  }
+  return Eigen::MatrixXd(columns.transpose() * columns).llt().matrixL().solve(scores);
+}
+
+/// Scores of blocks of so many segments, one after the other.
+Eigen::MatrixXd in_blocks(const Eigen::MatrixXd& scores, Eigen::Index length) {
+  Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(scores.rows(), (scores.cols() + length - 1) / length);
+  for (Eigen::Index k = 0; k < scores.cols(); ++k) blocks.col(k / length) += scores.col(k);
+  return blocks;
+}
+
+/// How often the deviance is reached when the signs of the blocks' scores are drawn. Noise, whatever its spectrum,
+/// pushes a block one way as often as the other; a force that follows the motion does not.
+double p_by_signs(const Eigen::MatrixXd& blocks, double deviance, std::uint64_t seed) {
+  SeededNoise random(seed, 0xf2ee);
+  Eigen::MatrixXd signs(blocks.cols(), static_cast<Eigen::Index>(kNullDraws));
+  for (double& sign : signs.reshaped()) sign = random.uniform() < 0.5 ? -1.0 : 1.0;
+  const Eigen::RowVectorXd drawn = (blocks * signs).colwise().squaredNorm();
+  const double reached = static_cast<double>((drawn.array() >= deviance).count());
+  return (1.0 + reached) / (1.0 + kNullDraws);
+}
+
+/// The largest of all lengths of blocks that leave enough of them: how long a slow random force lasts is not known.
+double p_by_chance(const Eigen::MatrixXd& scores, double deviance, std::uint64_t seed) {
+  double p = p_by_signs(scores, deviance, seed);
+  for (Eigen::Index length = 2; scores.cols() >= length * kFewestBlocks; length *= 2)
+    p = std::max(p, p_by_signs(in_blocks(scores, length), deviance, seed));
+  return p;
+}
+
+/// How often chance alone would make the held-out gain one.
+double p_of(const Gain& gain) {
+  if (!(gain.standard_error > 0.0)) return gain.value > 0.0 ? 0.0 : 1.0;
+  return 0.5 * std::erfc(gain.value / gain.standard_error / std::numbers::sqrt2);
+}
+
+double best_ridge(const ForceRegression& regression, const ForceRegression::Columns& all) {
+  double least = INFINITY, best = kRidges.front();
+  for (const double ridge : kRidges) {
+    const double deviance = regression.held_out(all, ridge).sum();
+    if (!(deviance < least)) continue;
+    least = deviance;
+    best = ridge;
+  }
+  return best;
 }
 
 /// The functions of one joint.
@@ -208,54 +266,29 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
   return force;
 }
 
-FreeForceTest test_free_force(const WhitenedSegments& whitened, const FreeForce& force,
-                              const std::vector<std::size_t>& folds) {
+FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whitened, const FreeForce& force) {
   FreeForceTest result;
-  result.held_out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(folds.size()));
+  result.held_out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.folds.size()));
   if (force.empty()) return result;
-  const Eigen::MatrixXd all = whitened.project(force.columns);
-  const Eigen::MatrixXd combinations = independent(all);
-  const Eigen::MatrixXd columns = all * combinations;
-  const Eigen::VectorXd& residual = whitened.residual();
-  const Eigen::MatrixXd gram = columns.transpose() * columns;
-  const Eigen::VectorXd score = columns.transpose() * residual;
-  result.freedom = static_cast<int>(columns.cols());
+  const Eigen::MatrixXd projected = whitened.project(force.columns);
+  const Eigen::MatrixXd combinations = independent(projected);
+  result.freedom = static_cast<int>(combinations.cols());
   if (result.freedom == 0) return result;
-  result.deviance = score.dot(gram.ldlt().solve(score));
-  const boost::math::chi_squared chance(result.freedom);
-  result.p = boost::math::cdf(boost::math::complement(chance, std::max(0.0, result.deviance)));
-  const std::size_t last = *std::max_element(folds.begin(), folds.end());
-  double least = INFINITY, best = kRidges.front();
-  for (const double ridge : kRidges) {
-    Eigen::VectorXd deviance = Eigen::VectorXd::Zero(result.held_out.size());
-    for (std::size_t f = 0; f <= last; ++f) {
-      Eigen::MatrixXd others = gram;
-      Eigen::VectorXd wanted = score;
-      for (std::size_t k = 0; k < folds.size(); ++k) {
-        if (folds[k] != f) continue;
-        const Eigen::Index rows = whitened.first(k + 1) - whitened.first(k);
-        const auto part = columns.middleRows(whitened.first(k), rows);
-        others -= part.transpose() * part;
-        wanted -= part.transpose() * residual.segment(whitened.first(k), rows);
-      }
-      others.diagonal().array() += ridge;
-      const Eigen::VectorXd sizes = others.ldlt().solve(wanted);
-      for (std::size_t k = 0; k < folds.size(); ++k) {
-        if (folds[k] != f) continue;
-        const Eigen::Index rows = whitened.first(k + 1) - whitened.first(k);
-        deviance(static_cast<Eigen::Index>(k)) =
-            (residual.segment(whitened.first(k), rows) - columns.middleRows(whitened.first(k), rows) * sizes)
-                .squaredNorm();
-      }
-    }
-    if (deviance.sum() < least) {
-      least = deviance.sum();
-      best = ridge;
-      result.held_out = deviance;
-    }
-  }
+  const Eigen::MatrixXd scores = scores_of(whitened, projected * combinations, task.folds.size());
+  result.deviance = scores.rowwise().sum().squaredNorm();
+  std::vector<Eigen::MatrixXd> columns;
+  for (const Eigen::MatrixXd& one : force.columns) columns.emplace_back(one * combinations);
+  ForceRegression regression(task.base, task.factors, columns, task.folds);
+  ForceRegression::Columns all(static_cast<std::size_t>(result.freedom));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  double ridge = best_ridge(regression, all);
+  for (int time = 0; time < kMostChoices && regression.settle(all, ridge); ++time) ridge = best_ridge(regression, all);
+  result.held_out = regression.held_out(all, ridge);
+  const Gain found = gain(held_out_deviance(task.base, task.folds), result.held_out, task.seed);
+  result.p = std::max(p_by_chance(scores, result.deviance, task.seed), p_of(found));
   result.curves = force.curves;
-  draw_curves(force.readings, combinations, gram, score, best, result.curves);
+  draw_curves(force.readings * combinations, regression.sizes(all, ridge), regression.covariance(all, ridge),
+              result.curves);
   return result;
 }
 

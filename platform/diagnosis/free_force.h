@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnosis/force_task.h"
 #include "diagnosis/joint_motion.h"
 #include "diagnosis/whitened.h"
 
@@ -37,12 +38,13 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
 struct FreeForceTest {
   double deviance = 0.0;  ///< by how much −2 log likelihood falls
   int freedom = 0;        ///< independent functions that can be seen
-  double p = 1.0;         ///< of χ²
+  /// How often noise explains as much: blocks of segments pushed either way at random, or a held-out gain that is one
+  /// by chance, whichever is more likely; at least 1/(draws + 1).
+  double p = 1.0;
   /// Held-out deviance by segment, folds left out one by one; ridge by cross-validation.
   Eigen::VectorXd held_out;
   std::vector<ForceCurve> curves;  ///< told
 };
-FreeForceTest test_free_force(const WhitenedSegments& whitened, const FreeForce& force,
-                              const std::vector<std::size_t>& folds);
+FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whitened, const FreeForce& force);
 
 }  // namespace lacuna

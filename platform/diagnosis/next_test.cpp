@@ -16,11 +16,12 @@ namespace {
 
 constexpr double kRandomShare = 0.6;  ///< of the budget
 constexpr int kFewestRandom = 5;
-constexpr std::size_t kRefined = 4;   ///< tests that have children
-constexpr std::size_t kBatch = 8;     ///< evaluations between two looks at the user's wishes
-constexpr double kFirstStep = 0.3;    ///< of a gene's range, in the first generation of children
-constexpr double kLastStep = 0.05;    ///< in the last one
-constexpr double kOtherChoice = 0.2;  ///< chance that a whole-number gene changes
+constexpr std::size_t kRefined = 4;         ///< tests that have children
+constexpr std::size_t kBatch = 8;           ///< evaluations between two looks at the user's wishes
+constexpr double kFirstStep = 0.3;          ///< of a gene's range, in the first generation of children
+constexpr double kLastStep = 0.05;          ///< in the last one
+constexpr double kMoreThanEnough = 1000.0;  ///< nats
+constexpr double kOtherChoice = 0.2;        ///< chance that a whole-number gene changes
 
 struct DrawnTest {
   Genome genome;
@@ -135,13 +136,18 @@ std::string trials_text(double trials) {
   return fmt::format("{:g} trial{}", trials, trials == 1.0 ? "" : "s");
 }
 
+/// How much more than enough a test tells is not known, and does not matter.
+std::string worth_text(double nats) {
+  return nats > kMoreThanEnough ? fmt::format("more than {:g}", kMoreThanEnough) : fmt::format("{:.3g}", nats);
+}
+
 }  // namespace
 
 NextTest next_test(const NextTestTask& task) { return TestSearch(task).run(); }
 
 std::string to_string(const NextTest& test) {
-  return fmt::format("{}: {:.3g} nats a trial (a random one {:.3g}), {} for {:g} nats (a random one {})", test.line,
-                     test.nats, test.random_nats, trials_text(test.trials), kDecisiveNats,
+  return fmt::format("{}: {} nats a trial (a random one {}), {} for {:g} nats (a random one {})", test.line,
+                     worth_text(test.nats), worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats,
                      trials_text(test.random_trials));
 }
 

@@ -18,6 +18,7 @@ constexpr double kBeside = 0.01;   ///< of a parameter's range, where one matter
 constexpr double kEnough = 0.5;    ///< of the residual
 constexpr double kTooMuch = 1.5;   ///< of the residual
 constexpr double kVisible = 1e-3;  ///< of the sensor noise
+constexpr double kSame = 1e-9;     ///< of the sensor noise
 
 /// Simulates a hypothesis at the base's solution, on some of its segments.
 class Bench {
@@ -33,15 +34,17 @@ class Bench {
   bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
     return problem_.residuals({space_.to_coordinates(hypothesis_.values(base_.values, own)), states_}, residuals);
   }
-  const ShootingProblem& problem() const { return problem_; }
+  /// Segments of the base that are simulated.
+  const std::vector<std::size_t>& segments() const { return chosen_; }
 
  private:
   std::vector<Segment> chosen(const BaseSolution& base, std::size_t most) {
     const std::size_t count = std::min(most, base.segments.size());
     std::vector<Segment> kept;
     for (std::size_t i = 0; i < count; ++i) {
-      kept.push_back(base.segments[i * base.segments.size() / count]);
-      states_.push_back(base.states[i * base.segments.size() / count]);
+      chosen_.push_back(i * base.segments.size() / count);
+      kept.push_back(base.segments[chosen_.back()]);
+      states_.push_back(base.states[chosen_.back()]);
     }
     return kept;
   }
@@ -50,6 +53,7 @@ class Bench {
   const BaseSolution& base_;
   TrialPredictor predictor_;
   ParameterSpace space_;
+  std::vector<std::size_t> chosen_;
   std::vector<Eigen::VectorXd> states_;
   ShootingProblem problem_;
 };
@@ -67,6 +71,15 @@ class Ladder {
   }
 
   bool valid() const { return valid_; }
+  /// Whether the hypothesis, neutral, predicts what the base does.
+  bool starts_at_base(const BaseSolution& base, const RowBins& bins) const {
+    for (std::size_t i = 0; i < calm_.size(); ++i) {
+      const std::size_t k = bench_.segments()[i];
+      const Eigen::VectorXd change = bins.means(k, calm_[i]) - base.linear[k].residual;
+      if (!(change.cwiseAbs().maxCoeff() <= kSame)) return false;
+    }
+    return true;
+  }
   /// What the other parameters are while one climbs; at first neutral.
   void set_others(const std::vector<double>& others) { others_ = others; }
 
@@ -183,10 +196,8 @@ void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vecto
 }
 
 /// Probes without their responses.
-std::vector<Probe> sized_probes(const Hypothesis& hypothesis, const BaseSolution& base,
+std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
                                 const std::map<std::string, double>& scales) {
-  Ladder ladder(hypothesis, base);
-  if (!ladder.valid()) return {};
   std::vector<Probe> probes;
   std::vector<std::size_t> shapes, unused;
   climb(ladder, hypothesis.neutral, probes, shapes);
@@ -214,14 +225,21 @@ std::vector<Probe> sized_probes(const Hypothesis& hypothesis, const BaseSolution
 
 std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
                                const std::map<std::string, double>& scales) {
-  std::vector<Probe> probes = sized_probes(hypothesis, base, scales);
+  Ladder ladder(hypothesis, base);
+  if (!ladder.valid()) return {};
+  std::vector<Probe> probes = sized_probes(ladder, hypothesis, scales);
   if (probes.empty()) return {};
   Bench bench(hypothesis, base, base.segments.size());
   std::vector<Eigen::VectorXd> calm, moved;
-  if (!bench.residuals(hypothesis.neutral, calm)) return {};
+  if (ladder.starts_at_base(base, bins)) {
+    for (const LinearSegment& segment : base.linear) calm.push_back(segment.residual);
+  } else {
+    if (!bench.residuals(hypothesis.neutral, calm)) return {};
+    for (std::size_t k = 0; k < calm.size(); ++k) calm[k] = bins.means(k, calm[k]);
+  }
   for (Probe& probe : probes) {
     if (!bench.residuals(probe.own, moved)) continue;
-    for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(bins.means(k, calm[k] - moved[k]));
+    for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(calm[k] - bins.means(k, moved[k]));
   }
   std::erase_if(probes, [](const Probe& probe) { return probe.response.empty(); });
   return probes;

@@ -1,6 +1,5 @@
 #include "diagnosis/refit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include <cmath>
@@ -13,43 +12,23 @@ namespace {
 /// Of free runs through contacts, where the deviance is no smoother: impacts happen at whole steps.
 constexpr int kMostRunIterations = 10;
 constexpr double kRunPrecision = 0.5;
-constexpr double kThreshold = 4.0;  ///< standard deviations, beyond which a bin counts linearly
-
-/// Takes out of the rows what the segment's own start could explain. Returns how the start follows the values.
-Eigen::MatrixXd project_out(const Eigen::MatrixXd& state, Eigen::VectorXd& residual, Eigen::MatrixXd& derivatives) {
-  if (state.cols() == 0) return Eigen::MatrixXd::Zero(0, derivatives.cols());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(state);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(state.rows(), state.cols());
-  Eigen::MatrixXd follows = qr.solve(derivatives);
-  follows = -follows;
-  residual -= basis * (basis.transpose() * residual);
-  derivatives -= basis * (basis.transpose() * derivatives);
-  return follows;
-}
 
 void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::MatrixXd>& factors,
-                       LeastSquaresResult& search, const RobustLoss& loss, Refit& result) {
+                       LeastSquaresResult& search, Refit& result) {
   std::vector<SegmentJacobian>& jacobians = search.jacobians;
   if (jacobians.empty()) problem.linearize(search.point, search.residuals, jacobians);
   const Eigen::Index count = search.point.values.size();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   for (std::size_t k = 0; k < jacobians.size(); ++k) {
-    Eigen::VectorXd residual = search.residuals[k];
-    Eigen::MatrixXd derivatives = jacobians[k].values, state = jacobians[k].state;
-    for (Eigen::Index row = 0; row < problem.robust_rows(k); ++row) {
-      const double weight = std::sqrt(loss.weight(residual(row)));
-      residual(row) *= weight;
-      derivatives.row(row) *= weight;
-      state.row(row) *= weight;
-    }
-    const Eigen::MatrixXd follows = project_out(state, residual, derivatives);
     const Eigen::Index bins = problem.robust_rows(k);
-    result.bin_residuals.emplace_back(factors[k] * search.residuals[k].head(bins));
+    const RobustSegment segment{search.residuals[k], jacobians[k].values, jacobians[k].state, bins};
+    WeightedSegment under_weights = weighted(segment, segment.weights(segment.residual));
+    result.bin_residuals.emplace_back(factors[k] * segment.residual.head(bins));
     result.bin_derivatives.emplace_back(
-        factors[k] * (jacobians[k].values.topRows(bins) + jacobians[k].state.topRows(bins) * follows));
-    information += derivatives.transpose() * derivatives;
-    result.residuals.push_back(std::move(residual));
-    result.derivatives.push_back(std::move(derivatives));
+        factors[k] * (segment.values.topRows(bins) + segment.state.topRows(bins) * under_weights.start_follows));
+    information += under_weights.values.transpose() * under_weights.values;
+    result.segments.push_back(segment);
+    result.weighted.push_back(std::move(under_weights));
   }
   const double near = 1e-9;
   std::vector<Eigen::Index> inside;
@@ -75,7 +54,7 @@ std::vector<double> known_steps(const RefittedModel& refitted, const BaseSolutio
 
 /// The start with the least cost; nothing where none can be simulated.
 std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpace& space, const BaseSolution& base,
-                                   const std::vector<std::vector<double>>& starts, const RobustLoss& loss) {
+                                   const std::vector<std::vector<double>>& starts) {
   std::optional<FitPoint> best;
   double least = std::numeric_limits<double>::infinity();
   std::vector<Eigen::VectorXd> residuals;
@@ -83,7 +62,7 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
     FitPoint point{Eigen::VectorXd::Zero(problem.lower().size()), base.states};
     point.values.head(space.size()) = space.clamp(space.to_coordinates(start));
     if (!problem.residuals(point, residuals)) continue;
-    const double cost = total_cost(problem, residuals, loss);
+    const double cost = total_cost(problem, residuals, kBinLoss);
     if (!(cost < least)) continue;
     least = cost;
     best = point;
@@ -101,15 +80,14 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, base.nuisance);
-  const RobustLoss loss{kThreshold};
   if (base.free_run) {
     effort.iterations = std::min(effort.iterations, kMostRunIterations);
     effort.precision = std::max(effort.precision, kRunPrecision);
   }
   LeastSquaresOptions options{
-      .loss = loss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}, .secants = true};
+      .loss = kBinLoss, .max_iterations = effort.iterations, .tolerance = 0.0, .progress = {}, .secants = true};
   options.tolerance = effort.precision / static_cast<double>(bins.rows());
-  const std::optional<FitPoint> start = best_start(problem, space, base, starts, loss);
+  const std::optional<FitPoint> start = best_start(problem, space, base, starts);
   Refit best;
   if (!start) return best;
   LeastSquaresResult solution = minimize(problem, *start, options);
@@ -120,7 +98,7 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   best.values = space.to_values(solution.point.values.head(space.size()));
   best.nuisance = solution.point.values.tail(problem.nuisances());
   best.states = solution.point.states;
-  describe_solution(problem, factors, solution, loss, best);
+  describe_solution(problem, factors, solution, best);
   return best;
 }
 

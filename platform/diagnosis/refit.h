@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/base_solution.h"
+#include "diagnosis/robust_segment.h"
 #include "diagnosis/whitened_problem.h"
 
 #include <vector>
@@ -15,10 +16,9 @@ struct Refit {
   std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
   Eigen::VectorXd nuisance;             ///< coefficients of the nuisance columns
   double deviance = 0.0;                ///< Σ of the loss: −2 log likelihood but for a constant
-  /// By segment, with its start projected out: whitened residual, and its derivatives by the values' coordinates.
-  std::vector<Eigen::VectorXd> residuals;
-  std::vector<Eigen::MatrixXd> derivatives;
-  /// The same before whitening, bins alone, in multiples of the sensor noise; starts follow the values.
+  std::vector<RobustSegment> segments;
+  std::vector<WeightedSegment> weighted;  ///< the same under the weights of the fit
+  /// Residual and derivatives before whitening, bins alone, in multiples of the sensor noise; starts follow the values.
   std::vector<Eigen::VectorXd> bin_residuals;
   std::vector<Eigen::MatrixXd> bin_derivatives;
   std::vector<bool> at_bound;  ///< a value

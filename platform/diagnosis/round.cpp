@@ -116,10 +116,10 @@ class Look {
     refit_model();
     const WhitenedSegments whitened(round_.noise, with_nuisance(round_.base, round_.fit));
     round_.screening = screen(whitened, probes_, task_.seed);
-    round_.free_force = test_free_force(whitened, force_, round_.folds);
+    const ForceTask beside{round_.fit, round_.factors, round_.folds, task_.seed};
+    round_.free_force = test_free_force(beside, whitened, force_);
     if (force_.empty()) round_.free_force.held_out = round_.held_out;
-    if (round_.free_force.p < kFreeForceLevel)
-      round_.formulas = find_formulas(whitened, motions_, round_.forces, round_.folds, task_.seed);
+    if (round_.free_force.p < kFreeForceLevel) round_.formulas = find_formulas(beside, motions_, round_.forces);
   }
 
   void refit_model() {

@@ -99,6 +99,38 @@ Refit refit_over(const LengthTask& task, double length) {
                task.threads);
 }
 
+/// By how much the deviance grows, to second order, where the effects get the answer's values and all else is fitted
+/// again. What these segments tell little of grows little.
+double deviance_against_answer(const LengthTask& task, const Refit& fit) {
+  const ParameterSpace space(task.contender.definition.free);
+  const auto count = static_cast<Eigen::Index>(fit.values.size());
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
+  for (std::size_t k = 0; k < fit.derivatives.size(); ++k) {
+    information += fit.derivatives[k].transpose() * fit.derivatives[k];
+    slope += fit.derivatives[k].transpose() * fit.residuals[k];
+  }
+  std::vector<Eigen::Index> moved, others;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    const bool of_effect = task.contender.definition.free[place].address.starts_with("effect.");
+    if (of_effect)
+      moved.push_back(i);
+    else if (!fit.at_bound[place])
+      others.push_back(i);
+  }
+  Eigen::VectorXd way(static_cast<Eigen::Index>(moved.size()));
+  for (std::size_t m = 0; m < moved.size(); ++m) {
+    const auto place = static_cast<std::size_t>(moved[m]);
+    way(static_cast<Eigen::Index>(m)) =
+        space.to_coordinate(moved[m], task.last.fit.values[place]) - space.to_coordinate(moved[m], fit.values[place]);
+  }
+  const Eigen::MatrixXd own = information(moved, moved), mixed = information(moved, others);
+  const Eigen::MatrixXd left =
+      own - mixed * information(others, others).completeOrthogonalDecomposition().solve(mixed.transpose());
+  return std::max(0.0, 2.0 * slope(moved).dot(way) + way.dot(left * way));
+}
+
 }  // namespace
 
 std::vector<EffectsAtLength> refit_at_lengths(const LengthTask& task) {
@@ -110,7 +142,9 @@ std::vector<EffectsAtLength> refit_at_lengths(const LengthTask& task) {
     throw_if_interrupted();
     try {
       const Refit fit = refit_over(task, length);
-      if (fit.valid) found.push_back({length, found_effects(task.contender.added, task.contender.definition, fit)});
+      if (fit.valid)
+        found.push_back({length, found_effects(task.contender.added, task.contender.definition, fit),
+                         deviance_against_answer(task, fit)});
     } catch (const Interrupted&) {
       throw;
     } catch (const Error&) {  // a length over which these data tell nothing

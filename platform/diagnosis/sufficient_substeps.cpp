@@ -1,5 +1,6 @@
 #include "diagnosis/sufficient_substeps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -7,7 +8,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTolerated = 1.0;  ///< of the sensor noise
+/// Of the sensor noise, by which twice as many substeps may change the prediction. What of it a round's model makes is
+/// taken off the data; that another model makes a few hundredths less or more is all that stays.
+constexpr double kTolerated = 2.0;
 
 using Residuals = std::optional<std::vector<Eigen::VectorXd>>;
 
@@ -37,15 +40,15 @@ double rms_change(const Residuals& a, const Residuals& b) {
 
 int sufficient_substeps(const ModelDefinition& definition, const BaseSolution& base, int threads) {
   if (base.free_run) return definition.engine.substeps;
-  int substeps = 1;
-  Residuals coarse = residuals_with(substeps, definition, base, threads);
-  while (substeps < definition.engine.substeps) {
-    Residuals fine = residuals_with(2 * substeps, definition, base, threads);
-    if (rms_change(coarse, fine) <= kTolerated) return substeps;
-    substeps *= 2;
-    coarse = std::move(fine);
+  const int most = definition.engine.substeps;
+  for (int substeps = 1; substeps < most;) {
+    const double change = rms_change(residuals_with(substeps, definition, base, threads),
+                                     residuals_with(2 * substeps, definition, base, threads));
+    if (change <= kTolerated) return substeps;
+    const double wanted = std::ceil(substeps * change / kTolerated);  // the error is of first order
+    substeps = std::max(substeps + 1, static_cast<int>(std::min(wanted, 2.0 * substeps)));
   }
-  return definition.engine.substeps;
+  return most;
 }
 
 }  // namespace lacuna

@@ -19,8 +19,9 @@ namespace {
 enum Gene : std::size_t { kShape, kAmplitude, kCentre, kLow, kHigh, kSeed, kGenes };
 
 const std::vector<std::string> kShapes = {"multisine", "steps", "chirp", "triangle"};
-bool has_band(double shape) { return shape == 0.0 || shape == 2.0; }
-bool has_seed(double shape) { return shape == 0.0 || shape == 1.0; }
+constexpr double kMultisine = 0.0, kChirp = 2.0;
+bool has_band(double shape) { return shape == kMultisine || shape == kChirp; }
+bool has_seed(double shape) { return shape == kMultisine || shape == 1.0; }
 
 constexpr double kLastSeed = 999.0;
 constexpr double kLeastCommands = 4.0;  ///< a period of the fastest command
@@ -98,19 +99,20 @@ class Words {
   std::string word_;
 };
 
-/// "0.1-5" Hz: both ends, in Hz.
-std::array<double, 2> take_band(Words& words, bool wants_two, const std::string& shape) {
+/// "0.1-5" Hz: both ends, in Hz. A multisine of one frequency is a sine.
+std::array<double, 2> take_band(Words& words, double shape) {
   const std::string numbers = words.take(), unit = words.take();
   if (numbers.empty()) throw Error("the frequency is wanted in Hz, as in \"0.1 Hz\", but the line ends before it");
   std::size_t dash = numbers.find('-', 1);
   while (dash != std::string::npos && (numbers[dash - 1] == 'e' || numbers[dash - 1] == 'E'))
     dash = numbers.find('-', dash + 1);
   const bool has_two = dash != std::string::npos;
-  if (wants_two != has_two)
-    throw Error(wants_two ? "a " + shape + " wants two frequencies, as in \"0.1-5 Hz\", but \"" + numbers + " " + unit +
-                                "\" stands there"
-                          : shape + " want one frequency, as in \"0.1 Hz\", but \"" + numbers + " " + unit +
-                                "\" stands there");
+  const std::string& name = kShapes[static_cast<std::size_t>(shape)];
+  if (has_two ? !has_band(shape) : shape == kChirp)
+    throw Error(has_two
+                    ? name + " want one frequency, as in \"0.1 Hz\", but \"" + numbers + " " + unit + "\" stands there"
+                    : "a " + name + " wants two frequencies, as in \"0.1-5 Hz\", but \"" + numbers + " " + unit +
+                          "\" stands there");
   Words low((has_two ? numbers.substr(0, dash) : numbers) + " " + unit);
   Words high((has_two ? numbers.substr(dash + 1) : numbers) + " " + unit);
   const std::array<double, 2> band = {low.quantity("the frequency", "Hz"), high.quantity("the frequency", "Hz")};
@@ -184,7 +186,7 @@ Part parse_part(const TestSpace& space, const std::string& text) {
   const std::string& unit = space.actuators[part.actuator].unit;
   part.genes[kAmplitude] = words.quantity("the amplitude", unit);
   if (words.take("around")) part.genes[kCentre] = words.quantity("the centre", unit);
-  const std::array<double, 2> band = take_band(words, has_band(part.genes[kShape]), shape);
+  const std::array<double, 2> band = take_band(words, part.genes[kShape]);
   part.genes[kLow] = band[0];
   part.genes[kHigh] = band[1];
   part.duration = words.quantity("the duration", "s");
@@ -226,7 +228,7 @@ std::string part_text(const TestSpace& space, std::size_t actuator, const double
       fmt::format("{} {} {} {}", kShapes[static_cast<std::size_t>(gene[kShape])], name, gene[kAmplitude], unit);
   if (gene[kCentre] != 0.0) text += fmt::format(" around {} {}", gene[kCentre], unit);
   text +=
-      has_band(gene[kShape]) ? fmt::format(" {}-{} Hz", gene[kLow], gene[kHigh]) : fmt::format(" {} Hz", gene[kLow]);
+      gene[kHigh] > gene[kLow] ? fmt::format(" {}-{} Hz", gene[kLow], gene[kHigh]) : fmt::format(" {} Hz", gene[kLow]);
   text += fmt::format(" {} s", space.duration);
   if (has_seed(gene[kShape])) text += fmt::format(" seed {}", gene[kSeed]);
   return text;
@@ -242,6 +244,7 @@ Genome sayable(const TestSpace& space, const Genome& genome) {
     gene[kLow] = std::max(three_digits(std::min(low, three_digits_at_most(fastest(space)))), slowest(space));
     gene[kHigh] = std::max(three_digits(std::min(high, three_digits_at_most(fastest(space)))), gene[kLow]);
     if (!has_band(gene[kShape])) gene[kHigh] = gene[kLow];
+    if (gene[kShape] == kChirp && gene[kHigh] == gene[kLow]) gene[kShape] = kMultisine;  // a sine, either way
     if (!has_seed(gene[kShape])) gene[kSeed] = 0.0;
     gene[kCentre] = std::clamp(three_digits(gene[kCentre]), space.lower[a], space.upper[a]);
     gene[kAmplitude] = three_digits_at_most(std::min(gene[kAmplitude], room(space, a, gene[kCentre])));

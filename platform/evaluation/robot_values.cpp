@@ -64,12 +64,6 @@ void scale_inertia(InertiaSpec& inertia, double factor) {
     *moment *= factor;
 }
 
-void assign(RobotSpec& robot, const AddressedValue& target, double value) {
-  for (BodySpec& body : robot.bodies)
-    if (target.value == &body.mass && body.inertia_scales_with_mass) scale_inertia(body.inertia, value / body.mass);
-  *target.value = value;
-}
-
 FreeValue free_value(const AddressedValue& value, const FreeRange& range) {
   return {.address = value.address,
           .unit = value.unit,
@@ -82,6 +76,12 @@ FreeValue free_value(const AddressedValue& value, const FreeRange& range) {
 
 }  // namespace
 
+void assign_value(RobotSpec& robot, const AddressedValue& target, double value) {
+  for (BodySpec& body : robot.bodies)
+    if (target.value == &body.mass && body.inertia_scales_with_mass) scale_inertia(body.inertia, value / body.mass);
+  *target.value = value;
+}
+
 void set_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& complaints) {
   const std::vector<AddressedValue> values = addressed_values(robot);
   std::vector<std::string> patterns;
@@ -93,7 +93,7 @@ void set_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& 
     const double value = source.section.set.at(pattern);
     complaints.check_unit(source.key + ".set." + pattern, values[i].unit);
     if (value >= values[i].lower && value <= values[i].upper)
-      assign(robot, values[i], value);
+      assign_value(robot, values[i], value);
     else
       complaints.add(source.key + ".set." + pattern, format_quantity(value, values[i].unit) +
                                                          " is no possible value of " + values[i].address + " (" +

@@ -2,10 +2,14 @@
 
 #include "evaluation/complaints.h"
 #include "evaluation/model_definition.h"
+#include "foundation/address.h"
 
 #include <vector>
 
 namespace lacuna {
+
+/// Sets one value; a mass takes the inertia along where `inertia_scales_with_mass` says so. `target` is of `robot`.
+void assign_value(RobotSpec& robot, const AddressedValue& target, double value);
 
 /// Gives the robot the values of `[model.set]` (or `[target.set]`). Where several patterns match an address, the one
 /// with the fewest stars counts. A mass takes the inertia along where `inertia_scales_with_mass` says so; moments of

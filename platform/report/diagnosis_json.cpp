@@ -81,7 +81,7 @@ ordered_json document(const RandomForce& force) {
 ordered_json document(const EffectsAtLength& at) {
   ordered_json effects = ordered_json::array();
   for (const FoundEffect& effect : at.effects) effects.push_back(document(effect));
-  return {{"segment_s", at.segment}, {"effects", effects}};
+  return {{"segment_s", at.segment}, {"effects", effects}, {"against", at.against}};
 }
 
 template <class Value>
@@ -110,7 +110,9 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
       {"p_by_chance", diagnosis.p_by_chance},
       {"chance_95", diagnosis.chance_95},
       {"free_force", {{"p", diagnosis.free_force_p}, {"gain", document(diagnosis.free_force_gain)}}},
+      {"answer_gain", document(diagnosis.answer_gain)},
       {"formulas", list(diagnosis.formulas)},
+      {"formulas_of_rest", diagnosis.formulas_of_rest},
       {"residual_force", list(diagnosis.residual_force)},
       {"hypotheses", diagnosis.hypotheses},
       {"findings", diagnosis.findings},

@@ -91,13 +91,18 @@ Diagnosis read_diagnosis(const std::string& document) {
     diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
   for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
-    diagnosis.lengths.push_back({figure(one["segment_s"]), {}});
+    diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
     for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
   }
   diagnosis.p_by_chance = figure(whole["p_by_chance"]);
   diagnosis.chance_95 = figure(whole["chance_95"]);
   diagnosis.free_force_p = figure(whole["free_force"]["p"]);
   diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
+  if (whole.contains("answer_gain"))  // documents of before have the gain of the ranking alone
+    diagnosis.answer_gain = gain_of(whole["answer_gain"]);
+  else if (!diagnosis.ranking.empty())
+    diagnosis.answer_gain = diagnosis.ranking.front().gain;
+  diagnosis.formulas_of_rest = whole.value("formulas_of_rest", false);
   for (const ordered_json& one : whole["formulas"]) diagnosis.formulas.push_back(formula_of(one));
   for (const ordered_json& one : whole["residual_force"]) diagnosis.residual_force.push_back(curve_of(one));
   diagnosis.hypotheses = whole["hypotheses"];

@@ -24,8 +24,9 @@ Refit regression(std::uint64_t seed) {
   const Eigen::VectorXd best = all.householderQr().solve(residual);
   residual -= all * best;
   for (int k = 0; k < kSegments; ++k) {
-    fit.residuals.emplace_back(residual.segment(k * kRows, kRows));
-    fit.derivatives.emplace_back(all.middleRows(k * kRows, kRows));
+    fit.segments.push_back(
+        {residual.segment(k * kRows, kRows), all.middleRows(k * kRows, kRows), Eigen::MatrixXd::Zero(kRows, 0), kRows});
+    fit.weighted.push_back(weighted(fit.segments.back(), Eigen::VectorXd::Ones(kRows)));
   }
   return fit;
 }
@@ -47,15 +48,15 @@ TEST(CrossValidation, EqualsFitsThatLeaveAFoldOut) {
     for (std::size_t k = 0; k < folds.size(); ++k) {
       if (folds[k] == left_out) continue;
       others.conservativeResize(others.rows() + kRows, 2);
-      others.bottomRows(kRows) = fit.derivatives[k];
+      others.bottomRows(kRows) = fit.segments[k].values;
       wanted.conservativeResize(wanted.size() + kRows);
-      wanted.tail(kRows) = fit.residuals[k];
+      wanted.tail(kRows) = fit.segments[k].residual;
     }
     const Eigen::VectorXd step = -others.householderQr().solve(wanted);
     for (std::size_t k = 0; k < folds.size(); ++k) {
       if (folds[k] != left_out) continue;
-      EXPECT_NEAR(deviance(static_cast<Eigen::Index>(k)), (fit.residuals[k] + fit.derivatives[k] * step).squaredNorm(),
-                  1e-9);
+      EXPECT_NEAR(deviance(static_cast<Eigen::Index>(k)),
+                  (fit.segments[k].residual + fit.segments[k].values * step).squaredNorm(), 1e-9);
     }
   }
 }

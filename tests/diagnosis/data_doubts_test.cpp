@@ -225,6 +225,20 @@ TEST(DataDoubts, NoteThatNothingIsHeldOutOrThatThereIsOneFile) {
   EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("sine.csv is the only file to fit to")));
 }
 
+TEST(DataDoubts, NoteAFileThatIsACopyOfAnother) {
+  RecordedPendulum rig;
+  Trial copy = rig.trials.front();
+  copy.name = "copy.csv";
+  rig.trials.push_back(copy);
+  rig.trials[1].held_out = true;
+  EXPECT_THAT(notes_of(rig), ElementsAre(AllOf(StartsWith("copy.csv holds the same samples as " + rig.trials[0].name),
+                                               HasSubstr("counted twice"))));
+  rig.trials.back().held_out = true;
+  EXPECT_THAT(notes_of(rig), ElementsAre(HasSubstr("confirms nothing")));
+  rig.trials.back().measured.samples(100, 0) += 1e-9;
+  EXPECT_THAT(notes_of(rig), IsEmpty());
+}
+
 /// What is held out is not looked at.
 TEST(DataDoubts, DoNotLookAtWhatIsHeldOut) {
   RecordedPendulum rig;

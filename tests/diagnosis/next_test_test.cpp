@@ -218,6 +218,13 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
   EXPECT_LT((prediction.follows.col(2) - by_start).norm(), 0.01 * by_start.norm());
 }
 
+TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
+  const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
+  EXPECT_EQ(to_string(test),
+            "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats a trial (a random one 12), 1 trial for 5 nats (a "
+            "random one 1 trial)");
+}
+
 TEST(NextTest, SaysWhatItCannotTellApart) {
   const Pendulum one("");
   NextTestTask task = task_of(one, {one.rival("one", {0.1, 0.01})});

@@ -15,9 +15,10 @@ FoundEffect effect(const std::string& name, const std::string& parameter, double
   return {name, "joint.hinge", {{parameter, "N*m", value, value - half, value + half}}};
 }
 
-/// Found over 0.5 s, then over 0.1 and over 3.2 s.
-LengthVerdict judged(const FoundEffect& found, const FoundEffect& shorter, const FoundEffect& longer) {
-  return judge_lengths({found}, 0.5, {{0.1, {shorter}}, {3.2, {longer}}}, built_catalog());
+/// Found over 0.5 s, then over 0.1 and over 3.2 s, where the deviance grows by `against` with the values found first.
+LengthVerdict judged(const FoundEffect& found, const FoundEffect& shorter, const FoundEffect& longer,
+                     double against = 100.0) {
+  return judge_lengths({found}, 0.5, {{0.1, {shorter}, against}, {3.2, {longer}, against}}, built_catalog());
 }
 
 LengthVerdict judged_as(const std::string& name, const std::string& parameter, double value, double shorter,
@@ -52,6 +53,15 @@ TEST(SegmentLengths, WhatIsNotToldAtOneLengthContradictsNothing) {
 TEST(SegmentLengths, OneThatVanishesDoesNot) {
   const FoundEffect gone{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.0, kNone, kNone}}};
   EXPECT_FALSE(judged(effect("coulomb_friction", "torque", 0.2, 0.01), gone, gone).survives);
+}
+
+/// Over 0.1 s a small effect tells nothing, wherever its fit ends: 3.84 is what noise reaches in one of 20, of one
+/// value.
+TEST(SegmentLengths, OneThatVanishesWhereNothingTellsItContradictsNothing) {
+  const FoundEffect gone{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.0, kNone, kNone}}};
+  const FoundEffect found = effect("coulomb_friction", "torque", 0.2, 0.01);
+  EXPECT_TRUE(judged(found, gone, gone, 3.6).survives);
+  EXPECT_FALSE(judged(found, gone, gone, 4.0).survives);
 }
 
 /// A gain is as large as its distance from 1.

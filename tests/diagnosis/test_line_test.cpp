@@ -70,6 +70,17 @@ TEST_F(TestLineTest, WhatIsSaidIsLongEnoughAndSlowEnough) {
   EXPECT_EQ(parse_test_line(space_, "chirp motor 0.3 N*m 1e-2-4e-2 Hz 1e5 ms").duration, 100.0);
 }
 
+TEST_F(TestLineTest, ABandOfOneFrequencyIsASine) {
+  const Genome rest = {0.0, 0.0, 0.1, 0.0, 0.0, 0.0};
+  for (const double shape : {0.0, 2.0}) {
+    Genome genome = {shape, 0.3, 0.0, 0.7199, 0.7201, 3.0};
+    genome.insert(genome.end(), rest.begin(), rest.end());
+    const Genome said = sayable(space_, genome);
+    EXPECT_EQ(test_line(space_, said), "multisine motor 0.3 N*m 0.72 Hz 20 s seed 3");
+    EXPECT_EQ(parse_test_line(space_, test_line(space_, said)).genome, said);
+  }
+}
+
 TEST_F(TestLineTest, SaysWhatIsWrongAndWhatWouldBeRight) {
   expect_refused("triangel motor 0.3 N*m 0.1 Hz 20 s", "did you mean \"triangle\"?");
   expect_refused("triangle moter 0.3 N*m 0.1 Hz 20 s", "did you mean \"motor\"?");

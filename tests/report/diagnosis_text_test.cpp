@@ -34,6 +34,7 @@ Diagnosis diagnosis(Verdict verdict) {
   other.effects = {{"viscous_friction", "joint.hinge", {{"damping", "N*m*s/rad", 0.0, kNothing, kNothing}}}};
   other.look_alikes.clear();
   result.ranking = {friction(), other};
+  result.answer_gain = friction().gain;
   result.p_by_chance = 0.0005;
   result.chance_95 = 9.0;
   result.free_force_p = 0.4;
@@ -97,6 +98,19 @@ TEST(DiagnosisText, AddsWhatExplainsMoreThanTheFormula) {
   EXPECT_LT(text.find("coulomb_friction @ joint.hinge"), text.find("force on joint.hinge"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
   EXPECT_THAT(text, Not(HasSubstr("lacuna plugins new effect")));
+}
+
+/// The noise in which a formula for what is left is told is less than that of the ranking, and nats are more.
+TEST(DiagnosisText, ComparesAFormulaForWhatIsLeftUnderItsOwnNoise) {
+  Diagnosis outside = diagnosis(Verdict::not_in_library);
+  outside.answer_gain.value = 5.0 * outside.ranking.front().gain.value;
+  outside.free_force_gain.value = 0.3 * outside.answer_gain.value;
+  outside.formulas.front().gain.value = 1.2 * outside.ranking.front().gain.value;
+  EXPECT_FALSE(answer_comes_first(outside)) << "a formula for what the model lacks";
+  outside.formulas_of_rest = true;
+  EXPECT_TRUE(answer_comes_first(outside));
+  outside.formulas.front().gain.value = 1.2 * outside.answer_gain.value;
+  EXPECT_FALSE(answer_comes_first(outside));
 }
 
 /// The database keeps the document; what is read from it prints the same.

@@ -21,17 +21,22 @@ struct Group {
 struct SetPlan {
   const char* name;
   std::uint64_t seed;
+  double duration;  ///< s, of each trial
   std::vector<Group> groups;
 };
 
 /// The seeds of `reporting` belong to the figures alone: no case of it is looked at while the method changes.
 const std::vector<SetPlan>& sets() {
   static const std::vector<SetPlan> all = {
-      {"tuning", 20260, {{"one_joint", 66}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
+      {"tuning",
+       20260,
+       5.0,
+       {{"one_joint", 66}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
       {"reporting",
        77003,
+       5.0,
        {{"one_joint", 600}, {"two_joint", 200}, {"nothing", 400}, {"two_effects", 100}, {"withheld", 100}}},
-      {"fixed", 4001, {{"one_joint", 30}, {"nothing", 10}}}};
+      {"fixed", 4001, 2.5, {{"one_joint", 30}, {"nothing", 10}}}};
   return all;
 }
 
@@ -128,6 +133,7 @@ class Planner {
     plan.set = set_.name;
     plan.number = number;
     plan.group = group;
+    plan.duration = set_.duration;
     plan.seed = mixed(set_.seed, 1000 + static_cast<std::uint64_t>(number));
     const Cell cell = cells_.next();
     plan.noise = cell.noise;

@@ -50,10 +50,11 @@ CaseNoise noise_of(const CasePlan& plan, const Rig& rig, const std::vector<Scale
   return noise;
 }
 
-Excitation excitation_of(const Rig& rig, int trial, std::uint64_t seed) {
+Excitation excitation_of(const Rig& rig, int trial, const CasePlan& plan) {
   Excitation excitation;
   excitation.interval = rig.interval;
-  excitation.commands = commands(rig, trial, mixed(seed, kCommands + static_cast<std::uint64_t>(trial)));
+  excitation.commands =
+      commands(rig, trial, plan.duration, mixed(plan.seed, kCommands + static_cast<std::uint64_t>(trial)));
   return excitation;
 }
 
@@ -102,7 +103,7 @@ class Maker {
     made_.plan = plan;
     made_.base = base_model(plan, rig_);
     made_.base_values = draw_base_values(made_.base, Draw(plan.seed, kTrueValues));
-    for (int t = 0; t < kTrials; ++t) excitations_.push_back(excitation_of(rig_, t, plan.seed));
+    for (int t = 0; t < kTrials; ++t) excitations_.push_back(excitation_of(rig_, t, plan));
     look_at_motion();
     made_.truth = made_.base;
     for (const HiddenLaw& hidden : plan.hidden) made_.truth.laws.push_back({&law_kind(hidden.law), hidden.element});

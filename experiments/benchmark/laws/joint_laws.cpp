@@ -67,21 +67,32 @@ class SharpCogging : public JointLaw {
   }
 };
 
+/// Integrated exactly for a velocity that is constant within the step: between zeros of z the law is linear.
 class BoucWen : public JointLaw {
  public:
   using JointLaw::JointLaw;
   int memory_size() const override { return 1; }
   void act(const Moment& at, double* z, Load& load) const override {
-    const double v = velocity(at), half = 0.5 * at.step;
-    const double middle = *z + half * rate(*z, v);
+    const double half = 0.5 * at.step * velocity(at) / p_[1];
+    const double middle = moved(*z, half);
     push(load, -p_[0] * middle);
-    *z += at.step * rate(middle, v);
+    *z = moved(middle, half);
   }
 
  private:
-  double rate(double z, double v) const {
-    const double sharpness = p_[2];
-    return (v - sharpness * std::abs(v) * z + (sharpness - 1.0) * v * std::abs(z)) / p_[1];
+  /// z after a way in units of `distance`.
+  double moved(double z, double way) const {
+    if (way < 0.0) return -moved(-z, -way);
+    if (z < 0.0) {  // dz = 1 − unloading·z
+      const double unloading = 2.0 * p_[2] - 1.0;
+      const bool even = std::abs(unloading) < 1e-9;
+      const double to_zero = even ? -z : std::log1p(-unloading * z) / unloading;
+      if (way <= to_zero)
+        return even ? z + way : (1.0 - (1.0 - unloading * z) * std::exp(-unloading * way)) / unloading;
+      way -= to_zero;
+      z = 0.0;
+    }
+    return 1.0 - (1.0 - z) * std::exp(-way);  // dz = 1 − z
   }
 };
 

@@ -15,6 +15,19 @@ constexpr double kSettled = 1e-14;  ///< of a velocity, between two sweeps
 /// The part of `x` beyond a play of width `gap`.
 double beyond(double x, double gap) { return x - std::clamp(x, -0.5 * gap, 0.5 * gap); }
 
+/// A velocity at the end of a step, dry friction and all. It is `from` at the step's beginning and would be `free` at
+/// its end without friction, which takes off at most `forwards` or `backwards` in a whole step. The instant of a stop
+/// or a reversal lies anywhere within the step; friction changes its sign there, not at the step's end.
+double braked(double from, double free, double forwards, double backwards) {
+  if (from < 0.0) return -braked(-from, -free, backwards, forwards);
+  const double slid = free - forwards, change = free - from;
+  if (from > 0.0 && slid >= 0.0) return slid;
+  const double left = from > 0.0 ? slid / (slid - from) : 1.0;  // of the step, once the velocity is zero
+  if (change > forwards) return left * (change - forwards);
+  if (change < -backwards) return left * (change + backwards);
+  return 0.0;
+}
+
 }  // namespace
 
 Simulation::Simulation(PlantSpec spec, Laws laws, const Excitation& excitation, double step)
@@ -113,20 +126,20 @@ void Simulation::add_drive_forces(const Moment& at, double time, double* memory,
   }
 }
 
-/// Projected Gauss-Seidel over the coordinates: each impulse as large as needed to stop its coordinate, or at its
-/// bound.
-void Simulation::brake(const Load& load, Coordinates& velocity) const {
+/// Gauss-Seidel over the coordinates: of each the impulse that it would take with those of the others as they are.
+void Simulation::brake(const Load& load, const Coordinates& from, Coordinates& velocity) const {
   Coordinates impulse = Coordinates::Zero(coordinates_);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double change = 0.0;
     for (Eigen::Index i = 0; i < coordinates_; ++i) {
-      const double forwards = step_ * load.brake_forwards[i], backwards = step_ * load.brake_backwards[i];
-      if (forwards <= 0.0 && backwards <= 0.0) continue;
-      const double wanted = std::clamp(impulse[i] - velocity[i] / mobility_(i, i), -forwards, backwards);
-      const double more = wanted - impulse[i];
-      impulse[i] = wanted;
+      if (load.brake_forwards[i] <= 0.0 && load.brake_backwards[i] <= 0.0) continue;
+      const double mobility = mobility_(i, i), free = velocity[i] - impulse[i] * mobility;
+      const double forwards = step_ * mobility * std::max(0.0, load.brake_forwards[i]);
+      const double backwards = step_ * mobility * std::max(0.0, load.brake_backwards[i]);
+      const double more = (braked(from[i], free, forwards, backwards) - velocity[i]) / mobility;
+      impulse[i] += more;
       velocity += more * mobility_.col(i);
-      change = std::max(change, std::abs(more) * mobility_(i, i));
+      change = std::max(change, std::abs(more) * mobility);
     }
     if (change < kSettled) return;
   }
@@ -154,7 +167,7 @@ void Simulation::take_step(PlantState& state, double time) {
   else
     mobility_ = inertia_.inverse();
   Coordinates velocity = state.velocity + step_ * (mobility_ * load.force);
-  brake(load, velocity);
+  brake(load, state.velocity, velocity);
   state.acceleration = (velocity - state.velocity) / step_;
   state.velocity = velocity;
   state.position += 0.5 * step_ * velocity;

@@ -28,8 +28,8 @@ struct PlantState {
 
 /// A plant under an excitation. The integration is a time-stepping scheme of second order: positions move half a step,
 /// velocities a whole one by the forces there, with dry friction as a bounded impulse that brings the velocity to zero
-/// where it can (J. J. Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988), positions
-/// another half. `step` has to divide the sample interval.
+/// where it can (J. J. Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988) and changes its
+/// sign at the instant of a reversal, positions another half. `step` has to divide the sample interval.
 class Simulation {
  public:
   /// `excitation` has to outlive it. Throws `std::invalid_argument` for a step that does not divide the sample
@@ -62,7 +62,7 @@ class Simulation {
   double random_force(std::size_t joint, double time) const;
   void add_joint_forces(const Moment& at, double time, Load& load) const;
   void add_drive_forces(const Moment& at, double time, double* memory, Load& load);
-  void brake(const Load& load, Coordinates& velocity) const;
+  void brake(const Load& load, const Coordinates& from, Coordinates& velocity) const;
 
   PlantSpec spec_;
   Laws laws_;

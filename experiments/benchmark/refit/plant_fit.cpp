@@ -46,9 +46,12 @@ class Fitter {
       const double before = fit.deviance;
       if (!improve(fit, damping)) break;
       if (before - fit.deviance < options_.enough * static_cast<double>(fit.rows)) break;
+      if (fit.deviance < options_.settled || fit.deviance > (1.0 - options_.hopeless) * before) break;
     }
-    linearise(fit);
-    describe(fit);
+    if (options_.wants_information) {
+      linearise(fit);
+      describe(fit);
+    }
     fit.valid = true;
     return fit;
   }
@@ -72,7 +75,7 @@ class Fitter {
 
   Eigen::VectorXd residual(std::size_t t, const Eigen::VectorXd& values, const Start& start) const {
     const FittedTrial& trial = trials_[t];
-    return whiten_(t, differences(trial.readings, predict(model_, values, trial.excitation, start)));
+    return whiten_(t, differences(trial.readings, predict(model_, values, trial.excitation, start, options_.step)));
   }
 
   Eigen::VectorXd derivative(const Eigen::VectorXd& base, std::size_t t, const Eigen::VectorXd& values,
@@ -133,6 +136,7 @@ class Fitter {
     }
     const Eigen::VectorXd step = damped(normal, damping).ldlt().solve(right);
     fit.values += step;
+    if (options_.lower.size() > 0) fit.values = fit.values.cwiseMax(options_.lower).cwiseMin(options_.upper);
     for (std::size_t t = 0; t < systems_.size(); ++t) {
       const Index joints = systems_[t].of_start.rows() / 2;
       if (joints == 0) continue;

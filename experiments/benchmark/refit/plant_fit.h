@@ -27,6 +27,11 @@ struct FitOptions {
   int most_iterations = 12;
   double enough = 1e-3;  ///< of the deviance over rows, the change that ends a fit
   bool free_starts = true;
+  double step = kFitStep;  ///< s, of the integration
+  double settled = 0.0;    ///< a deviance below which nobody asks for less
+  double hopeless = 0.0;   ///< ends a fit whose last iteration took less than this share off the deviance
+  bool wants_information = true;
+  Eigen::VectorXd lower{}, upper{};  ///< of the values; empty: none
 };
 
 /// Least squares by free run over whole trials (K. Levenberg, Quart. Appl. Math. 2 (1944) 164-168): the model's values

@@ -26,9 +26,9 @@ Laws PlantModel::laws_at(const Eigen::VectorXd& values) const {
 }
 
 Readings predict(const PlantModel& model, const Eigen::VectorXd& values, const Excitation& excitation,
-                 const Start& start) {
+                 const Start& start, double step) {
   const Laws laws = model.laws_at(values);
-  Simulation plant(model.spec_at(values), laws, excitation, kFitStep);
+  Simulation plant(model.spec_at(values), laws, excitation, step);
   return read_sensors(plant.spec(), laws, simulate(plant, start, excitation.samples(), 1));
 }
 

@@ -41,8 +41,8 @@ struct FittedTrial {
 /// One integration step for all fits, s: its error is far below any noise here, and the same on both sides.
 inline constexpr double kFitStep = 2.5e-4;
 
-/// What a model predicts; throws as `simulate` does.
+/// What a model predicts, integrated by `step`; throws as `simulate` does.
 Readings predict(const PlantModel& model, const Eigen::VectorXd& values, const Excitation& excitation,
-                 const Start& start);
+                 const Start& start, double step = kFitStep);
 
 }  // namespace hidden_effects

@@ -57,8 +57,8 @@ double triangle(double place) { return 4.0 * std::abs(place - std::floor(place) 
 
 }  // namespace
 
-std::vector<std::vector<double>> commands(const Rig& rig, int kind, std::uint64_t seed) {
-  const auto samples = static_cast<std::size_t>(std::lround(rig.duration / rig.interval)) + 1;
+std::vector<std::vector<double>> commands(const Rig& rig, int kind, double duration, std::uint64_t seed) {
+  const auto samples = static_cast<std::size_t>(std::lround(duration / rig.interval)) + 1;
   std::vector<std::vector<double>> all;
   for (std::size_t d = 0; d < rig.nominal.drives.size(); ++d) {
     Draw draw(seed, 100 + d);
@@ -72,7 +72,7 @@ std::vector<std::vector<double>> commands(const Rig& rig, int kind, std::uint64_
       double value = 0.0;
       if (kind == 0) value = tones(time);
       if (kind == 1) value = levels[k];
-      if (kind == 2) value = chirp(time, rig.duration, rig.scales.slowest, rig.scales.fastest, first);
+      if (kind == 2) value = chirp(time, duration, rig.scales.slowest, rig.scales.fastest, first);
       if (kind == 3) value = 1.4 * triangle(first + 1.5 * rig.scales.slowest * time) + 0.3 * tones(time);
       values[k] = rig.scales.amplitude[d] * risen(time) * value;
     }

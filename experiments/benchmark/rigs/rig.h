@@ -33,7 +33,6 @@ struct Rig {
   std::vector<FreeValue> free;
   RigScales scales;
   double interval = 0.005;  ///< s, between samples
-  double duration = 5.0;    ///< s, of each trial
 };
 
 Rig servo_pendulum();
@@ -47,8 +46,8 @@ const std::vector<Rig>& planar_rigs();
 /// The one of that name; throws `std::invalid_argument`.
 const Rig& rig_named(const std::string& name);
 
-/// The commands of a trial, one a sample for each drive, starting with 0.2 s of nothing: `kind` 0 multisine, 1 steps, 2
-/// chirp, 3 slow triangle with a multisine on it.
-std::vector<std::vector<double>> commands(const Rig& rig, int kind, std::uint64_t seed);
+/// The commands of a trial of `duration` s, one a sample for each drive, starting with 0.2 s of nothing: `kind` 0
+/// multisine, 1 steps, 2 chirp, 3 slow triangle with a multisine on it.
+std::vector<std::vector<double>> commands(const Rig& rig, int kind, double duration, std::uint64_t seed);
 
 }  // namespace hidden_effects

@@ -32,6 +32,17 @@ double largest(const double* vector) {
 
 }  // namespace
 
+void set_motion(dBodyID body, const BodyState& s) {
+  // dBodySetQuaternion normalises, which changes the last bits of what was normalised before. So the quaternion goes
+  // where ODE keeps it, with the rotation ODE makes of it.
+  auto* quaternion = const_cast<dReal*>(dBodyGetQuaternion(body));
+  std::copy_n(s.begin() + 3, 4, quaternion);
+  dQtoR(quaternion, const_cast<dReal*>(dBodyGetRotation(body)));
+  dBodySetPosition(body, s[0], s[1], s[2]);  // also tells the body's shapes that it has moved
+  dBodySetLinearVel(body, s[7], s[8], s[9]);
+  dBodySetAngularVel(body, s[10], s[11], s[12]);
+}
+
 void Bodies::create(dWorldID world, const RobotSpec& robot) {
   for (const BodySpec& spec : robot.bodies) {
     const dBodyID body = dBodyCreate(world);
@@ -82,16 +93,9 @@ void Bodies::save(simulation::StateWriter& writer) const {
 
 void Bodies::load(simulation::StateReader& reader) {
   for (const dBodyID body : ids_) {
-    std::array<double, kDoublesPerBody> s{};
-    reader.get(s);
-    // dBodySetQuaternion normalises, which changes the last bits of what ODE itself had
-    // normalised. So the quaternion goes where ODE keeps it, with the rotation ODE makes of it.
-    auto* quaternion = const_cast<dReal*>(dBodyGetQuaternion(body));
-    std::copy_n(s.begin() + 3, 4, quaternion);
-    dQtoR(quaternion, const_cast<dReal*>(dBodyGetRotation(body)));
-    dBodySetPosition(body, s[0], s[1], s[2]);  // also tells the body's shapes that it has moved
-    dBodySetLinearVel(body, s[7], s[8], s[9]);
-    dBodySetAngularVel(body, s[10], s[11], s[12]);
+    BodyState state{};
+    reader.get(state);
+    set_motion(body, state);
   }
 }
 

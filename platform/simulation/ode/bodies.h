@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,11 +33,16 @@ struct Pose {
   MapVector w() const { return MapVector(angular_velocity); }
 };
 
+/// A body's motion: position, quaternion (w first), velocity, angular velocity.
+inline constexpr std::size_t kDoublesPerBody = 13;
+using BodyState = std::array<double, kDoublesPerBody>;
+
+/// Gives a body exactly this motion; the quaternion must be a unit one.
+void set_motion(dBodyID body, const BodyState& state);
+
 /// A robot's bodies in an ODE world. ODE's body frame is the spec's, moved to the centre of mass.
 class Bodies {
  public:
-  static constexpr std::size_t kDoublesPerBody = 13;
-
   /// Creates the bodies at their zero poses; those of before must be gone.
   void create(dWorldID world, const RobotSpec& robot);
   void destroy();

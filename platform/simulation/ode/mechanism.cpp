@@ -54,9 +54,12 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
   joints_.create(world_.id(), robot, bodies_);
   joints_.update();
   std::fill(law_forces_.begin(), law_forces_.end(), 0.0);
+  lone_.reset();
+  if (LoneJoint::fits(robot)) lone_.emplace().prepare(robot, world_.id(), bodies_.id(0), h_);
   create_rows(robot, actuators);
   ground_.create(world_.id(), robot, bodies_, needs.measure_contacts);
   set_gravity(robot.gravity);
+  laws_.reserve(servos_.size() + 3);
   const std::size_t joints = tree_.child.size() + 3 * rows_.size() + servos_.size() + ground_.most_contacts();
   world_.reserve(robot.bodies.size(), joints, most_rows());
 }
@@ -78,7 +81,7 @@ void Mechanism::create_rows(const RobotSpec& robot, std::span<const ActuatorPlac
   }
   servos_.assign(actuators.size(), {});
   for (std::size_t a = 0; a < actuators.size(); ++a)
-    if (actuators[a].servo) servos_[a].create(world_.id(), joints_, actuators[a].coordinate);
+    if (actuators[a].servo) create_row(servos_[a], actuators[a].coordinate);
 }
 
 void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant,
@@ -89,11 +92,18 @@ void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate
   rows.armature = joint.armature + reflected_inertia;
   const bool impeded = joint.damping > 0.0 || joint.stiffness > 0.0 || rows.armature > 0.0;
   const bool stopped = std::isfinite(joint.lower) || std::isfinite(joint.upper);
-  if (impeded || compliant || needs_.laws_vary) rows.impedance.create(world_.id(), joints_, coordinate);
-  if (joint.dry_friction > 0.0 || needs_.laws_vary) rows.friction.create(world_.id(), joints_, coordinate);
+  if (impeded || compliant || needs_.laws_vary) create_row(rows.impedance, coordinate);
+  if (joint.dry_friction > 0.0 || needs_.laws_vary) create_row(rows.friction, coordinate);
   if (rows.friction.exists() && needs_.measure_joints) rows.friction.measure();
-  if (stopped && joint.kind != JointKind::ball)
+  if (stopped && joint.kind != JointKind::ball && !lone_)
     rows.stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
+}
+
+void Mechanism::create_row(MotorRow& row, std::size_t coordinate) {
+  if (lone_)
+    row.create();
+  else
+    row.create(world_.id(), joints_, coordinate);
 }
 
 std::size_t Mechanism::most_rows() const {
@@ -126,6 +136,17 @@ void Mechanism::add_body_load(std::size_t body, const BodyLoad& load) {
 
 void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contact) {
   set_laws(loads);
+  if (lone_)
+    step_lone_joint();
+  else
+    step_world(contact);
+  check_bodies();
+  read_forces();
+  joints_.update();
+  ground_.collide(ground_.slope());
+}
+
+void Mechanism::step_world(const ContactSpec& contact) {
   if (contact.slope != ground_.slope()) ground_.collide(contact.slope);
   ground_.begin_step(world_.id(), contact, h_, joint_erp_);
   clear_complaint();
@@ -137,10 +158,19 @@ void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contac
   }
   if (complaint()[0] != '\0') throw Error(std::string("ODE could not solve the step: ") + complaint());
   ground_.end_step();
-  check_bodies();
-  read_forces();
-  joints_.update();
-  ground_.collide(ground_.slope());
+}
+
+void Mechanism::step_lone_joint() {
+  laws_.clear();
+  const auto add = [&](const MotorRow& row) {
+    if (row.exists() && row.acts()) laws_.push_back(row.law());
+  };
+  add(rows_.front().impedance);
+  add(rows_.front().friction);
+  for (const MotorRow& servo : servos_) add(servo);
+  if (const std::optional<CoordinateLaw> stop = lone_->stop(joints_.positions().front())) laws_.push_back(*stop);
+  const double velocity = lone_->advance(laws_);
+  if (needs_.measure_joints && rows_.front().friction.exists()) rows_.front().friction.settle(velocity);
 }
 
 void Mechanism::set_laws(std::span<const JointLoad> loads) {

@@ -6,10 +6,12 @@
 #include "simulation/ode/bodies.h"
 #include "simulation/ode/ground.h"
 #include "simulation/ode/joints.h"
+#include "simulation/ode/lone_joint.h"
 #include "simulation/ode/motor_row.h"
 #include "simulation/ode/world.h"
 #include "simulation/shared/actuator_laws.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -82,8 +84,11 @@ class Mechanism {
   void create_rows(const RobotSpec& robot, std::span<const ActuatorPlace> actuators);
   void create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant, double reflected_inertia);
   void take_down();
+  void create_row(MotorRow& row, std::size_t coordinate);
   void set_laws(std::span<const JointLoad> loads);
   void set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const;
+  void step_world(const ContactSpec& contact);
+  void step_lone_joint();
   void read_forces();
   std::size_t most_rows() const;
 
@@ -95,9 +100,11 @@ class Mechanism {
   Bodies bodies_;
   Joints joints_;
   Ground ground_;
+  std::optional<LoneJoint> lone_;  ///< steps in the world's place, where it can
   std::vector<JointLoad> base_loads_;
   std::vector<CoordinateRows> rows_;
-  std::vector<MotorRow> servos_;  // per actuator
+  std::vector<MotorRow> servos_;     // per actuator
+  std::vector<CoordinateLaw> laws_;  // of the coming step, of a lone joint
   std::vector<double> row_velocities_, law_forces_;
 };
 

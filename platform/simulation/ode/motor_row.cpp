@@ -37,19 +37,28 @@ void MotorRow::create(dWorldID world, const Joints& joints, std::size_t coordina
   linear_ = joints.linear(coordinate);
   joint_ = linear_ ? create_linear(world, joints, coordinate) : create_rotational(world, joints, coordinate);
   feedback_ = {};
+  exists_ = true;
 }
 
 void MotorRow::destroy() {
   if (joint_) dJointDestroy(joint_);
-  joint_ = nullptr;
+  *this = {};
 }
 
 void MotorRow::set_law(double compliance, double limit) {
-  set(dParamCFM, std::max(compliance, kLeastCompliance));
+  law_.compliance = std::max(compliance, kLeastCompliance);
+  law_.lower = -limit;
+  law_.upper = limit;
+  set(dParamCFM, law_.compliance);
   set(dParamFMax, limit);
 }
 
+void MotorRow::settle(double velocity) {
+  settled_force_ = std::clamp((law_.target - velocity) / law_.compliance, law_.lower, law_.upper);
+}
+
 double MotorRow::measured_force(const Eigen::Vector3d& axis) const {
+  if (!joint_) return settled_force_;
   const dReal* f = linear_ ? feedback_.f1 : feedback_.t1;
   return axis.x() * f[0] + axis.y() * f[1] + axis.z() * f[2];
 }

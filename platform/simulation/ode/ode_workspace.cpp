@@ -64,6 +64,7 @@ void OdeWorkspace::build(std::span<const double> parameters) {
   place_actuators(robot);
   if (!mechanism) mechanism = std::make_unique<Mechanism>(model_.tree(), model_.settings());
   mechanism->build(robot, needs_, places);
+  lay_out_view();
 }
 
 void OdeWorkspace::place_actuators(const RobotSpec& robot) {
@@ -80,13 +81,16 @@ void OdeWorkspace::place_actuators(const RobotSpec& robot) {
 }
 
 void OdeWorkspace::look(double time, bool at_bodies) {
-  const Joints& joints = mechanism->joints();
   for (std::size_t i = 0; i < memories.size(); ++i) actuator_forces[i] = memories[i].force;
   if (at_bodies)
     mechanism->bodies().read(body_positions_, body_velocities_, body_orientations_, body_angular_velocities_);
-  view = {.time = time,
-          .positions = joints.positions(),
-          .velocities = joints.velocities(),
+  view.time = time;
+}
+
+void OdeWorkspace::lay_out_view() {
+  view = {.time = 0.0,
+          .positions = mechanism->joints().positions(),
+          .velocities = mechanism->joints().velocities(),
           .actuator_forces = actuator_forces,
           .first_coordinate = model_.tree().first_coordinate,
           .actuator_coordinate = actuator_coordinates_,
@@ -113,7 +117,7 @@ std::vector<std::pair<std::string, std::size_t>> OdeWorkspace::sections() const 
   return {{"clock", 2},
           {"positions", joint_forces.size()},
           {"velocities", joint_forces.size()},
-          {"bodies", Bodies::kDoublesPerBody * body_loads.size()},
+          {"bodies", kDoublesPerBody * body_loads.size()},
           {"actuators", kDoublesPerActuator * memories.size()},
           {"effects", model_.effects().state_size()},
           {"sensors", readings},

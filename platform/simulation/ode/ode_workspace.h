@@ -64,6 +64,8 @@ class OdeWorkspace : public Workspace {
 
  private:
   void place_actuators(const RobotSpec& robot);
+  /// Has the view show the arrays of the mechanism that was built.
+  void lay_out_view();
 
   const OdeModel& model_;
   MechanismNeeds needs_;

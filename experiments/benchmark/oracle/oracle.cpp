@@ -1,0 +1,117 @@
+#include "oracle/oracle.h"
+
+#include "oracle/stand.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+using Index = Eigen::Index;
+
+bool same(const PlacedLaw& a, const PlacedLaw& b) { return a.kind == b.kind && a.element == b.element; }
+
+/// The truth in words of the library: laws of another form replaced one by one by what fits best of the same name.
+Candidate representative(const TrueData& data) {
+  Candidate at = data.truth();
+  for (std::size_t l = 0; l < at.model.laws.size();) {
+    if (at.model.laws[l].kind->library_form) {
+      ++l;
+      continue;
+    }
+    const PlacedLaw form = library_form(at.model.laws[l]);
+    auto best = Stand(data, at, l).best(form);
+    if (!best) throw std::runtime_error("the oracle cannot fit " + form.kind->name);
+    at = std::move(*best);
+  }
+  return at;
+}
+
+/// Of the base alone, refitted.
+double base_non_centrality(const MadeCase& made, const TrueData& data) {
+  Candidate base = data.truth();
+  base.model = made.base;
+  base.values = made.base_values;
+  const auto fitted = data.refitted(base, kToldApart, 0.0);
+  return fitted ? fitted->deviance : std::numeric_limits<double>::infinity();
+}
+
+std::vector<std::string> names_of(const PlantModel& model) {
+  std::vector<std::string> names;
+  for (const FreeValue& value : model.free) names.push_back(value.address);
+  for (const PlacedLaw& law : model.laws)
+    for (const std::string& parameter : law.kind->parameters) names.push_back(law.kind->effect + "." + parameter);
+  return names;
+}
+
+/// Parameters of which the data say nothing have no bounds, and do not count for the others.
+std::vector<Width> widths_of(const Candidate& at, const Eigen::MatrixXd& information) {
+  constexpr double kQuantile = 1.959964, kNothing = 1e-20;
+  const std::vector<std::string> names = names_of(at.model);
+  std::vector<Index> told;
+  for (Index i = 0; i < information.rows(); ++i)
+    if (information(i, i) > kNothing) told.push_back(i);
+  const Eigen::MatrixXd of_told = information(told, told);
+  const Eigen::VectorXd scale = of_told.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd covariance = (scale.asDiagonal() * of_told * scale.asDiagonal())
+                                         .ldlt()
+                                         .solve(Eigen::MatrixXd::Identity(of_told.rows(), of_told.cols()));
+  std::vector<Width> widths;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    widths.push_back({names[i], at.values[static_cast<Index>(i)], std::numeric_limits<double>::infinity()});
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    if (covariance(row, row) > 0.0)
+      widths[static_cast<std::size_t>(told[k])].width = 2.0 * kQuantile * scale[row] * std::sqrt(covariance(row, row));
+  }
+  return widths;
+}
+
+bool wanted(const PlacedLaw& law, const std::vector<std::string>& among) {
+  return among.empty() || std::find(among.begin(), among.end(), law.kind->effect) != among.end();
+}
+
+/// All laws of the library in the place of law number `law`; those that the model has already stay out.
+std::vector<Rival> rivals_of(const TrueData& data, const Candidate& at, std::size_t law) {
+  const Stand stand(data, at, law);
+  std::vector<Rival> rivals;
+  for (const PlacedLaw& rival : library_laws(at.model.spec)) {
+    const auto& laws = at.model.laws;
+    if (!wanted(rival, data.options().among)) continue;
+    if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return same(one, rival); })) continue;
+    rivals.push_back(stand.judge(rival, at.deviance));
+  }
+  std::stable_sort(rivals.begin(), rivals.end(),
+                   [](const Rival& a, const Rival& b) { return a.non_centrality < b.non_centrality; });
+  return rivals;
+}
+
+}  // namespace
+
+std::vector<PlacedLaw> OracleAnswer::alike(std::size_t hidden) const {
+  std::vector<PlacedLaw> members;
+  for (const Rival& rival : rivals[hidden])
+    if (!rival.told_apart) members.push_back(rival.law);
+  return members;
+}
+
+OracleAnswer ask_oracle(const MadeCase& made, const OracleOptions& options) {
+  const TrueData data(made, options);
+  OracleAnswer answer;
+  const Candidate at = representative(data);
+  answer.representative = at.model.laws;
+  answer.non_centrality = at.deviance;
+  answer.widths = widths_of(at, Nuisances(data.question(at)).information());
+  if (made.truth.laws.empty()) return answer;
+  answer.base_non_centrality = base_non_centrality(made, data);
+  answer.detectable = answer.base_non_centrality >= kToldApart;
+  for (std::size_t l = 0; l < at.model.laws.size(); ++l) answer.rivals.push_back(rivals_of(data, at, l));
+  return answer;
+}
+
+}  // namespace hidden_effects

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "diagnosis/refit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lacuna {
+
+/// A refitted model beside which forces are looked for. Everything referred to must live during the call.
+struct ForceTask {
+  const Refit& base;
+  const std::vector<Eigen::MatrixXd>& factors;  ///< of the noise, by segment
+  const std::vector<std::size_t>& folds;
+  std::uint64_t seed = 1;
+};
+
+}  // namespace lacuna

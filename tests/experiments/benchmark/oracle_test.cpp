@@ -1,0 +1,115 @@
+#include "oracle/oracle.h"
+
+#include "hand_made_case.h"
+#include "oracle/kalman_whitener.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidden_effects {
+namespace {
+
+constexpr std::size_t kSamples = 500;
+
+std::vector<std::string> names(const std::vector<PlacedLaw>& laws) {
+  std::vector<std::string> all;
+  for (const PlacedLaw& law : laws) all.push_back(law.kind->name);
+  return all;
+}
+
+CaseNoise scaled(CaseNoise noise, double factor) {
+  noise.sensor_white[0] *= factor;
+  return noise;
+}
+
+TEST(Oracle, ATruthOfTheLibraryLeavesNothing) {
+  const MadeCase made = pendulum_case({{"coulomb_friction", 0, {0.02}}}, disturbed_noise(), kSamples);
+  const OracleAnswer answer = ask_oracle(made, {.among = {"coulomb_friction"}});
+  EXPECT_EQ(answer.non_centrality, 0.0);
+  EXPECT_TRUE(answer.detectable);
+  EXPECT_EQ(names(answer.representative), std::vector<std::string>{"coulomb_friction"});
+  EXPECT_TRUE(answer.rivals.front().empty());
+}
+
+TEST(Oracle, LawsThatHoldTheTruthAsALimitAreAlike) {
+  const MadeCase made = pendulum_case({{"coulomb_friction", 0, {0.02}}}, white_noise(), kSamples);
+  const std::vector<std::string> limits = {"stribeck_friction", "directional_friction", "hysteresis"};
+  EXPECT_THAT(names(ask_oracle(made, {.among = limits}).alike(0)), testing::UnorderedElementsAreArray(limits));
+}
+
+TEST(Oracle, DryAndViscousFrictionAreToldApartUnlessTheNoiseIsHuge) {
+  for (const double noise : {1.0, 1000.0}) {
+    const MadeCase made = pendulum_case({{"coulomb_friction", 0, {0.02}}}, scaled(white_noise(), noise), kSamples);
+    const OracleAnswer answer = ask_oracle(made, {.among = {"viscous_friction"}});
+    ASSERT_EQ(answer.rivals.front().size(), 1u);
+    EXPECT_EQ(answer.rivals.front().front().told_apart, noise == 1.0);
+    EXPECT_EQ(answer.detectable, noise == 1.0);  // the base's damping is viscous friction
+  }
+}
+
+TEST(Oracle, NonCentralityFallsWithTheSquareOfTheNoise) {
+  const std::vector<SizedPlacedLaw> hidden = {{"coulomb_friction", 0, {0.02}}};
+  const OracleOptions alone{.among = {"coulomb_friction"}};
+  const double quiet = ask_oracle(pendulum_case(hidden, white_noise(), kSamples), alone).base_non_centrality;
+  const double loud =
+      ask_oracle(pendulum_case(hidden, scaled(white_noise(), 4.0), kSamples), alone).base_non_centrality;
+  EXPECT_NEAR(quiet / loud, 16.0, 0.1);
+}
+
+TEST(Oracle, ATruthOfAnotherFormIsRepresentedByTheLibrarysLawOfThatName) {
+  const MadeCase made = pendulum_case({{"twofold_lag", 0, {0.05}}}, white_noise(), kSamples);
+  const OracleAnswer answer = ask_oracle(made, {.among = {"command_delay"}});
+  EXPECT_EQ(names(answer.representative), std::vector<std::string>{"actuator_lag"});
+  EXPECT_GT(answer.non_centrality, kToldApart);
+  EXPECT_NEAR(answer.widths.back().value, 0.05, 0.01);
+  EXPECT_EQ(answer.widths.back().parameter, "actuator_lag.time");
+}
+
+TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
+  const MadeCase made =
+      pendulum_case({{"coulomb_friction", 0, {0.03}}, {"joint_offset_torque", 0, {0.05}}}, white_noise(), kSamples);
+  const OracleAnswer answer =
+      ask_oracle(made, {.among = {"directional_friction", "command_offset", "viscous_friction"}});
+  ASSERT_EQ(answer.rivals.size(), 2u);
+  EXPECT_THAT(names(answer.alike(0)), testing::ElementsAre("directional_friction"));
+  EXPECT_THAT(names(answer.alike(1)), testing::ElementsAre("command_offset"));
+}
+
+TEST(Oracle, NothingHiddenHasWidthsAlone) {
+  const OracleAnswer answer = ask_oracle(pendulum_case({}, white_noise(), kSamples));
+  EXPECT_TRUE(answer.rivals.empty());
+  ASSERT_EQ(answer.widths.size(), 2u);
+  EXPECT_EQ(answer.widths[0].parameter, "body.arm.mass");
+}
+
+/// Refits of many noisy repeats scatter as the widths say: a chi-squared number of as many degrees of freedom, within
+/// four of its deviations.
+TEST(Oracle, RefitsScatterByTheWidths) {
+  constexpr int kRepeats = 40;
+  MadeCase made = pendulum_case({{"actuator_lag", 0, {0.05}}}, disturbed_noise(), 300);
+  const OracleAnswer answer = ask_oracle(made, {.among = {"actuator_lag"}});
+  std::vector<TrueTrial> true_trials;
+  const std::vector<Start> starts(made.trials.size(), {Coordinates::Zero(1), Coordinates::Zero(1)});
+  for (const MadeTrial& trial : made.trials) true_trials.push_back({trial.noise_free().excitation, starts.front()});
+  const Whiten whiten = kalman_whitener(made.truth, made.truth_values, true_trials, made.noise, 1e-3);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(made.truth_values.size());
+  for (int r = 0; r < kRepeats; ++r) {
+    make_noisy(made, 500 + static_cast<std::uint64_t>(r));
+    std::vector<FittedTrial> trials;
+    for (const MadeTrial& trial : made.trials) trials.push_back(trial.fitted());
+    const PlantFit fit = fit_plant(made.truth, trials, made.truth_values, starts, whiten,
+                                   {.most_iterations = 4, .step = 1e-3, .wants_information = false});
+    sums += (fit.values - made.truth_values).cwiseAbs2();
+  }
+  for (std::size_t i = 0; i < answer.widths.size(); ++i) {
+    const double deviation = answer.widths[i].width / (2.0 * 1.959964);
+    const double ratio = sums[static_cast<Eigen::Index>(i)] / kRepeats / (deviation * deviation);
+    EXPECT_NEAR(ratio, 1.0, 4.0 * std::sqrt(2.0 / kRepeats)) << answer.widths[i].parameter;
+  }
+}
+
+}  // namespace
+}  // namespace hidden_effects
