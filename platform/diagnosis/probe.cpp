@@ -83,9 +83,9 @@ class Ladder {
   /// What the other parameters are while one climbs; at first neutral.
   void set_others(const std::vector<double>& others) { others_ = others; }
 
-  /// The coordinate's way that a probe may go: up, or down where up is closed.
-  double direction(std::size_t i) const { return room(i, 1.0) > 0.0 ? 1.0 : -1.0; }
-  bool one_sided(std::size_t i) const { return !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
+  /// Whether a size of the other sign has no meaning: the way there is closed, or was climbed first and changes
+  /// nothing.
+  bool one_sided(std::size_t i) const { return direction_ < 0.0 || !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
 
   /// The value that share of the way from its neutral value to a bound; a negative share goes down.
   double beside(std::size_t i, double share) const {
@@ -94,9 +94,20 @@ class Ladder {
   }
 
   /// The value at which parameter `i`, the others as set, changes the prediction by about as much as the residual;
-  /// failing that, by as much as it can. Nothing where it changes nothing.
+  /// failing that, by as much as it can. It goes up, and down where nothing above changes anything (a limit that is out
+  /// of reach). Nothing where neither does.
   std::optional<double> size(std::size_t i) {
-    const double range = room(i, direction(i));
+    for (const double direction : {1.0, -1.0}) {
+      direction_ = direction;
+      if (!(room(i, direction) > 0.0)) continue;
+      if (const std::optional<double> found = size_on_the_way(i)) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<double> size_on_the_way(std::size_t i) {
+    const double range = room(i, direction_);
     double below = 0.0, above = range, way = kFirst * range, best = 0.0, most = 0.0;
     std::vector<std::pair<double, double>> jumps;  // ways and changes, too large
     for (int trial = 0; trial < kTrials && way > 0.0; ++trial) {
@@ -116,7 +127,6 @@ class Ladder {
     return may_jump_ && !jumps.empty() ? std::optional(value(i, beyond_jump(jumps))) : std::nullopt;
   }
 
- private:
   /// Of ways that all change too much, the furthest on which what grows with the way does not yet outgrow the jump.
   static double beyond_jump(const std::vector<std::pair<double, double>>& jumps) {
     double least = jumps.front().second, furthest = 0.0;
@@ -133,7 +143,7 @@ class Ladder {
     return direction > 0.0 ? bench_.space().upper()(j) - neutral(i) : neutral(i) - bench_.space().lower()(j);
   }
   double value(std::size_t i, double way) const {
-    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction(i) * way);
+    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction_ * way);
   }
 
   /// RMS change of the prediction, in multiples of the sensor noise; nothing where it cannot be simulated.
@@ -162,7 +172,8 @@ class Ladder {
   const Hypothesis& hypothesis_;
   Bench bench_;
   double residual_;
-  bool may_jump_;  ///< a foot that just touches leaves the ground at the smallest tilt
+  double direction_ = 1.0;  ///< of the way that is climbed: up or down
+  bool may_jump_;           ///< a foot that just touches leaves the ground at the smallest tilt
   std::vector<double> others_;
   bool valid_ = false;
   std::vector<Eigen::VectorXd> calm_, moved_;

@@ -20,6 +20,7 @@ constexpr double kFewNoises = 4.0;     // squares a row
 constexpr double kUnexplained = 0.05;  // of the squared accelerations: more, and a lag means nothing
 constexpr double kContradicts = 1.5;   // what sharing coefficients adds, over what is left without
 constexpr double kNoticeable = 0.01;   // of the squared accelerations
+constexpr double kMoves = 0.1;         // of the RMS velocity
 
 /// A trial against all others: what its own lag explains better.
 struct Shift {
@@ -104,17 +105,29 @@ Eigen::MatrixXd wider_surroundings(const ChannelAccelerations& one) {
   return columns;
 }
 
+/// Rows in which the joint moves: what dry friction holds at rest obeys no linear law.
+std::vector<Eigen::Index> moving_rows(const ChannelAccelerations& one) {
+  const Eigen::Index count = one.velocity.size();
+  const double usual = std::sqrt(one.velocity.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(count, 1)));
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index row = 0; row < count; ++row)
+    if (std::abs(one.velocity(row)) > kMoves * usual) rows.push_back(row);
+  return rows;
+}
+
 /// Columns and values of some trials' rows of one channel, one below the other.
 struct Rows {
   Eigen::MatrixXd columns;
   Eigen::VectorXd values;
   void add(const ChannelAccelerations& one) {
-    const Eigen::MatrixXd beside = wider_surroundings(one);
-    const Eigen::Index before = values.size(), rows = before + one.size();
+    const std::vector<Eigen::Index> moving = moving_rows(one);
+    const auto more = static_cast<Eigen::Index>(moving.size());
+    const Eigen::MatrixXd beside = wider_surroundings(one)(moving, Eigen::all);
+    const Eigen::Index before = values.size(), rows = before + more;
     columns.conservativeResize(rows, beside.cols() + one.commanded.cols());
     values.conservativeResize(rows);
-    columns.bottomRows(one.size()) << beside, one.commanded / one.deviation;
-    values.tail(one.size()) = one.measured / one.deviation;
+    columns.bottomRows(more) << beside, one.commanded(moving, Eigen::all) / one.deviation;
+    values.tail(more) = one.measured(moving) / one.deviation;
   }
   double squares() const { return values.size() == 0 ? 0.0 : straight_fit(columns, values).squares; }
 };

@@ -46,6 +46,7 @@ TEST(DataDoubts, AreNotRaisedByARigThatLacksAnEffect) {
                                            {.damping = 0.1},
                                            {.friction = 0.08},
                                            {.friction = 0.2},
+                                           {.friction = 0.3, .disturbance = 0.01},
                                            {.spring = 1.0},
                                            {.cubic = 2.0},
                                            {.delay = 0.04},

@@ -4,6 +4,7 @@
 #include "fitting/seeded_noise.h"
 #include "foundation/address.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -22,6 +23,7 @@ struct PendulumTruth {
   double spring = 0.0;       // N·m/rad
   double cubic = 0.0;        // N·m/rad³
   double delay = 0.0;        // s, of the command
+  double limit = 1e9;        // N·m, of the motor
   double feedback = 0.0;     // N·m/rad, of the noisy reading, added to the command
   double noise = 5e-4;       // rad
   double disturbance = 0.0;  // N·m, standard deviation of a torque that nobody records, over about 0.2 s
@@ -91,8 +93,8 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
     for (int k = 0; k < kSubsteps; ++k) {
       const double sent = trial.measured.times(i) + k * h - truth.delay;
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
-      const double torque = trial.commands.series.samples(std::min(held, i), 0) + disturbance -
-                            truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
+      const double motor = std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit, truth.limit);
+      const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
                             truth.cubic * q * q * q;
       const double free = v + h * torque / truth.inertia, stopped = h * truth.friction / truth.inertia;
       v = std::abs(free) <= stopped ? 0.0 : free - std::copysign(stopped, free);

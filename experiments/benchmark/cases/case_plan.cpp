@@ -118,7 +118,9 @@ class Planner {
         other_(kinds(false), draw_),
         one_joint_(rigs_with(1), draw_),
         two_joint_(rigs_with(2), draw_),
-        any_(rigs_with(0), draw_) {}
+        any_(rigs_with(0), draw_),
+        short_(std::none_of(set.groups.begin(), set.groups.end(),
+                            [](const Group& group) { return std::string(group.name) == "two_joint"; })) {}
 
   std::vector<CasePlan> all() {
     std::vector<CasePlan> plans;
@@ -138,7 +140,7 @@ class Planner {
     const Cell cell = cells_.next();
     plan.noise = cell.noise;
     if (group == "nothing") {
-      plan.rig = any_.next();
+      plan.rig = (short_ ? one_joint_ : any_).next();
     } else {
       plan.strength = cell.strength;
       hide_one(plan);
@@ -192,6 +194,7 @@ class Planner {
   Turns<Cell> cells_;
   Turns<const LawKind*> library_, other_;
   Turns<std::string> one_joint_, two_joint_, any_;
+  bool short_;  ///< a set without rigs of two joints
   int turn_ = 0;
 };
 

@@ -58,7 +58,7 @@ double share_unbalanced(double torque) {
   const Rig rig = two_link_arm();
   const PlantModel model{rig.nominal, {}, {{&law_kind("viscous_friction"), 0}}};
   Excitation excitation;
-  excitation.commands = commands(rig, 0, 3);
+  excitation.commands = commands(rig, 0, 5.0, 3);
   const Eigen::VectorXd values = Eigen::VectorXd::Constant(1, 0.2);
   Simulation plant(model.spec_at(values), model.laws_at(values), excitation, kFitStep);
   const Motion fine = simulate(plant, {Coordinates::Zero(2), Coordinates::Zero(2)}, excitation.samples(), 1);

@@ -28,7 +28,7 @@ Observed pendulum(const std::vector<PlacedLaw>& hidden, const std::vector<double
   for (int t = 0; t < 2; ++t) {
     FittedTrial trial;
     trial.excitation.interval = rig.interval;
-    trial.excitation.commands = commands(rig, 2 * t, 5);
+    trial.excitation.commands = commands(rig, 2 * t, 5.0, 5);
     trial.excitation.commands.front().resize(kSamples);
     trial.readings = predict(truth, values, trial.excitation, {Coordinates::Zero(1), Coordinates::Zero(1)});
     bench::Normal normal(static_cast<std::uint64_t>(17 + t));

@@ -20,7 +20,7 @@ namespace hidden_effects {
 namespace {
 
 constexpr int kLeastRight = 20;         ///< of those with a hidden effect that the base does not absorb
-constexpr int kMostFalsePositives = 3;  ///< of those without
+constexpr int kMostFalsePositives = 2;  ///< of those without
 
 struct Outcome {
   CaseRecord about;
@@ -72,6 +72,7 @@ TEST(FixedCases, AreAnsweredAsWellAsBefore) {
       std::count_if(all.begin(), all.end(), [](const Outcome& one) { return one.hides() && one.right(); });
   const auto false_positives =
       std::count_if(all.begin(), all.end(), [](const Outcome& one) { return !one.hides() && one.positive(); });
+  std::cout << right << " hidden effects found, " << false_positives << " found where nothing is hidden\n";
   EXPECT_GE(right, kLeastRight);
   EXPECT_LE(false_positives, kMostFalsePositives);
 }
