@@ -2,6 +2,7 @@
 
 #include "diagnosis/integration_error.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/sufficient_substeps.h"
 #include "fitting/stages.h"
 #include "foundation/interrupt.h"
 
@@ -76,27 +77,35 @@ std::optional<NoiseModel> same_noise(const Round& last, const RowBins& bins, con
   return noise;
 }
 
+/// The contender, with as many substeps as these segments need: errors grow with the length.
+ModelDefinition definition_for(const LengthTask& task, const BaseSolution& base) {
+  ModelDefinition definition = task.contender.definition;
+  definition.engine.substeps = task.cut.definition.engine.substeps;
+  definition.engine.substeps = sufficient_substeps(definition, base, task.threads);
+  return definition;
+}
+
 Refit refit_over(const LengthTask& task, double length) {
-  const Contender& contender = task.contender;
   CutTask cut = task.cut;
   cut.segment = length;
   BaseSolution base = cut_trials(cut);
   base.values = task.last.fit.values;
-  correct_for_steps(contender.definition, base, task.threads);
-  const TrialPredictor predictor(*contender.model, base.trials, task.threads);
-  const ParameterSpace space(contender.definition.free);
+  const ModelDefinition definition = definition_for(task, base);
+  const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
+  correct_for_steps(definition, base, task.threads);
+  const TrialPredictor predictor(*model, base.trials, task.threads);
+  const ParameterSpace space(definition.free);
   ShootingProblem problem(predictor, space, base.segments, base.noise);
   const RowBins bins(problem);
   base.steps = problem.steps();
   const FitPoint point{space.to_coordinates(base.values), base.states};
-  const ForceResponses forces = force_responses(contender.definition, problem, bins, point, base.values,
+  const ForceResponses forces = force_responses(definition, problem, bins, point, base.values,
                                                 std::max(1.0, task.last.base.residual), task.threads);
   const std::optional<NoiseModel> noise = same_noise(task.last, bins, forces);
   if (!noise) return {};
   std::vector<std::size_t> places(base.values.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  return refit({contender.definition, *contender.model, places}, base, bins, noise_factors(*noise), {base.values},
-               task.threads);
+  return refit({definition, *model, places}, base, bins, noise_factors(*noise), {base.values}, task.threads);
 }
 
 /// By how much the deviance grows, to second order, where the effects get the answer's values and all else is fitted
@@ -106,9 +115,9 @@ double deviance_against_answer(const LengthTask& task, const Refit& fit) {
   const auto count = static_cast<Eigen::Index>(fit.values.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
-  for (std::size_t k = 0; k < fit.derivatives.size(); ++k) {
-    information += fit.derivatives[k].transpose() * fit.derivatives[k];
-    slope += fit.derivatives[k].transpose() * fit.residuals[k];
+  for (const WeightedSegment& segment : fit.weighted) {
+    information += segment.values.transpose() * segment.values;
+    slope += segment.values.transpose() * segment.residual;
   }
   std::vector<Eigen::Index> moved, others;
   for (Eigen::Index i = 0; i < count; ++i) {

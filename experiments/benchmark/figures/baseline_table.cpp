@@ -15,8 +15,9 @@ using Values = std::map<std::string, std::map<std::string, std::map<std::string,
 Values read_values(Database& database, const FigureValues& all) {
   Values values;
   for (const Row& row : database.query(
-           "SELECT v.method, v.figure, j.noise, v.value FROM baseline_value v JOIN judged j USING (version, set_name, "
-           "number) WHERE version = ? AND set_name = ? ORDER BY number",
+           "WITH v AS MATERIALIZED (SELECT * FROM baseline_value) SELECT v.method, v.figure, j.noise, v.value "
+           "FROM v CROSS JOIN judged j USING (version, set_name, number) "
+           "WHERE +v.version = ? AND +v.set_name = ? ORDER BY number",
            {all.version, all.set}))
     for (const std::string& noise : {text(row[2]), std::string()})
       values[text(row[0])][text(row[1])][noise].push_back(real(row[3]));

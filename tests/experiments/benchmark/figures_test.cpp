@@ -1,3 +1,4 @@
+#include "figures/baseline_table.h"
 #include "figures/figure_values.h"
 #include "figures/matrix_picture.h"
 #include "figures/tables.h"
@@ -175,6 +176,21 @@ TEST_F(Figures, ThePageHasEstimateIntervalAndGoal) {
                               "100.0 % [20.7, 100.0] n 1 | yes | – | – | 100.0 % [20.7, 100.0] n 1 |"));
   EXPECT_THAT(page, HasSubstr("## By rig"));
   EXPECT_THAT(page, HasSubstr("| coulomb_friction |"));
+}
+
+/// Right first, right second, and with nothing chosen: one of three first, two of three among the first.
+TEST_F(Figures, OtherMethodsAreScoredOnTheSameCases) {
+  for (int number = 0; number < 3; ++number) {
+    CaseResult result = answered(number, small_diagnosis(1, "nothing_missing", 0.9));
+    result.baselines = {{"guess", number == 2 ? 0 : 1, 4.0, {kCoulomb, kSpring}, {2.0, 1.0}}};
+    if (number == 1) result.baselines[0].ranking = {kSpring, kCoulomb};
+    if (number == 2) result.baselines[0].ranking = {kSpring};
+    keep(result);
+  }
+  const std::string table = baseline_table(database_, read_figures(database_, "v", "tuning"));
+  EXPECT_THAT(table, HasSubstr("| guess | first right | 33.3 % [6.1, 79.2] n 3 |"));
+  EXPECT_THAT(table, HasSubstr("| guess | among the first three | 66.7 % [20.8, 93.9] n 3 |"));
+  EXPECT_THAT(table, HasSubstr("| guess | processor seconds | 4 [4, 4] n 3 |"));
 }
 
 TEST_F(Figures, ASetWithoutCasesIsSaid) { EXPECT_THROW(read_figures(database_, "v", "reporting"), std::runtime_error); }
