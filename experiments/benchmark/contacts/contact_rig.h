@@ -57,6 +57,12 @@ struct ContactDrive {
   double random_command; ///< RMS of the command that an unmodelled random force on the joint amounts to, likewise
 };
 
+/// What the owner knows of a joint at the start: where it stands, at rest.
+struct ContactStart {
+  std::string joint;
+  double position = 0.0;
+};
+
 /// Values by drive, or by channel, and sample.
 using Samples = std::vector<std::vector<double>>;
 
@@ -64,7 +70,7 @@ using Samples = std::vector<std::vector<double>>;
 struct ContactRig {
   std::string name;
   std::string robot;    ///< text of robot.toml; empty: the robot plugin of that name
-  std::string initial;  ///< text of the tables [target.initial.JOINT]
+  std::vector<ContactStart> starts;
   double interval;      ///< s, between samples
   double step;          ///< s, of the owner's engine
   int substeps;

@@ -29,7 +29,6 @@ Samples sines(int samples, std::uint64_t seed) {
 ContactRig quadruped() {
   ContactRig rig;
   rig.name = "quadruped";
-  rig.initial = "[target.initial]\n";
   rig.interval = rig.step = kInterval;
   rig.substeps = 2;
   rig.duration = 1.0;
@@ -45,7 +44,7 @@ ContactRig quadruped() {
     rig.channels.push_back({"touch_" + leg, "1"});
     for (const char* joint : {"_hip", "_knee"}) {
       rig.drives.push_back({leg + joint, "1", 0.005, 0.01});
-      rig.initial += leg + joint + " = { knowledge = \"given\" }\n";
+      rig.starts.push_back({leg + joint});
     }
   }
   for (const std::string leg : kLegs) rig.channels.push_back({"angle_" + leg, "1", 2e-3, 6e-3});

@@ -97,7 +97,7 @@ ContactRig wheeled_base() {
   ContactRig rig;
   rig.name = "wheeled_base";
   rig.robot = kRobot;
-  rig.initial = "[target.initial]\nleft = { knowledge = \"given\" }\nright = { knowledge = \"given\" }\n";
+  rig.starts = {{"left"}, {"right"}};
   rig.interval = rig.step = kInterval;
   rig.substeps = 4;
   rig.duration = 1.0;

@@ -5,6 +5,7 @@
 #include "runs/beside_the_program.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
+#include "runs/run_contact_case.h"
 #include "runs/truth_error.h"
 
 #include <exception>
@@ -50,6 +51,7 @@ void add_truth_error(const MadeCase& made, CaseResult& result) {
 CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep, bool baselines,
                     const ProgramSettings& settings) {
   const CaseFolder folder(work / plan.name(), keep);
+  if (is_contact_case(plan)) return run_contact_case(plan, version, folder.path(), settings);
   std::optional<MadeCase> made;
   try {
     made = make_case(plan);
