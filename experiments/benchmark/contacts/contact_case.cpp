@@ -7,7 +7,6 @@
 namespace hidden_effects {
 namespace {
 
-constexpr int kPilotTrials = 4;
 constexpr double kAbsorbed = 1.05;  ///< a strength below which the base explains what is hidden
 constexpr std::uint64_t kTrueValues = 1;
 
@@ -21,34 +20,29 @@ class ContactMaker {
   }
 
   MadeContactCase run() {
-    if (const std::optional<ContactLaw> law = hidden_law(made_.plan)) {
-      const ContactLeft floor = floor_of(kPilotTrials);
-      const double value = value_of_strength(*law, made_.plan.strength, [&](const SizedContactLaw& one) {
-        return strength_of(left_by_refitted(rig_, base_, record({one}, kPilotTrials)), floor);
-      });
-      made_.hidden = SizedContactLaw{*law, value};
-    }
-    made_.trials = record(laws(), rig_.fit_trials + rig_.held_out_trials);
-    const std::vector<ContactTrial> fitted(made_.trials.begin(), made_.trials.begin() + rig_.fit_trials);
-    made_.strength = strength_of(left_by_refitted(rig_, base_, fitted), floor_of(rig_.fit_trials));
+    const ContactLeft floor = left_by_refitted(rig_, base_, record({}, rig_.fit_trials));
+    const auto strength_with = [&](const std::vector<SizedContactLaw>& laws) {
+      return strength_of(left_by_refitted(rig_, base_, record(laws, rig_.fit_trials)), floor);
+    };
+    if (const std::optional<ContactLaw> law = hidden_law(made_.plan))
+      made_.hidden =
+          SizedContactLaw{*law, value_of_strength(*law, made_.plan.strength,
+                                                  [&](const SizedContactLaw& one) { return strength_with({one}); })};
+    const std::vector<SizedContactLaw> laws =
+        made_.hidden ? std::vector{*made_.hidden} : std::vector<SizedContactLaw>{};
+    made_.trials = record(laws, rig_.fit_trials + rig_.held_out_trials);
+    made_.strength = strength_with(laws);
     made_.absorbed = made_.hidden && made_.strength < kAbsorbed;
     return std::move(made_);
   }
 
  private:
-  std::vector<SizedContactLaw> laws() const {
-    return made_.hidden ? std::vector{*made_.hidden} : std::vector<SizedContactLaw>{};
-  }
-
   std::vector<ContactTrial> record(const std::vector<SizedContactLaw>& laws, int count) const {
     const ContactBench bench(rig_, folder_, laws, made_.free_value, made_.plan.noise, made_.plan.seed);
     std::vector<ContactTrial> trials;
     for (int number = 0; number < count; ++number) trials.push_back(bench.record(number));
     return trials;
   }
-
-  /// What noise, random forces, the other ground and the owner's step leave of a right model.
-  ContactLeft floor_of(int trials) const { return left_by(rig_, base_, made_.free_value, record({}, trials)); }
 
   std::filesystem::path folder_;
   const ContactRig& rig_;

@@ -9,7 +9,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kWhiteShare = 0.5, kSlowShare = 0.7;  ///< of a channel's noise, where it is coloured
+constexpr double kWhiteShare = 0.5, kSlowShare = 0.7;    ///< of a channel's noise, where it is coloured
 constexpr double kSensorTime = 0.03, kForceTime = 0.05;  ///< s, of slow noise
 
 enum Stream : std::uint64_t { kCommands = 1, kShapes = 2, kForces = 100, kRecorder = 200, kWhite = 300, kSlow = 400 };

@@ -22,9 +22,9 @@ struct ContactLaw {
   std::string where;      ///< "joint.leg", "actuator.*"; empty: the world
   std::string parameter;  ///< which the size decides
   SizeRule rule = SizeRule::grows;
-  double unit = 1.0;          ///< of the parameter, SI
-  std::string others = "";    ///< further start values of the effect, as TOML
-  double most = 1e9;          ///< the largest value that the parameter may have
+  double unit = 1.0;        ///< of the parameter, SI
+  std::string others = "";  ///< further start values of the effect, as TOML
+  double most = 1e9;        ///< the largest value that the parameter may have
 
   bool library_form() const { return name == effect; }
   double at_size(double size) const;
@@ -53,8 +53,8 @@ struct ContactChannel {
 /// An actuator that is commanded.
 struct ContactDrive {
   std::string name, unit;
-  double command_noise;  ///< RMS of the noise on a recorded command, in the worst case
-  double random_command; ///< RMS of the command that an unmodelled random force on the joint amounts to, likewise
+  double command_noise;   ///< RMS of the noise on a recorded command, in the worst case
+  double random_command;  ///< RMS of the command that an unmodelled random force on the joint amounts to, likewise
 };
 
 /// What the owner knows of a joint at the start: where it stands, at rest.
@@ -69,12 +69,12 @@ using Samples = std::vector<std::vector<double>>;
 /// A robot on the ground as its owner would write it down. Its trials are short, many, and begin at a known state.
 struct ContactRig {
   std::string name;
-  std::string robot;    ///< text of robot.toml; empty: the robot plugin of that name
+  std::string robot;  ///< text of robot.toml; empty: the robot plugin of that name
   std::vector<ContactStart> starts;
-  double interval;      ///< s, between samples
-  double step;          ///< s, of the owner's engine
+  double interval;  ///< s, between samples
+  double step;      ///< s, of the owner's engine
   int substeps;
-  double duration;      ///< s, of a trial
+  double duration;  ///< s, of a trial
   int fit_trials, held_out_trials;
   std::string free;        ///< address of what the owner frees
   double nominal, spread;  ///< of that, and by how large a share the true value may differ

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kSmallest = 1e-3, kLargest = 30.0;  ///< sizes that are tried
 constexpr int kMostTries = 7;
-constexpr double kClose = 0.08;         ///< of the wanted strength
-constexpr double kBeyond = 1e3;         ///< the strength of a robot that falls to pieces
-constexpr double kFirstStep = 0.2;      ///< of the refit's logarithmic search
+constexpr double kClose = 0.08;     ///< of the wanted strength
+constexpr double kBeyond = 1e3;     ///< the strength of a robot that falls to pieces
+constexpr double kFirstStep = 0.2;  ///< of the refit's logarithmic search
 constexpr double kEnough = 0.01;
-constexpr double kFarthest = 0.9;       ///< from the nominal value, logarithm
+constexpr double kFarthest = 0.9;  ///< from the nominal value, logarithm
 
 double cost(const ContactRig& rig, const ContactLeft& left) {
   double sum = 0.0;
@@ -22,8 +22,7 @@ double cost(const ContactRig& rig, const ContactLeft& left) {
   return sum;
 }
 
-}  // namespace
-
+/// With the free value given.
 ContactLeft left_by(const ContactRig& rig, const EngineModel& base, double free_value,
                     const std::vector<ContactTrial>& trials) {
   ContactLeft left{free_value, std::vector<double>(rig.channels.size(), 0.0)};
@@ -37,6 +36,8 @@ ContactLeft left_by(const ContactRig& rig, const EngineModel& base, double free_
   for (double& value : left.rms) value = std::sqrt(value / rows);
   return left;
 }
+
+}  // namespace
 
 ContactLeft left_by_refitted(const ContactRig& rig, const EngineModel& base, const std::vector<ContactTrial>& trials) {
   const auto at = [&](double place) { return left_by(rig, base, rig.nominal * std::exp(place), trials); };

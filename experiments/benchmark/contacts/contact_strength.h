@@ -12,14 +12,11 @@ struct ContactLeft {
   std::vector<double> rms;
 };
 
-/// With the free value given.
-ContactLeft left_by(const ContactRig& rig, const EngineModel& base, double free_value,
-                    const std::vector<ContactTrial>& trials);
-
 /// With the free value fitted to the trials, to about a hundredth.
 ContactLeft left_by_refitted(const ContactRig& rig, const EngineModel& base, const std::vector<ContactTrial>& trials);
 
-/// RMS over the channels of what is left over what noise alone, and a ground that is not quite the owner's, leave.
+/// RMS over the channels of what the base leaves over `floor`: what noise, random forces, the other ground and the
+/// owner's step leave of a refitted model that is right.
 double strength_of(const ContactLeft& left, const ContactLeft& floor);
 
 /// The law's value at which the refitted base leaves `wanted` times the floor. One that is out of reach is the largest

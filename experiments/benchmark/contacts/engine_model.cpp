@@ -47,9 +47,8 @@ std::string ground_text(const ContactGround& ground) {
 /// The rig as a model with one free value.
 lacuna::ModelDefinition define(const ContactRig& rig, const std::filesystem::path& folder, Integration integration,
                                const std::vector<SizedContactLaw>& laws) {
-  const std::string text =
-      fmt::format("[experiment]\nname = \"rig\"\n[target]\nkind = \"simulated\"\n{}\n{}", robot_line(rig),
-                  model_text(rig, integration, laws));
+  const std::string text = fmt::format("[experiment]\nname = \"rig\"\n[target]\nkind = \"simulated\"\n{}\n{}",
+                                       robot_line(rig), model_text(rig, integration, laws));
   return lacuna::define_model(lacuna::read_experiment_text(text, folder / "rig.toml"), catalog());
 }
 
@@ -60,7 +59,8 @@ lacuna::CommandSeries command_series(const ContactRig& rig, const Samples& comma
   series.series.samples.resize(rows, static_cast<Eigen::Index>(commands.size()));
   for (std::size_t d = 0; d < commands.size(); ++d) {
     series.series.channels.push_back({rig.drives[d].name, rig.drives[d].unit});
-    series.series.samples.col(static_cast<Eigen::Index>(d)) = Eigen::Map<const Eigen::VectorXd>(commands[d].data(), rows);
+    series.series.samples.col(static_cast<Eigen::Index>(d)) =
+        Eigen::Map<const Eigen::VectorXd>(commands[d].data(), rows);
   }
   return series;
 }
@@ -135,9 +135,9 @@ std::string model_text(const ContactRig& rig, Integration integration, const std
   const bool truth = integration == Integration::truth;
   return fmt::format(
       "[model]\n{}\neffects = [{}]\n\n[model.free]\n\"{}\" = [{}, {}]\n\n[engine]\nstep = {}\nsubsteps = {}\n{}",
-                     robot_line(rig),
-                     fmt::join(effects, ", "), rig.free, number(kLowest * rig.nominal), number(kHighest * rig.nominal), number(truth ? rig.step / 10.0 : rig.step), rig.substeps,
-                     ground_text(truth ? rig.real : rig.believed));
+      robot_line(rig), fmt::join(effects, ", "), rig.free, number(kLowest * rig.nominal),
+      number(kHighest * rig.nominal), number(truth ? rig.step / 10.0 : rig.step), rig.substeps,
+      ground_text(truth ? rig.real : rig.believed));
 }
 
 }  // namespace hidden_effects

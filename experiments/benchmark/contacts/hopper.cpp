@@ -72,8 +72,8 @@ ContactRig hopper() {
   rig.starts = {{"rail", kHopperDrop}, {"leg"}};
   rig.interval = kInterval;
   rig.step = 1e-3;
-  rig.substeps = 2;
-  rig.duration = 0.8;
+  rig.substeps = 6;
+  rig.duration = 0.6;
   rig.fit_trials = 12;
   rig.held_out_trials = 2;
   rig.free = "body.trunk.mass";

@@ -46,9 +46,8 @@ class Hopper {
     motor_ = first_ || truth_.lag <= 0.0 ? wanted : motor_ + (wanted - motor_) * (1.0 - std::exp(-kH / truth_.lag));
     first_ = false;
     const double stretch = trunk_ - foot_, speed = trunk_speed_ - foot_speed_;
-    const double friction =
-        truth_.dry * sign_of(speed, 1e-4) + truth_.smooth_dry * sign_of(speed, 0.1) +
-        truth_.viscous_power * std::copysign(std::pow(std::abs(speed), 0.8), speed);
+    const double friction = truth_.dry * sign_of(speed, 1e-4) + truth_.smooth_dry * sign_of(speed, 0.1) +
+                            truth_.viscous_power * std::copysign(std::pow(std::abs(speed), 0.8), speed);
     return motor_ + truth_.leg_force - kSpring * stretch - truth_.cubic_stiffness * stretch * stretch * stretch -
            (kDamping + truth_.viscous) * speed - friction;
   }

@@ -15,14 +15,14 @@ struct HopperTruth {
   double falling_restitution = 0.0;  ///< that of slow impacts; fast ones give back less
   double ground_stiffness = std::numeric_limits<double>::infinity();  ///< N/m; Hunt and Crossley's law
   double hertz_stiffness = std::numeric_limits<double>::infinity();   ///< N/m^1.5; the same with Hertz's exponent
-  double viscous = 0.0;        ///< of the leg, beside the owner's
-  double viscous_power = 0.0;  ///< of the leg: coefficient of v^0.8
-  double dry = 0.0;            ///< of the leg
-  double smooth_dry = 0.0;     ///< of the leg: rises over 0.1 m/s
+  double viscous = 0.0;                                               ///< of the leg, beside the owner's
+  double viscous_power = 0.0;                                         ///< of the leg: coefficient of v^0.8
+  double dry = 0.0;                                                   ///< of the leg
+  double smooth_dry = 0.0;                                            ///< of the leg: rises over 0.1 m/s
   double cubic_stiffness = 0.0;
   double leg_force = 0.0;
-  double foot_load = 0.0;  ///< kg
-  double lag = 0.0, delay = 0.0, gain = 1.0;                       ///< of the motor
+  double foot_load = 0.0;                                              ///< kg
+  double lag = 0.0, delay = 0.0, gain = 1.0;                           ///< of the motor
   double length_offset = 0.0, length_scale = 1.0, length_delay = 0.0;  ///< of the sensor
 };
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kInterval = 0.01;  ///< s
 constexpr const char* kLegs[] = {"front_left", "front_right", "rear_left", "rear_right"};
 
-/// Slow sines of each joint, in shares of its range.
+/// Slow sines of each joint, in shares of its range: what the robot's servos multiply by 30° (its actuators' gain).
 Samples sines(int samples, std::uint64_t seed) {
   Draw draw(seed, 1);
   Samples all;
@@ -30,8 +30,8 @@ ContactRig quadruped() {
   ContactRig rig;
   rig.name = "quadruped";
   rig.interval = rig.step = kInterval;
-  rig.substeps = 2;
-  rig.duration = 1.0;
+  rig.substeps = 4;
+  rig.duration = 0.8;
   rig.fit_trials = 12;
   rig.held_out_trials = 2;
   rig.free = "body.torso.mass";
@@ -43,7 +43,7 @@ ContactRig quadruped() {
   for (const std::string leg : kLegs) {
     rig.channels.push_back({"touch_" + leg, "1"});
     for (const char* joint : {"_hip", "_knee"}) {
-      rig.drives.push_back({leg + joint, "1", 0.005, 0.01});
+      rig.drives.push_back({leg + joint, "rad", 0.005, 0.01});
       rig.starts.push_back({leg + joint});
     }
   }

@@ -99,8 +99,8 @@ ContactRig wheeled_base() {
   rig.robot = kRobot;
   rig.starts = {{"left"}, {"right"}};
   rig.interval = rig.step = kInterval;
-  rig.substeps = 4;
-  rig.duration = 1.0;
+  rig.substeps = 8;
+  rig.duration = 0.8;
   rig.fit_trials = 12;
   rig.held_out_trials = 2;
   rig.free = "body.chassis.mass";

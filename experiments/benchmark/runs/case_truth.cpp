@@ -70,7 +70,7 @@ std::string truth_json(const CasePlan& plan, const CaseRecord& about, const std:
   }
   for (const NamedValue& one : free_values) values[one.name] = one.value;
   return ordered_json{
-             {"case", plan.name()},   {"group", about.group},       {"rig", about.rig}, {"noise", about.noise},
+             {"case", plan.name()},        {"group", about.group},       {"rig", about.rig}, {"noise", about.noise},
              {"strength", about.strength}, {"absorbed", about.absorbed}, {"hidden", hidden}, {"values", values}}
              .dump(2) +
          "\n";

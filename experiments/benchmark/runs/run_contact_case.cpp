@@ -54,9 +54,7 @@ CaseRecord about_contact_case(const MadeContactCase& made, const std::string& ve
   return about;
 }
 
-std::vector<NamedValue> true_contact_values(const MadeContactCase& made) {
-  return {{made.rig->free, made.free_value}};
-}
+std::vector<NamedValue> true_contact_values(const MadeContactCase& made) { return {{made.rig->free, made.free_value}}; }
 
 CaseResult run_contact_case(const CasePlan& plan, const std::string& version, const fs::path& folder,
                             const ProgramSettings& settings) {
@@ -64,13 +62,8 @@ CaseResult run_contact_case(const CasePlan& plan, const std::string& version, co
   try {
     made = make_contact_case(plan, folder);
   } catch (const std::exception& error) {
-    return {about_contact_plan(plan, version),
-            std::string("the case cannot be made: ") + error.what(),
-            {},
-            {},
-            {},
-            {},
-            {}};
+    return {
+        about_contact_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
   }
   CaseResult result =
       go_through({about_contact_case(*made, version), folder, true_contact_values(*made), {}}, settings);
