@@ -78,12 +78,12 @@ struct Diagnosis {
   double chance_95 = 0.0;            ///< nats, of the first round
   double free_force_p = 1.0;         ///< whether a force of any form still explains more than noise, after the answer
   Gain free_force_gain;              ///< of that force, over the answer
-  Gain answer_gain;  ///< of the answer over the model without any effect, under the noise that the gain before is told in
+  Gain answer_gain;  ///< of the answer over the model without any effect, in the noise of `free_force_gain`
   std::vector<ForceCurve> residual_force;  ///< that force, where it explains more than noise
   std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
-  bool formulas_of_rest = false;  ///< for what the answer leaves, under its noise; else for what the model lacks
-  std::vector<EffectsAtLength> lengths;    ///< of the answer (segment_lengths.h)
-  std::size_t hypotheses = 0;              ///< effect × place
+  bool formulas_of_rest = false;         ///< for what the answer leaves, under its noise; else for what the model lacks
+  std::vector<EffectsAtLength> lengths;  ///< of the answer (segment_lengths.h)
+  std::size_t hypotheses = 0;            ///< effect × place
   std::vector<Untestable> untestable;
   std::vector<std::string> findings;  ///< sentences
   std::string next_test;              ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test

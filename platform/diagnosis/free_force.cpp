@@ -1,6 +1,5 @@
 #include "diagnosis/free_force.h"
 
-#include "diagnosis/cross_validation.h"
 #include "diagnosis/force_interaction.h"
 #include "diagnosis/force_regression.h"
 #include "diagnosis/screening.h"
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -134,12 +132,6 @@ double p_by_chance(const Eigen::MatrixXd& scores, double deviance, std::uint64_t
   for (Eigen::Index length = 2; scores.cols() >= length * kFewestBlocks; length *= 2)
     p = std::max(p, p_by_signs(in_blocks(scores, length), deviance, seed));
   return p;
-}
-
-/// How often chance alone would make the held-out gain one.
-double p_of(const Gain& gain) {
-  if (!(gain.standard_error > 0.0)) return gain.value > 0.0 ? 0.0 : 1.0;
-  return 0.5 * std::erfc(gain.value / gain.standard_error / std::numbers::sqrt2);
 }
 
 double best_ridge(const ForceRegression& regression, const ForceRegression::Columns& all) {
@@ -284,8 +276,7 @@ FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whi
   double ridge = best_ridge(regression, all);
   for (int time = 0; time < kMostChoices && regression.settle(all, ridge); ++time) ridge = best_ridge(regression, all);
   result.held_out = regression.held_out(all, ridge);
-  const Gain found = gain(held_out_deviance(task.base, task.folds), result.held_out, task.seed);
-  result.p = std::max(p_by_chance(scores, result.deviance, task.seed), p_of(found));
+  result.p = p_by_chance(scores, result.deviance, task.seed);
   result.curves = force.curves;
   draw_curves(force.readings * combinations, regression.sizes(all, ridge), regression.covariance(all, ridge),
               result.curves);

@@ -38,8 +38,7 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
 struct FreeForceTest {
   double deviance = 0.0;  ///< by how much −2 log likelihood falls
   int freedom = 0;        ///< independent functions that can be seen
-  /// How often noise explains as much: blocks of segments pushed either way at random, or a held-out gain that is one
-  /// by chance, whichever is more likely; at least 1/(draws + 1).
+  /// How often noise explains as much, blocks of segments pushed either way at random; at least 1/(draws + 1).
   double p = 1.0;
   /// Held-out deviance by segment, folds left out one by one; ridge by cross-validation.
   Eigen::VectorXd held_out;

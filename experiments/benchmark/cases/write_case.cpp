@@ -9,7 +9,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr int kSubsteps = 5;
+constexpr int kSubsteps = 20;
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);

@@ -23,8 +23,7 @@ struct RunOptions {
   fs::path database, work, lacuna;
   int jobs = 1;
   double longest = 1800.0;
-  bool keep = false;
-  bool baselines = true;
+  bool keep = false, baselines = false, without_oracle = false;
 };
 
 /// Beside this program, where a build puts both.
@@ -74,7 +73,8 @@ void run(const RunOptions& options) {
   const SetProgress progress = run_set(
       database, version, plans, options.jobs,
       [&](const CasePlan& plan) {
-        return run_case(plan, version, options.work, options.keep, options.baselines, settings);
+        return run_case(plan, version, {options.work, options.keep, !options.without_oracle, options.baselines},
+                        settings);
       },
       lacuna::interrupt_requested, told);
   fmt::print(stderr, "{} cases run, {} were there before, {} left\n", progress.kept, progress.before, progress.left);
@@ -104,7 +104,8 @@ void add_run_command(CLI::App& program) {
       ->check(CLI::PositiveNumber)
       ->option_text("S");
   command->add_flag("--keep", options->keep, "Keep the files of the cases");
-  command->add_flag("!--without-baselines", options->baselines, "Leave out the other methods: half of the time");
+  command->add_flag("--baselines", options->baselines, "Ask other methods, too: as long again as a diagnosis");
+  command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");
   command->callback([options] { run(*options); });
 }
 

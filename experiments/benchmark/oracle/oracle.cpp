@@ -17,8 +17,8 @@ using Index = Eigen::Index;
 bool same(const PlacedLaw& a, const PlacedLaw& b) { return a.kind == b.kind && a.element == b.element; }
 
 /// The truth in words of the library: laws of another form replaced one by one by what fits best of the same name.
-Candidate representative(const TrueData& data) {
-  Candidate at = data.truth();
+Explanation representative(const TrueData& data) {
+  Explanation at = data.truth();
   for (std::size_t l = 0; l < at.model.laws.size();) {
     if (at.model.laws[l].kind->library_form) {
       ++l;
@@ -34,7 +34,7 @@ Candidate representative(const TrueData& data) {
 
 /// Of the base alone, refitted.
 double base_non_centrality(const MadeCase& made, const TrueData& data) {
-  Candidate base = data.truth();
+  Explanation base = data.truth();
   base.model = made.base;
   base.values = made.base_values;
   const auto fitted = data.refitted(base, kToldApart, 0.0);
@@ -50,7 +50,7 @@ std::vector<std::string> names_of(const PlantModel& model) {
 }
 
 /// Parameters of which the data say nothing have no bounds, and do not count for the others.
-std::vector<Width> widths_of(const Candidate& at, const Eigen::MatrixXd& information) {
+std::vector<Width> widths_of(const Explanation& at, const Eigen::MatrixXd& information) {
   constexpr double kQuantile = 1.959964, kNothing = 1e-20;
   const std::vector<std::string> names = names_of(at.model);
   std::vector<Index> told;
@@ -77,7 +77,7 @@ bool wanted(const PlacedLaw& law, const std::vector<std::string>& among) {
 }
 
 /// All laws of the library in the place of law number `law`; those that the model has already stay out.
-std::vector<Rival> rivals_of(const TrueData& data, const Candidate& at, std::size_t law) {
+std::vector<Rival> rivals_of(const TrueData& data, const Explanation& at, std::size_t law) {
   const Stand stand(data, at, law);
   std::vector<Rival> rivals;
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
@@ -103,7 +103,7 @@ std::vector<PlacedLaw> OracleAnswer::alike(std::size_t hidden) const {
 OracleAnswer ask_oracle(const MadeCase& made, const OracleOptions& options) {
   const TrueData data(made, options);
   OracleAnswer answer;
-  const Candidate at = representative(data);
+  const Explanation at = representative(data);
   answer.representative = at.model.laws;
   answer.non_centrality = at.deviance;
   answer.widths = widths_of(at, Nuisances(data.question(at)).information());

@@ -44,17 +44,17 @@ TrueData::TrueData(const MadeCase& made, const OracleOptions& options) : made_(m
   whiten_ = kalman_whitener(made.truth, made.truth_values, true_trials, made.noise, options.step);
 }
 
-Candidate TrueData::truth() const { return {made_.truth, made_.truth_values, starts_, 0.0}; }
+Explanation TrueData::truth() const { return {made_.truth, made_.truth_values, starts_, 0.0}; }
 
 Scales TrueData::scales(const PlacedLaw& law) const {
   return scales_of(made_.truth.spec, law.kind->place, law.element, excitations_of(trials_), motions_);
 }
 
-Question TrueData::question(const Candidate& at) const {
+Question TrueData::question(const Explanation& at) const {
   return {at.model, at.values, trials_, at.starts, whiten_, options_.step};
 }
 
-std::optional<Candidate> TrueData::refitted(Candidate from, double settled, double hopeless) const {
+std::optional<Explanation> TrueData::refitted(Explanation from, double settled, double hopeless) const {
   FitOptions options;
   options.most_iterations = options_.most_iterations;
   options.enough = 1e-5;
@@ -67,18 +67,18 @@ std::optional<Candidate> TrueData::refitted(Candidate from, double settled, doub
   options.upper = std::move(bounds.upper);
   PlantFit fit = fit_plant(from.model, trials_, from.values, from.starts, whiten_, options);
   if (!fit.valid) return std::nullopt;
-  return Candidate{std::move(from.model), std::move(fit.values), std::move(fit.starts), fit.deviance};
+  return Explanation{std::move(from.model), std::move(fit.values), std::move(fit.starts), fit.deviance};
 }
 
-Footing::Footing(const TrueData& data, Candidate kept, Nuisances nuisances)
+Footing::Footing(const TrueData& data, Explanation kept, Nuisances nuisances)
     : data_(data),
       kept_(std::move(kept)),
       nuisances_(std::move(nuisances)),
       without_(whitened_residuals(data.question(kept_))),
       lacking_(nuisances_.projected(without_)) {}
 
-Candidate Footing::with(const PlacedLaw& rival, const std::vector<double>& parameters) const {
-  Candidate at = kept_;
+Explanation Footing::with(const PlacedLaw& rival, const std::vector<double>& parameters) const {
+  Explanation at = kept_;
   at.model.laws.push_back(rival);
   at.values.resize(kept_.values.size() + static_cast<Eigen::Index>(parameters.size()));
   at.values << kept_.values,
@@ -88,7 +88,7 @@ Candidate Footing::with(const PlacedLaw& rival, const std::vector<double>& param
 
 std::optional<Eigen::VectorXd> Footing::effect(const PlacedLaw& rival, const std::vector<double>& parameters) const {
   try {
-    const Candidate changed = with(rival, parameters);
+    const Explanation changed = with(rival, parameters);
     std::vector<Eigen::VectorXd> changes = whitened_residuals(data_.question(changed));
     for (std::size_t t = 0; t < changes.size(); ++t) changes[t] = without_[t] - changes[t];
     Eigen::VectorXd projected = nuisances_.projected(changes);
@@ -99,13 +99,13 @@ std::optional<Eigen::VectorXd> Footing::effect(const PlacedLaw& rival, const std
   }
 }
 
-Stand::Stand(const TrueData& data, const Candidate& at, std::size_t law) : data_(data) {
+Stand::Stand(const TrueData& data, const Explanation& at, std::size_t law) : data_(data) {
   auto first = static_cast<Eigen::Index>(at.model.free.size());
   for (std::size_t l = 0; l < law; ++l) first += static_cast<Eigen::Index>(at.model.laws[l].kind->parameters.size());
   const auto count = static_cast<Eigen::Index>(at.model.laws[law].kind->parameters.size());
   taken_ = at.model.laws[law];
   taken_parameters_.assign(at.values.data() + first, at.values.data() + first + count);
-  Candidate kept = at;
+  Explanation kept = at;
   kept.model.laws.erase(kept.model.laws.begin() + static_cast<std::ptrdiff_t>(law));
   kept.values.resize(at.values.size() - count);
   kept.values << at.values.head(first), at.values.tail(at.values.size() - first - count);
@@ -193,8 +193,8 @@ Stand::Screened Stand::screen(const PlacedLaw& rival) const {
   return screened;
 }
 
-std::optional<Candidate> Stand::refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const {
-  std::optional<Candidate> best;
+std::optional<Explanation> Stand::refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const {
+  std::optional<Explanation> best;
   for (std::size_t i = 0; i < std::min(data_.options().most_refined, attempts.size()); ++i) {
     auto fitted = data_.refitted(attempts[i].from, settled, hopeless);
     if (fitted && (!best || fitted->deviance < best->deviance)) best = std::move(fitted);
@@ -203,7 +203,7 @@ std::optional<Candidate> Stand::refine(const std::vector<Attempt>& attempts, dou
   return best;
 }
 
-std::optional<Candidate> Stand::best(const PlacedLaw& law) const { return refine(screen(law).attempts, 0.0, 0.0); }
+std::optional<Explanation> Stand::best(const PlacedLaw& law) const { return refine(screen(law).attempts, 0.0, 0.0); }
 
 Rival Stand::judge(const PlacedLaw& law, double reference) const {
   const OracleOptions& options = data_.options();

@@ -9,7 +9,7 @@
 namespace hidden_effects {
 
 /// A model, its values and where the trials start; what it leaves of the truth.
-struct Candidate {
+struct Explanation {
   PlantModel model;
   Eigen::VectorXd values;
   std::vector<Start> starts;
@@ -21,16 +21,16 @@ class TrueData {
  public:
   TrueData(const MadeCase& made, const OracleOptions& options);
 
-  Candidate truth() const;
+  Explanation truth() const;
   const std::vector<FittedTrial>& trials() const { return trials_; }
   const Whiten& whiten() const { return whiten_; }
   const OracleOptions& options() const { return options_; }
   Scales scales(const PlacedLaw& law) const;  ///< of the truth's motion
 
-  Question question(const Candidate& at) const;
+  Question question(const Explanation& at) const;
 
   /// Nothing where the plant runs away.
-  std::optional<Candidate> refitted(Candidate from, double settled, double hopeless) const;
+  std::optional<Explanation> refitted(Explanation from, double settled, double hopeless) const;
 
  private:
   const MadeCase& made_;
@@ -44,9 +44,9 @@ class TrueData {
 /// A model without the law that rivals replace, and the derivatives about it.
 class Footing {
  public:
-  Footing(const TrueData& data, Candidate kept, Nuisances nuisances);
+  Footing(const TrueData& data, Explanation kept, Nuisances nuisances);
 
-  Candidate with(const PlacedLaw& rival, const std::vector<double>& parameters) const;
+  Explanation with(const PlacedLaw& rival, const std::vector<double>& parameters) const;
 
   /// What the rival changes, with all else that is free projected out; nothing where the plant runs away.
   std::optional<Eigen::VectorXd> effect(const PlacedLaw& rival, const std::vector<double>& parameters) const;
@@ -55,7 +55,7 @@ class Footing {
 
  private:
   const TrueData& data_;
-  Candidate kept_;
+  Explanation kept_;
   Nuisances nuisances_;
   std::vector<Eigen::VectorXd> without_;  ///< whitened, by trial: data minus the kept model's prediction
   Eigen::VectorXd lacking_;
@@ -65,18 +65,18 @@ class Footing {
 class Stand {
  public:
   /// `at` explains the data; its law number `law` is taken out.
-  Stand(const TrueData& data, const Candidate& at, std::size_t law);
+  Stand(const TrueData& data, const Explanation& at, std::size_t law);
 
   /// A sum of squares that is told from `reference` is not lowered with all patience, one that is not is not lowered
   /// further.
   Rival judge(const PlacedLaw& rival, double reference) const;
 
   /// The best fit with a law, however slow.
-  std::optional<Candidate> best(const PlacedLaw& law) const;
+  std::optional<Explanation> best(const PlacedLaw& law) const;
 
  private:
   struct Attempt {
-    Candidate from;
+    Explanation from;
     double left = 0.0;  ///< by linear estimate
   };
   struct Screened {
@@ -84,7 +84,7 @@ class Stand {
     double lower_estimate = 0.0;    ///< what all of them together leave
   };
   Screened screen(const PlacedLaw& rival) const;
-  std::optional<Candidate> refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const;
+  std::optional<Explanation> refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const;
 
   const TrueData& data_;
   PlacedLaw taken_;

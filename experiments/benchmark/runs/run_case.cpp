@@ -2,7 +2,8 @@
 
 #include "cases/make_case.h"
 #include "cases/write_case.h"
-#include "runs/beside_the_program.h"
+#include "runs/ask_baselines.h"
+#include "runs/ask_oracle.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
 #include "runs/run_contact_case.h"
@@ -37,6 +38,20 @@ class CaseFolder {
   bool keep_;
 };
 
+/// What the library is not to have.
+std::vector<std::string> withheld(const CaseRecord& about, const OracleRecord& oracle) {
+  return about.group == "withheld" ? class_effects(about, oracle) : std::vector<std::string>();
+}
+
+/// A case whose truth runs away nearby has no oracle.
+OracleRecord oracle_of(const MadeCase& made) {
+  try {
+    return oracle_record(made);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 /// A case whose truth cannot be predicted (it runs away) has no such error.
 void add_truth_error(const MadeCase& made, CaseResult& result) {
   try {
@@ -46,11 +61,19 @@ void add_truth_error(const MadeCase& made, CaseResult& result) {
   }
 }
 
+/// Data that the base cannot follow at all leave the baselines without an answer.
+void add_baselines(const MadeCase& made, CaseResult& result) {
+  try {
+    result.baselines = ask_baselines(made, withheld(result.about, result.oracle));
+  } catch (const std::runtime_error&) {
+  }
+}
+
 }  // namespace
 
-CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::path& work, bool keep, bool baselines,
+CaseResult run_case(const CasePlan& plan, const std::string& version, const RunCaseOptions& options,
                     const ProgramSettings& settings) {
-  const CaseFolder folder(work / plan.name(), keep);
+  const CaseFolder folder(options.work / plan.name(), options.keep);
   if (is_contact_case(plan)) return run_contact_case(plan, version, folder.path(), settings);
   std::optional<MadeCase> made;
   try {
@@ -60,13 +83,11 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const fs::
     return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
   }
   const CaseRecord about = about_case(*made, version);
-  const OracleAnswer oracle = ask_oracle(*made);
-  const std::vector<std::string> withheld =
-      plan.group == "withheld" ? class_effects(*made, oracle) : std::vector<std::string>{};
-  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld}, settings);
+  const OracleRecord oracle = options.oracle ? oracle_of(*made) : OracleRecord();
+  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about, oracle)}, settings);
+  result.oracle = oracle;
   add_truth_error(*made, result);
-  result.oracle = oracle_record(*made, oracle);
-  if (baselines) result.baselines = baseline_records(*made, withheld);
+  if (options.baselines) add_baselines(*made, result);
   return result;
 }
 

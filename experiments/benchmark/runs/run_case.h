@@ -9,10 +9,16 @@
 
 namespace hidden_effects {
 
-/// Makes a case in `work`/its name, sends it through the program, asks the oracle and, if wanted, the baselines beside
-/// it, and removes the folder unless it is to be kept.
+struct RunCaseOptions {
+  std::filesystem::path work;  ///< folder for the files of cases under way
+  bool keep = false;           ///< these files
+  bool oracle = true;          ///< ask what the data could tell at all
+  bool baselines = false;      ///< ask the other methods, too, which takes about as long as a diagnosis
+};
+
+/// Makes a case in `work`/its name, sends it through the program, and removes the folder unless it is to be kept.
 /// A case that cannot be made is a result with its reason, too. Throws `CaseStopped`.
-CaseResult run_case(const CasePlan& plan, const std::string& version, const std::filesystem::path& work, bool keep,
-                    bool baselines, const ProgramSettings& settings);
+CaseResult run_case(const CasePlan& plan, const std::string& version, const RunCaseOptions& options,
+                    const ProgramSettings& settings);
 
 }  // namespace hidden_effects
