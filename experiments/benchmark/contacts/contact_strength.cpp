@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace hidden_effects {
@@ -22,9 +23,9 @@ double cost(const ContactRig& rig, const ContactLeft& left) {
   return sum;
 }
 
-/// With the free value given.
+/// With the free value given; beyond all bounds where the engine gives up.
 ContactLeft left_by(const ContactRig& rig, const EngineModel& base, double free_value,
-                    const std::vector<ContactTrial>& trials) {
+                    const std::vector<ContactTrial>& trials) try {
   ContactLeft left{free_value, std::vector<double>(rig.channels.size(), 0.0)};
   for (const ContactTrial& trial : trials) {
     const Samples predicted = base.readings(free_value, trial.commands, rig.interval);
@@ -35,6 +36,8 @@ ContactLeft left_by(const ContactRig& rig, const EngineModel& base, double free_
   const double rows = static_cast<double>(trials.size()) * rig.samples();
   for (double& value : left.rms) value = std::sqrt(value / rows);
   return left;
+} catch (const std::runtime_error&) {
+  return {free_value, std::vector<double>(rig.channels.size(), std::numeric_limits<double>::infinity())};
 }
 
 }  // namespace
@@ -57,6 +60,7 @@ ContactLeft left_by_refitted(const ContactRig& rig, const EngineModel& base, con
     }
     if (!better) step *= 0.5;
   }
+  if (!std::isfinite(cost(rig, best))) throw std::runtime_error("the engine cannot predict these trials");
   return best;
 }
 

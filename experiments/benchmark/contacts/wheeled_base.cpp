@@ -14,7 +14,7 @@ name = "wheeled_base"
 [body.chassis]
 at = [0.0, 0.0, 0.1]
 mass = 6.0
-com = [-0.05, 0.0, 0.0]
+com = [-0.1, 0.0, -0.03]
 inertia = [0.08, 0.1, 0.15]
 
 [body.left_wheel]
