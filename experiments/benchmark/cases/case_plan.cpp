@@ -1,12 +1,11 @@
 #include "cases/case_plan.h"
 
 #include "cases/scales_of.h"
+#include "cases/turns.h"
 #include "laws/law_kind.h"
-#include "plant/draw.h"
 #include "rigs/rig.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <stdexcept>
 
@@ -40,44 +39,7 @@ const std::vector<SetPlan>& sets() {
   return all;
 }
 
-constexpr std::array kStrengths = {1.5, 3.0, 10.0};
-constexpr std::array kNoises = {NoiseLevel::white, NoiseLevel::coloured, NoiseLevel::disturbed};
 constexpr double kFixedAway = 0.25;  ///< of the cases: a damping is known instead of free
-
-template <class Value>
-void shuffle(std::vector<Value>& values, Draw& draw) {
-  for (std::size_t k = values.size(); k > 1; --k) std::swap(values[k - 1], values[draw.below(k)]);
-}
-
-/// One after the other of a list in shuffled order, again and again, each time in another order.
-template <class Value>
-class Turns {
- public:
-  Turns(std::vector<Value> values, Draw& draw) : values_(std::move(values)), draw_(draw) {}
-  const Value& next() {
-    if (at_ == 0) shuffle(values_, draw_);
-    const Value& value = values_[at_];
-    at_ = (at_ + 1) % values_.size();
-    return value;
-  }
-
- private:
-  std::vector<Value> values_;
-  Draw& draw_;
-  std::size_t at_ = 0;
-};
-
-struct Cell {
-  double strength;
-  NoiseLevel noise;
-};
-
-std::vector<Cell> cells() {
-  std::vector<Cell> all;
-  for (const double strength : kStrengths)
-    for (const NoiseLevel noise : kNoises) all.push_back({strength, noise});
-  return all;
-}
 
 std::vector<std::string> rigs_with(std::size_t joints) {
   std::vector<std::string> names;
@@ -113,7 +75,7 @@ class Planner {
   explicit Planner(const SetPlan& set)
       : set_(set),
         draw_(set.seed, 1),
-        cells_(cells(), draw_),
+        cells_(all_cells(), draw_),
         library_(kinds(true), draw_),
         other_(kinds(false), draw_),
         one_joint_(rigs_with(1), draw_),

@@ -15,6 +15,7 @@ enum class NoiseLevel {
 std::string_view to_string(NoiseLevel level);
 
 /// A law of `all_laws` that a case hides, and on which joint, body, drive or sensor (0 for the world).
+/// Of a contact case: a law of its rig, and which of them.
 struct HiddenLaw {
   std::string law;
   int element = 0;
@@ -37,7 +38,7 @@ struct CasePlan {
   std::string name() const;  ///< "reporting-0042"
 };
 
-/// The sets: 1 460 cases for reporting, 146 for tuning, 40 short ones with one joint for the tests. Effects, rigs,
+/// The sets without contacts: 1 400 cases for reporting, 146 for tuning, 40 short ones with one joint for the tests. Effects, rigs,
 /// strengths and noise are balanced by turns, in an order that the set's seed shuffles.
 std::vector<CasePlan> plan_cases(const std::string& set);
 

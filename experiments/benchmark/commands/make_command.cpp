@@ -2,7 +2,9 @@
 
 #include "cases/make_case.h"
 #include "cases/write_case.h"
+#include "contacts/contact_plan.h"
 #include "runs/case_truth.h"
+#include "runs/run_contact_case.h"
 #include "runs/selection.h"
 
 #include <CLI/CLI.hpp>
@@ -22,17 +24,28 @@ struct MakeOptions {
   bool truth = false;
 };
 
+/// Makes and writes a case; what is hidden in it.
+std::string make_planar(const CasePlan& plan, const std::filesystem::path& folder) {
+  const MadeCase made = make_case(plan);
+  write_case(made, folder);
+  return truth_json(plan, about_case(made, ""), true_free_values(made));
+}
+
+std::string make_on_ground(const CasePlan& plan, const std::filesystem::path& folder) {
+  const MadeContactCase made = make_contact_case(plan, folder);
+  return truth_json(plan, about_contact_case(made, ""), true_contact_values(made));
+}
+
 void make(const MakeOptions& options) {
-  const std::vector<CasePlan> plans = selected(plan_cases(options.set), std::to_string(options.number), "");
+  const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), std::to_string(options.number), "");
   if (plans.empty())
     throw std::invalid_argument(fmt::format("the set \"{}\" has no case {}", options.set, options.number));
-  const MadeCase made = make_case(plans.front());
-  std::filesystem::create_directories(options.out);
-  write_case(made, options.out);
-  fmt::print("{} is in {}\n", made.plan.name(), options.out.string());
+  const CasePlan& plan = plans.front();
+  const std::string truth = is_contact_case(plan) ? make_on_ground(plan, options.out) : make_planar(plan, options.out);
+  fmt::print("{} is in {}\n", plan.name(), options.out.string());
   if (!options.truth) return;
   std::ofstream file(options.out / "truth.json", std::ios::binary);
-  file << truth_json(made);
+  file << truth;
   if (!file.flush()) throw std::runtime_error("truth.json cannot be written");
 }
 

@@ -1,6 +1,6 @@
 #include "commands/commands.h"
 
-#include "cases/case_plan.h"
+#include "contacts/contact_plan.h"
 #include "report/text_table.h"
 #include "runs/case_truth.h"
 
@@ -30,7 +30,7 @@ std::string hidden_text(const CasePlan& plan) {
 
 void print_plan(const PlanOptions& options) {
   std::vector<std::vector<std::string>> rows = {kHead};
-  for (const CasePlan& plan : plan_cases(options.set))
+  for (const CasePlan& plan : plan_all_cases(options.set))
     rows.push_back({std::to_string(plan.number), plan.group, plan.rig, hidden_text(plan),
                     fmt::format("{:g}", plan.strength), std::string(to_string(plan.noise)), std::to_string(plan.seed)});
   if (!options.csv) return fmt::print("{}", lacuna::text_table(rows, kHead.size()));

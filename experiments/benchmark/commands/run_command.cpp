@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "contacts/contact_plan.h"
 #include "foundation/interrupt.h"
 #include "runs/case_store.h"
 #include "runs/run_case.h"
@@ -58,7 +59,7 @@ class Telling {
 };
 
 void run(const RunOptions& options) {
-  const std::vector<CasePlan> plans = selected(plan_cases(options.set), options.cases, options.part);
+  const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), options.cases, options.part);
   fs::create_directories(options.work);
   const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
   if (!fs::exists(file))

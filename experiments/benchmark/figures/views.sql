@@ -1,15 +1,20 @@
 -- What the figures are made of. Every view has the key of a case: version, set_name, number.
 
+-- Cases that hide nothing: those of the group 'nothing', and some of others.
+CREATE TEMP VIEW hides_nothing AS
+SELECT version, set_name, number FROM bench_case c
+WHERE NOT EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (c.version, c.set_name, c.number));
+
 -- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
 CREATE TEMP VIEW judged AS
 SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
        CASE WHEN c.strength < 2.1 THEN 1.5 WHEN c.strength < 5.5 THEN 3 WHEN c.strength >= 5.5 THEN 10 END AS strength,
        c.strength IS NOT NULL AS made,
-       CASE WHEN c.group_name = 'nothing' OR c.absorbed THEN 'nothing'
+       CASE WHEN c.absorbed OR (c.version, c.set_name, c.number) IN hides_nothing THEN 'nothing'
             WHEN c.group_name = 'withheld' THEN 'withheld'
             WHEN c.group_name = 'two_effects' THEN 'two'
             ELSE 'one' END AS kind,
-       CASE WHEN c.group_name = 'nothing' OR c.absorbed THEN 'nothing'
+       CASE WHEN c.absorbed OR (c.version, c.set_name, c.number) IN hides_nothing THEN 'nothing'
             WHEN c.group_name = 'two_effects' THEN 'two effects'
             ELSE (SELECT h.effect FROM hidden_law h
                   WHERE (h.version, h.set_name, h.number, h.law) = (c.version, c.set_name, c.number, 0)) END AS effect,
@@ -116,7 +121,7 @@ JOIN loop_end l ON (l.version, l.set_name, l.number) = (i.version, i.set_name, i
 LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
                           = (i.version, i.set_name, i.number, i.parameter)
 WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
-  AND ((j.kind IN ('one', 'two') AND l.true_set) OR (j.group_name = 'nothing' AND j.verdict = 'nothing_missing'));
+  AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
 -- stated probability over ten bins; bootstrap). `least` and `most` are the goal.

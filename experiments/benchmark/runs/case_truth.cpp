@@ -2,6 +2,7 @@
 
 #include "cases/write_case.h"
 #include "rigs/rig.h"
+#include "runs/run_contact_case.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ HiddenLawRecord record_of(const LawKind& kind, int element, const PlantSpec& spe
 }  // namespace
 
 CaseRecord about_plan(const CasePlan& plan, const std::string& version) {
+  if (is_contact_case(plan)) return about_contact_plan(plan, version);
   CaseRecord about{version,
                    plan.set,
                    plan.number,
@@ -54,9 +56,8 @@ std::vector<NamedValue> true_free_values(const MadeCase& made) {
   return values;
 }
 
-std::string truth_json(const MadeCase& made) {
+std::string truth_json(const CasePlan& plan, const CaseRecord& about, const std::vector<NamedValue>& free_values) {
   using nlohmann::ordered_json;
-  const CaseRecord about = about_case(made, "");
   ordered_json hidden = ordered_json::array(), values = ordered_json::object();
   for (const HiddenLawRecord& law : about.hidden) {
     ordered_json parameters = ordered_json::object();
@@ -67,9 +68,9 @@ std::string truth_json(const MadeCase& made) {
                       {"library_form", law.library_form},
                       {"parameters", parameters}});
   }
-  for (const NamedValue& one : true_free_values(made)) values[one.name] = one.value;
+  for (const NamedValue& one : free_values) values[one.name] = one.value;
   return ordered_json{
-             {"case", made.plan.name()},   {"group", about.group},       {"rig", about.rig}, {"noise", about.noise},
+             {"case", plan.name()},        {"group", about.group},       {"rig", about.rig}, {"noise", about.noise},
              {"strength", about.strength}, {"absorbed", about.absorbed}, {"hidden", hidden}, {"values", values}}
              .dump(2) +
          "\n";

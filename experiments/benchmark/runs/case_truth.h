@@ -8,16 +8,16 @@
 
 namespace hidden_effects {
 
-/// What is known of a case before it is made: no parameters, no measured strength.
+/// What is known of any case before it is made: no parameters, no measured strength.
 CaseRecord about_plan(const CasePlan& plan, const std::string& version);
 
-/// The whole of it.
+/// The whole of a planar one.
 CaseRecord about_case(const MadeCase& made, const std::string& version);
 
 /// The true values of what the case's user frees.
 std::vector<NamedValue> true_free_values(const MadeCase& made);
 
 /// Of `make --truth`, for reading.
-std::string truth_json(const MadeCase& made);
+std::string truth_json(const CasePlan& plan, const CaseRecord& about, const std::vector<NamedValue>& free_values);
 
 }  // namespace hidden_effects

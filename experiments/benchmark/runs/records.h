@@ -23,7 +23,7 @@ struct NamedValue {
 
 /// What is really there.
 struct HiddenLawRecord {
-  std::string law;  ///< of `all_laws`
+  std::string law;  ///< of `all_laws`, or of a rig with contacts
   EffectAt answer;  ///< what the library calls it
   bool library_form = true;
   std::vector<NamedValue> parameters;

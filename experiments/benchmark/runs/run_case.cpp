@@ -6,6 +6,7 @@
 #include "runs/ask_oracle.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
+#include "runs/run_contact_case.h"
 #include "runs/truth_error.h"
 
 #include <exception>
@@ -73,6 +74,7 @@ void add_baselines(const MadeCase& made, CaseResult& result) {
 CaseResult run_case(const CasePlan& plan, const std::string& version, const RunCaseOptions& options,
                     const ProgramSettings& settings) {
   const CaseFolder folder(options.work / plan.name(), options.keep);
+  if (is_contact_case(plan)) return run_contact_case(plan, version, folder.path(), settings);
   std::optional<MadeCase> made;
   try {
     made = make_case(plan);
