@@ -19,7 +19,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr int kLeastRight = 20;         ///< of those with a hidden effect that the base does not absorb
+constexpr int kLeastRight = 22;         ///< of those with a hidden effect that the base does not absorb
 constexpr int kMostFalsePositives = 2;  ///< of those without
 
 struct Outcome {
