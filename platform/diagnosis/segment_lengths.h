@@ -32,8 +32,8 @@ struct LengthVerdict {
 
 /// An effect counts only if its sign and size survive a change of segment length: each parameter that the data tell
 /// apart from its neutral value must keep its side of it, and be as large to a factor of 1.5, unless the 95 % intervals
-/// overlap or the data at that length speak no more against the answer's values than noise would. Shapes (parameters that are not neutral to begin with, such as Stribeck's velocity) may move. `found`: over
-/// segments of `segment` s.
+/// overlap or the data at that length speak no more against the answer's values than noise would. Shapes (parameters
+/// that are not neutral to begin with, such as Stribeck's velocity) may move. `found`: over segments of `segment` s.
 LengthVerdict judge_lengths(const std::vector<FoundEffect>& found, double segment,
                             const std::vector<EffectsAtLength>& others, const PluginCatalog& catalog);
 
