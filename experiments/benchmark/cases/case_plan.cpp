@@ -30,7 +30,7 @@ const std::vector<SetPlan>& sets() {
       {"tuning",
        20260,
        5.0,
-       {{"one_joint", 66}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
+       {{"one_joint", 62}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
       {"reporting",
        77003,
        5.0,

@@ -38,7 +38,7 @@ struct CasePlan {
   std::string name() const;  ///< "reporting-0042"
 };
 
-/// The sets without contacts: 1 400 cases for reporting, 146 for tuning, 40 short ones with one joint for the tests.
+/// The sets without contacts: 1 400 cases for reporting, 142 for tuning, 40 short ones with one joint for the tests.
 /// Effects, rigs, strengths and noise are balanced by turns, in an order that the set's seed shuffles.
 std::vector<CasePlan> plan_cases(const std::string& set);
 
