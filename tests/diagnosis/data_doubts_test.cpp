@@ -105,7 +105,7 @@ TEST(DataDoubts, NameACommandOfTheWrongSign) {
 }
 
 TEST(DataDoubts, NameTheFileWithShiftedTimes) {
-  for (const std::size_t shifted : {0, 1, 2}) {
+  for (const std::size_t shifted : {0U, 1U, 2U}) {
     RecordedPendulum rig({.damping = 0.02});
     stamp_late(rig.trials[shifted], -6);
     if (shifted == 0) {
