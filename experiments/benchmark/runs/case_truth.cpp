@@ -18,7 +18,6 @@ HiddenLawRecord record_of(const LawKind& kind, int element, const PlantSpec& spe
 }  // namespace
 
 CaseRecord about_plan(const CasePlan& plan, const std::string& version) {
-  if (is_contact_case(plan)) return about_contact_plan(plan, version);
   CaseRecord about{version,
                    plan.set,
                    plan.number,
@@ -30,6 +29,10 @@ CaseRecord about_plan(const CasePlan& plan, const std::string& version) {
                    false,
                    fmt::format("{}", plan.seed),
                    {}};
+  if (is_contact_case(plan)) {
+    about.hidden = hidden_contact_laws(plan);
+    return about;
+  }
   const PlantSpec& spec = rig_named(plan.rig).nominal;
   for (const HiddenLaw& one : plan.hidden) about.hidden.push_back(record_of(law_kind(one.law), one.element, spec));
   return about;

@@ -2,8 +2,7 @@
 
 #include "contacts/write_contact_case.h"
 #include "runs/case_loop.h"
-
-#include <fmt/format.h>
+#include "runs/case_truth.h"
 
 #include <exception>
 #include <optional>
@@ -28,26 +27,14 @@ std::vector<HeldOutRecord> truth_by_program(const MadeContactCase& made, const f
 
 }  // namespace
 
-CaseRecord about_contact_plan(const CasePlan& plan, const std::string& version) {
-  CaseRecord about{version,
-                   plan.set,
-                   plan.number,
-                   plan.group,
-                   plan.rig,
-                   std::string(to_string(plan.noise)),
-                   plan.strength,
-                   kUnknown,
-                   false,
-                   fmt::format("{}", plan.seed),
-                   {}};
-  if (const std::optional<ContactLaw> law = hidden_law(plan))
-    about.hidden.push_back(
-        {law->name, {law->effect, law->where.empty() ? "world" : law->where}, law->library_form(), {}});
-  return about;
+std::vector<HiddenLawRecord> hidden_contact_laws(const CasePlan& plan) {
+  const std::optional<ContactLaw> law = hidden_law(plan);
+  if (!law) return {};
+  return {{law->name, {law->effect, law->where.empty() ? "world" : law->where}, law->library_form(), {}}};
 }
 
 CaseRecord about_contact_case(const MadeContactCase& made, const std::string& version) {
-  CaseRecord about = about_contact_plan(made.plan, version);
+  CaseRecord about = about_plan(made.plan, version);
   about.strength = made.strength;
   about.absorbed = made.absorbed;
   if (made.hidden) about.hidden.front().parameters.push_back({made.hidden->law.parameter, made.hidden->value});
@@ -62,8 +49,7 @@ CaseResult run_contact_case(const CasePlan& plan, const std::string& version, co
   try {
     made = make_contact_case(plan, folder);
   } catch (const std::exception& error) {
-    return {
-        about_contact_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
+    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
   }
   CaseResult result =
       go_through({about_contact_case(*made, version), folder, true_contact_values(*made), {}}, settings);

@@ -6,8 +6,8 @@
 
 namespace hidden_effects {
 
-/// What is known of a contact case before it is made.
-CaseRecord about_contact_plan(const CasePlan& plan, const std::string& version);
+/// What a contact case hides, without its size; empty: nothing.
+std::vector<HiddenLawRecord> hidden_contact_laws(const CasePlan& plan);
 
 /// The whole of it.
 CaseRecord about_contact_case(const MadeContactCase& made, const std::string& version);
