@@ -28,16 +28,23 @@ add_custom_target(all_plugins)
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
+# Compiles the sources of a large target eight at a time; names in their anonymous namespaces must differ.
+function(lacuna_compile_together target)
+  if(LACUNA_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # A folder of platform/: a static library that sees platform/ as its include root. HEADERS of others that most of its
-# sources include, beyond those that all rooms share, are compiled once for it. UNITY: a large room; names in its
-# anonymous namespaces must differ.
+# sources include, beyond those that all rooms share, are compiled once for it. UNITY: a large room, compiled
+# together.
 function(lacuna_add_room name)
   cmake_parse_arguments(ARG "UNITY" "" "SOURCES;LINKS;HEADERS" ${ARGN})
   add_library(lacuna_${name} STATIC ${ARG_SOURCES})
   target_include_directories(lacuna_${name} PUBLIC ${PROJECT_SOURCE_DIR}/platform)
   target_link_libraries(lacuna_${name} PUBLIC ${ARG_LINKS})
-  if(ARG_UNITY AND LACUNA_UNITY)
-    set_target_properties(lacuna_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  if(ARG_UNITY)
+    lacuna_compile_together(lacuna_${name})
   endif()
   if(ARG_HEADERS)
     target_precompile_headers(lacuna_${name} PRIVATE ${LACUNA_ROOM_HEADERS} ${ARG_HEADERS})

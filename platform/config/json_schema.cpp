@@ -18,14 +18,14 @@ void put_bounds(const Shape& shape, Json& json) {
 
 Json schema_of(const Shape& shape);
 
-Json number(const Shape& shape) {
+Json number_schema(const Shape& shape) {
   Json plain = {{"type", "number"}};
   put_bounds(shape, plain);
   const Json quantity = {{"type", "string"}, {"description", "a number and its unit, such as \"120 mm\""}};
   return {{"anyOf", {plain, quantity}}};
 }
 
-Json list(const Shape& shape) {
+Json list_schema(const Shape& shape) {
   Json json = {{"type", "array"}, {"items", schema_of(shape.parts.front())}};
   if (shape.fewest > 0) json["minItems"] = shape.fewest;
   if (shape.most != std::numeric_limits<std::size_t>::max()) json["maxItems"] = shape.most;
@@ -70,7 +70,7 @@ Json table(const Shape& shape) {
   return json;
 }
 
-Json text(const Shape& shape) {
+Json text_schema(const Shape& shape) {
   Json json = {{"type", "string"}};
   if (!shape.choices.empty()) json["enum"] = shape.choices;
   if (shape.choices.empty() && shape.fewest > 0) json["minLength"] = shape.fewest;
@@ -85,9 +85,9 @@ Json schema_of(const Shape& shape) {
       put_bounds(shape, json);
       return json;
     }
-    case Shape::Kind::number: return number(shape);
-    case Shape::Kind::text: return text(shape);
-    case Shape::Kind::list: return list(shape);
+    case Shape::Kind::number: return number_schema(shape);
+    case Shape::Kind::text: return text_schema(shape);
+    case Shape::Kind::list: return list_schema(shape);
     case Shape::Kind::table: return table(shape);
     case Shape::Kind::named: return {{"type", "object"}, {"additionalProperties", schema_of(shape.parts.front())}};
     case Shape::Kind::either: break;

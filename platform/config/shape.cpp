@@ -19,12 +19,12 @@ std::string bounds(const Shape& shape) {
   return text;
 }
 
-std::string number(const Shape& shape) {
+std::string number_words(const Shape& shape) {
   if (shape.unit.empty()) return "a number or a text with its unit" + bounds(shape);
   return (shape.unit == "1" ? "a number" : "a number in " + shape.unit) + bounds(shape);
 }
 
-std::string list(const Shape& shape) {
+std::string list_words(const Shape& shape) {
   std::string count = "a list";
   if (shape.fewest == shape.most)
     count += fmt::format(" of {}", shape.fewest);
@@ -33,7 +33,7 @@ std::string list(const Shape& shape) {
   return count + ", each " + described(shape.parts.front());
 }
 
-std::string text(const Shape& shape) {
+std::string text_words(const Shape& shape) {
   if (!shape.meaning.empty()) return shape.meaning;
   if (shape.choices.empty()) return "a text";
   std::vector<std::string> quoted;
@@ -45,9 +45,9 @@ std::string kind_in_words(const Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::boolean: return "true or false";
     case Shape::Kind::integer: return "a whole number" + bounds(shape);
-    case Shape::Kind::number: return number(shape);
-    case Shape::Kind::text: return text(shape);
-    case Shape::Kind::list: return list(shape);
+    case Shape::Kind::number: return number_words(shape);
+    case Shape::Kind::text: return text_words(shape);
+    case Shape::Kind::list: return list_words(shape);
     case Shape::Kind::table: return "a table";
     case Shape::Kind::named:
       if (shape.parts.front().kind == Shape::Kind::table) return "a table for each " + shape.name_hint;

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-double number_from(const nlohmann::json& value) { return value.is_number() ? value.get<double>() : kNotKnown; }
+double number_or_unknown(const nlohmann::json& value) { return value.is_number() ? value.get<double>() : kNotKnown; }
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::string numbers_text(const std::vector<double>& numbers) { return nlohmann::
 
 std::vector<double> numbers_from(const std::string& json) {
   std::vector<double> numbers;
-  for (const nlohmann::json& value : nlohmann::json::parse(json)) numbers.push_back(number_from(value));
+  for (const nlohmann::json& value : nlohmann::json::parse(json)) numbers.push_back(number_or_unknown(value));
   return numbers;
 }
 
@@ -37,7 +37,7 @@ Eigen::MatrixXd matrix_from(const std::string& json) {
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
-      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = number_from(rows.at(i).at(j));
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = number_or_unknown(rows.at(i).at(j));
     }
   }
   return matrix;

@@ -71,7 +71,7 @@ TimeSeries read(sqlite3* handle, sqlite3_int64 trace) {
                        .digest = text_of(row, 5)});
 }
 
-int connect(sqlite3* handle, void*, int, const char* const*, sqlite3_vtab** table, char**) {
+int connect_table(sqlite3* handle, void*, int, const char* const*, sqlite3_vtab** table, char**) {
   const int result = sqlite3_declare_vtab(handle, kDeclaration);
   if (result != SQLITE_OK) return result;
   auto* made = new Table;  // SQLite hands it back to `disconnect`
@@ -160,7 +160,7 @@ int give_row_number(sqlite3_vtab_cursor* cursor, sqlite3_int64* row) {
 
 sqlite3_module make_module() {
   sqlite3_module module{};  // without xCreate it is there by its name alone
-  module.xConnect = connect;
+  module.xConnect = connect_table;
   module.xDisconnect = disconnect;
   module.xBestIndex = choose_plan;
   module.xOpen = open_cursor;

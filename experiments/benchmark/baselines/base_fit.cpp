@@ -1,5 +1,7 @@
 #include "baselines/base_fit.h"
 
+#include "refit/difference_steps.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace {
 
 constexpr double kFirstStretch = 0.05;  ///< s
 constexpr double kFirstShare = 0.1;     ///< of a signal's size: its error before anything is fitted
-constexpr double kRelativeStep = 1e-4, kLeastStep = 1e-7, kStartStep = 1e-5;
 constexpr int kPasses = 2;
 
 double rms_about_mean(const std::vector<double>& values) {

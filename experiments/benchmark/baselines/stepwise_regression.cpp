@@ -32,7 +32,7 @@ Eigen::MatrixXd added_directions(const Eigen::MatrixXd& columns, const Eigen::Ma
   return directions - basis * (basis.transpose() * directions);  // twice is enough for rounding
 }
 
-struct Group {
+struct RegressorGroup {
   std::size_t candidate = 0;
   std::size_t parameters = 0;
   std::vector<Eigen::MatrixXd> shapes;  ///< weighted columns of each
@@ -103,7 +103,7 @@ class Stepwise {
 
   void add_group(std::size_t c, const Eigen::VectorXd& values) {
     if (candidates_[c].law.kind->place == Place::sensor) return;
-    Group group{c, candidates_[c].law.kind->parameters.size(), {}};
+    RegressorGroup group{c, candidates_[c].law.kind->parameters.size(), {}};
     for (const Try& tried : candidates_[c].tries(kTries)) {
       const Eigen::MatrixXd columns = regression_.of_candidate(candidates_[c], tried, values);
       if (columns.size() > 0) group.shapes.push_back(weights_.asDiagonal() * columns);
@@ -111,7 +111,7 @@ class Stepwise {
     if (!group.shapes.empty()) groups_.push_back(std::move(group));
   }
 
-  Entry best_entry(const Group& group) const {
+  Entry best_entry(const RegressorGroup& group) const {
     const double n = static_cast<double>(residual_.size()), before = residual_.squaredNorm();
     Entry best;
     for (const Eigen::MatrixXd& columns : group.shapes) {
@@ -145,7 +145,7 @@ class Stepwise {
 
   Regression regression_;
   const std::vector<Candidate>& candidates_;
-  std::vector<Group> groups_;
+  std::vector<RegressorGroup> groups_;
   Eigen::VectorXd weights_, residual_;
   Eigen::MatrixXd basis_;
 };

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct RunOptions {
   std::string set, cases, part, version;
   fs::path database, work, lacuna;
-  int jobs = 1;
+  int jobs = 1, most_diagnoses = ProgramSettings{}.most_diagnoses;
   double longest = 1800.0;
   bool keep = false, baselines = false, without_oracle = false;
 };
@@ -64,7 +64,7 @@ void run(const RunOptions& options) {
   const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
   if (!fs::exists(file))
     throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
-  const ProgramSettings settings{file, options.longest, lacuna::interrupt_requested};
+  const ProgramSettings settings{file, options.longest, options.most_diagnoses, lacuna::interrupt_requested};
   const std::string program = program_version(settings, options.work);
   const std::string version = options.version.empty() ? program : options.version;
   Database database(options.database);
@@ -103,6 +103,9 @@ void add_run_command(CLI::App& program) {
   command->add_option("--time-limit", options->longest, "Seconds that one call may take (default: 1800)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
+  command->add_option("--diagnoses", options->most_diagnoses, "Of a case at most (default: 3); 1 adds nothing")
+      ->check(CLI::PositiveNumber)
+      ->option_text("N");
   command->add_flag("--keep", options->keep, "Keep the files of the cases");
   command->add_flag("--baselines", options->baselines, "Ask other methods, too: as long again as a diagnosis");
   command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");

@@ -6,9 +6,9 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kInterval = 0.005;  ///< s
+constexpr double kHopperInterval = 0.005;  ///< s
 
-constexpr const char* kRobot = R"([robot]
+constexpr const char* kHopperRobot = R"([robot]
 name = "hopper"
 
 [body.trunk]
@@ -56,7 +56,7 @@ Samples pushes(int samples, std::uint64_t seed) {
   Draw draw(seed, 1);
   std::vector<double> force;
   while (static_cast<int>(force.size()) < samples) {
-    const auto held = static_cast<std::size_t>(draw.between(0.1, 0.25) / kInterval);
+    const auto held = static_cast<std::size_t>(draw.between(0.1, 0.25) / kHopperInterval);
     force.insert(force.end(), held, draw.between(-60.0, 140.0));
   }
   force.resize(static_cast<std::size_t>(samples));
@@ -68,9 +68,9 @@ Samples pushes(int samples, std::uint64_t seed) {
 ContactRig hopper() {
   ContactRig rig;
   rig.name = "hopper";
-  rig.robot = kRobot;
+  rig.robot = kHopperRobot;
   rig.starts = {{"rail", kHopperDrop}, {"leg"}};
-  rig.interval = kInterval;
+  rig.interval = kHopperInterval;
   rig.step = 1e-3;
   rig.substeps = 6;
   rig.duration = 0.6;

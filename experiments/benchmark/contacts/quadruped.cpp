@@ -7,7 +7,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kInterval = 0.01;  ///< s
+constexpr double kQuadrupedInterval = 0.01;  ///< s
 constexpr const char* kLegs[] = {"front_left", "front_right", "rear_left", "rear_right"};
 
 /// Slow sines of each joint, in shares of its range: what the robot's servos multiply by 30° (its actuators' gain).
@@ -19,7 +19,7 @@ Samples sines(int samples, std::uint64_t seed) {
                  phase = draw.between(0.0, 2.0 * std::numbers::pi);
     std::vector<double>& values = all.emplace_back();
     for (int k = 0; k < samples; ++k)
-      values.push_back(size * std::sin(2.0 * std::numbers::pi * frequency * kInterval * k + phase));
+      values.push_back(size * std::sin(2.0 * std::numbers::pi * frequency * kQuadrupedInterval * k + phase));
   }
   return all;
 }
@@ -29,7 +29,7 @@ Samples sines(int samples, std::uint64_t seed) {
 ContactRig quadruped() {
   ContactRig rig;
   rig.name = "quadruped";
-  rig.interval = rig.step = kInterval;
+  rig.interval = rig.step = kQuadrupedInterval;
   rig.substeps = 4;
   rig.duration = 0.8;
   rig.fit_trials = 12;

@@ -6,9 +6,9 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kInterval = 0.01;  ///< s
+constexpr double kBaseInterval = 0.01;  ///< s
 
-constexpr const char* kRobot = R"([robot]
+constexpr const char* kBaseRobot = R"([robot]
 name = "wheeled_base"
 
 [body.chassis]
@@ -81,7 +81,7 @@ Samples drive_program(int samples, std::uint64_t seed) {
   Samples speeds(2);
   double sign = 1.0;
   while (static_cast<int>(speeds[0].size()) < samples) {
-    const auto held = static_cast<std::size_t>(draw.between(0.15, 0.4) / kInterval);
+    const auto held = static_cast<std::size_t>(draw.between(0.15, 0.4) / kBaseInterval);
     const double ahead = sign * draw.between(3.0, 12.0), turn = turning * draw.between(-1.0, 1.0);
     speeds[0].insert(speeds[0].end(), held, ahead - turn);
     speeds[1].insert(speeds[1].end(), held, ahead + turn);
@@ -96,9 +96,9 @@ Samples drive_program(int samples, std::uint64_t seed) {
 ContactRig wheeled_base() {
   ContactRig rig;
   rig.name = "wheeled_base";
-  rig.robot = kRobot;
+  rig.robot = kBaseRobot;
   rig.starts = {{"left"}, {"right"}};
-  rig.interval = rig.step = kInterval;
+  rig.interval = rig.step = kBaseInterval;
   rig.substeps = 8;
   rig.duration = 0.8;
   rig.fit_trials = 12;

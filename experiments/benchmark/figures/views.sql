@@ -5,16 +5,26 @@ CREATE TEMP VIEW hides_nothing AS
 SELECT version, set_name, number FROM bench_case c
 WHERE NOT EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (c.version, c.set_name, c.number));
 
+-- Cases whose hidden law makes no difference: the refitted base leaves no larger error, and the oracle, where it was
+-- asked, does not tell the law from nothing. (A random force can make both errors as large although the data tell.)
+CREATE TEMP VIEW absorbs AS
+SELECT version, set_name, number FROM bench_case c
+WHERE c.absorbed AND NOT EXISTS (SELECT 1 FROM oracle_rival o
+                                 WHERE (o.version, o.set_name, o.number) = (c.version, c.set_name, c.number)
+                                   AND o.effect = '' AND o.told_apart = 1);
+
 -- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
 CREATE TEMP VIEW judged AS
 SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
        CASE WHEN c.strength < 2.1 THEN 1.5 WHEN c.strength < 5.5 THEN 3 WHEN c.strength >= 5.5 THEN 10 END AS strength,
        c.strength IS NOT NULL AS made,
-       CASE WHEN c.absorbed OR (c.version, c.set_name, c.number) IN hides_nothing THEN 'nothing'
+       CASE WHEN (c.version, c.set_name, c.number) IN absorbs OR (c.version, c.set_name, c.number) IN hides_nothing
+              THEN 'nothing'
             WHEN c.group_name = 'withheld' THEN 'withheld'
             WHEN c.group_name = 'two_effects' THEN 'two'
             ELSE 'one' END AS kind,
-       CASE WHEN c.absorbed OR (c.version, c.set_name, c.number) IN hides_nothing THEN 'nothing'
+       CASE WHEN (c.version, c.set_name, c.number) IN absorbs OR (c.version, c.set_name, c.number) IN hides_nothing
+              THEN 'nothing'
             WHEN c.group_name = 'two_effects' THEN 'two effects'
             ELSE (SELECT h.effect FROM hidden_law h
                   WHERE (h.version, h.set_name, h.number, h.law) = (c.version, c.set_name, c.number, 0)) END AS effect,
@@ -30,7 +40,8 @@ JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (r.version, r.s
 WHERE r.rank = 1 AND d.verdict = 'effect_found';
 
 -- Each hidden law: whether the first answer names it, how many of its other members the oracle tells from the law, whether
--- one of the first three models names it, whether any round's answer does. An effect that the oracle did not look at
+-- it names the law or what the oracle does not tell from it, whether one of the first three models names it, whether any
+-- round's answer does. An effect that the oracle did not look at
 -- counts as told apart.
 CREATE TEMP VIEW law_found AS
 SELECT h.version, h.set_name, h.number, h.law,
@@ -43,6 +54,12 @@ SELECT h.version, h.set_name, h.number, h.law,
           AND NOT EXISTS (SELECT 1 FROM oracle_rival o
                           WHERE (o.version, o.set_name, o.number, o.law) = (h.version, h.set_name, h.number, h.law)
                             AND (o.effect, o.place) = (r.effect, r.place) AND o.told_apart = 0)) AS others,
+       EXISTS (SELECT 1 FROM reported r
+               WHERE (r.version, r.set_name, r.number, r.round) = (h.version, h.set_name, h.number, 1)
+                 AND ((r.effect, r.place) = (h.effect, h.place)
+                      OR EXISTS (SELECT 1 FROM oracle_rival o
+                                 WHERE (o.version, o.set_name, o.number, o.law) = (h.version, h.set_name, h.number, h.law)
+                                   AND (o.effect, o.place) = (r.effect, r.place) AND o.told_apart = 0))) AS named_alike,
        EXISTS (SELECT 1 FROM ranked_effect r
                WHERE (r.version, r.set_name, r.number, r.round) = (h.version, h.set_name, h.number, 1)
                  AND r.rank <= 3 AND (r.effect, r.place) = (h.effect, h.place)) AS in_three,
@@ -129,23 +146,24 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
   (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
   (3, 'top1_10', 'first class right, strength 10 (score 1/(1 + k))', 'share', NULL, NULL),
-  (4, 'top3', 'among the first three', 'share', 0.99, NULL),
-  (5, 'false_positive', 'something found where nothing is hidden', 'share', 0.03, 0.07),
-  (6, 'nothing_missing', 'nothing_missing where nothing is hidden', 'share', NULL, NULL),
-  (7, 'not_in_library', 'not_in_library where the effect is withheld', 'share', 0.9, NULL),
-  (8, 'both_found', 'two effects: both found', 'share', 0.8, NULL),
-  (9, 'true_set', 'diagnose, add, again ends at the true set', 'share', 0.85, NULL),
-  (10, 'second_nothing', 'the second diagnosis says nothing_missing', 'share', 0.95, NULL),
-  (11, 'held_out', 'held-out error at most 1.1 times that of the refitted truth', 'share', 0.95, NULL),
-  (12, 'coverage', '95 % intervals of the effects cover the truth', 'share', 0.92, 0.97),
-  (13, 'value_coverage', '95 % intervals of the free values cover the truth, where the model is right', 'share', 0.92, 0.97),
-  (14, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
-  (15, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
-  (16, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
-  (17, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
-  (18, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (19, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (20, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (4, 'named', 'names the hidden effect, or one that the oracle does not tell from it', 'share', NULL, NULL),
+  (5, 'top3', 'among the first three', 'share', 0.99, NULL),
+  (6, 'false_positive', 'something found where nothing is hidden', 'share', 0.03, 0.07),
+  (7, 'nothing_missing', 'nothing_missing where nothing is hidden', 'share', NULL, NULL),
+  (8, 'not_in_library', 'not_in_library where the effect is withheld', 'share', 0.9, NULL),
+  (9, 'both_found', 'two effects: both found', 'share', 0.8, NULL),
+  (10, 'true_set', 'diagnose, add, again ends at the true set', 'share', 0.85, NULL),
+  (11, 'second_nothing', 'the second diagnosis says nothing_missing', 'share', 0.95, NULL),
+  (12, 'held_out', 'held-out error at most 1.1 times that of the refitted truth', 'share', 0.95, NULL),
+  (13, 'coverage', '95 % intervals of the effects cover the truth', 'share', 0.92, 0.97),
+  (14, 'value_coverage', '95 % intervals of the free values cover the truth, where the model is right', 'share', 0.92, 0.97),
+  (15, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
+  (16, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
+  (17, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
+  (18, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
+  (19, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (20, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (21, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.
@@ -153,6 +171,9 @@ CREATE TEMP VIEW figure_value AS
 SELECT version, set_name, number, 'top1_' || CASE strength WHEN 1.5 THEN '1.5' WHEN 3 THEN '3' WHEN 10 THEN '10' END
        AS figure, CASE WHEN named THEN 1.0 / (1 + others) ELSE 0.0 END AS value, NULL AS probability
   FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'one' AND strength IN (1.5, 3, 10)
+UNION ALL
+SELECT version, set_name, number, 'named', named_alike, NULL
+  FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'one'
 UNION ALL
 SELECT version, set_name, number, 'top3', in_three, NULL
   FROM judged JOIN law_found USING (version, set_name, number) WHERE made AND kind = 'one'

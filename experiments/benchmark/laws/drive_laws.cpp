@@ -1,16 +1,14 @@
 #include "laws/joint_law.h"
 #include "laws/law_kind.h"
+#include "plant/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 /// What happens to a command before it is a force. A. Hughes, B. Drury, Electric Motors and Drives, Newnes 2013.
 namespace hidden_effects {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 bool of_force(const PlantSpec& spec, int drive) { return !spec.drives[static_cast<std::size_t>(drive)].servo; }
 bool of_rotor(const PlantSpec& spec, int drive) {
@@ -30,7 +28,7 @@ class DriveLaw : public ElementLaw {
   virtual double changed(double value, const Moment&, double* /*memory*/) const { return value; }
 };
 
-class Delay : public DriveLaw {
+class DriveDelay : public DriveLaw {
  public:
   using DriveLaw::DriveLaw;
   void amend(PlantSpec& spec) const override { of(spec).delay += p_[0]; }
@@ -51,7 +49,7 @@ class JitteredDelay : public DriveLaw {
   }
 };
 
-class Offset : public DriveLaw {
+class DriveOffset : public DriveLaw {
  public:
   using DriveLaw::DriveLaw;
   void amend(PlantSpec& spec) const override { of(spec).offset += p_[0]; }
@@ -63,7 +61,7 @@ class Gain : public DriveLaw {
   void amend(PlantSpec& spec) const override { of(spec).gain *= p_[0]; }
 };
 
-class Saturation : public DriveLaw {
+class DriveSaturation : public DriveLaw {
  public:
   using DriveLaw::DriveLaw;
   void amend(PlantSpec& spec) const override { of(spec).limit = std::min(of(spec).limit, p_[0]); }
@@ -87,7 +85,7 @@ class SoftDeadZone : public DriveLaw {
 };
 
 /// Memory: the output, and whether there is one yet.
-class Lag : public DriveLaw {
+class DriveLag : public DriveLaw {
  public:
   using DriveLaw::DriveLaw;
   int memory_size() const override { return 2; }
@@ -195,7 +193,7 @@ std::vector<LawKind> drive_laws() {
        Place::drive,
        true,
        {"delay"},
-       make<Delay>,
+       make<DriveDelay>,
        [](double size, const Scales&, const Shape&) { return Values{std::clamp(0.01 * size, kSample, 0.5)}; },
        everywhere},
       {"jittered_delay",
@@ -211,7 +209,7 @@ std::vector<LawKind> drive_laws() {
        Place::drive,
        true,
        {"offset"},
-       make<Offset>,
+       make<DriveOffset>,
        [](double size, const Scales& at, const Shape& u) { return Values{with_sign(0.1 * size * at.command, u[0])}; },
        everywhere},
       {"actuator_lag",
@@ -219,7 +217,7 @@ std::vector<LawKind> drive_laws() {
        Place::drive,
        true,
        {"time"},
-       make<Lag>,
+       make<DriveLag>,
        [](double size, const Scales&, const Shape&) { return Values{std::clamp(0.01 * size, kSample, 2.0)}; },
        everywhere},
       {"twofold_lag",
@@ -246,7 +244,7 @@ std::vector<LawKind> drive_laws() {
        Place::drive,
        true,
        {"limit"},
-       make<Saturation>,
+       make<DriveSaturation>,
        [](double size, const Scales& at, const Shape&) { return Values{at.peak_force / (1.0 + 0.3 * size)}; },
        everywhere},
       {"torque_gain",

@@ -1,17 +1,15 @@
 #include "laws/joint_law.h"
 #include "laws/law_kind.h"
+#include "plant/coordinates.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 /// Springs, inertias and stops of joints. P. R. Ouyang et al. and R. Bouc's law as Y.-K. Wen wrote it (J. Eng. Mech.
 /// Div. ASCE 102 (1976) 249-263); M. W. Spong, J. Dyn. Sys. Meas. Control 109 (1987) 310-319; M. Nordin, P.-O.
 /// Gutman, Automatica 38 (2002) 1633-1649.
 namespace hidden_effects {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 class Spring : public JointLaw {
  public:

@@ -29,7 +29,7 @@ double at_place(const Values& x, double place) {
   return x[k] + 0.5 * t * (x[k + 1] - x[k - 1]) + 0.5 * t * t * (x[k + 1] - 2.0 * x[k] + x[k - 1]);
 }
 
-class Delay : public SensorLaw {
+class SensorDelay : public SensorLaw {
  public:
   using SensorLaw::SensorLaw;
 
@@ -41,7 +41,7 @@ class Delay : public SensorLaw {
 };
 
 /// Exact for readings that change evenly between two of the dense ones.
-class Lag : public SensorLaw {
+class SensorLag : public SensorLaw {
  public:
   using SensorLaw::SensorLaw;
 
@@ -77,7 +77,7 @@ class ButterworthLag : public SensorLaw {
   }
 };
 
-class Offset : public SensorLaw {
+class SensorOffset : public SensorLaw {
  public:
   using SensorLaw::SensorLaw;
 
@@ -97,7 +97,7 @@ class Scale : public SensorLaw {
   }
 };
 
-class Saturation : public SensorLaw {
+class SensorSaturation : public SensorLaw {
  public:
   using SensorLaw::SensorLaw;
 
@@ -161,7 +161,7 @@ std::vector<LawKind> sensor_laws() {
        Place::sensor,
        true,
        {"delay"},
-       make<Delay>,
+       make<SensorDelay>,
        [](double size, const Scales&, const Shape&) { return Values{std::clamp(0.01 * size, kSample, 0.5)}; },
        everywhere},
       {"sensor_lag",
@@ -169,7 +169,7 @@ std::vector<LawKind> sensor_laws() {
        Place::sensor,
        true,
        {"time"},
-       make<Lag>,
+       make<SensorLag>,
        [](double size, const Scales&, const Shape&) { return Values{std::clamp(0.01 * size, kSample, 2.0)}; },
        everywhere},
       {"butterworth_lag",
@@ -185,7 +185,7 @@ std::vector<LawKind> sensor_laws() {
        Place::sensor,
        true,
        {"offset"},
-       make<Offset>,
+       make<SensorOffset>,
        [](double size, const Scales& at, const Shape& u) { return Values{with_sign(0.05 * size * at.position, u[0])}; },
        everywhere},
       {"sensor_scale",
@@ -203,7 +203,7 @@ std::vector<LawKind> sensor_laws() {
        Place::sensor,
        true,
        {"lower", "upper"},
-       make<Saturation>,
+       make<SensorSaturation>,
        [](double size, const Scales& at, const Shape& u) {
          const double reach = (at.highest - at.lowest) * std::min(0.45, 0.05 * size);
          return u[0] < 0.5 ? Values{at.lowest + reach, kFar} : Values{-kFar, at.highest - reach};

@@ -1,5 +1,7 @@
 #include "oracle/nuisances.h"
 
+#include "refit/difference_steps.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace {
 using Index = Eigen::Index;
 using ByTrial = std::vector<Eigen::VectorXd>;
 
-constexpr double kRelativeStep = 1e-4, kLeastStep = 1e-7, kStartStep = 1e-5;
 constexpr double kDependent = 1e-8;
 
 Eigen::VectorXd residual(const Question& at, std::size_t t, const Eigen::VectorXd& values, const Start& start) {

@@ -2,7 +2,12 @@
 
 #include <Eigen/Core>
 
+#include <numbers>
+
 namespace hidden_effects {
+
+/// rad
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Joints, and rotors behind elastic transmissions: as many coordinates as a plant of this benchmark has at most.
 inline constexpr int kMostCoordinates = 4;

@@ -1,5 +1,7 @@
 #include "refit/plant_fit.h"
 
+#include "refit/difference_steps.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kRelativeStep = 1e-4, kLeastStep = 1e-7, kStartStep = 1e-5;
 constexpr double kFirstDamping = 1e-4, kMostDamping = 1e8;
 
 using Index = Eigen::Index;

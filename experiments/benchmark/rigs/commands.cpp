@@ -1,5 +1,6 @@
 #include "rigs/rig.h"
 
+#include "plant/coordinates.h"
 #include "plant/draw.h"
 
 #include <cmath>
@@ -8,7 +9,6 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kRest = 0.2;  ///< s, before anything happens
 constexpr double kRise = 0.3;  ///< s, in which a command reaches its size
 

@@ -37,13 +37,13 @@ bool add_answer(UserSession& session, CaseResult& result) {
   return !result.diagnoses.back().added.empty();
 }
 
-void use_program(const CaseTask& task, UserSession& session, CaseResult& result) {
+void use_program(const CaseTask& task, const ProgramSettings& settings, UserSession& session, CaseResult& result) {
   const Comparison base = session.compare();
   note_held_out("base", base, result);
-  for (int round = 1; round <= kMostRounds; ++round) {
+  for (int round = 1; round <= settings.most_diagnoses; ++round) {
     result.diagnoses.push_back(session.diagnose());
     result.diagnoses.back().round = round;
-    if (round == kMostRounds || !add_answer(session, result)) break;
+    if (round == settings.most_diagnoses || !add_answer(session, result)) break;
   }
   const bool changed = !result.diagnoses.front().added.empty();
   const Comparison last = changed ? session.compare() : base;
@@ -57,7 +57,7 @@ CaseResult go_through(const CaseTask& task, const ProgramSettings& settings) {
   CaseResult result{task.about, {}, {}, {}, {}, {}, {}};
   UserSession session(settings, task.folder, task.withheld);
   try {
-    use_program(task, session, result);
+    use_program(task, settings, session, result);
   } catch (const CaseStopped&) {
     throw;
   } catch (const std::runtime_error& error) {

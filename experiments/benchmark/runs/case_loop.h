@@ -9,9 +9,6 @@
 
 namespace hidden_effects {
 
-/// Diagnoses of one case at most, with the effects of all but the last added.
-inline constexpr int kMostRounds = 3;
-
 /// A written case that is to go through the program.
 struct CaseTask {
   CaseRecord about;
@@ -20,7 +17,7 @@ struct CaseTask {
   std::vector<std::string> withheld;    ///< effects that the library is not to have
 };
 
-/// Compare, diagnose, add what was found, diagnose again, until nothing more is found or `kMostRounds` is reached;
+/// Compare, diagnose, add what was found, diagnose again, until nothing more is found or there were `most_diagnoses`;
 /// then compare again. What goes wrong with the program ends up in `failure`. Throws `CaseStopped`.
 CaseResult go_through(const CaseTask& task, const ProgramSettings& settings);
 

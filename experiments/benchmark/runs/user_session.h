@@ -28,6 +28,7 @@ class CaseStopped : public std::runtime_error {
 struct ProgramSettings {
   std::filesystem::path lacuna;  ///< the program, absolute
   double longest = 1800.0;       ///< s, of one call
+  int most_diagnoses = 3;        ///< of one case, with the effects of all but the last added
   std::function<bool()> stop = [] { return false; };
 };
 
