@@ -114,7 +114,7 @@ struct NoiseSection {
 
 /// How it is found out what the model lacks (diagnosis/).
 struct DiagnosisSection {
-  double segment = 0.5;  ///< s: short enough that errors do not build up, long enough to show slow effects
+  double segment = 0.0;  ///< s; 0: by the amount of data (diagnosis/cut_trials.h)
 };
 
 /// An experiment file, checked. `locations` tells where a key stands: "model.effects[0].where[1]".

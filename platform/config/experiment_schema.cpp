@@ -38,7 +38,7 @@ void check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
 /// Contact values stand with the engine for the user's sake; they are values of the robot.
 using ContactValues = std::map<std::string, double>;
 
-Table<ContactValues> contact_keys() {
+Table<ContactValues> ground_values() {
   const auto keep = [](const std::string& name) {
     return [name](ContactValues& values, double&& value) { values["contact." + name] = value; };
   };
@@ -58,7 +58,7 @@ struct EngineSection {
 Table<EngineSection> engine_section_keys() {
   return Table<EngineSection>()
       .merged(&EngineSection::settings, engine_keys())
-      .key("contact", &EngineSection::contact, contact_keys().value(),
+      .key("contact", &EngineSection::contact, ground_values().value(),
            "Contact with the ground; the same as contact.* under model.set and, of a simulated target, target.set.");
 }
 
@@ -114,9 +114,10 @@ Table<NoiseSection> noise_keys() {
 
 Table<DiagnosisSection> diagnosis_keys() {
   return Table<DiagnosisSection>().key(
-      "segment", &DiagnosisSection::segment, number("s").at_least(0.05),
-      "length of the stretches that are predicted, each from a start of its own that the data around it tell; at most "
-      "as long as the longest trial that is fitted to");
+      "segment", &DiagnosisSection::segment, number("s").at_least(0.0),
+      "length of the stretches that are predicted, each from a start of its own that the data around it tell; at least "
+      "0.05 s, at most as long as the longest trial that is fitted to; 0: a twelfth of all that is fitted to, 0.5 s to "
+      "2.5 s");
 }
 
 Table<Experiment> experiment_keys() {

@@ -35,7 +35,8 @@ std::vector<RandomForce> random_forces(const Round& round) {
 Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const Round& last) {
   const double best = last.rivals.empty() ? 0.0 : last.rivals.front().gain.value;
   const double free = diagnosis.free_force_gain.lower_95;
-  if (diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best)) return Verdict::not_in_library;
+  const bool is_law = diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best);
+  if (is_law && (contender.added.empty() || !answer_is_most(diagnosis))) return Verdict::not_in_library;
   if (!contender.added.empty()) return Verdict::effect_found;
   return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
 }
@@ -72,7 +73,8 @@ void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues
   diagnosis.verdict = outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, contender, last);
   const std::vector<std::string> unexplained = unexplained_motion(last.base, errors);
   if (diagnosis.verdict == Verdict::nothing_missing && !unexplained.empty()) diagnosis.verdict = Verdict::cannot_tell;
-  if (diagnosis.verdict != Verdict::not_in_library) {
+  const bool structure_left = diagnosis.free_force_p < kFreeForceLevel;
+  if (diagnosis.verdict != Verdict::not_in_library && !(diagnosis.verdict == Verdict::effect_found && structure_left)) {
     diagnosis.residual_force.clear();
     diagnosis.formulas.clear();
   }

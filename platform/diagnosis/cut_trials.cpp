@@ -12,7 +12,10 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAsLong = 1.01;  ///< a trial of 4 s may end a sample before that
+constexpr double kRunIn = 0.1;                                     ///< s: longer than most delays and lags
+constexpr double kFewest = 12.0, kShortest = 0.5, kLongest = 2.5;  ///< segments; s; s
+constexpr double kLeast = 0.05;                                    ///< s
+constexpr double kAsLong = 1.01;                                   ///< a trial of 4 s may end a sample before that
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
@@ -39,9 +42,20 @@ double longest_fit_trial(const std::vector<Trial>& trials) {
   return longest;
 }
 
+double usual_segment(const std::vector<Trial>& trials) {
+  double all = 0.0;
+  for (const Trial& trial : trials)
+    if (!trial.held_out) all += duration_of(trial);
+  return std::clamp(all / kFewest, kShortest, kLongest);
+}
+
 void check_segment(double segment, const std::vector<Trial>& trials) {
+  if (segment == 0.0) return;
+  if (segment < kLeast)
+    throw_problem({}, fmt::format("diagnosis.segment is {}; choose at least {}, or 0 for the usual length",
+                                  format_quantity(segment, "s"), format_quantity(kLeast, "s")));
   const double longest = longest_fit_trial(trials);
-  if (segment <= kAsLong * longest || segment == DiagnosisSection{}.segment || longest == 0.0) return;
+  if (segment <= kAsLong * longest || longest == 0.0) return;
   std::string lengths;
   for (const Trial& trial : trials)
     if (!trial.held_out)
@@ -63,9 +77,10 @@ BaseSolution cut_trials(const CutTask& task) {
     reconstructible = reconstructible && states.reconstructible(trial);
   }
   if (measured) {
-    base.segments = make_segments(predictor, states, reconstructible ? task.segment : 0.0, task.values);
+    const double length = task.segment > 0.0 ? task.segment : usual_segment(base.trials);
+    base.segments = make_segments(predictor, states, reconstructible ? length : 0.0, task.values, kRunIn);
     for (Segment& segment : base.segments)
-      if (segment.stretch.first == 0) segment.deviation *= kDoubtOfStart;
+      if (segment.stretch.first == 0 && segment.run_in == 0) segment.deviation *= kDoubtOfStart;
   } else {
     cut_free_runs(task, predictor, states, base);
   }

@@ -11,21 +11,27 @@ namespace lacuna {
 /// wider.
 inline constexpr double kDoubtOfStart = 100.0;
 
+inline constexpr double kUsualBlock = 0.5;  ///< s
+
 /// What is cut. Everything referred to must live until `cut_trials` returns.
 struct CutTask {
   const ModelDefinition& definition;
   const CompiledModel& model;
   const std::vector<Trial>& trials;
   const std::vector<double>& values;  ///< of the fitted model
-  double segment = 0.5;               ///< s
+  double segment = 0.0;               ///< s; 0: `usual_segment`, or `kUsualBlock` of free runs
   int threads = 1;
 };
 
 /// The longest trial that is not held out, s; 0 if there is none.
 double longest_fit_trial(const std::vector<Trial>& trials);
 
-/// Throws `BadInput` where a user asks for segments that are longer than every trial that is not held out. The usual
-/// length may be: `cut_trials` then takes what there is.
+/// A twelfth of all trials that are not held out, s, so that enough of them are left to judge by; at least 0.5 s, for
+/// slow effects to show, and at most 2.5 s, for simulations of a segment grow with the square of its length.
+double usual_segment(const std::vector<Trial>& trials);
+
+/// Throws `BadInput` where a user asks for segments of next to no length, or of more than every trial that is not held
+/// out has. The usual length may be longer: `cut_trials` then takes what there is.
 void check_segment(double segment, const std::vector<Trial>& trials);
 
 /// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements

@@ -91,6 +91,10 @@ struct Diagnosis {
   double seconds = 0.0;
 };
 
+/// Whether the answer gains nearly all that a force of free form beside it would leave to be gained: what is left then
+/// is the form of an effect rather than another one.
+bool answer_is_most(const Diagnosis& diagnosis);
+
 /// Whether the answer is to be added although something is left that the library does not have: it gains nearly all
 /// that a force of free form beside it would leave to be gained, or more than the formula does.
 bool answer_comes_first(const Diagnosis& diagnosis);
@@ -106,7 +110,7 @@ struct DiagnosisTask {
   const std::vector<Trial>& trials;     ///< to fit to; held-out ones are not looked at
   std::vector<double> values;           ///< fitted values of the model
   std::vector<std::string> among = {};  ///< effects to try; empty: all
-  double segment = 0.5;                 ///< s, of the stretches that are predicted from a start of their own
+  double segment = 0.0;                 ///< s, of what is predicted from a start of its own; 0: `usual_segment`
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};

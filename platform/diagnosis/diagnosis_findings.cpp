@@ -57,11 +57,12 @@ double share_of_answer(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+bool answer_is_most(const Diagnosis& diagnosis) { return share_of_answer(diagnosis) >= kMostOfIt; }
+
 bool answer_comes_first(const Diagnosis& diagnosis) {
-  const double share = share_of_answer(diagnosis);
-  if (share >= kMostOfIt || diagnosis.formulas.empty()) return share >= kMostOfIt;
+  if (answer_is_most(diagnosis) || diagnosis.formulas.empty()) return answer_is_most(diagnosis);
   const Gain& answer = diagnosis.formulas_of_rest ? diagnosis.answer_gain : diagnosis.ranking.front().gain;
-  return share > 0.0 && answer.value > diagnosis.formulas.front().gain.value;
+  return share_of_answer(diagnosis) > 0.0 && answer.value > diagnosis.formulas.front().gain.value;
 }
 
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,

@@ -4,6 +4,7 @@
 #include "diagnosis/conclusion.h"
 #include "diagnosis/cut_trials.h"
 #include "diagnosis/feedback_bias.h"
+#include "diagnosis/fewer_effects.h"
 #include "diagnosis/integration_error.h"
 #include "diagnosis/outdone_library.h"
 #include "diagnosis/propose_test.h"
@@ -22,7 +23,6 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kMostEffects = 3;
 constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
 constexpr double kUnsteady = 0.5;  ///< of the probability, where an effect does not survive other segment lengths
 constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
@@ -32,6 +32,7 @@ class EffectSearch {
   explicit EffectSearch(const DiagnosisTask& task)
       : task_(task),
         meter_(task.progress),
+        segment_(task.segment > 0.0 ? task.segment : usual_segment(task.trials)),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
         plain_(plain(task.experiment, task.catalog, task.values,
                      sufficient_substeps(task.definition, cut_, task.threads))),
@@ -57,8 +58,10 @@ class EffectSearch {
       if (!state_.last || !takes_another(round)) {
         const bool outdone = outdone_by_law(round);
         const std::optional<std::size_t> chosen = outdone ? std::nullopt : next_of(round);
-        if (!chosen) return ended(round, outdone);
-        take_in(round, *chosen);
+        if (chosen)
+          take_in(round, *chosen);
+        else if (outdone || !does_with_fewer(round))
+          return ended(round, outdone);
       }
       keep();
     }
@@ -97,7 +100,7 @@ class EffectSearch {
 
   /// The rival to go on with: not one that leads back to where the search was.
   std::optional<std::size_t> next_of(const Round& round) const {
-    if (contender_.added.size() >= kMostEffects) return std::nullopt;
+    if (contender_.added.size() >= state_.most_effects) return std::nullopt;
     const std::optional<std::size_t> chosen = choose(round, contender_.added.empty() ? kFirstLevel : kFurtherLevel);
     if (!chosen) return std::nullopt;
     const EffectEntry& entry = round.hypotheses[round.rivals[*chosen].hypothesis].entry;
@@ -111,6 +114,10 @@ class EffectSearch {
     state_.last = step_of(contender_, round, chosen);
     for (const KeptRival& rival : state_.last->rivals)
       state_.gains[names_with(contender_.added, rival.entry)] = sum(before, rival.gain);
+    if (!state_.first) {
+      state_.first = state_.last;
+      state_.first_ranking = state_.so_far.ranking;
+    }
     take_chosen();
     if (!leave_out_spent(round, chosen)) return;
     state_.last.reset();
@@ -176,12 +183,51 @@ class EffectSearch {
     return left;
   }
 
+  /// Whether fewer effects are enough; the search goes on with these, and with no more of them.
+  bool does_with_fewer(const Round& round) {
+    if (!state_.first) return false;
+    Contender none = plain_;
+    none.values = state_.base_values;
+    const std::optional<FewerEffects> fewer = fewer_effects(
+        {contender_, alternatives(), none, *state_.first, task_.catalog, round, task_.seed, task_.threads});
+    if (!fewer) return false;
+    state_.so_far.findings.push_back(to_string(*fewer, contender_.added));
+    go_on_with(*fewer);
+    return true;
+  }
+
+  std::vector<Contender> alternatives() const {
+    std::vector<Contender> all;
+    if (state_.last)
+      for (const KeptRival& rival : state_.last->rivals) all.push_back(model_with(rival));
+    return all;
+  }
+
+  void go_on_with(const FewerEffects& fewer) {
+    contender_ = with_effects(plain_, fewer.added, fewer.fit.values, task_.catalog);
+    state_.states = fewer.fit.states;
+    state_.most_effects = fewer.added.size();
+    state_.gains[names_of(fewer.added)] = fewer.gain;
+    state_.last.reset();
+    std::vector<RankedModel>& ranking = state_.so_far.ranking;
+    ranking = state_.first_ranking;
+    if (fewer.of_first) {
+      state_.last = state_.first;
+      state_.last->chosen = *fewer.of_first;
+      state_.last->rivals[*fewer.of_first].values = fewer.fit.values;
+      state_.last->rivals[*fewer.of_first].states = fewer.fit.states;
+      bring_to_front(ranking, name_of(fewer.added.back()));
+    } else {
+      ranking.emplace(ranking.begin())->gain = fewer.gain;
+    }
+  }
+
   Diagnosis ended(const Round& round, bool outdone_by_law) {
     if (!state_.law_leads && !contender_.added.empty()) tell_rest(round);  // the library has the law
     state_.so_far.answer_gain = gain_of_answer(round);
     conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
              task_.seed);
-    if (state_.law_leads && state_.so_far.verdict == Verdict::not_in_library && is_answer()) tell_rest(round);
+    if (state_.law_leads && is_answer() && round.free_force.p < kFreeForceLevel) tell_rest(round);
     if (is_answer()) {
       meter_.add_parts(1);
       meter_.begin_part("other lengths of segments");
@@ -221,12 +267,12 @@ class EffectSearch {
   void change_lengths(const Round& round) {
     Diagnosis& result = state_.so_far;
     result.lengths =
-        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, task_.segment, task_.threads},
+        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, segment_, task_.threads},
                           contender_,
                           round,
                           task_.threads});
     const LengthVerdict verdict =
-        judge_lengths(result.ranking.front().effects, task_.segment, result.lengths, task_.catalog);
+        judge_lengths(result.ranking.front().effects, segment_, result.lengths, task_.catalog);
     if (!verdict.survives) result.probability *= kUnsteady;
     result.findings.insert(result.findings.end(), verdict.findings.begin(), verdict.findings.end());
   }
@@ -268,6 +314,7 @@ class EffectSearch {
 
   const DiagnosisTask& task_;
   ProgressMeter meter_;
+  const double segment_;  ///< s
   const BaseSolution cut_;
   const Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;

@@ -67,7 +67,7 @@ class Pulser {
     const Eigen::VectorXd& times = problem_.predictor().trials()[trial].measured.times;
     for (const Segment& segment : problem_.segments()) {
       if (segment.stretch.trial != trial) continue;
-      const double begin = times(segment.stretch.first) + number * width_;
+      const double begin = times(segment.first_counted()) + number * width_;
       const double end = std::min(begin + width_, times(segment.stretch.last - 1));
       if (begin < end - 1e-9) found.emplace_back(begin, end);
     }
@@ -104,11 +104,6 @@ class Pulser {
   std::vector<Eigen::MatrixXd> calm_;
 };
 
-double length_of(const ShootingProblem& problem, const Segment& segment) {
-  const Eigen::VectorXd& times = problem.predictor().trials()[segment.stretch.trial].measured.times;
-  return times(segment.stretch.last - 1) - times(segment.stretch.first);
-}
-
 bool floats(const RobotSpec& robot) {
   return std::any_of(robot.bodies.begin(), robot.bodies.end(), [&](const BodySpec& body) {
     return std::none_of(robot.joints.begin(), robot.joints.end(),
@@ -130,12 +125,13 @@ ForceResponses force_responses(const ModelDefinition& definition, const Shooting
     }
   if (joints.empty() || joints.size() > kMostDisturbed || floats(robot)) return {};
   double longest = 0.0;
-  for (const Segment& segment : problem.segments()) longest = std::max(longest, length_of(problem, segment));
+  for (const Segment& segment : problem.segments())
+    longest = std::max(longest, duration_of(segment, problem.predictor().trials()));
   responses.width = std::max(kShortestPulse, longest / kMostPulses);
   const int pulses = std::max(1, static_cast<int>(std::ceil(longest / responses.width - 1e-6)));
   for (std::size_t k = 0; k < problem.segments().size(); ++k) {
     const Segment& segment = problem.segments()[k];
-    const double begin = problem.predictor().trials()[segment.stretch.trial].measured.times(segment.stretch.first);
+    const double begin = problem.predictor().trials()[segment.stretch.trial].measured.times(segment.first_counted());
     responses.times.emplace_back(
         Eigen::VectorXd::LinSpaced(pulses, begin + 0.5 * responses.width, begin + (pulses - 0.5) * responses.width));
     responses.of.emplace_back();

@@ -83,6 +83,8 @@ double lost(const std::vector<RowBins::Bin>& bins, const Eigen::MatrixXd& doubt,
   return moving > 0.0 ? sum / moving : 0.0;
 }
 
+double block_of(const CutTask& task) { return task.segment > 0.0 ? task.segment : kUsualBlock; }  // s
+
 /// Which blocks are predicted: of each trial those before the first that is not.
 std::vector<bool> predicted(const CutTask& task, const TrialPredictor& predictor, const BaseSolution& base) {
   const ParameterSpace space(task.definition.free);
@@ -141,7 +143,7 @@ void cut_free_runs(const CutTask& task, const TrialPredictor& predictor, const S
   base.bin_widths = widths(task.definition.structure.robot, base.noise);
   for (Segment& run : make_segments(predictor, states, 0.0, task.values)) {
     run.deviation *= kDoubtOfStart;
-    add_blocks(run, base.trials[run.stretch.trial], task.segment, base.segments);
+    add_blocks(run, base.trials[run.stretch.trial], block_of(task), base.segments);
   }
   if (base.segments.empty()) return;
   const ParameterSpace space(task.definition.free);
@@ -153,7 +155,7 @@ void cut_free_runs(const CutTask& task, const TrialPredictor& predictor, const S
         fmt::format("not even the first {:.2g} s of a trial are predicted: shorter steps or slightly other contacts "
                     "change them by more than a third of the motion. Softer contacts (engine.contact) or slower "
                     "commands would help",
-                    task.segment));
+                    block_of(task)));
     for (std::size_t k = 0; k < kept.size(); ++k)
       kept[k] = k == 0 || base.segments[k].stretch.trial != base.segments[k - 1].stretch.trial;
   }

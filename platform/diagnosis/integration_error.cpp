@@ -45,8 +45,10 @@ bool correct_for_steps(const ModelDefinition& definition, BaseSolution& base, in
   if (!own || !fine || !finest) return false;
   for (std::size_t k = 0; k < base.segments.size(); ++k) {
     const Stretch& stretch = base.segments[k].stretch;
+    const Eigen::Index run_in = base.segments[k].run_in, counted = stretch.size() - run_in;
     const TimeSeries::Samples limit = 2.0 * (*finest)[k] - (*fine)[k];  // the engine is of first order
-    base.trials[stretch.trial].measured.samples.middleRows(stretch.first, stretch.size()) -= limit - (*own)[k];
+    base.trials[stretch.trial].measured.samples.middleRows(stretch.first + run_in, counted) -=
+        (limit - (*own)[k]).bottomRows(counted);
   }
   return true;
 }

@@ -10,9 +10,10 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kLadderSegments = 8;  ///< that sizes are looked for on
-constexpr double kFirst = 1e-3;             ///< of a parameter's range, the first size
-constexpr double kStride = 100.0;           ///< at most, from a size to the next
+constexpr double kLadderTime = 4.0;  ///< s of segments that sizes are looked for on
+constexpr std::size_t kFewestSegments = 3;
+constexpr double kFirst = 1e-3;    ///< of a parameter's range, the first size
+constexpr double kStride = 100.0;  ///< at most, from a size to the next
 constexpr int kTrials = 24;
 constexpr double kBeside = 0.01;   ///< of a parameter's range, where one matters only beside another
 constexpr double kEnough = 0.5;    ///< of the residual
@@ -58,12 +59,19 @@ class Bench {
   ShootingProblem problem_;
 };
 
+/// How many segments sizes are looked for on: a size need not be exact.
+std::size_t ladder_segments(const BaseSolution& base) {
+  double longest = 0.0;
+  for (const Segment& segment : base.segments) longest = std::max(longest, duration_of(segment, base.trials));
+  return std::max(kFewestSegments, static_cast<std::size_t>(std::ceil(kLadderTime / longest)));
+}
+
 /// How far a parameter must go from its neutral value to matter.
 class Ladder {
  public:
   Ladder(const Hypothesis& hypothesis, const BaseSolution& base)
       : hypothesis_(hypothesis),
-        bench_(hypothesis, base, kLadderSegments),
+        bench_(hypothesis, base, ladder_segments(base)),
         residual_(std::max(1.0, base.residual)),
         may_jump_(base.free_run),
         others_(hypothesis.neutral) {
@@ -220,14 +228,15 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
   const std::size_t switched_on = probes.size();
   for (const std::size_t shape : shapes) {
     const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];
-    for (const double value : shapes_to_try(free.unit, scales)) {
-      if (value == hypothesis.defaults[shape] || value < free.lower || value > free.upper) continue;
-      for (std::size_t p = 0; p < switched_on; ++p) {
-        Probe probe = probes[p];
-        probe.own[shape] = value;
-        probes.push_back(std::move(probe));
+    for (const double size : shapes_to_try(free.unit, scales))
+      for (const double value : {size, -size}) {
+        if (value == hypothesis.defaults[shape] || value < free.lower || value > free.upper) continue;
+        for (std::size_t p = 0; p < switched_on; ++p) {
+          Probe probe = probes[p];
+          probe.own[shape] = value;
+          probes.push_back(std::move(probe));
+        }
       }
-    }
   }
   return probes;
 }

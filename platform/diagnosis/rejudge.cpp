@@ -1,21 +1,25 @@
 #include "diagnosis/rejudge.h"
 
+#include "diagnosis/selection.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kClose = 0.5;  ///< of the chosen one's gain: less is no close call
-constexpr std::size_t kMostClose = 4;
-constexpr std::size_t kMostInseparable = 2;
+constexpr std::size_t kMostClose = 8;
 constexpr double kToldApart = 2.0;  ///< nats: less does not tell two effects apart
 /// A close call is judged by gains of this precision, and needs no more iterations.
 constexpr double kFineEnough = 1e-3;
 constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
+/// The same, beyond which nobody would take one for the other.
+constexpr double kInseparableShare = 0.01;
+constexpr double kEqual = 0.5;  ///< nats: then the one with fewer parameters is named first
 
 std::vector<std::size_t> close_calls(const SearchStep& step) {
   std::vector<std::size_t> close;
@@ -25,9 +29,9 @@ std::vector<std::size_t> close_calls(const SearchStep& step) {
   return close;
 }
 
-std::vector<Contender> close_models(const RejudgeTask& task, const std::vector<std::size_t>& close) {
+std::vector<Contender> models_of(const RejudgeTask& task, const std::vector<std::size_t>& rivals) {
   std::vector<Contender> models;
-  for (const std::size_t i : close) {
+  for (const std::size_t i : rivals) {
     std::vector<EffectEntry> added = task.before.added;
     added.push_back(task.before.rivals[i].entry);
     models.push_back(with_effects(task.plain, added, task.before.rivals[i].values, task.catalog));
@@ -35,7 +39,7 @@ std::vector<Contender> close_models(const RejudgeTask& task, const std::vector<s
   return models;
 }
 
-Refit refit_again(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
+Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
   BaseSolution base = without_values(task.now.base);
   base.nuisance.clear();
   if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
@@ -60,27 +64,57 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
   return false;
 }
 
+bool is_at_limit(const ModelDefinition& definition, const EffectEntry& entry, const Refit& fit) {
+  const std::string prefix = "effect." + entry.id + ".";
+  for (std::size_t i = 0; fit.valid && i < definition.free.size(); ++i)
+    if (fit.at_bound[i] && definition.free[i].address.starts_with(prefix)) return true;
+  return false;
+}
+
+struct Alike {
+  std::size_t which = 0;
+  double ahead = 0.0;       ///< nats
+  std::size_t freedom = 0;  ///< parameters
+};
+
+/// The closest first, and the simplest of those that are as close.
+void sort(std::vector<Alike>& alikes) {
+  std::sort(alikes.begin(), alikes.end(), [](const Alike& a, const Alike& b) {
+    return std::pair(-std::round(a.ahead / kEqual), a.freedom) < std::pair(-std::round(b.ahead / kEqual), b.freedom);
+  });
+}
+
 }  // namespace
+
+std::vector<RefitAgain> refit_again(const RejudgeTask& task, const std::vector<std::size_t>& which) {
+  const std::vector<Contender> models = models_of(task, which);
+  std::vector<RefitAgain> fits(which.size());
+  const int inner = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(which.size(), 1)));
+  parallel_for(which.size(), task.threads, [&](std::size_t i, int) {
+    const KeptRival& rival = task.before.rivals[which[i]];
+    fits[i].fit = refit_one(task, rival, models[i], inner);
+    fits[i].at_limit = is_at_limit(models[i].definition, rival.entry, fits[i].fit);
+  });
+  return fits;
+}
 
 Rejudged rejudge(const RejudgeTask& task) {
   const SearchStep& before = task.before;
   const KeptRival& chosen = before.rivals[before.chosen];
   const std::vector<std::size_t> close = close_calls(before);
-  const std::vector<Contender> models = close_models(task, close);
-  std::vector<Refit> fits(close.size());
-  const int inner = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(close.size(), 1)));
-  parallel_for(close.size(), task.threads,
-               [&](std::size_t i, int) { fits[i] = refit_again(task, before.rivals[close[i]], models[i], inner); });
+  std::vector<RefitAgain> fits = refit_again(task, close);
   const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
+  const double inseparable = std::max(kToldApart, kInseparableShare * chosen.gain.value);
   Rejudged result;
   double most = 0.0;
-  std::vector<std::pair<double, std::size_t>> order;
+  std::vector<Alike> alikes;
   for (std::size_t i = 0; i < close.size(); ++i) {
-    if (!fits[i].valid) continue;
-    const Eigen::VectorXd held_out = held_out_deviance(fits[i], task.now.folds);
+    if (!fits[i].fit.valid) continue;
+    const Eigen::VectorXd held_out = held_out_deviance(fits[i].fit, task.now.folds);
     const Gain ahead = gain(task.now.held_out, held_out, task.seed);
-    if (ahead.upper_95 >= 0.0 || ahead.value > -alike) order.emplace_back(-ahead.value, i);
     const std::size_t freedom = before.rivals[close[i]].values.size();
+    const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit;
+    if (!a_limit && (ahead.upper_95 >= 0.0 || ahead.value > -inseparable)) alikes.push_back({i, ahead.value, freedom});
     const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
     const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&
                          (freedom <= chosen.values.size() ||
@@ -90,9 +124,9 @@ Rejudged rejudge(const RejudgeTask& task) {
       most = ahead.value;
     }
   }
-  std::sort(order.begin(), order.end());
-  for (std::size_t i = 0; i < std::min(kMostInseparable, order.size()); ++i)
-    result.inseparable.emplace_back(close[order[i].second], std::move(fits[order[i].second]));
+  sort(alikes);
+  for (std::size_t i = 0; i < std::min(kMostLookAlikes, alikes.size()); ++i)
+    result.inseparable.emplace_back(close[alikes[i].which], std::move(fits[alikes[i].which].fit));
   return result;
 }
 

@@ -38,6 +38,8 @@ struct SearchStep {
   std::vector<Eigen::VectorXd> timing;  ///< by segment: the nuisance of the round's base; empty: it had none
 };
 
+inline constexpr std::size_t kMostEffects = 3;
+
 /// Where a search for what is missing stands between two rounds: all that the rest of it follows from, beside what is
 /// diagnosed.
 struct SearchState {
@@ -45,10 +47,13 @@ struct SearchState {
   std::vector<double> values;           ///< of the model with `added`, SI
   std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
   std::optional<SearchStep> last;       ///< whose choice may still be taken back
-  std::set<EffectNames> tried;          ///< models that were looked at
-  std::map<EffectNames, Gain> gains;    ///< of models, over the one without any
-  std::vector<double> base_values;      ///< refitted, of the model without any
-  bool law_leads = false;               ///< the first formula for it, over every single effect (outdone_library.h)
+  std::optional<SearchStep> first;      ///< of the model without any effect
+  std::vector<RankedModel> first_ranking;
+  std::size_t most_effects = kMostEffects;  ///< fewer once fewer were found to be enough
+  std::set<EffectNames> tried;              ///< models that were looked at
+  std::map<EffectNames, Gain> gains;        ///< of models, over the one without any
+  std::vector<double> base_values;          ///< refitted, of the model without any
+  bool law_leads = false;                   ///< the first formula for it, over every single effect (outdone_library.h)
   Diagnosis so_far;
 };
 

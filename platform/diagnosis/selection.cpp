@@ -17,7 +17,6 @@ constexpr double kAsGood = 0.1;
 constexpr double kSimpleFirst = 0.5;
 constexpr double kSomething = 0.5;  ///< nats: what an effect must predict better, to be one
 constexpr double kTold = 2.0;       ///< nats: less does not tell two effects apart
-constexpr std::size_t kMostLookAlikes = 2;
 
 std::size_t freedom(const Round& round, const Rival& rival) { return round.hypotheses[rival.hypothesis].own.size(); }
 

@@ -3,6 +3,7 @@
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/round.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,9 @@ inline constexpr double kFirstLevel = 0.05, kFurtherLevel = 0.01;  ///< of chanc
 /// may find that it and another one do as well (rejudge.h). Nothing: none of them.
 std::optional<std::size_t> choose(const Round& round, double level);
 
-/// Rivals that these data do not tell from the chosen one, the best first, at most two.
+inline constexpr std::size_t kMostLookAlikes = 4;
+
+/// Rivals that these data do not tell from the chosen one, the best first, at most `kMostLookAlikes`.
 std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed);
 
 /// Added effects with values and intervals; `fit`: of the model that has them.

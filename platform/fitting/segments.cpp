@@ -28,16 +28,24 @@ void list_measured(const Trial& trial, Eigen::Index first_row, Segment& segment)
     }
 }
 
-Segment make_segment(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
+/// The first sample that is no more than `run_in` s before another one.
+Eigen::Index first_of_run_in(const Trial& trial, Eigen::Index sample, double run_in) {
+  const Eigen::VectorXd& times = trial.measured.times;
+  return std::lower_bound(times.data(), times.data() + sample, times(sample) - run_in * (1.0 + 1e-9)) - times.data();
+}
+
+Segment make_segment(const TrialPredictor& predictor, const StartStates& states, const Stretch& counted, double run_in,
                      const std::vector<double>& values) {
-  const Trial& trial = predictor.trials()[stretch.trial];
-  const bool on_head = stretch.first == 0 && tells_from_data(trial);
+  const Trial& trial = predictor.trials()[counted.trial];
+  const Stretch stretch{counted.trial, first_of_run_in(trial, counted.first, run_in), counted.last};
+  const bool on_head = counted.first == 0 && tells_from_data(trial);
   StartEstimate estimate = on_head ? fit_head(predictor, states, stretch, values, 0) : StartEstimate{};
   const bool scored_after_head = on_head && estimate.valid;
   if (!estimate.valid) estimate = states.from_samples(stretch, stretch.first);
 
   Segment segment;
   segment.stretch = stretch;
+  segment.run_in = counted.first - stretch.first;
   segment.start = estimate.start;
   std::vector<double> deviation;
   for (int index = 0; index < 2 * states.coordinates(); ++index) {
@@ -48,11 +56,17 @@ Segment make_segment(const TrialPredictor& predictor, const StartStates& states,
     deviation.push_back(free ? kFree * known_to : known_to);
   }
   segment.deviation = Eigen::Map<Eigen::VectorXd>(deviation.data(), static_cast<Eigen::Index>(deviation.size()));
-  list_measured(trial, scored_after_head ? first_scored(predictor, stretch, estimate) - stretch.first : 0, segment);
+  list_measured(trial, scored_after_head ? first_scored(predictor, stretch, estimate) - stretch.first : segment.run_in,
+                segment);
   return segment;
 }
 
 }  // namespace
+
+double duration_of(const Segment& segment, const std::vector<Trial>& trials) {
+  const Eigen::VectorXd& times = trials[segment.stretch.trial].measured.times;
+  return times(segment.stretch.last - 1) - times(segment.first_counted());
+}
 
 std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length) {
   const Eigen::VectorXd& times = trial.measured.times;
@@ -74,12 +88,12 @@ std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length) {
 }
 
 std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
-                                   const std::vector<double>& values) {
+                                   const std::vector<double>& values, double run_in) {
   std::vector<Segment> segments;
   for (std::size_t trial = 0; trial < predictor.trials().size(); ++trial) {
     if (predictor.trials()[trial].held_out) continue;
     for (const Stretch& stretch : cut(predictor.trials()[trial], trial, length)) {
-      Segment segment = make_segment(predictor, states, stretch, values);
+      Segment segment = make_segment(predictor, states, stretch, run_in, values);
       if (segment.rows.size() > segment.unknown.size()) segments.push_back(std::move(segment));
     }
   }

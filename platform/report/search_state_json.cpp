@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 1;  ///< to be counted up when the state, or the search that follows from it, changes
+constexpr int kFormat = 2;  ///< to be counted up when the state, or the search that follows from it, changes
 
 ordered_json entries_json(const std::vector<EffectEntry>& entries) {
   ordered_json all = ordered_json::array();
@@ -80,6 +80,9 @@ SearchState read_state(const ordered_json& whole) {
   state.values = whole.at("values").get<std::vector<double>>();
   state.states = read_vectors(whole.at("states"));
   if (!whole.at("last").is_null()) state.last = read_step(whole.at("last"));
+  if (!whole.at("first").is_null()) state.first = read_step(whole.at("first"));
+  state.first_ranking = read_diagnosis(whole.at("first_answer").dump()).ranking;
+  state.most_effects = whole.at("most_effects");
   state.tried = whole.at("tried").get<std::set<EffectNames>>();
   for (const ordered_json& one : whole.at("gains"))
     state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
@@ -94,11 +97,16 @@ SearchState read_state(const ordered_json& whole) {
 std::string search_state_json(const SearchState& state) {
   ordered_json gains = ordered_json::array();
   for (const auto& [names, gain] : state.gains) gains.push_back({{"effects", names}, {"gain", gain_json(gain)}});
+  Diagnosis first_answer = state.so_far;
+  first_answer.ranking = state.first_ranking;
   const ordered_json whole = {{"format", kFormat},
                               {"added", entries_json(state.added)},
                               {"values", state.values},
                               {"states", vectors_json(state.states)},
                               {"last", state.last ? step_json(*state.last) : ordered_json()},
+                              {"first", state.first ? step_json(*state.first) : ordered_json()},
+                              {"first_answer", ordered_json::parse(diagnosis_json(first_answer))},
+                              {"most_effects", state.most_effects},
                               {"tried", state.tried},
                               {"gains", gains},
                               {"base_values", state.base_values},

@@ -20,9 +20,11 @@ struct PendulumTruth {
   double gravity = 0.981;    // N·m at 90°
   double damping = 0.0;      // N·m·s/rad
   double friction = 0.0;     // N·m, dry
+  double backward = 0.0;     // N·m, dry, more of it on the way back
   double spring = 0.0;       // N·m/rad
   double cubic = 0.0;        // N·m/rad³
   double delay = 0.0;        // s, of the command
+  double lateness = 0.0;     // s, of the reading
   double limit = 1e9;        // N·m, of the motor
   double feedback = 0.0;     // N·m/rad, of the noisy reading, added to the command
   double noise = 5e-4;       // rad
@@ -84,9 +86,13 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
   trial.sensor_noise = {truth.noise};
   SeededNoise random(seed, 0);
   double q = 0.0, v = 0.0, disturbance = 0.0;
+  const auto late = static_cast<std::size_t>(std::lround(truth.lateness / h));
+  std::vector<double> past(late, 0.0);
   const double kept = std::exp(-kInterval / 0.2);
   for (Eigen::Index i = 0; i < samples; ++i) {
-    const double reading = q + truth.noise * random.normal();
+    past.push_back(q);
+    const double reading = past[past.size() - 1 - late] + truth.noise * random.normal();
+    past.pop_back();
     trial.measured.samples(i, 0) = reading;
     trial.commands.series.samples(i, 0) = command(trial.measured.times(i)) - truth.feedback * reading;
     disturbance = kept * disturbance + truth.disturbance * std::sqrt(1.0 - kept * kept) * random.normal();
@@ -96,7 +102,9 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
       const double motor = std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit, truth.limit);
       const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
                             truth.cubic * q * q * q;
-      const double free = v + h * torque / truth.inertia, stopped = h * truth.friction / truth.inertia;
+      past.push_back(q);
+      const double free = v + h * torque / truth.inertia;
+      const double stopped = h * (truth.friction + (free < 0.0 ? truth.backward : 0.0)) / truth.inertia;
       v = std::abs(free) <= stopped ? 0.0 : free - std::copysign(stopped, free);
       q += h * v;
     }

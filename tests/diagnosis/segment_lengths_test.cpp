@@ -108,7 +108,20 @@ TEST(SegmentLengths, OneLongerThanEveryFitTrialIsRefused) {
   EXPECT_THAT([&] { check_segment(20.0, trials); },
               testing::ThrowsMessage<BadInput>("diagnosis.segment is 20.0 s, but no fit trial is that long: sine.csv "
                                                "4.00 s, steps.csv 2.00 s; choose at most 4.00 s"));
-  EXPECT_NO_THROW(check_segment(0.5, {trial_of("short.csv", 0.3, false)}));  // nobody asked for it
+  EXPECT_NO_THROW(check_segment(0.0, {trial_of("short.csv", 0.3, false)}));  // nobody asked for a length
+  EXPECT_THAT([&] { check_segment(0.02, trials); },
+              testing::ThrowsMessage<BadInput>(
+                  "diagnosis.segment is 20.0 ms; choose at least 50.0 ms, or 0 for the usual length"));
+}
+
+TEST(SegmentLengths, TheUsualOneIsATwelfthOfWhatIsFittedTo) {
+  const auto usual = [](double seconds) {
+    return usual_segment(
+        {trial_of("a.csv", seconds, false), trial_of("b.csv", seconds, false), trial_of("held_out.csv", 100.0, true)});
+  };
+  EXPECT_NEAR(usual(9.0), 1.5, 0.01);
+  EXPECT_DOUBLE_EQ(usual(1.0), 0.5);
+  EXPECT_DOUBLE_EQ(usual(60.0), 2.5);
 }
 
 }  // namespace

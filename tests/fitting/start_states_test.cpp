@@ -145,5 +145,19 @@ TEST(MakeSegments, LeavesOutWhatTellsNothing) {
   EXPECT_EQ(make_segments(f.predictor, f.states, 0.5, {}).size(), 3u);
 }
 
+TEST(Segments, InnerOnesAreSimulatedFromBeforeWhatCounts) {
+  const Fixture at(falling(1e-3));
+  const std::vector<Segment> segments = make_segments(at.predictor, at.states, 0.5, {}, 0.1);
+  ASSERT_EQ(segments.size(), 4u);
+  EXPECT_EQ(segments[0].run_in, 0);
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    EXPECT_EQ(segments[k].run_in, 20);
+    EXPECT_EQ(segments[k].rows.front(), 20);
+    EXPECT_EQ(segments[k].first_counted(), segments[k - 1].stretch.last);
+    const double time = at.predictor.trials()[0].measured.times(segments[k].stretch.first);
+    EXPECT_NEAR(segments[k].start.positions[0], 0.3 - 0.2 * time - 0.5 * 9.81 * time * time, 5e-3);
+  }
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -21,7 +21,7 @@ EffectDescription Cogging::describe() const {
           .placements = {ElementKind::joint},
           .parameters = {{"sine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the sine"},
                          {"cosine", "{force}", 0.0, -10000.0, 10000.0, Scale::linear, "Part that follows the cosine"},
-                         {"periods", "1/{position}", 1.0, 0.001, 100000.0, Scale::logarithmic,
+                         {"periods", "1/{position}", 1.0, 0.5, 100000.0, Scale::logarithmic,
                           "Periods in 2 pi of the coordinate: 1 is once a turn"}}};
 }
 

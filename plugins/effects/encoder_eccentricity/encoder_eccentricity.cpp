@@ -20,7 +20,7 @@ EffectDescription EncoderEccentricity::describe() const {
           .placements = {ElementKind::sensor},
           .parameters = {{"sine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the sine"},
                          {"cosine", "{channel}", 0.0, -10.0, 10.0, Scale::linear, "Part that follows the cosine"},
-                         {"periods", "1/{channel}", 1.0, 0.001, 100000.0, Scale::logarithmic,
+                         {"periods", "1/{channel}", 1.0, 0.5, 100000.0, Scale::logarithmic,
                           "Periods in 2 pi of the reading: 1 is once a turn"}}};
 }
 

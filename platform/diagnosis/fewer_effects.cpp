@@ -1,0 +1,121 @@
+#include "diagnosis/fewer_effects.h"
+
+#include "diagnosis/rejudge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLittle = 0.1;    ///< of the answer's gain
+constexpr double kByChance = 2.0;  ///< nats
+
+struct Judged {
+  FewerEffects model;
+  Eigen::VectorXd held_out;
+};
+
+class Contest {
+ public:
+  explicit Contest(const FewerEffectsTask& task) : task_(task) {}
+
+  std::optional<FewerEffects> run() {
+    const Refit none = refit_reduced(task_.plain, task_.now, task_.threads);
+    if (!none.valid) return std::nullopt;
+    none_ = held_out_deviance(none, task_.now.folds);
+    all_ = gain(none_, task_.now.held_out, task_.seed);
+    add_rivals();
+    add_parts();
+    for (std::size_t size = 1; size < task_.answer.added.size(); ++size)
+      if (const Judged* best = best_of(size); best != nullptr && is_enough(*best)) return best->model;
+    return std::nullopt;
+  }
+
+ private:
+  void add_rivals() {
+    std::vector<std::size_t> all(task_.first.rivals.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<RefitAgain> fits =
+        refit_again({task_.first, task_.plain, task_.catalog, task_.now, task_.seed, task_.threads}, all);
+    for (std::size_t i = 0; i < fits.size(); ++i) add({task_.first.rivals[i].entry}, std::move(fits[i].fit), i);
+  }
+
+  /// The answer without one of its effects, without two, ...; and what was an alternative to the last of them.
+  void add_parts() {
+    Contender answer = task_.answer;
+    answer.values = task_.now.fit.values;
+    add_parts_of(answer, 0);
+    for (const Contender& other : task_.alternatives)
+      if (!rival_of(other.added.back())) add_last_of(other);
+  }
+
+  void add_parts_of(const Contender& whole, std::size_t from) {
+    for (std::size_t i = from; whole.added.size() > 1 && i < whole.added.size(); ++i) {
+      const Contender part = without(whole, i, task_.plain, task_.catalog);
+      add_contender(part);
+      add_parts_of(part, i);
+    }
+  }
+
+  void add_last_of(Contender model) {
+    while (model.added.size() > 1) model = without(model, 0, task_.plain, task_.catalog);
+    add_contender(model);
+  }
+
+  void add_contender(const Contender& model) {
+    add(model.added, refit_reduced(model, task_.now, task_.threads),
+        model.added.size() == 1 ? rival_of(model.added.front()) : std::nullopt);
+  }
+
+  /// The rival of the first step that is this effect.
+  std::optional<std::size_t> rival_of(const EffectEntry& entry) const {
+    for (std::size_t i = 0; i < task_.first.rivals.size(); ++i)
+      if (name_of(task_.first.rivals[i].entry) == name_of(entry)) return i;
+    return std::nullopt;
+  }
+
+  void add(std::vector<EffectEntry> added, Refit fit, std::optional<std::size_t> of_first) {
+    if (!fit.valid) return;
+    const Eigen::VectorXd held_out = held_out_deviance(fit, task_.now.folds);
+    const Gain over_none = gain(none_, held_out, task_.seed);
+    judged_.push_back(
+        {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out});
+  }
+
+  const Judged* best_of(std::size_t size) const {
+    const Judged* best = nullptr;
+    for (const Judged& one : judged_)
+      if (one.model.added.size() == size && (best == nullptr || one.model.gain.value > best->model.gain.value))
+        best = &one;
+    return best;
+  }
+
+  bool is_enough(const Judged& one) const {
+    const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
+    return lost.value <= std::max({kByChance, lost.standard_error, kLittle * all_.value});
+  }
+
+  const FewerEffectsTask& task_;
+  Eigen::VectorXd none_;  ///< held-out deviance of the model without any effect
+  Gain all_;              ///< of the answer
+  std::vector<Judged> judged_;
+};
+
+}  // namespace
+
+std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task) {
+  if (task.answer.added.size() < 2) return std::nullopt;
+  return Contest(task).run();
+}
+
+std::string to_string(const FewerEffects& fewer, const std::vector<EffectEntry>& answer) {
+  return fmt::format("{} alone gain{} {:.1f} % of what {} gain together, which more likely make up for its form",
+                     fmt::join(names_of(fewer.added), " and "), fewer.added.size() == 1 ? "s" : "", 100.0 * fewer.share,
+                     fmt::join(names_of(answer), " and "));
+}
+
+}  // namespace lacuna

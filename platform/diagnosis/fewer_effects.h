@@ -1,0 +1,47 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/round.h"
+#include "diagnosis/search_state.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A model that does with fewer effects nearly what an answer of several does.
+struct FewerEffects {
+  std::vector<EffectEntry> added;
+  Refit fit;
+  Gain gain;                            ///< over the model without any effect
+  double share = 0.0;                   ///< of the answer's gain
+  std::optional<std::size_t> of_first;  ///< the rival of the first step that it is
+};
+
+/// Everything referred to must live until `fewer_effects` returns.
+struct FewerEffectsTask {
+  const Contender& answer;
+  const std::vector<Contender>& alternatives;  ///< to the answer, with another last effect
+  const Contender& plain;                      ///< the model without any effect added, with its refitted values
+  const SearchStep& first;                     ///< of the model without any effect
+  const PluginCatalog& catalog;
+  const Round& now;  ///< of the answer
+  std::uint64_t seed = 1;
+  int threads = 1;
+};
+
+/// The search goes forward, under a noise that holds what is not found yet; so two effects may stand where a single
+/// one, which did not lead then, is enough. Under the noise of the answer's own round, each rival of the first step,
+/// each part of the answer and each alternative to its last effect are refitted alone. Of the smallest that lose no
+/// more than a tenth of the answer's gain, or than chance makes of it, the best is returned: an effect that adds less
+/// than that is likelier to make up for the form of another than to be there, and the next diagnosis, with the others
+/// in the model, finds it if it is. Nothing where the answer has one effect only or needs all of them.
+std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task);
+
+/// A sentence that begins with the effects that are enough.
+std::string to_string(const FewerEffects& fewer, const std::vector<EffectEntry>& answer);
+
+}  // namespace lacuna
