@@ -141,7 +141,8 @@ WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
--- stated probability over ten bins; bootstrap). `least` and `most` are the goal.
+-- stated probability over ten bins; bootstrap). `least` and `most` are the goal. The values of rigs left out are no
+-- rows of `figure_value`: they take the program's calibration (figures/left_out.h).
 CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
   (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
@@ -160,10 +161,12 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (15, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
   (16, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
   (17, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
-  (18, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
-  (19, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (20, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (21, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (18, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, NULL),
+  (19, 'brier_left_out', 'Brier score on rigs that the calibration left out', 'mean', NULL, NULL),
+  (20, 'calibration_left_out', 'calibration error on rigs that the calibration left out', 'calibration', NULL, 0.05),
+  (21, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (22, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (23, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.
