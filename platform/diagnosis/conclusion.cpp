@@ -46,10 +46,11 @@ bool is_about(const std::string& finding, const std::vector<EffectEntry>& added)
                      [&](const EffectEntry& entry) { return finding.starts_with(name_of(entry) + " "); });
 }
 
-/// The floor is that of the last round, in which the least that is structured passes for noise.
-void measure_by(const std::vector<ChannelError>& last, Diagnosis& diagnosis) {
+/// The floor is that of the first or the last round: the one in which less that is structured passes for noise.
+void measure_by(std::vector<ChannelError> floors, Diagnosis& diagnosis) {
+  for (std::size_t c = 0; c < floors.size(); ++c) floors[c].floor = std::min(floors[c].floor, diagnosis.base[c].floor);
   const auto take_floor = [&](std::vector<ChannelError>& errors) {
-    for (std::size_t c = 0; c < errors.size(); ++c) errors[c].floor = last[c].floor;
+    for (std::size_t c = 0; c < errors.size(); ++c) errors[c].floor = floors[c].floor;
     return times_floor(errors);
   };
   diagnosis.base_times_floor = take_floor(diagnosis.base);

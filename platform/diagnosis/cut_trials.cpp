@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -46,7 +47,7 @@ double usual_segment(const std::vector<Trial>& trials) {
   double all = 0.0;
   for (const Trial& trial : trials)
     if (!trial.held_out) all += duration_of(trial);
-  return std::clamp(all / kFewest, kShortest, kLongest);
+  return std::clamp(kShortest * std::floor(kAsLong * all / kFewest / kShortest), kShortest, kLongest);
 }
 
 void check_segment(double segment, const std::vector<Trial>& trials) {

@@ -155,10 +155,20 @@ class EffectSearch {
       take_chosen();
       return true;
     }
-    std::vector<std::string>& alike = state_.so_far.ranking.front().look_alikes;
-    alike.clear();
-    for (const auto& [other, fit] : again_.inseparable) alike.push_back(name_of(last.rivals[other].entry));
+    name_look_alikes(now);
     return false;
+  }
+
+  /// Beside the answer, and with the errors that they have under the noise of `now`, as it has.
+  void name_look_alikes(const Round& now) {
+    std::vector<RankedModel>& ranking = state_.so_far.ranking;
+    ranking.front().look_alikes.clear();
+    for (const auto& [other, fit] : again_.inseparable) {
+      const std::string name = name_of(state_.last->rivals[other].entry);
+      ranking.front().look_alikes.push_back(name);
+      for (RankedModel& model : ranking)
+        if (is_last_effect(model, name)) model.errors = channel_errors(now.base, now.bins, now.noise, fit, now.folds);
+    }
   }
 
   /// Backward deletion: an effect that was added before leaves again where, with the new one there, it predicts

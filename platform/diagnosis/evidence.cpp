@@ -1,8 +1,9 @@
 #include "diagnosis/evidence.h"
 
+#include "diagnosis/ranking.h"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace lacuna {
 namespace {
@@ -10,17 +11,13 @@ namespace {
 constexpr double kLeastP = 5e-4;  ///< what draws of noise resolve
 constexpr double kSure = 10.0;    ///< standard errors; more is no surer
 
-std::string last_effect(const RankedModel& model) {
-  return model.effects.empty() ? "" : model.effects.back().effect + " @ " + model.effects.back().where;
-}
-
 /// By how much the answer is ahead of the best model that is not named beside it, nats.
 double lead(const std::vector<RankedModel>& ranking) {
   const RankedModel& answer = ranking.front();
   double best = 0.0;
   for (std::size_t i = 1; i < ranking.size(); ++i)
-    if (std::find(answer.look_alikes.begin(), answer.look_alikes.end(), last_effect(ranking[i])) ==
-        answer.look_alikes.end())
+    if (std::none_of(answer.look_alikes.begin(), answer.look_alikes.end(),
+                     [&](const std::string& name) { return is_last_effect(ranking[i], name); }))
       best = std::max(best, ranking[i].gain.value);
   return std::max(0.0, answer.gain.value - best);
 }

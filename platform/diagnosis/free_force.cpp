@@ -23,7 +23,7 @@ constexpr int kSliceKnots = 9;                     // ... at so many velocities
 constexpr double kNear = 0.1, kSeen = 0.05;        // of the range of positions; of the velocities there
 constexpr double kRounding = 1e-6;                 // of the strongest direction
 constexpr std::array kRidges = {0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0};
-constexpr double kPiece = 0.5;  ///< s, of the shortest blocks that noise is thought to push either way
+constexpr double kPiece = 0.5;  ///< s, the shortest blocks that noise pushes either way are no longer
 constexpr Eigen::Index kFewestBlocks = 16;
 constexpr int kMostChoices = 3;  // of a ridge, each with the weights of the fit before
 
@@ -252,7 +252,7 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
   }
   for (const Eigen::VectorXd& times : forces.times)
     force.pieces.push_back(
-        std::max<Eigen::Index>(1, std::lround(forces.width * static_cast<double>(times.size()) / kPiece)));
+        static_cast<Eigen::Index>(std::ceil(forces.width * static_cast<double>(times.size()) / kPiece - 1e-6)));
   force.readings.resize(static_cast<Eigen::Index>(rows.size()), functions);
   for (std::size_t i = 0; i < rows.size(); ++i) force.readings.row(static_cast<Eigen::Index>(i)) = rows[i];
   for (std::size_t k = 0; k < forces.of.size() && !force.empty(); ++k) {

@@ -28,7 +28,7 @@ struct FreeForce {
   /// By segment, bins × functions: change of the prediction by each function at size 1.
   std::vector<Eigen::MatrixXd> columns;
   std::vector<ForceCurve> curves;  ///< where the force is to be told only: of each quantity, then slices of each joint
-  std::vector<Eigen::Index> pieces;  ///< by segment, of about half a second
+  std::vector<Eigen::Index> pieces;  ///< by segment, of half a second at most
   Eigen::MatrixXd readings;          ///< places of the curves, one after the other × functions
   bool empty() const { return curves.empty(); }
 };

@@ -50,11 +50,14 @@ SearchStep step_of(const Contender& contender, const Round& round, std::size_t c
   return step;
 }
 
+bool is_last_effect(const RankedModel& model, const std::string& name) {
+  return !model.effects.empty() && model.effects.back().effect + " @ " + model.effects.back().where == name;
+}
+
 void bring_to_front(std::vector<RankedModel>& ranking, const std::string& name) {
   for (RankedModel& model : ranking) model.look_alikes.clear();  // they are those of the first
-  const auto found = std::find_if(ranking.begin(), ranking.end(), [&](const RankedModel& model) {
-    return model.effects.back().effect + " @ " + model.effects.back().where == name;
-  });
+  const auto found = std::find_if(ranking.begin(), ranking.end(),
+                                  [&](const RankedModel& model) { return is_last_effect(model, name); });
   if (found != ranking.end()) std::rotate(ranking.begin(), found, found + 1);
 }
 

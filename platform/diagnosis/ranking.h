@@ -18,6 +18,9 @@ std::vector<RankedModel> ranking_of(const Contender& contender, const Round& rou
 /// What later rounds need of a round of `contender`.
 SearchStep step_of(const Contender& contender, const Round& round, std::size_t chosen);
 
+/// Whether the model's last effect is `name`, "effect @ where".
+bool is_last_effect(const RankedModel& model, const std::string& name);
+
 /// Makes the model whose last effect is `name` the first, the others in their order; all without look-alikes.
 void bring_to_front(std::vector<RankedModel>& ranking, const std::string& name);
 

@@ -119,7 +119,8 @@ TEST(SegmentLengths, TheUsualOneIsATwelfthOfWhatIsFittedTo) {
     return usual_segment(
         {trial_of("a.csv", seconds, false), trial_of("b.csv", seconds, false), trial_of("held_out.csv", 100.0, true)});
   };
-  EXPECT_NEAR(usual(9.0), 1.5, 0.01);
+  EXPECT_DOUBLE_EQ(usual(9.0), 1.5);
+  EXPECT_DOUBLE_EQ(usual(11.0), 1.5);
   EXPECT_DOUBLE_EQ(usual(1.0), 0.5);
   EXPECT_DOUBLE_EQ(usual(60.0), 2.5);
 }
