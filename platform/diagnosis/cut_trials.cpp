@@ -8,15 +8,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lacuna {
 namespace {
 
-constexpr double kRunIn = 0.1;                                     ///< s: longer than most delays and lags
-constexpr double kFewest = 12.0, kShortest = 0.5, kLongest = 2.5;  ///< segments; s; s
-constexpr double kLeast = 0.05;                                    ///< s
-constexpr double kAsLong = 1.01;                                   ///< a trial of 4 s may end a sample before that
+constexpr double kRunIn = 0.1;               ///< s: longer than most delays and lags
+constexpr double kShort = 0.5, kLong = 1.0;  ///< s
+constexpr double kMuch = 12.0;               ///< s of data: enough for long segments
+constexpr double kLeast = 0.05;              ///< s
+constexpr double kAsLong = 1.01;             ///< a trial of 4 s may end a sample before that
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
@@ -47,7 +47,7 @@ double usual_segment(const std::vector<Trial>& trials) {
   double all = 0.0;
   for (const Trial& trial : trials)
     if (!trial.held_out) all += duration_of(trial);
-  return std::clamp(kShortest * std::floor(kAsLong * all / kFewest / kShortest), kShortest, kLongest);
+  return kAsLong * all >= kMuch ? kLong : kShort;
 }
 
 void check_segment(double segment, const std::vector<Trial>& trials) {

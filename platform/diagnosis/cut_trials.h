@@ -26,8 +26,8 @@ struct CutTask {
 /// The longest trial that is not held out, s; 0 if there is none.
 double longest_fit_trial(const std::vector<Trial>& trials);
 
-/// A twelfth of all trials that are not held out, so that enough of them are left to judge by, in whole half seconds;
-/// at least 0.5 s, for slow effects to show, and at most 2.5 s, since work grows with the square of a segment's length.
+/// 1 s where the trials that are not held out have 12 s together, so that enough segments are left to judge by, else
+/// 0.5 s. In longer ones, more of what no model has builds up, and work grows with the square of their length.
 double usual_segment(const std::vector<Trial>& trials);
 
 /// Throws `BadInput` where a user asks for segments of next to no length, or of more than every trial that is not held

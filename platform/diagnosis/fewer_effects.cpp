@@ -96,7 +96,7 @@ class Contest {
 
   bool is_enough(const Judged& one) const {
     const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
-    return lost.value <= std::max({kByChance, lost.standard_error, kLittle * all_.value});
+    return lost.value <= std::max(kByChance, kLittle * all_.value);
   }
 
   const FewerEffectsTask& task_;

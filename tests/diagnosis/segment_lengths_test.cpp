@@ -114,15 +114,15 @@ TEST(SegmentLengths, OneLongerThanEveryFitTrialIsRefused) {
                   "diagnosis.segment is 20.0 ms; choose at least 50.0 ms, or 0 for the usual length"));
 }
 
-TEST(SegmentLengths, TheUsualOneIsATwelfthOfWhatIsFittedTo) {
+TEST(SegmentLengths, TheUsualOneIsHalfASecondOrOneByTheAmountOfData) {
   const auto usual = [](double seconds) {
     return usual_segment(
         {trial_of("a.csv", seconds, false), trial_of("b.csv", seconds, false), trial_of("held_out.csv", 100.0, true)});
   };
-  EXPECT_DOUBLE_EQ(usual(9.0), 1.5);
-  EXPECT_DOUBLE_EQ(usual(11.0), 1.5);
   EXPECT_DOUBLE_EQ(usual(1.0), 0.5);
-  EXPECT_DOUBLE_EQ(usual(60.0), 2.5);
+  EXPECT_DOUBLE_EQ(usual(5.0), 0.5);
+  EXPECT_DOUBLE_EQ(usual(6.0), 1.0);
+  EXPECT_DOUBLE_EQ(usual(60.0), 1.0);
 }
 
 }  // namespace
