@@ -3,10 +3,10 @@
 #include <lacuna/engine_settings.h>
 #include <lacuna/physical_effect.h>
 
+#include "simulation/ode/articulation.h"
 #include "simulation/ode/bodies.h"
 #include "simulation/ode/ground.h"
 #include "simulation/ode/joints.h"
-#include "simulation/ode/lone_joint.h"
 #include "simulation/ode/motor_row.h"
 #include "simulation/ode/world.h"
 #include "simulation/shared/actuator_laws.h"
@@ -88,7 +88,7 @@ class Mechanism {
   void set_laws(std::span<const JointLoad> loads);
   void set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const;
   void step_world(const ContactSpec& contact);
-  void step_lone_joint();
+  void step_articulation();
   void read_forces();
   std::size_t most_rows() const;
 
@@ -100,11 +100,11 @@ class Mechanism {
   Bodies bodies_;
   Joints joints_;
   Ground ground_;
-  std::optional<LoneJoint> lone_;  ///< steps in the world's place, where it can
+  std::optional<Articulation> articulation_;  ///< steps in the world's place, where it can
   std::vector<JointLoad> base_loads_;
   std::vector<CoordinateRows> rows_;
   std::vector<MotorRow> servos_;     // per actuator
-  std::vector<CoordinateLaw> laws_;  // of the coming step, of a lone joint
+  std::vector<CoordinateLaw> laws_;  // of the coming step, of an articulation
   std::vector<double> row_velocities_, law_forces_;
 };
 

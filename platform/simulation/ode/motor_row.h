@@ -17,8 +17,11 @@ inline constexpr double kLeastCompliance = 1e-10;
 class MotorRow {
  public:
   void create(dWorldID world, const Joints& joints, std::size_t coordinate);
-  /// The law alone, unknown to ODE (see LoneJoint).
-  void create() { exists_ = true; }
+  /// The law alone, unknown to ODE (see Articulation).
+  void create(std::size_t coordinate) {
+    law_.coordinate = coordinate;
+    exists_ = true;
+  }
   void destroy();
   bool exists() const { return exists_; }
 

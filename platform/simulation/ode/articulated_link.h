@@ -1,0 +1,114 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+
+#include "simulation/ode/bodies.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace lacuna::ode {
+
+/// A velocity, a momentum or an impulse in the world's axes. Of a body at its centre of mass, of a joint at its point.
+struct Spatial {
+  Eigen::Vector3d linear, angular;
+
+  static Spatial zero() { return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}; }
+  Spatial& operator+=(const Spatial& other) {
+    linear += other.linear;
+    angular += other.angular;
+    return *this;
+  }
+  friend Spatial operator+(const Spatial& a, const Spatial& b) { return {a.linear + b.linear, a.angular + b.angular}; }
+  friend Spatial operator-(const Spatial& a, const Spatial& b) { return {a.linear - b.linear, a.angular - b.angular}; }
+  friend Spatial operator*(double factor, const Spatial& a) { return {factor * a.linear, factor * a.angular}; }
+  double dot(const Spatial& other) const { return linear.dot(other.linear) + angular.dot(other.angular); }
+};
+
+/// What the world asks of its joints.
+struct JointSettings {
+  double step = 0.0;         ///< s
+  double correction = 0.0;   ///< share of a drift that is corrected in a step, over the step: ERP/h, 1/s
+  double compliance = 0.0;   ///< velocity by which a joint yields per impulse: CFM/h
+  Eigen::Vector3d gravity{0.0, 0.0, 0.0};
+};
+
+/// A body of a tree of joints with the hinge or slider that holds it to its parent. `look` gives what follows from where
+/// the bodies are: the joint's geometry, the constraints that ODE's joints of these kinds ask for, and the momentum that
+/// the body would have by itself after the step.
+class ArticulatedLink {
+ public:
+  /// For bodies that stand at their zero poses; `parent` null: the world.
+  ArticulatedLink(const BodySpec& spec, const JointSpec& joint, dBodyID child, const Pose& pose, dBodyID parent,
+                  const Pose& parent_pose);
+
+  void look(const JointSettings& settings);
+
+  /// Velocity of the body where its parent has this one and the joint `relative`.
+  Spatial carried(const Spatial& parent, const Spatial& relative) const {
+    const Eigen::Vector3d angular = parent.angular + relative.angular;
+    return {parent.linear + parent.angular.cross(parent_arm_) - angular.cross(arm_) + relative.linear, angular};
+  }
+  /// The same where the joint holds still, and where only it moves, so that its coordinate's velocity is 1.
+  Spatial carried(const Spatial& parent) const {
+    return {parent.linear + parent.angular.cross(parent_arm_ - arm_), parent.angular};
+  }
+  Spatial along() const {
+    if (linear_) return {along_, Eigen::Vector3d::Zero()};
+    return {arm_.cross(along_), along_};
+  }
+  Spatial momentum(const Spatial& velocity) const { return {mass_ * velocity.linear, inertia_ * velocity.angular}; }
+  /// What the joint must pass on for the body, and those that it holds, to gain this momentum.
+  Spatial passed_on(const Spatial& gained) const {
+    return {gained.linear, gained.angular - arm_.cross(gained.linear)};
+  }
+  /// The same as seen from the parent's centre of mass.
+  Spatial reaction(const Spatial& passed) const {
+    return {passed.linear, passed.angular + parent_arm_.cross(passed.linear)};
+  }
+
+  /// What acts on the coordinate, of what the joint passes on; the rest is the constraints'.
+  double share(const Spatial& passed) const { return along_.dot(linear_ ? passed.linear : passed.angular); }
+  Spatial rest(const Spatial& passed) const { return passed - share(passed) * on_coordinate(axis_); }
+  double coordinate_velocity(const Spatial& relative) const {
+    return axis_.dot(linear_ ? relative.linear : relative.angular);
+  }
+  /// `relative` with the coordinate's velocity made this one.
+  Spatial at_coordinate_velocity(double velocity, const Spatial& relative) const {
+    return relative + (velocity - coordinate_velocity(relative)) * on_coordinate(along_);
+  }
+
+  const Spatial& correction() const { return correction_; }  ///< relative velocity that corrects the joint's drift
+  const Spatial& own_momentum() const { return own_momentum_; }
+
+  /// Moves the body for a step at this velocity; the forces on it have been used.
+  void move(const Spatial& velocity, double step) const;
+
+ private:
+  Spatial on_coordinate(const Eigen::Vector3d& direction) const {
+    if (linear_) return {direction, Eigen::Vector3d::Zero()};
+    return {Eigen::Vector3d::Zero(), direction};
+  }
+  void look_at_hinge(double correction);
+  void look_at_slider(double correction);
+  void gather_momentum(const JointSettings& settings);
+
+  dBodyID body_;
+  Pose child_, parent_;
+  const double *quaternion_, *parent_quaternion_;
+  const double *force_, *torque_;  ///< gathered for the step
+  bool linear_, rooted_;
+  double mass_;
+  Eigen::Matrix3d own_inertia_;
+  // fixed in the body, or in the parent
+  Eigen::Vector3d own_anchor_, own_axis_, parent_anchor_, parent_axis_;  ///< slider: the parent's anchor is the zero
+  Eigen::Quaterniond relative_zero_;                                     ///< of the body in its parent
+  // of this step, in the world
+  Eigen::Matrix3d inertia_{};
+  Eigen::Vector3d arm_{}, parent_arm_{};  ///< from the centres of mass to the joint's point
+  Eigen::Vector3d axis_{};                ///< as the parent has it: that of the laws on the coordinate
+  Eigen::Vector3d along_{};               ///< as the body has it, that of the constraints; `axis_` along it is 1
+  Spatial correction_{}, own_momentum_{};
+};
+
+}  // namespace lacuna::ode

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "simulation/ode/coordinate_law.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace lacuna::ode {
+
+/// Joint coordinates that move each other, and the laws that each of them must keep at the end of a step:
+/// inertia·(velocity − free) = step·force, where the laws give the force of each coordinate.
+class CoupledCoordinates {
+ public:
+  static constexpr int kMost = 8;
+  using Square = Eigen::Matrix<double, kMost, kMost>;
+  using Column = Eigen::Matrix<double, kMost, 1>;
+
+  /// `laws`: the most that a step can have.
+  void prepare(int coordinates, double step, std::size_t laws);
+
+  // Of the coming step; only the first rows and columns count, `inertia` is symmetric and positive definite.
+  Square inertia;
+  Column push;    ///< inertia·free velocity
+  Column offset;  ///< of the velocities that the laws know, from those that `inertia` is of
+
+  /// The velocities at which all laws hold, `velocity` being a guess. There is exactly one such: they are where a strictly
+  /// convex function, quadratic between the places at which a law reaches a limit, is least.
+  void settle(std::span<const CoordinateLaw> laws, Column& velocity);
+
+ private:
+  bool settle_in_regime(std::span<const CoordinateLaw> laws, Column& velocity);
+  void search_along(std::span<const CoordinateLaw> laws, const Column& direction, Column& velocity);
+  void solve(Square& matrix, Column& right) const;
+
+  int count_ = 0;
+  double step_ = 0.0;
+  std::vector<CoordinateLaw> along_;
+};
+
+}  // namespace lacuna::ode
