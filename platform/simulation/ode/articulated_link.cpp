@@ -84,17 +84,14 @@ void ArticulatedLink::look_at_slider(double correction) {
     parent_arm_ = -arm_;
   }
   correction_.linear = correction * (off - along_.dot(off) * along_);
-  const Quaterniond turn =
-      quaternion_at(parent_quaternion_) * relative_zero_ * quaternion_at(quaternion_).conjugate();
+  const Quaterniond turn = quaternion_at(parent_quaternion_) * relative_zero_ * quaternion_at(quaternion_).conjugate();
   correction_.angular = (turn.w() < 0.0 ? -2.0 : 2.0) * correction * turn.vec();
 }
 
 void ArticulatedLink::gather_momentum(const JointSettings& settings) {
   inertia_.noalias() = child_.R() * own_inertia_ * child_.R().transpose();
-  own_momentum_.linear =
-      mass_ * child_.v() + settings.step * (Vector3d(MapVector(force_)) + mass_ * settings.gravity);
-  own_momentum_.angular =
-      inertia_ * turned(child_.w(), inertia_, settings.step) + settings.step * MapVector(torque_);
+  own_momentum_.linear = mass_ * child_.v() + settings.step * (Vector3d(MapVector(force_)) + mass_ * settings.gravity);
+  own_momentum_.angular = inertia_ * turned(child_.w(), inertia_, settings.step) + settings.step * MapVector(torque_);
 }
 
 void ArticulatedLink::move(const Spatial& velocity, double step) const {

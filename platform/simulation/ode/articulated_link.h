@@ -27,15 +27,15 @@ struct Spatial {
 
 /// What the world asks of its joints.
 struct JointSettings {
-  double step = 0.0;         ///< s
-  double correction = 0.0;   ///< share of a drift that is corrected in a step, over the step: ERP/h, 1/s
-  double compliance = 0.0;   ///< velocity by which a joint yields per impulse: CFM/h
+  double step = 0.0;        ///< s
+  double correction = 0.0;  ///< share of a drift that is corrected in a step, over the step: ERP/h, 1/s
+  double compliance = 0.0;  ///< velocity by which a joint yields per impulse: CFM/h
   Eigen::Vector3d gravity{0.0, 0.0, 0.0};
 };
 
-/// A body of a tree of joints with the hinge or slider that holds it to its parent. `look` gives what follows from where
-/// the bodies are: the joint's geometry, the constraints that ODE's joints of these kinds ask for, and the momentum that
-/// the body would have by itself after the step.
+/// A body of a tree of joints with the hinge or slider that holds it to its parent. `look` gives what follows from
+/// where the bodies are: the joint's geometry, the constraints that ODE's joints of these kinds ask for, and the
+/// momentum that the body would have by itself after the step.
 class ArticulatedLink {
  public:
   /// For bodies that stand at their zero poses; `parent` null: the world.
@@ -59,9 +59,7 @@ class ArticulatedLink {
   }
   Spatial momentum(const Spatial& velocity) const { return {mass_ * velocity.linear, inertia_ * velocity.angular}; }
   /// What the joint must pass on for the body, and those that it holds, to gain this momentum.
-  Spatial passed_on(const Spatial& gained) const {
-    return {gained.linear, gained.angular - arm_.cross(gained.linear)};
-  }
+  Spatial passed_on(const Spatial& gained) const { return {gained.linear, gained.angular - arm_.cross(gained.linear)}; }
   /// The same as seen from the parent's centre of mass.
   Spatial reaction(const Spatial& passed) const {
     return {passed.linear, passed.angular + parent_arm_.cross(passed.linear)};

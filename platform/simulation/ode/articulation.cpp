@@ -101,8 +101,8 @@ void Articulation::move_alone(std::size_t joint) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     gained[i] = Spatial::zero();
     if (!has(places_[joint].moved, i)) continue;
-    velocity[i] = i == joint ? links_[i].along()
-                             : links_[i].carried(velocity[static_cast<std::size_t>(places_[i].parent)]);
+    velocity[i] =
+        i == joint ? links_[i].along() : links_[i].carried(velocity[static_cast<std::size_t>(places_[i].parent)]);
     gained[i] = links_[i].momentum(velocity[i]);
   }
   pass_on(places_[joint].strained, gained, alone_[joint]);
@@ -160,8 +160,8 @@ void Articulation::move() {
       const int column = places_[j].coordinate;
       if (has(places_[j].strained, i)) carried += (velocity_[column] - coordinates_.offset[column]) * alone_[j].held[i];
     }
-    const Spatial relative = links_[i].at_coordinate_velocity(
-        velocity_[places_[i].coordinate], links_[i].correction() - settings_.compliance * carried);
+    const Spatial relative = links_[i].at_coordinate_velocity(velocity_[places_[i].coordinate],
+                                                              links_[i].correction() - settings_.compliance * carried);
     const int parent = places_[i].parent;
     velocity[i] =
         links_[i].carried(parent < 0 ? Spatial::zero() : velocity[static_cast<std::size_t>(parent)], relative);

@@ -14,11 +14,11 @@
 
 namespace lacuna::ode {
 
-/// The step of a robot that is a few bodies on hinges and sliders, held by the world and touching nothing: the equations
-/// that dWorldStep solves (constraint rows with the world's ERP and CFM, implicit gyroscopic torque, semi-implicit Euler),
-/// to rounding, in a sixth of its time. The constraints are not solved for: the motions that they leave are one a
-/// coordinate, so what is solved is as large as there are joints. That the constraints yield a little (CFM) is taken into
-/// account to first order.
+/// The step of a robot that is a few bodies on hinges and sliders, held by the world and touching nothing: the
+/// equations that dWorldStep solves (constraint rows with the world's ERP and CFM, implicit gyroscopic torque,
+/// semi-implicit Euler), to rounding, in a sixth of its time. The constraints are not solved for: the motions that they
+/// leave are one a coordinate, so what is solved is as large as there are joints. That the constraints yield a little
+/// (CFM) is taken into account to first order.
 class Articulation {
  public:
   /// Whether this can be the step of a robot whose bodies stand at their zero poses. `yielding`: CFM of the world over
@@ -45,7 +45,7 @@ class Articulation {
     int coordinate = 0;
     int parent = -1;  ///< the link that holds this one; −1: the world
     // bit per link
-    unsigned moved = 0;    ///< those that the joint moves
+    unsigned moved = 0;     ///< those that the joint moves
     unsigned strained = 0;  ///< those, and the ones that hold it: their joints notice when it moves
   };
 
@@ -64,9 +64,9 @@ class Articulation {
   dWorldID world_ = nullptr;
   JointSettings settings_;
   double erp_ = 0.0, cfm_ = 0.0;
-  std::vector<ArticulatedLink> links_;              ///< outward from the roots
-  std::vector<Place> places_;                       ///< per link
-  std::vector<std::pair<double, double>> stops_;    ///< per coordinate
+  std::vector<ArticulatedLink> links_;            ///< outward from the roots
+  std::vector<Place> places_;                     ///< per link
+  std::vector<std::pair<double, double>> stops_;  ///< per coordinate
   unsigned all_ = 0;
   CoupledCoordinates coordinates_;
   CoupledCoordinates::Column velocity_;  ///< per coordinate

@@ -6,9 +6,9 @@
 namespace lacuna::ode {
 namespace {
 
-constexpr int kMostSearches = 100;      ///< a few are enough but where rounding has the last word
-constexpr double kSettled = 1e-28;      ///< of the energy: a last change that is rounding
-constexpr double kNotMoving = 1e-100;   ///< square of a velocity
+constexpr int kMostSearches = 100;     ///< a few are enough but where rounding has the last word
+constexpr double kSettled = 1e-28;     ///< of the energy: a last change that is rounding
+constexpr double kNotMoving = 1e-100;  ///< square of a velocity
 
 enum class Regime { at_lower, within, at_upper };
 
@@ -37,8 +37,8 @@ void CoupledCoordinates::settle(std::span<const CoordinateLaw> laws, Column& vel
     if (settle_in_regime(laws, velocity)) return;
 }
 
-/// Newton's step: goes to where the laws would hold if each stayed at its limit, or within, as it is at `velocity`. True
-/// if they do stay; else goes only so far on this way as is best.
+/// Newton's step: goes to where the laws would hold if each stayed at its limit, or within, as it is at `velocity`.
+/// True if they do stay; else goes only so far on this way as is best.
 bool CoupledCoordinates::settle_in_regime(std::span<const CoordinateLaw> laws, Column& velocity) {
   Square matrix;
   matrix.topLeftCorner(count_, count_) = inertia.topLeftCorner(count_, count_);

@@ -25,8 +25,8 @@ class CoupledCoordinates {
   Column push;    ///< inertia·free velocity
   Column offset;  ///< of the velocities that the laws know, from those that `inertia` is of
 
-  /// The velocities at which all laws hold, `velocity` being a guess. There is exactly one such: they are where a strictly
-  /// convex function, quadratic between the places at which a law reaches a limit, is least.
+  /// The velocities at which all laws hold, `velocity` being a guess. There is exactly one such: they are where a
+  /// strictly convex function, quadratic between the places at which a law reaches a limit, is least.
   void settle(std::span<const CoordinateLaw> laws, Column& velocity);
 
  private:
