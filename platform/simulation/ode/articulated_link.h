@@ -2,10 +2,12 @@
 
 #include <lacuna/robot_spec.h>
 
-#include "simulation/ode/bodies.h"
+#include "simulation/ode/stepped_body.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include <optional>
 
 namespace lacuna::ode {
 
@@ -38,9 +40,8 @@ struct JointSettings {
 /// momentum that the body would have by itself after the step.
 class ArticulatedLink {
  public:
-  /// For bodies that stand at their zero poses; `parent` null: the world.
-  ArticulatedLink(const BodySpec& spec, const JointSpec& joint, dBodyID child, const Pose& pose, dBodyID parent,
-                  const Pose& parent_pose);
+  /// For bodies that stand at their zero poses. `rooted`: the parent is the world.
+  ArticulatedLink(const SteppedBody& body, const JointSpec& joint, const Pose& parent, bool rooted);
 
   void look(const JointSettings& settings);
 
@@ -57,7 +58,9 @@ class ArticulatedLink {
     if (linear_) return {along_, Eigen::Vector3d::Zero()};
     return {arm_.cross(along_), along_};
   }
-  Spatial momentum(const Spatial& velocity) const { return {mass_ * velocity.linear, inertia_ * velocity.angular}; }
+  Spatial momentum(const Spatial& velocity) const {
+    return {body_.mass() * velocity.linear, inertia_ * velocity.angular};
+  }
   /// What the joint must pass on for the body, and those that it holds, to gain this momentum.
   Spatial passed_on(const Spatial& gained) const { return {gained.linear, gained.angular - arm_.cross(gained.linear)}; }
   /// The same as seen from the parent's centre of mass.
@@ -67,37 +70,33 @@ class ArticulatedLink {
 
   /// What acts on the coordinate, of what the joint passes on; the rest is the constraints'.
   double share(const Spatial& passed) const { return along_.dot(linear_ ? passed.linear : passed.angular); }
-  Spatial rest(const Spatial& passed) const { return passed - share(passed) * on_coordinate(axis_); }
+  Spatial rest(const Spatial& passed) const { return along_axis(-share(passed), axis_, passed); }
   double coordinate_velocity(const Spatial& relative) const {
     return axis_.dot(linear_ ? relative.linear : relative.angular);
   }
   /// `relative` with the coordinate's velocity made this one.
   Spatial at_coordinate_velocity(double velocity, const Spatial& relative) const {
-    return relative + (velocity - coordinate_velocity(relative)) * on_coordinate(along_);
+    return along_axis(velocity - coordinate_velocity(relative), along_, relative);
   }
 
   const Spatial& correction() const { return correction_; }  ///< relative velocity that corrects the joint's drift
   const Spatial& own_momentum() const { return own_momentum_; }
 
-  /// Moves the body for a step at this velocity; the forces on it have been used.
-  void move(const Spatial& velocity, double step) const;
+  void move(const Spatial& velocity, double step) const { body_.move(velocity.linear, velocity.angular, step); }
 
  private:
-  Spatial on_coordinate(const Eigen::Vector3d& direction) const {
-    if (linear_) return {direction, Eigen::Vector3d::Zero()};
-    return {Eigen::Vector3d::Zero(), direction};
+  /// `start` and more of what is the coordinate's.
+  Spatial along_axis(double more, const Eigen::Vector3d& axis, const Spatial& start) const {
+    if (linear_) return {start.linear + more * axis, start.angular};
+    return {start.linear, start.angular + more * axis};
   }
   void look_at_hinge(double correction);
   void look_at_slider(double correction);
   void gather_momentum(const JointSettings& settings);
 
-  dBodyID body_;
-  Pose child_, parent_;
-  const double *quaternion_, *parent_quaternion_;
-  const double *force_, *torque_;  ///< gathered for the step
+  SteppedBody body_;
+  Pose parent_;
   bool linear_, rooted_;
-  double mass_;
-  Eigen::Matrix3d own_inertia_;
   // fixed in the body, or in the parent
   Eigen::Vector3d own_anchor_, own_axis_, parent_anchor_, parent_axis_;  ///< slider: the parent's anchor is the zero
   Eigen::Quaterniond relative_zero_;                                     ///< of the body in its parent

@@ -10,10 +10,6 @@ constexpr double kMostYielding = 1e-5;
 
 bool has(unsigned set, std::size_t element) { return (set >> element & 1U) != 0; }
 
-bool hinge_or_slider(const JointSpec& joint) {
-  return joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
-}
-
 /// The most that a joint anywhere on the robot could have to move: a mass or a moment of inertia.
 double largest_inertia(const RobotSpec& robot, const Bodies& bodies) {
   double mass = 0.0, largest = 0.0;
@@ -33,52 +29,36 @@ double largest_inertia(const RobotSpec& robot, const Bodies& bodies) {
 }  // namespace
 
 bool Articulation::fits(const RobotSpec& robot, const Bodies& bodies, double yielding) {
-  const std::size_t count = robot.joints.size();
-  if (count < 1 || count > kMost || robot.bodies.size() != count) return false;
-  if (!std::all_of(robot.joints.begin(), robot.joints.end(), hinge_or_slider)) return false;
-  const bool shaped =
-      std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const BodySpec& body) { return !body.shapes.empty(); });
-  return !(robot.contact.ground && shaped) && yielding * largest_inertia(robot, bodies) < kMostYielding;
+  return robot.joints.size() <= kMost && yielding * largest_inertia(robot, bodies) < kMostYielding;
 }
 
-void Articulation::prepare(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies,
-                           dWorldID world, double step, std::size_t laws) {
-  world_ = world;
-  erp_ = dWorldGetERP(world);
-  cfm_ = dWorldGetCFM(world);
-  settings_ = {.step = step, .correction = erp_ / step, .compliance = cfm_ / step};
-  links_.clear();
-  places_.clear();
-  stops_.assign(robot.joints.size(), {});
-  std::vector<int> link_of(robot.bodies.size(), -1);
-  for (const int j : tree.outward) {
-    const auto joint = static_cast<std::size_t>(j), link = links_.size();
-    const int child = tree.child[joint], parent = tree.parent[joint];
-    links_.emplace_back(robot.bodies[static_cast<std::size_t>(child)], robot.joints[joint], bodies.id(child),
-                        bodies.pose(child), bodies.id(parent), bodies.pose(parent));
-    link_of[static_cast<std::size_t>(child)] = static_cast<int>(link);
-    const int holder = parent < 0 ? -1 : link_of[static_cast<std::size_t>(parent)];
-    Place& place = places_.emplace_back(Place{.coordinate = tree.first_coordinate[joint], .parent = holder});
-    for (int k = static_cast<int>(link); k >= 0; k = places_[static_cast<std::size_t>(k)].parent) {
-      places_[static_cast<std::size_t>(k)].moved |= 1U << link;
-      places_[static_cast<std::size_t>(k)].strained |= 1U << link;
-      place.strained |= 1U << static_cast<unsigned>(k);
-    }
-    stops_[static_cast<std::size_t>(place.coordinate)] = {robot.joints[joint].lower, robot.joints[joint].upper};
+Articulation::Articulation(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies,
+                           dWorldID world, double step, std::size_t laws)
+    : world_(world),
+      settings_{.step = step, .correction = dWorldGetERP(world) / step, .compliance = dWorldGetCFM(world) / step},
+      coordinates_(static_cast<int>(robot.joints.size()), step, laws) {
+  links_.reserve(robot.joints.size());
+  places_.reserve(robot.joints.size());
+  for (const int joint : tree.outward) add_link(robot, tree, bodies, static_cast<std::size_t>(joint));
+}
+
+void Articulation::add_link(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies,
+                            std::size_t joint) {
+  const int child = tree.child[joint], parent = tree.parent[joint];
+  const SteppedBody body(bodies.id(child), bodies.pose(child), robot.bodies[static_cast<std::size_t>(child)]);
+  const std::size_t link = links_.size();
+  links_.emplace_back(body, robot.joints[joint], bodies.pose(parent), parent < 0);
+  Place& place = places_.emplace_back(Place{.body = child, .coordinate = tree.first_coordinate[joint]});
+  for (std::size_t i = 0; i < link; ++i)
+    if (parent >= 0 && places_[i].body == parent) place.parent = static_cast<int>(i);
+  place.moved = place.strained = 1U << link;
+  for (int i = place.parent; i >= 0; i = places_[static_cast<std::size_t>(i)].parent) {
+    Place& holder = places_[static_cast<std::size_t>(i)];
+    holder.moved |= 1U << link;
+    holder.strained |= 1U << link;
+    place.strained |= 1U << static_cast<unsigned>(i);
   }
-  all_ = (1U << links_.size()) - 1U;
-  coordinates_.prepare(static_cast<int>(links_.size()), step, laws);
-}
-
-std::optional<CoordinateLaw> Articulation::stop(std::size_t coordinate, double position) const {
-  const auto [lower, upper] = stops_[coordinate];
-  const bool below = position <= lower;
-  if (!below && position < upper) return std::nullopt;
-  CoordinateLaw law{.target = settings_.correction * ((below ? lower : upper) - position),
-                    .compliance = cfm_,
-                    .coordinate = coordinate};
-  if (lower != upper) (below ? law.lower : law.upper) = 0.0;
-  return law;
+  all_ |= 1U << link;
 }
 
 std::span<const double> Articulation::advance(std::span<const CoordinateLaw> laws, std::span<const double> before) {

@@ -5,43 +5,36 @@
 #include "simulation/ode/articulated_link.h"
 #include "simulation/ode/bodies.h"
 #include "simulation/ode/coupled_coordinates.h"
+#include "simulation/ode/robot_step.h"
 #include "simulation/shared/joint_tree.h"
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace lacuna::ode {
 
-/// The step of a robot that is a few bodies on hinges and sliders, held by the world and touching nothing: the
-/// equations that dWorldStep solves (constraint rows with the world's ERP and CFM, implicit gyroscopic torque,
-/// semi-implicit Euler), to rounding, in a sixth of its time. The constraints are not solved for: the motions that they
-/// leave are one a coordinate, so what is solved is as large as there are joints. That the constraints yield a little
-/// (CFM) is taken into account to first order.
-class Articulation {
+/// The step of a robot that is a few bodies on hinges and sliders, held by the world and touching nothing. Its
+/// constraints are not solved for: the motions that they leave are one a coordinate, so what is solved is as large as
+/// there are joints, not six times as large. That the constraints yield a little (CFM) is taken into account to first
+/// order.
+class Articulation : public RobotStep {
  public:
-  /// Whether this can be the step of a robot whose bodies stand at their zero poses. `yielding`: CFM of the world over
-  /// the step, 1/kg.
+  /// Whether there are not too many joints, and they yield little enough. `yielding`: CFM of the world over the step,
+  /// 1/kg.
   static bool fits(const RobotSpec& robot, const Bodies& bodies, double yielding);
 
-  /// For a robot whose bodies stand at their zero poses in ODE's world. `step`: of the integration, s; `laws`: the most
-  /// that a step can have.
-  void prepare(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies, dWorldID world,
+  Articulation(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies, dWorldID world,
                double step, std::size_t laws);
 
-  /// The law of a coordinate's stop, where it is at one or beyond.
-  std::optional<CoordinateLaw> stop(std::size_t coordinate, double position) const;
-
-  /// Moves the bodies by one step under the forces that ODE has gathered for them, gravity and `laws`. Returns the
-  /// coordinates' velocities, along their axes at the step's start; `before`: those of then.
-  std::span<const double> advance(std::span<const CoordinateLaw> laws, std::span<const double> before);
+  std::span<const double> advance(std::span<const CoordinateLaw> laws, std::span<const double> before) override;
 
  private:
   static constexpr std::size_t kMost = CoupledCoordinates::kMost;
   using PerJoint = std::array<Spatial, kMost>;
 
   struct Place {
+    int body = 0;
     int coordinate = 0;
     int parent = -1;  ///< the link that holds this one; −1: the world
     // bit per link
@@ -55,18 +48,17 @@ class Articulation {
     PerJoint held;
   };
 
+  void add_link(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies, std::size_t joint);
   void move_alone(std::size_t joint);
   void balance();
   void couple();
   void move();
   void pass_on(unsigned strained, PerJoint& gained, PassedOn& passed) const;
 
-  dWorldID world_ = nullptr;
+  dWorldID world_;
   JointSettings settings_;
-  double erp_ = 0.0, cfm_ = 0.0;
-  std::vector<ArticulatedLink> links_;            ///< outward from the roots
-  std::vector<Place> places_;                     ///< per link
-  std::vector<std::pair<double, double>> stops_;  ///< per coordinate
+  std::vector<ArticulatedLink> links_;  ///< outward from the roots
+  std::vector<Place> places_;           ///< per link
   unsigned all_ = 0;
   CoupledCoordinates coordinates_;
   CoupledCoordinates::Column velocity_;  ///< per coordinate

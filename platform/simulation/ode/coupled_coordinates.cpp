@@ -20,19 +20,14 @@ Regime regime_of(const CoordinateLaw& law, double velocity) {
 
 }  // namespace
 
-void CoupledCoordinates::prepare(int coordinates, double step, std::size_t laws) {
-  count_ = coordinates;
-  step_ = step;
+CoupledCoordinates::CoupledCoordinates(int coordinates, double step, std::size_t laws)
+    : count_(coordinates), step_(step) {
   along_.reserve(laws);
 }
 
 void CoupledCoordinates::settle(std::span<const CoordinateLaw> laws, Column& velocity) {
   for (int i = 0; i < count_; ++i)
     for (int j = 0; j < count_; ++j) push[i] += inertia(i, j) * offset[j];
-  if (count_ == 1) {
-    velocity[0] = settled_velocity(push[0] / inertia(0, 0), step_ / inertia(0, 0), laws);
-    return;
-  }
   for (int search = 0; search < kMostSearches; ++search)
     if (settle_in_regime(laws, velocity)) return;
 }
@@ -54,26 +49,18 @@ bool CoupledCoordinates::settle_in_regime(std::span<const CoordinateLaw> laws, C
         break;
     }
   }
-  Column missing = solution;
-  for (int i = 0; i < count_; ++i)
-    for (int j = 0; j < count_; ++j) missing[i] -= matrix(i, j) * velocity[j];
-  const Column right = solution;
   solve(matrix, solution);
-  Column direction;
-  double change = 0.0, energy = 0.0;
-  for (int i = 0; i < count_; ++i) {
-    direction[i] = solution[i] - velocity[i];
-    change += direction[i] * missing[i];
-    energy += solution[i] * right[i];
-  }
   const bool stays = std::all_of(laws.begin(), laws.end(), [&](const CoordinateLaw& law) {
     const auto i = static_cast<Eigen::Index>(law.coordinate);
     return regime_of(law, solution[i]) == regime_of(law, velocity[i]);
   });
-  if (stays || std::abs(change) <= kSettled * std::abs(energy)) {
+  if (stays) {
     velocity = solution;
     return true;
   }
+  Column direction = solution;
+  for (int i = 0; i < count_; ++i) direction[i] -= velocity[i];
+  if (energy(matrix, direction) <= kSettled * energy(matrix, solution)) return true;
   search_along(laws, direction, velocity);
   return false;
 }
@@ -105,7 +92,18 @@ void CoupledCoordinates::search_along(std::span<const CoordinateLaw> laws, const
   for (int i = 0; i < count_; ++i) velocity[i] += way * direction[i];
 }
 
-/// By Cholesky's factors; the matrix becomes them, the right-hand side the solution.
+/// Twice the energy of a motion, given the lower factor of the inertia.
+double CoupledCoordinates::energy(const Square& factor, const Column& motion) const {
+  double energy = 0.0;
+  for (int j = 0; j < count_; ++j) {
+    double part = 0.0;
+    for (int i = j; i < count_; ++i) part += factor(i, j) * motion[i];
+    energy += part * part;
+  }
+  return energy;
+}
+
+/// By Cholesky's factors; the lower triangle becomes them, the right-hand side the solution.
 void CoupledCoordinates::solve(Square& matrix, Column& right) const {
   for (int j = 0; j < count_; ++j) {
     for (int k = 0; k < j; ++k) matrix(j, j) -= matrix(j, k) * matrix(j, k);

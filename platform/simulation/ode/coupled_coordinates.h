@@ -18,7 +18,7 @@ class CoupledCoordinates {
   using Column = Eigen::Matrix<double, kMost, 1>;
 
   /// `laws`: the most that a step can have.
-  void prepare(int coordinates, double step, std::size_t laws);
+  CoupledCoordinates(int coordinates, double step, std::size_t laws);
 
   // Of the coming step; only the first rows and columns count, `inertia` is symmetric and positive definite.
   Square inertia;
@@ -33,9 +33,10 @@ class CoupledCoordinates {
   bool settle_in_regime(std::span<const CoordinateLaw> laws, Column& velocity);
   void search_along(std::span<const CoordinateLaw> laws, const Column& direction, Column& velocity);
   void solve(Square& matrix, Column& right) const;
+  double energy(const Square& factor, const Column& motion) const;
 
-  int count_ = 0;
-  double step_ = 0.0;
+  int count_;
+  double step_;
   std::vector<CoordinateLaw> along_;
 };
 

@@ -54,12 +54,9 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
   joints_.create(world_.id(), robot, bodies_);
   joints_.update();
   std::fill(law_forces_.begin(), law_forces_.end(), 0.0);
-  articulation_.reset();
-  if (Articulation::fits(robot, bodies_, dWorldGetCFM(world_.id()) / h_)) {
-    const std::size_t laws = 3 * rows_.size() + actuators.size();
-    laws_.reserve(laws);
-    articulation_.emplace().prepare(robot, tree_, bodies_, world_.id(), h_, laws);
-  }
+  const std::size_t laws = 3 * rows_.size() + actuators.size();
+  laws_.reserve(laws);
+  robot_step_ = make_robot_step(robot, tree_, bodies_, world_.id(), h_, laws);
   create_rows(robot, actuators);
   ground_.create(world_.id(), robot, bodies_, needs.measure_contacts);
   set_gravity(robot.gravity);
@@ -98,12 +95,19 @@ void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate
   if (impeded || compliant || needs_.laws_vary) create_row(rows.impedance, coordinate);
   if (joint.dry_friction > 0.0 || needs_.laws_vary) create_row(rows.friction, coordinate);
   if (rows.friction.exists() && needs_.measure_joints) rows.friction.measure();
-  if (stopped && joint.kind != JointKind::ball && !articulation_)
-    rows.stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
+  if (stopped && joint.kind != JointKind::ball) create_stop(joint, coordinate);
+}
+
+void Mechanism::create_stop(const JointSpec& joint, std::size_t coordinate) {
+  StopRow& stop = rows_[coordinate].stop;
+  if (robot_step_)
+    stop.create(world_.id(), coordinate, joint.lower, joint.upper, joint_erp_ / h_);
+  else
+    stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
 }
 
 void Mechanism::create_row(MotorRow& row, std::size_t coordinate) {
-  if (articulation_)
+  if (robot_step_)
     row.create(coordinate);
   else
     row.create(world_.id(), joints_, coordinate);
@@ -139,8 +143,8 @@ void Mechanism::add_body_load(std::size_t body, const BodyLoad& load) {
 
 void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contact) {
   set_laws(loads);
-  if (articulation_)
-    step_articulation();
+  if (robot_step_)
+    step_robot();
   else
     step_world(contact);
   check_bodies();
@@ -163,19 +167,18 @@ void Mechanism::step_world(const ContactSpec& contact) {
   ground_.end_step();
 }
 
-void Mechanism::step_articulation() {
+void Mechanism::step_robot() {
   laws_.clear();
   const auto add = [&](const MotorRow& row) {
     if (row.exists() && row.acts()) laws_.push_back(row.law());
   };
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    add(rows_[i].impedance);
-    add(rows_[i].friction);
-    if (const std::optional<CoordinateLaw> stop = articulation_->stop(i, joints_.positions()[i]))
-      laws_.push_back(*stop);
+  for (const CoordinateRows& rows : rows_) {
+    add(rows.impedance);
+    add(rows.friction);
+    if (rows.stop.acts()) laws_.push_back(rows.stop.law());
   }
   for (const MotorRow& servo : servos_) add(servo);
-  const std::span<const double> velocities = articulation_->advance(laws_, joints_.velocities());
+  const std::span<const double> velocities = robot_step_->advance(laws_, joints_.velocities());
   if (!needs_.measure_joints) return;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].friction.exists()) rows_[i].friction.settle(velocities[i]);
