@@ -75,6 +75,12 @@ std::span<const double> Articulation::advance(std::span<const CoordinateLaw> law
   return {velocity_.data(), links_.size()};
 }
 
+Articulation::PerJoint Articulation::none() {
+  PerJoint nothing;
+  nothing.fill(Spatial::zero());
+  return nothing;
+}
+
 /// What the joints pass on if one of them moves at velocity 1, and the others hold still.
 void Articulation::move_alone(std::size_t joint) {
   PerJoint velocity, gained;
@@ -115,33 +121,28 @@ void Articulation::pass_on(unsigned strained, PerJoint& gained, PassedOn& passed
 /// The coordinates' inertia and push; less of both, as the constraints yield.
 void Articulation::couple() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const int row = places_[i].coordinate;
-    coordinates_.offset[row] = links_[i].coordinate_velocity(links_[i].correction());
-    coordinates_.push[row] = -balance_.share[i];
-    for (std::size_t k = 0; k < links_.size(); ++k)
-      if (has(places_[i].strained, k))
-        coordinates_.push[row] += settings_.compliance * alone_[i].held[k].dot(balance_.held[k]);
+    const int c = places_[i].coordinate;
+    const auto held = row(alone_[i].held);
+    coordinates_.offset[c] = links_[i].coordinate_velocity(links_[i].correction());
+    coordinates_.push[c] = settings_.compliance * held.dot(row(balance_.held)) - balance_.share[i];
     for (std::size_t j = i; j < links_.size(); ++j) {
-      double inertia = has(places_[i].moved, j) ? alone_[j].share[i] : 0.0;
-      for (std::size_t k = 0; k < links_.size(); ++k)
-        if (has(places_[i].strained & places_[j].strained, k))
-          inertia -= settings_.compliance * alone_[i].held[k].dot(alone_[j].held[k]);
-      const int column = places_[j].coordinate;
-      coordinates_.inertia(row, column) = coordinates_.inertia(column, row) = inertia;
+      const int d = places_[j].coordinate;
+      coordinates_.inertia(c, d) = coordinates_.inertia(d, c) =
+          alone_[j].share[i] - settings_.compliance * held.dot(row(alone_[j].held));
     }
   }
 }
 
 void Articulation::move() {
-  PerJoint velocity;
+  PerJoint carried = balance_.held, velocity;
+  auto all_carried = Eigen::Map<Eigen::VectorXd>(carried.front().linear.data(), row(carried).size());
+  for (std::size_t j = 0; j < links_.size(); ++j) {
+    const int c = places_[j].coordinate;
+    all_carried += (velocity_[c] - coordinates_.offset[c]) * row(alone_[j].held);
+  }
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    Spatial carried = balance_.held[i];
-    for (std::size_t j = 0; j < links_.size(); ++j) {
-      const int column = places_[j].coordinate;
-      if (has(places_[j].strained, i)) carried += (velocity_[column] - coordinates_.offset[column]) * alone_[j].held[i];
-    }
-    const Spatial relative = links_[i].at_coordinate_velocity(velocity_[places_[i].coordinate],
-                                                              links_[i].correction() - settings_.compliance * carried);
+    const Spatial relative = links_[i].at_coordinate_velocity(
+        velocity_[places_[i].coordinate], links_[i].correction() - settings_.compliance * carried[i]);
     const int parent = places_[i].parent;
     velocity[i] =
         links_[i].carried(parent < 0 ? Spatial::zero() : velocity[static_cast<std::size_t>(parent)], relative);

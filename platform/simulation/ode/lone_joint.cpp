@@ -10,6 +10,8 @@
 namespace lacuna::ode {
 namespace {
 
+constexpr double kPrincipal = 1e-12;  ///< of the inertia: less turns no momentum away from the axis
+
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
   Eigen::Matrix3d matrix;
   matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
@@ -33,6 +35,8 @@ LoneJoint::LoneJoint(const RobotSpec& robot, dWorldID world, const SteppedBody& 
   own_axis_ = rotation.transpose() * axis_;
   across_ = own_axis_.unitOrthogonal();
   aside_ = own_axis_.cross(across_);
+  const Eigen::Vector3d momentum = body_.inertia() * own_axis_;
+  gyroscopic_ = !linear_ && own_axis_.cross(momentum).norm() > kPrincipal * momentum.norm();
   Matrix6 inverse_mass = Matrix6::Zero();
   inverse_mass.topLeftCorner<3, 3>().diagonal().setConstant(1.0 / body_.mass());
   inverse_mass.bottomRightCorner<3, 3>() = inverse_inertia_;
@@ -85,10 +89,11 @@ std::span<const double> LoneJoint::advance(std::span<const CoordinateLaw> laws, 
   const Pose& pose = body_.pose();
   const auto to_body = pose.R().transpose();
   const Eigen::Vector3d force = to_body * (body_.force() + body_.mass() * MapVector(gravity));
-  const Eigen::Vector3d momentum =
-      turned_momentum(to_body * pose.w(), body_.inertia(), step_) + step_ * (to_body * body_.torque());
+  const Eigen::Vector3d turning = to_body * pose.w();
+  Eigen::Vector3d gained = step_ * (to_body * body_.torque());
+  if (gyroscopic_) gained += turned_momentum(turning, body_.inertia(), step_) - body_.inertia() * turning;
   Vector6 velocity;
-  velocity << to_body * pose.v() + step_ / body_.mass() * force, inverse_inertia_ * momentum;
+  velocity << to_body * pose.v() + step_ / body_.mass() * force, turning + inverse_inertia_ * gained;
   velocity = left_ * velocity + corrected_ * drift();
   const double free = along_.dot(velocity);
   settled_ = settled_velocity(free, step_ * mobility_, laws);

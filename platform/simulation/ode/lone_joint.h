@@ -31,6 +31,7 @@ class LoneJoint : public RobotStep {
   dWorldID world_;
   SteppedBody body_;
   bool linear_;
+  bool gyroscopic_;  ///< the joint's axis is no principal axis of the body
   double step_;
   // in the world
   Eigen::Vector3d anchor_, axis_;  ///< slider: where the centre of mass was at zero

@@ -159,6 +159,24 @@ TEST_P(Articulation, SpinsFast) {
       kSame, kSamples / 2);
 }
 
+/// Constraints yield to what they carry, by as much as ODE has them yield.
+TEST_P(Articulation, CarriesHeavyBodies) {
+  constexpr double kHeavier = 10.0;
+  for (BodySpec& body : robot_.bodies) {
+    body.mass *= kHeavier;
+    for (double* moment :
+         {&body.inertia.xx, &body.inertia.yy, &body.inertia.zz, &body.inertia.xy, &body.inertia.xz, &body.inertia.yz})
+      *moment *= kHeavier;
+  }
+  expect_same_motion(
+      robot_,
+      [](SimulationRun& run) {
+        start_all(run, 0.3, 1.0);
+        command_all(run, 10.0, -20.0);
+      },
+      kSame, kSamples);
+}
+
 /// Pushes and turns all bodies.
 class Wind : public PhysicalEffect {
  public:
