@@ -27,6 +27,12 @@ struct Spatial {
   double dot(const Spatial& other) const { return linear.dot(other.linear) + angular.dot(other.angular); }
 };
 
+/// a × b, two numbers at a time as they lie in memory: to read others together would wait for what was just written.
+inline Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector2d turned = b.z() * Eigen::Vector2d(a.y(), a.x()) - a.z() * Eigen::Vector2d(b.y(), b.x());
+  return {turned.x(), -turned.y(), a.x() * b.y() - a.y() * b.x()};
+}
+
 /// What the world asks of its joints.
 struct JointSettings {
   double step = 0.0;        ///< s
@@ -48,24 +54,26 @@ class ArticulatedLink {
   /// Velocity of the body where its parent has this one and the joint `relative`.
   Spatial carried(const Spatial& parent, const Spatial& relative) const {
     const Eigen::Vector3d angular = parent.angular + relative.angular;
-    return {parent.linear + parent.angular.cross(parent_arm_) - angular.cross(arm_) + relative.linear, angular};
+    return {parent.linear + cross(parent.angular, parent_arm_) - cross(angular, arm_) + relative.linear, angular};
   }
   /// The same where the joint holds still, and where only it moves, so that its coordinate's velocity is 1.
   Spatial carried(const Spatial& parent) const {
-    return {parent.linear + parent.angular.cross(parent_arm_ - arm_), parent.angular};
+    return {parent.linear + cross(parent.angular, parent_arm_ - arm_), parent.angular};
   }
   Spatial along() const {
     if (linear_) return {along_, Eigen::Vector3d::Zero()};
-    return {arm_.cross(along_), along_};
+    return {cross(arm_, along_), along_};
   }
   Spatial momentum(const Spatial& velocity) const {
     return {body_.mass() * velocity.linear, inertia_ * velocity.angular};
   }
   /// What the joint must pass on for the body, and those that it holds, to gain this momentum.
-  Spatial passed_on(const Spatial& gained) const { return {gained.linear, gained.angular - arm_.cross(gained.linear)}; }
+  Spatial passed_on(const Spatial& gained) const {
+    return {gained.linear, gained.angular - cross(arm_, gained.linear)};
+  }
   /// The same as seen from the parent's centre of mass.
   Spatial reaction(const Spatial& passed) const {
-    return {passed.linear, passed.angular + parent_arm_.cross(passed.linear)};
+    return {passed.linear, passed.angular + cross(parent_arm_, passed.linear)};
   }
 
   /// What acts on the coordinate, of what the joint passes on; the rest is the constraints'.

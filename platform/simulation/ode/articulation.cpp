@@ -37,6 +37,7 @@ Articulation::Articulation(const RobotSpec& robot, const simulation::JointTree& 
     : world_(world),
       settings_{.step = step, .correction = dWorldGetERP(world) / step, .compliance = dWorldGetCFM(world) / step},
       coordinates_(static_cast<int>(robot.joints.size()), step, laws) {
+  for (PassedOn& passed : alone_) passed.held.fill(Spatial::zero());
   links_.reserve(robot.joints.size());
   places_.reserve(robot.joints.size());
   for (const int joint : tree.outward) add_link(robot, tree, bodies, static_cast<std::size_t>(joint));
@@ -73,12 +74,6 @@ std::span<const double> Articulation::advance(std::span<const CoordinateLaw> law
   coordinates_.settle(laws, velocity_);
   move();
   return {velocity_.data(), links_.size()};
-}
-
-Articulation::PerJoint Articulation::none() {
-  PerJoint nothing;
-  nothing.fill(Spatial::zero());
-  return nothing;
 }
 
 /// What the joints pass on if one of them moves at velocity 1, and the others hold still.
@@ -122,27 +117,32 @@ void Articulation::pass_on(unsigned strained, PerJoint& gained, PassedOn& passed
 void Articulation::couple() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const int c = places_[i].coordinate;
-    const auto held = row(alone_[i].held);
     coordinates_.offset[c] = links_[i].coordinate_velocity(links_[i].correction());
-    coordinates_.push[c] = settings_.compliance * held.dot(row(balance_.held)) - balance_.share[i];
+    coordinates_.push[c] = settings_.compliance * product(alone_[i].held, balance_.held) - balance_.share[i];
     for (std::size_t j = i; j < links_.size(); ++j) {
       const int d = places_[j].coordinate;
       coordinates_.inertia(c, d) = coordinates_.inertia(d, c) =
-          alone_[j].share[i] - settings_.compliance * held.dot(row(alone_[j].held));
+          alone_[j].share[i] - settings_.compliance * product(alone_[i].held, alone_[j].held);
     }
   }
 }
 
+double Articulation::product(const PerJoint& a, const PerJoint& b) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < links_.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
+}
+
 void Articulation::move() {
-  PerJoint carried = balance_.held, velocity;
-  auto all_carried = Eigen::Map<Eigen::VectorXd>(carried.front().linear.data(), row(carried).size());
-  for (std::size_t j = 0; j < links_.size(); ++j) {
-    const int c = places_[j].coordinate;
-    all_carried += (velocity_[c] - coordinates_.offset[c]) * row(alone_[j].held);
-  }
+  PerJoint velocity;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Spatial relative = links_[i].at_coordinate_velocity(
-        velocity_[places_[i].coordinate], links_[i].correction() - settings_.compliance * carried[i]);
+    Spatial held = balance_.held[i];
+    for (std::size_t j = 0; j < links_.size(); ++j) {
+      const int c = places_[j].coordinate;
+      held += (velocity_[c] - coordinates_.offset[c]) * alone_[j].held[i];
+    }
+    const Spatial relative = links_[i].at_coordinate_velocity(velocity_[places_[i].coordinate],
+                                                              links_[i].correction() - settings_.compliance * held);
     const int parent = places_[i].parent;
     velocity[i] =
         links_[i].carried(parent < 0 ? Spatial::zero() : velocity[static_cast<std::size_t>(parent)], relative);

@@ -45,20 +45,14 @@ class Articulation : public RobotStep {
   /// What each joint passes on: the share of its coordinate, and that of its constraints.
   struct PassedOn {
     std::array<double, kMost> share{};
-    PerJoint held = none();
+    PerJoint held;
   };
-  static PerJoint none();
-  /// The numbers of all joints in a row.
-  auto row(const PerJoint& of_joints) const {
-    static_assert(sizeof(PerJoint) == 6 * kMost * sizeof(double));
-    return Eigen::Map<const Eigen::VectorXd>(of_joints.front().linear.data(),
-                                             6 * static_cast<Eigen::Index>(links_.size()));
-  }
 
   void add_link(const RobotSpec& robot, const simulation::JointTree& tree, const Bodies& bodies, std::size_t joint);
   void move_alone(std::size_t joint);
   void balance();
   void couple();
+  double product(const PerJoint& a, const PerJoint& b) const;
   void move();
   void pass_on(unsigned strained, PerJoint& gained, PassedOn& passed) const;
 

@@ -92,32 +92,31 @@ void CoupledCoordinates::search_along(std::span<const CoordinateLaw> laws, const
   for (int i = 0; i < count_; ++i) velocity[i] += way * direction[i];
 }
 
-/// Twice the energy of a motion, given the lower factor of the inertia.
-double CoupledCoordinates::energy(const Square& factor, const Column& motion) const {
+/// Twice the energy of a motion, given the eliminated inertia.
+double CoupledCoordinates::energy(const Square& eliminated, const Column& motion) const {
   double energy = 0.0;
   for (int j = 0; j < count_; ++j) {
     double part = 0.0;
-    for (int i = j; i < count_; ++i) part += factor(i, j) * motion[i];
-    energy += part * part;
+    for (int i = j; i < count_; ++i) part += eliminated(i, j) * motion[i];
+    energy += part * part / eliminated(j, j);
   }
   return energy;
 }
 
-/// By Cholesky's factors; the lower triangle becomes them, the right-hand side the solution.
+/// By elimination, whose columns stay in the lower triangle; the right-hand side becomes the solution.
 void CoupledCoordinates::solve(Square& matrix, Column& right) const {
+  Column inverse;
   for (int j = 0; j < count_; ++j) {
-    for (int k = 0; k < j; ++k) matrix(j, j) -= matrix(j, k) * matrix(j, k);
-    matrix(j, j) = std::sqrt(matrix(j, j));
+    inverse[j] = 1.0 / matrix(j, j);
     for (int i = j + 1; i < count_; ++i) {
-      for (int k = 0; k < j; ++k) matrix(i, j) -= matrix(i, k) * matrix(j, k);
-      matrix(i, j) /= matrix(j, j);
+      const double share = matrix(i, j) * inverse[j];
+      for (int k = j + 1; k <= i; ++k) matrix(i, k) -= share * matrix(k, j);
+      right[i] -= share * right[j];
     }
-    for (int k = 0; k < j; ++k) right[j] -= matrix(j, k) * right[k];
-    right[j] /= matrix(j, j);
   }
   for (int j = count_ - 1; j >= 0; --j) {
     for (int i = j + 1; i < count_; ++i) right[j] -= matrix(i, j) * right[i];
-    right[j] /= matrix(j, j);
+    right[j] *= inverse[j];
   }
 }
 

@@ -33,7 +33,7 @@ class CoupledCoordinates {
   bool settle_in_regime(std::span<const CoordinateLaw> laws, Column& velocity);
   void search_along(std::span<const CoordinateLaw> laws, const Column& direction, Column& velocity);
   void solve(Square& matrix, Column& right) const;
-  double energy(const Square& factor, const Column& motion) const;
+  double energy(const Square& eliminated, const Column& motion) const;
 
   int count_;
   double step_;
