@@ -7,8 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <optional>
-
 namespace lacuna::ode {
 
 /// A velocity, a momentum or an impulse in the world's axes. Of a body at its centre of mass, of a joint at its point.
@@ -56,10 +54,11 @@ class ArticulatedLink {
     const Eigen::Vector3d angular = parent.angular + relative.angular;
     return {parent.linear + cross(parent.angular, parent_arm_) - cross(angular, arm_) + relative.linear, angular};
   }
-  /// The same where the joint holds still, and where only it moves, so that its coordinate's velocity is 1.
+  /// The same where the joint holds still.
   Spatial carried(const Spatial& parent) const {
     return {parent.linear + cross(parent.angular, parent_arm_ - arm_), parent.angular};
   }
+  /// Velocity of the body where only its joint moves, at a coordinate's velocity of 1.
   Spatial along() const {
     if (linear_) return {along_, Eigen::Vector3d::Zero()};
     return {cross(arm_, along_), along_};

@@ -17,7 +17,8 @@ namespace lacuna::ode {
 /// The step of a robot that is a few bodies on hinges and sliders, held by the world and touching nothing. Its
 /// constraints are not solved for: the motions that they leave are one a coordinate, so what is solved is as large as
 /// there are joints, not six times as large. That the constraints yield a little (CFM) is taken into account to first
-/// order.
+/// order. A link is a body with the joint that holds it; the equations are those of R. Featherstone, "Rigid body
+/// dynamics algorithms", 2008, chapter 6 (inertia of the coordinates, from links that move alone).
 class Articulation : public RobotStep {
  public:
   /// Whether there are not too many joints, and they yield little enough. `yielding`: CFM of the world over the step,

@@ -10,7 +10,7 @@
 namespace lacuna::ode {
 
 /// Joint coordinates that move each other, and the laws that each of them must keep at the end of a step:
-/// inertia·(velocity − free) = step·force, where the laws give the force of each coordinate.
+/// inertia·(velocity − offset) = push + step·force, where the laws give the force of each coordinate.
 class CoupledCoordinates {
  public:
   static constexpr int kMost = 8;
@@ -22,8 +22,8 @@ class CoupledCoordinates {
 
   // Of the coming step; only the first rows and columns count, `inertia` is symmetric and positive definite.
   Square inertia;
-  Column push;    ///< inertia·free velocity
-  Column offset;  ///< of the velocities that the laws know, from those that `inertia` is of
+  Column push;    ///< momentum that the coordinates have without the laws
+  Column offset;  ///< of the velocities that the laws know, from those that the momentum is of
 
   /// The velocities at which all laws hold, `velocity` being a guess. There is exactly one such: they are where a
   /// strictly convex function, quadratic between the places at which a law reaches a limit, is least.
