@@ -6,7 +6,7 @@ namespace lacuna::ode {
 namespace {
 
 /// What constraints may yield, of the motion that they prevent: what is neglected is its square.
-constexpr double kMostYielding = 1e-5;
+constexpr double kMostYielding = 1e-4;
 
 bool has(unsigned set, std::size_t element) { return (set >> element & 1U) != 0; }
 
