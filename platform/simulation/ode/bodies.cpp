@@ -47,8 +47,8 @@ void Bodies::create(dWorldID world, const RobotSpec& robot) {
   for (const BodySpec& spec : robot.bodies) {
     const dBodyID body = dBodyCreate(world);
     ids_.push_back(body);
-    poses_.push_back(
-        {dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body)});
+    poses_.push_back({dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body),
+                      dBodyGetQuaternion(body)});
     set_mass(body, spec);
     masses_.push_back(spec.mass);
     const Eigen::Quaterniond orientation = spec.orientation.normalized();
@@ -85,7 +85,7 @@ void Bodies::place(std::span<const simulation::BodyMotion> motions) {
 void Bodies::save(simulation::StateWriter& writer) const {
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     writer.put(std::span(poses_[i].position, 3));
-    writer.put(std::span(dBodyGetQuaternion(ids_[i]), 4));
+    writer.put(std::span(poses_[i].quaternion, 4));
     writer.put(std::span(poses_[i].velocity, 3));
     writer.put(std::span(poses_[i].angular_velocity, 3));
   }
@@ -104,8 +104,7 @@ void Bodies::read(std::span<Eigen::Vector3d> positions, std::span<Eigen::Vector3
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     positions[i] = poses_[i].x();
     velocities[i] = poses_[i].v();
-    const dReal* q = dBodyGetQuaternion(ids_[i]);
-    orientations[i] = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+    orientations[i] = poses_[i].q();
     angular_velocities[i] = poses_[i].w();
   }
 }
@@ -131,7 +130,7 @@ std::string Bodies::describe(int body) const {
 
 Pose Bodies::pose(int body) const {
   if (body >= 0) return poses_[static_cast<std::size_t>(body)];
-  return {kZero.data(), kIdentity.data(), kZero.data(), kZero.data()};
+  return {kZero.data(), kIdentity.data(), kZero.data(), kZero.data(), kIdentity.data()};
 }
 
 }  // namespace lacuna::ode

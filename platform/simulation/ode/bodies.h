@@ -9,6 +9,7 @@
 #include <ode/ode.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <span>
@@ -27,10 +28,12 @@ struct Pose {
   const double* rotation;
   const double* velocity;
   const double* angular_velocity;
+  const double* quaternion;  ///< w first
   MapVector x() const { return MapVector(position); }
   MapRotation R() const { return MapRotation(rotation); }
   MapVector v() const { return MapVector(velocity); }
   MapVector w() const { return MapVector(angular_velocity); }
+  Eigen::Quaterniond q() const { return {quaternion[0], quaternion[1], quaternion[2], quaternion[3]}; }
 };
 
 /// A body's motion: position, quaternion (w first), velocity, angular velocity.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 
@@ -12,6 +13,7 @@ struct CoordinateLaw {
   double compliance = 0.0;
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
+  std::size_t coordinate = 0;
 };
 
 /// The velocity at which all laws hold, where they move the coordinate from `free` by `mobility` times the sum of their

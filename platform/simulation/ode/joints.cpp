@@ -17,6 +17,7 @@ Vector3d across(const Vector3d& axis) { return axis.unitOrthogonal(); }
 /// The angle that has `wrapped`'s direction and lies nearest to `before`.
 double unwrapped(double wrapped, double before) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (std::abs(before - wrapped) < 0.5 * kTurn) return wrapped;
   return wrapped + kTurn * std::round((before - wrapped) / kTurn);
 }
 

@@ -18,57 +18,35 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
   return matrix;
 }
 
-Eigen::Quaterniond quaternion_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
-
 }  // namespace
 
-bool LoneJoint::fits(const RobotSpec& robot) {
-  if (robot.bodies.size() != 1 || robot.joints.size() != 1) return false;
-  if (robot.contact.ground && !robot.bodies.front().shapes.empty()) return false;
-  return robot.joints.front().kind == JointKind::hinge || robot.joints.front().kind == JointKind::slider;
-}
-
-void LoneJoint::prepare(const RobotSpec& robot, dWorldID world, dBodyID body, double step) {
-  const BodySpec& spec = robot.bodies.front();
+LoneJoint::LoneJoint(const RobotSpec& robot, dWorldID world, const SteppedBody& body, double step)
+    : world_(world), body_(body), linear_(robot.joints.front().kind == JointKind::slider), step_(step) {
   const JointSpec& joint = robot.joints.front();
-  world_ = world;
-  body_ = body;
-  linear_ = joint.kind == JointKind::slider;
-  step_ = step;
-  erp_ = dWorldGetERP(world);
-  cfm_ = dWorldGetCFM(world);
-  mass_ = spec.mass;
-  lower_ = joint.lower;
-  upper_ = joint.upper;
-  pose_ = {dBodyGetPosition(body), dBodyGetRotation(body), dBodyGetLinearVel(body), dBodyGetAngularVel(body)};
-  quaternion_ = dBodyGetQuaternion(body);
-  force_ = dBodyGetForce(body);
-  torque_ = dBodyGetTorque(body);
-  zero_ = quaternion_at(quaternion_);
-  const MapVector centre = pose_.x();
-  const MapRotation rotation = pose_.R();
+  const double erp = dWorldGetERP(world), cfm = dWorldGetCFM(world);
+  const Pose& pose = body_.pose();
+  const MapVector centre = pose.x();
+  const MapRotation rotation = pose.R();
+  zero_ = pose.q();
   anchor_ = linear_ ? Eigen::Vector3d(centre) : joint.anchor;
   axis_ = joint.axis.normalized();
-  const InertiaSpec& i = spec.inertia;
-  inertia_ << i.xx, i.xy, i.xz, i.xy, i.yy, i.yz, i.xz, i.yz, i.zz;
-  inverse_inertia_ = inertia_.inverse();
+  inverse_inertia_ = body_.inertia().inverse();
   own_anchor_ = rotation.transpose() * (anchor_ - centre);
   own_axis_ = rotation.transpose() * axis_;
   across_ = own_axis_.unitOrthogonal();
   aside_ = own_axis_.cross(across_);
-  const Eigen::Vector3d momentum = inertia_ * own_axis_;
+  const Eigen::Vector3d momentum = body_.inertia() * own_axis_;
   gyroscopic_ = !linear_ && own_axis_.cross(momentum).norm() > kPrincipal * momentum.norm();
-
   Matrix6 inverse_mass = Matrix6::Zero();
-  inverse_mass.topLeftCorner<3, 3>().diagonal().setConstant(1.0 / mass_);
+  inverse_mass.topLeftCorner<3, 3>().diagonal().setConstant(1.0 / body_.mass());
   inverse_mass.bottomRightCorner<3, 3>() = inverse_inertia_;
   const Rows rows = constraints();
   const Eigen::Matrix<double, 6, 5> reached = inverse_mass * rows.transpose();
   Eigen::Matrix<double, 5, 5> yielding = rows * reached;
-  yielding.diagonal().array() += cfm_ / step_;
+  yielding.diagonal().array() += cfm / step_;
   corrected_ = yielding.llt().solve(reached.transpose()).transpose();
   left_ = Matrix6::Identity() - corrected_ * rows;
-  corrected_ *= erp_ / step_;
+  corrected_ *= erp / step_;
   along_.setZero();
   (linear_ ? along_.head<3>() : along_.tail<3>()) = own_axis_;
   pushed_ = left_ * (inverse_mass * along_);
@@ -93,62 +71,35 @@ LoneJoint::Rows LoneJoint::constraints() const {
 /// How far the body has drifted off its joint.
 Eigen::Matrix<double, 5, 1> LoneJoint::drift() const {
   Eigen::Matrix<double, 5, 1> errors;
-  const Eigen::Vector3d off = pose_.R().transpose() * (anchor_ - pose_.x());
+  const Pose& pose = body_.pose();
+  const Eigen::Vector3d off = pose.R().transpose() * (anchor_ - pose.x());
   if (linear_) {
-    const Eigen::Quaterniond turn = quaternion_at(quaternion_).conjugate() * zero_;
+    const Eigen::Quaterniond turn = pose.q().conjugate() * zero_;
     errors << (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec(), across_.dot(off), aside_.dot(off);
   } else {
-    const Eigen::Vector3d tilt = own_axis_.cross(pose_.R().transpose() * axis_);
+    const Eigen::Vector3d tilt = own_axis_.cross(pose.R().transpose() * axis_);
     errors << off - own_anchor_, across_.dot(tilt), aside_.dot(tilt);
   }
   return errors;
 }
 
-/// As ODE has it: implicit, so that it never adds energy (C. Lacoursière, "Stabilizing gyroscopic forces in rigid
-/// multibody simulations", 2006).
-Eigen::Vector3d LoneJoint::gyroscopic_torque(const Eigen::Vector3d& angular_velocity) const {
-  const Eigen::Vector3d momentum = inertia_ * angular_velocity;
-  const Eigen::Matrix3d turning = inertia_ - step_ * cross_matrix(momentum);
-  return (inertia_ * (turning.inverse() * momentum) - momentum) / step_;
-}
-
-std::optional<CoordinateLaw> LoneJoint::stop(double position) const {
-  const bool below = position <= lower_;
-  if (!below && position < upper_) return std::nullopt;
-  CoordinateLaw law{.target = erp_ / step_ * ((below ? lower_ : upper_) - position), .compliance = cfm_};
-  if (lower_ != upper_) (below ? law.lower : law.upper) = 0.0;
-  return law;
-}
-
-double LoneJoint::advance(std::span<const CoordinateLaw> laws) {
+std::span<const double> LoneJoint::advance(std::span<const CoordinateLaw> laws, std::span<const double> /*before*/) {
   dVector3 gravity;
   dWorldGetGravity(world_, gravity);
-  const auto to_body = pose_.R().transpose();
+  const Pose& pose = body_.pose();
+  const auto to_body = pose.R().transpose();
+  const Eigen::Vector3d force = to_body * (body_.force() + body_.mass() * MapVector(gravity));
+  const Eigen::Vector3d turning = to_body * pose.w();
+  Eigen::Vector3d gained = step_ * (to_body * body_.torque());
+  if (gyroscopic_) gained += turned_momentum(turning, body_.inertia(), step_) - body_.inertia() * turning;
   Vector6 velocity;
-  velocity << to_body * pose_.v(), to_body * pose_.w();
-  const Eigen::Vector3d force = to_body * (MapVector(force_) + mass_ * MapVector(gravity));
-  Eigen::Vector3d torque = to_body * MapVector(torque_);
-  if (gyroscopic_) torque += gyroscopic_torque(velocity.tail<3>());
-  velocity.head<3>() += step_ / mass_ * force;
-  velocity.tail<3>() += step_ * (inverse_inertia_ * torque);
+  velocity << to_body * pose.v() + step_ / body_.mass() * force, turning + inverse_inertia_ * gained;
   velocity = left_ * velocity + corrected_ * drift();
   const double free = along_.dot(velocity);
-  const double settled = settled_velocity(free, step_ * mobility_, laws);
-  velocity += (settled - free) / mobility_ * pushed_;
-  move(velocity);
-  return settled;
-}
-
-void LoneJoint::move(const Vector6& velocity) {
-  const Eigen::Vector3d v = pose_.R() * velocity.head<3>(), w = pose_.R() * velocity.tail<3>();
-  const Eigen::Quaterniond before = quaternion_at(quaternion_);
-  const Eigen::Quaterniond rate = Eigen::Quaterniond(0.0, w.x(), w.y(), w.z()) * before;
-  const Eigen::Quaterniond after(Eigen::Vector4d(before.coeffs() + 0.5 * step_ * rate.coeffs()).normalized());
-  const Eigen::Vector3d x = pose_.x() + step_ * v;
-  set_motion(body_, {x.x(), x.y(), x.z(), after.w(), after.x(), after.y(), after.z(), v.x(), v.y(), v.z(), w.x(), w.y(),
-                     w.z()});
-  dBodySetForce(body_, 0.0, 0.0, 0.0);
-  dBodySetTorque(body_, 0.0, 0.0, 0.0);
+  settled_ = settled_velocity(free, step_ * mobility_, laws);
+  velocity += (settled_ - free) / mobility_ * pushed_;
+  body_.move(pose.R() * velocity.head<3>(), pose.R() * velocity.tail<3>(), step_);
+  return {&settled_, 1};
 }
 
 }  // namespace lacuna::ode

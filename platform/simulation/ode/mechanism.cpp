@@ -54,12 +54,12 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
   joints_.create(world_.id(), robot, bodies_);
   joints_.update();
   std::fill(law_forces_.begin(), law_forces_.end(), 0.0);
-  lone_.reset();
-  if (LoneJoint::fits(robot)) lone_.emplace().prepare(robot, world_.id(), bodies_.id(0), h_);
+  const std::size_t laws = 3 * rows_.size() + actuators.size();
+  laws_.reserve(laws);
+  robot_step_ = make_robot_step(robot, tree_, bodies_, world_.id(), h_, laws);
   create_rows(robot, actuators);
   ground_.create(world_.id(), robot, bodies_, needs.measure_contacts);
   set_gravity(robot.gravity);
-  laws_.reserve(servos_.size() + 3);
   const std::size_t joints = tree_.child.size() + 3 * rows_.size() + servos_.size() + ground_.most_contacts();
   world_.reserve(robot.bodies.size(), joints, most_rows());
 }
@@ -95,13 +95,20 @@ void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate
   if (impeded || compliant || needs_.laws_vary) create_row(rows.impedance, coordinate);
   if (joint.dry_friction > 0.0 || needs_.laws_vary) create_row(rows.friction, coordinate);
   if (rows.friction.exists() && needs_.measure_joints) rows.friction.measure();
-  if (stopped && joint.kind != JointKind::ball && !lone_)
-    rows.stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
+  if (stopped && joint.kind != JointKind::ball) create_stop(joint, coordinate);
+}
+
+void Mechanism::create_stop(const JointSpec& joint, std::size_t coordinate) {
+  StopRow& stop = rows_[coordinate].stop;
+  if (robot_step_)
+    stop.create(world_.id(), coordinate, joint.lower, joint.upper, joint_erp_ / h_);
+  else
+    stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
 }
 
 void Mechanism::create_row(MotorRow& row, std::size_t coordinate) {
-  if (lone_)
-    row.create();
+  if (robot_step_)
+    row.create(coordinate);
   else
     row.create(world_.id(), joints_, coordinate);
 }
@@ -136,8 +143,8 @@ void Mechanism::add_body_load(std::size_t body, const BodyLoad& load) {
 
 void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contact) {
   set_laws(loads);
-  if (lone_)
-    step_lone_joint();
+  if (robot_step_)
+    step_robot();
   else
     step_world(contact);
   check_bodies();
@@ -160,17 +167,21 @@ void Mechanism::step_world(const ContactSpec& contact) {
   ground_.end_step();
 }
 
-void Mechanism::step_lone_joint() {
+void Mechanism::step_robot() {
   laws_.clear();
   const auto add = [&](const MotorRow& row) {
     if (row.exists() && row.acts()) laws_.push_back(row.law());
   };
-  add(rows_.front().impedance);
-  add(rows_.front().friction);
+  for (const CoordinateRows& rows : rows_) {
+    add(rows.impedance);
+    add(rows.friction);
+    if (rows.stop.acts()) laws_.push_back(rows.stop.law());
+  }
   for (const MotorRow& servo : servos_) add(servo);
-  if (const std::optional<CoordinateLaw> stop = lone_->stop(joints_.positions().front())) laws_.push_back(*stop);
-  const double velocity = lone_->advance(laws_);
-  if (needs_.measure_joints && rows_.front().friction.exists()) rows_.front().friction.settle(velocity);
+  const std::span<const double> velocities = robot_step_->advance(laws_, joints_.velocities());
+  if (!needs_.measure_joints) return;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].friction.exists()) rows_[i].friction.settle(velocities[i]);
 }
 
 void Mechanism::set_laws(std::span<const JointLoad> loads) {

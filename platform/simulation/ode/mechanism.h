@@ -6,12 +6,12 @@
 #include "simulation/ode/bodies.h"
 #include "simulation/ode/ground.h"
 #include "simulation/ode/joints.h"
-#include "simulation/ode/lone_joint.h"
 #include "simulation/ode/motor_row.h"
+#include "simulation/ode/robot_step.h"
 #include "simulation/ode/world.h"
 #include "simulation/shared/actuator_laws.h"
 
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -85,10 +85,11 @@ class Mechanism {
   void create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant, double reflected_inertia);
   void take_down();
   void create_row(MotorRow& row, std::size_t coordinate);
+  void create_stop(const JointSpec& joint, std::size_t coordinate);
   void set_laws(std::span<const JointLoad> loads);
   void set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const;
   void step_world(const ContactSpec& contact);
-  void step_lone_joint();
+  void step_robot();
   void read_forces();
   std::size_t most_rows() const;
 
@@ -100,11 +101,11 @@ class Mechanism {
   Bodies bodies_;
   Joints joints_;
   Ground ground_;
-  std::optional<LoneJoint> lone_;  ///< steps in the world's place, where it can
+  std::unique_ptr<RobotStep> robot_step_;  ///< in the place of the world's, where there is one
   std::vector<JointLoad> base_loads_;
   std::vector<CoordinateRows> rows_;
   std::vector<MotorRow> servos_;     // per actuator
-  std::vector<CoordinateLaw> laws_;  // of the coming step, of a lone joint
+  std::vector<CoordinateLaw> laws_;  // of the coming step, for `robot_step_`
   std::vector<double> row_velocities_, law_forces_;
 };
 

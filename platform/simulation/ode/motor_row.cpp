@@ -74,9 +74,26 @@ void StopRow::create(dWorldID world, const Joints& joints, std::size_t coordinat
   dJointSetAMotorParam(motor_, dParamHiStop, upper);
 }
 
+void StopRow::create(dWorldID world, std::size_t coordinate, double lower, double upper, double correction) {
+  coordinate_ = coordinate;
+  lower_ = lower;
+  upper_ = upper;
+  correction_ = correction;
+  compliance_ = dWorldGetCFM(world);
+}
+
 void StopRow::destroy() {
   if (motor_) dJointDestroy(motor_);
-  motor_ = nullptr;
+  *this = {};
+}
+
+CoordinateLaw StopRow::law() const {
+  const bool below = position_ <= lower_;
+  CoordinateLaw law{.target = correction_ * ((below ? lower_ : upper_) - position_),
+                    .compliance = compliance_,
+                    .coordinate = coordinate_};
+  if (lower_ != upper_) (below ? law.lower : law.upper) = 0.0;
+  return law;
 }
 
 }  // namespace lacuna::ode

@@ -17,8 +17,11 @@ inline constexpr double kLeastCompliance = 1e-10;
 class MotorRow {
  public:
   void create(dWorldID world, const Joints& joints, std::size_t coordinate);
-  /// The law alone, unknown to ODE (see LoneJoint).
-  void create() { exists_ = true; }
+  /// The law alone, unknown to ODE (see RobotStep).
+  void create(std::size_t coordinate) {
+    law_.coordinate = coordinate;
+    exists_ = true;
+  }
   void destroy();
   bool exists() const { return exists_; }
 
@@ -61,13 +64,25 @@ class MotorRow {
 class StopRow {
  public:
   void create(dWorldID world, const Joints& joints, std::size_t coordinate, double lower, double upper);
+  /// The law alone, unknown to ODE (see RobotStep). `correction`: ERP of the world over the step, 1/s.
+  void create(dWorldID world, std::size_t coordinate, double lower, double upper, double correction);
   void destroy();
   void set_position(double position) {
+    position_ = position;
     if (motor_) dJointSetAMotorAngle(motor_, 0, position);
   }
 
+  /// Whether the coordinate is at a stop or beyond, where ODE does not know of them.
+  bool acts() const { return position_ <= lower_ || position_ >= upper_; }
+  CoordinateLaw law() const;
+
  private:
   dJointID motor_ = nullptr;
+  // where ODE does not know of them
+  std::size_t coordinate_ = 0;
+  double lower_ = -dInfinity, upper_ = dInfinity;
+  double correction_ = 0.0, compliance_ = 0.0;
+  double position_ = 0.0;
 };
 
 }  // namespace lacuna::ode

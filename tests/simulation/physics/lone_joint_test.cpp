@@ -1,17 +1,15 @@
 #include "simulation/ode/coordinate_law.h"
-#include "support/robots.h"
-#include "support/simulation_run.h"
+#include "simulation/physics/stepped_by_ode.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <functional>
-#include <string>
 
 namespace lacuna {
 namespace {
 
 constexpr double kSame = 1e-7;  // of the largest reading; ODE solves its rows with a regularisation of 1e-10
+constexpr int kSamples = 400;   // 2 s
 
 /// A body on one joint, askew, with every law that a coordinate can have.
 RobotSpec rich_robot(JointKind kind) {
@@ -30,27 +28,6 @@ RobotSpec rich_robot(JointKind kind) {
   return robot;
 }
 
-/// The same with a body that falls beside it: two bodies are stepped by ODE.
-RobotSpec in_company(RobotSpec robot) {
-  BodySpec other = plain_body("other", 1.0, 1.0);
-  other.position = Eigen::Vector3d(10.0, 0.0, 0.0);
-  robot.bodies.push_back(other);
-  return robot;
-}
-
-void expect_same_motion(const RobotSpec& robot, const std::function<void(SimulationRun&)>& prepare) {
-  std::vector<double> times;
-  for (int i = 0; i <= 400; ++i) times.push_back(0.005 * i);
-  SimulationRun alone(robot), together(in_company(robot));
-  for (SimulationRun* run : {&alone, &together}) prepare(*run);
-  const TimeSeries a = alone.run(times).readings, b = together.run(times).readings;
-  for (const char* channel : {"position", "velocity", "force"}) {
-    const Eigen::VectorXd ours = column(a, channel), theirs = column(b, channel);
-    EXPECT_GT(theirs.cwiseAbs().maxCoeff(), 0.1) << channel;
-    EXPECT_LE((ours - theirs).cwiseAbs().maxCoeff(), kSame * theirs.cwiseAbs().maxCoeff()) << channel;
-  }
-}
-
 /// A body on one joint moves as it does where ODE steps it.
 class LoneJoint : public testing::TestWithParam<JointKind> {};
 
@@ -58,19 +35,25 @@ INSTANTIATE_TEST_SUITE_P(HingeAndSlider, LoneJoint, testing::Values(JointKind::h
                          [](const auto& test) { return test.param == JointKind::hinge ? "Hinge" : "Slider"; });
 
 TEST_P(LoneJoint, MovesUnderItsLaws) {
-  expect_same_motion(rich_robot(GetParam()), [](SimulationRun& run) {
-    run.from({0.6}, {-2.0});
-    run.command("motor", {0.0, 0.5, 1.2}, {1.0, -2.0, 0.5}, Hold::zero_order);
-  });
+  expect_same_motion(
+      rich_robot(GetParam()),
+      [](SimulationRun& run) {
+        run.from({0.6}, {-2.0});
+        run.command("motor", {0.0, 0.5, 1.2}, {1.0, -2.0, 0.5}, Hold::zero_order);
+      },
+      kSame, kSamples);
 }
 
 TEST_P(LoneJoint, SticksAndSlips) {
   RobotSpec robot = rich_robot(GetParam());
   robot.joints[0].dry_friction = 3.0;
-  expect_same_motion(robot, [](SimulationRun& run) {
-    run.from({0.2}, {1.5});
-    run.command("motor", {0.0, 0.7, 1.2}, {0.0, 12.0, 1.0}, Hold::zero_order);
-  });
+  expect_same_motion(
+      robot,
+      [](SimulationRun& run) {
+        run.from({0.2}, {1.5});
+        run.command("motor", {0.0, 0.7, 1.2}, {0.0, 12.0, 1.0}, Hold::zero_order);
+      },
+      kSame, kSamples);
 }
 
 TEST_P(LoneJoint, RunsIntoItsStops) {
@@ -78,10 +61,13 @@ TEST_P(LoneJoint, RunsIntoItsStops) {
   robot.joints[0].dry_friction = 0.0;  // how a stop and sticking friction share a force is up to rounding
   robot.joints[0].lower = -0.2;
   robot.joints[0].upper = 0.3;
-  expect_same_motion(robot, [](SimulationRun& run) {
-    run.from({0.1}, {1.0});
-    run.command("motor", {0.0, 0.5}, {8.0, -12.0}, Hold::zero_order);
-  });
+  expect_same_motion(
+      robot,
+      [](SimulationRun& run) {
+        run.from({0.1}, {1.0});
+        run.command("motor", {0.0, 0.5}, {8.0, -12.0}, Hold::zero_order);
+      },
+      kSame, kSamples);
 }
 
 TEST_P(LoneJoint, FollowsAServo) {
@@ -91,16 +77,20 @@ TEST_P(LoneJoint, FollowsAServo) {
   motor.kp = 80.0;
   motor.kd = 2.0;
   motor.force_limit = 9.0;
-  expect_same_motion(robot, [](SimulationRun& run) {
-    run.from({0.0}, {0.0});
-    run.command("motor", {0.0, 1.0}, {0.5, -0.4}, Hold::zero_order);
-  });
+  expect_same_motion(
+      robot,
+      [](SimulationRun& run) {
+        run.from({0.0}, {0.0});
+        run.command("motor", {0.0, 1.0}, {0.5, -0.4}, Hold::zero_order);
+      },
+      kSame, kSamples);
 }
 
 TEST_P(LoneJoint, SpinsFast) {
   RobotSpec robot = rich_robot(GetParam());
   robot.joints[0].stiffness = 0.0;
-  expect_same_motion(robot, [](SimulationRun& run) { run.from({0.0}, {25.0}).command("motor", 0.4); });
+  expect_same_motion(
+      robot, [](SimulationRun& run) { run.from({0.0}, {25.0}).command("motor", 0.4); }, kSame, kSamples);
 }
 
 TEST(CoordinateLaws, NoneLeaveTheVelocity) { EXPECT_EQ(ode::settled_velocity(0.7, 2.0, {}), 0.7); }
