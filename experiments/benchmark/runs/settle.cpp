@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <stdexcept>
+#include <exception>
 
 namespace hidden_effects {
 namespace {
@@ -46,7 +46,7 @@ class Settling {
       if (!remaining(question_, alone).effect.empty()) return "asked of the two alone, no test is needed";
     } catch (const CaseStopped&) {
       throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       return error.what();
     }
     return "";
@@ -73,7 +73,7 @@ class Settling {
       carry_out_tests(run, next_line);
     } catch (const CaseStopped&) {
       throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       run.failure = error.what();
     }
     return run;
