@@ -189,10 +189,11 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (21, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
   (22, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
   (23, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
-  (24, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (25, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (26, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (27, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (24, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
+  (25, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (26, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (27, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (28, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.

@@ -107,10 +107,11 @@ void write_baseline(Writer& writer, const BaselineRecord& one) {
                                     i < one.scores.size() ? optional(one.scores[i]) : Cell()});
 }
 
-/// Until the two were told apart; one more than there were where they were not.
+/// Until the two were told apart; one more than the most where they were not.
 Cell tests_until_settled(const SettlingRun& run) {
   if (!run.failure.empty()) return {};
-  return run.remaining.effect.empty() ? std::int64_t{kMostSettlingTests + 1} : count(run.tests.size());
+  const bool in_vain = run.remaining.effect.empty() && run.tests.size() == kMostSettlingTests;
+  return count(run.tests.size() + (in_vain ? 1 : 0));
 }
 
 void write_settling(Writer& writer, const SettlingRecord& settling) {

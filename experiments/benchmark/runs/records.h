@@ -123,7 +123,7 @@ inline constexpr int kMostSettlingTests = 6;
 
 /// Tests one after the other, until the program tells the two apart or there were `kMostSettlingTests`.
 struct SettlingRun {
-  std::string choice;  ///< of the tests: "chosen" by the program, or "random"
+  std::string choice;  ///< of the tests: "chosen" by the program, or "random"; "none": the two are asked about alone
   std::vector<SettlingTest> tests;
   EffectAt remaining;   ///< no effect: not settled
   std::string failure;  ///< the sentence with which it ended early; empty: it did not

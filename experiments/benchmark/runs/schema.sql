@@ -191,8 +191,8 @@ CREATE TABLE IF NOT EXISTS settling_run (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
-  choice TEXT NOT NULL,  -- of the tests: 'chosen' by the program, or 'random'
-  tests INTEGER,         -- until one of the two was named alone; 7: six were not enough; NULL: it ended early
+  choice TEXT NOT NULL,  -- of the tests: 'chosen' by the program, or 'random'; 'none': the two were asked about alone
+  tests INTEGER,         -- until one of the two was named alone; 7: six were not enough; 0 of 'none'; NULL: it ended early
   effect TEXT,           -- what was named alone; NULL: nothing
   place TEXT,
   failure TEXT,          -- the sentence with which it ended early

@@ -32,45 +32,50 @@ class Settling {
     const std::optional<SettlingQuestion> question = question_of(first_);
     if (!question) return std::nullopt;
     question_ = *question;
-    SettlingRecord record{question_.answer, question_.rival, reason_against(), {}};
-    if (record.left_out.empty()) record.runs = {chosen_tests(), random_tests()};
+    SettlingRecord record{question_.answer, question_.rival, "", {}};
+    if (question_.answer.effect == question_.rival.effect) {
+      record.left_out = "both are one effect, at two places";
+      return record;
+    }
+    record.runs = {no_tests()};
+    if (record.runs.front().remaining.effect.empty()) {
+      record.runs.push_back(chosen_tests());
+      record.runs.push_back(random_tests());
+    }
     return record;
   }
 
  private:
-  std::string reason_against() {
-    if (question_.answer.effect == question_.rival.effect) return "both are one effect, at two places";
-    try {
-      write_case(made_, folder_ / "no_test");
-      const DiagnosisRecord alone = UserSession(settings_, folder_ / "no_test", {}).diagnose_among(question_.among);
-      if (!remaining(question_, alone).effect.empty()) return "asked of the two alone, no test is needed";
-    } catch (const CaseStopped&) {
-      throw;
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "";
+  SettlingRun no_tests() const {
+    return carefully("none", [&](SettlingRun& run) {
+      write_case(made_, folder_ / run.choice);
+      UserSession session(settings_, folder_ / run.choice, {});
+      run.remaining = remaining(question_, session.diagnose_among(question_.among));
+    });
   }
 
   SettlingRun chosen_tests() const {
     Draw draw(made_.plan.seed, kOtherSeeds);
     std::string line;
-    return tests("chosen", [&](const DiagnosisRecord& last) {
+    const NextLine next_line = [&](const DiagnosisRecord& last) {
       return line = last.next_test.empty() ? reseeded_test(line, draw) : last.next_test;
-    });
+    };
+    return carefully("chosen", [&](SettlingRun& run) { carry_out_tests(run, next_line); });
   }
 
   SettlingRun random_tests() const {
     Draw draw(made_.plan.seed, kLines);
-    return tests("random", [&](const DiagnosisRecord&) {
+    const NextLine next_line = [&](const DiagnosisRecord&) {
       return random_test(command_ranges(made_), duration_of_test(first_.next_test), draw);
-    });
+    };
+    return carefully("random", [&](SettlingRun& run) { carry_out_tests(run, next_line); });
   }
 
-  SettlingRun tests(const std::string& choice, const NextLine& next_line) const {
+  /// What goes wrong is a sentence beside what was done before.
+  static SettlingRun carefully(const std::string& choice, const std::function<void(SettlingRun&)>& fill) {
     SettlingRun run{choice, {}, {}, ""};
     try {
-      carry_out_tests(run, next_line);
+      fill(run);
     } catch (const CaseStopped&) {
       throw;
     } catch (const std::exception& error) {

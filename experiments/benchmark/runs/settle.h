@@ -13,7 +13,8 @@ namespace hidden_effects {
 /// test that is proposed on the true plant, adds its recording to the files, and asks `lacuna diagnose --among` these
 /// two again; then the next proposal (or, where there is none any more, the last one with another seed), until one of
 /// the two is named alone or there were `kMostSettlingTests`. The same from the beginning with random tests of the same
-/// duration. The n-th chosen and the n-th random test have noise of the same seeds.
+/// duration. Before either the two are asked about with no test; nothing is carried out where that does. The n-th
+/// chosen and the n-th random test have noise of the same seeds.
 ///
 /// Works in folders of its own within `folder`, from the files that the case began with. Nothing where the diagnosis
 /// leaves no such question. What goes wrong is a sentence in the record. Throws `CaseStopped`.

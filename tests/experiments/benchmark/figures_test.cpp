@@ -156,17 +156,18 @@ TEST_F(Figures, ProbabilitiesAreThoseOfVerdicts) {
 }
 
 /// Chosen tests: two, which leave the truth; six in vain; one, which leaves what only looks like it. Random ones: five,
-/// which leave the truth; a failure; six in vain. A case without question is none of them.
+/// which leave the truth; a failure; six in vain. The fourth case needs no test, the fifth is left out.
 TEST_F(Figures, TestsAreCountedUntilOneOfTheTwoIsLeft) {
   const auto tests = [](std::size_t count) { return std::vector<SettlingTest>(count, {"line", "effect_found", 1.0}); };
   const std::vector<std::vector<SettlingRun>> runs = {
-      {{"chosen", tests(2), kCoulomb, ""}, {"random", tests(5), kCoulomb, ""}},
+      {{"none", {}, {}, ""}, {"chosen", tests(2), kCoulomb, ""}, {"random", tests(5), kCoulomb, ""}},
       {{"chosen", tests(6), {}, ""}, {"random", tests(1), {}, "lacuna trial crashed with signal 11"}},
       {{"chosen", tests(1), kStribeck, ""}, {"random", tests(6), {}, ""}},
+      {{"none", {}, kCoulomb, ""}},
       {}};
-  for (int number = 0; number < 4; ++number) {
+  for (int number = 0; number < 5; ++number) {
     CaseResult result = answered(number, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}, {kStribeck}));
-    result.settling = {kCoulomb, kStribeck, number == 3 ? "no test is needed" : "", runs[number]};
+    result.settling = {kCoulomb, kStribeck, number == 4 ? "both are one effect" : "", runs[number]};
     keep(result);
   }
   EXPECT_EQ(figure("tests_chosen").n, 3U);
@@ -175,6 +176,8 @@ TEST_F(Figures, TestsAreCountedUntilOneOfTheTwoIsLeft) {
   EXPECT_DOUBLE_EQ(figure("tests_random").value, 6.0);
   EXPECT_NEAR(figure("settled_chosen").value, 2.0 / 3.0, 1e-12);
   EXPECT_NEAR(figure("settled_random").value, 0.5, 1e-12);
+  EXPECT_EQ(figure("settled_none").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("settled_none").value, 0.5);
   EXPECT_EQ(figure("left_chosen").n, 2U);
   EXPECT_DOUBLE_EQ(figure("left_chosen").value, 0.5);
   EXPECT_DOUBLE_EQ(figure("left_random").value, 1.0);

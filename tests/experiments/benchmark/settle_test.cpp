@@ -15,7 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A program whose diagnosis after N tests of a choice is CHOICE-N.json; no_test-0.json before any, open-N.json where
+/// A program whose diagnosis after N tests of a choice is CHOICE-N.json; none-0.json before any, open-N.json where
 /// there is none for the choice.
 constexpr const char* kProgram = R"(#!/bin/sh
 answers=$(dirname "$0")
@@ -75,12 +75,12 @@ TEST_F(Settle, CarriesProposalsOutUntilOneOfTheTwoIsNamedAlone) {
   folder_.write("random-1.json", answer("stribeck_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
-  ASSERT_EQ(record->runs.size(), 2U) << record->left_out;
-  EXPECT_THAT(lines(record->runs[0]), ElementsAre(kFirstLine, kSecondLine));
-  EXPECT_EQ(record->runs[0].remaining, kCoulomb);
-  EXPECT_EQ(record->runs[1].tests.size(), 1U);
-  EXPECT_EQ(record->runs[1].remaining, kStribeck);
-  EXPECT_THAT(record->runs[1].tests[0].line, HasSubstr("Hz 0.5 s"));
+  ASSERT_EQ(record->runs.size(), 3U);
+  EXPECT_THAT(lines(record->runs[1]), ElementsAre(kFirstLine, kSecondLine));
+  EXPECT_EQ(record->runs[1].remaining, kCoulomb);
+  EXPECT_EQ(record->runs[2].tests.size(), 1U);
+  EXPECT_EQ(record->runs[2].remaining, kStribeck);
+  EXPECT_THAT(record->runs[2].tests[0].line, HasSubstr("Hz 0.5 s"));
   EXPECT_THAT(lacuna::read_bytes(folder_ / "case/chosen/rig.toml"),
               HasSubstr(R"("chirp.csv", "test_1.csv", "test_2.csv"])"));
   EXPECT_NE(lacuna::read_bytes(folder_ / "case/chosen/test_1.csv"),
@@ -90,21 +90,22 @@ TEST_F(Settle, CarriesProposalsOutUntilOneOfTheTwoIsNamedAlone) {
 TEST_F(Settle, RepeatsTheLastProposalWithOtherSeedsAndGivesUp) {
   const auto record = run();
   ASSERT_TRUE(record.has_value());
-  const SettlingRun& chosen = record->runs.at(0);
+  const SettlingRun& chosen = record->runs.at(1);
   EXPECT_EQ(chosen.tests.size(), static_cast<std::size_t>(kMostSettlingTests));
   EXPECT_EQ(chosen.remaining, EffectAt());
   EXPECT_EQ(chosen.tests[0].line, kFirstLine);
   EXPECT_NE(chosen.tests[1].line, kFirstLine);
   EXPECT_THAT(chosen.tests[5].line, HasSubstr("steps motor 0.1 N*m 1 Hz 0.5 s seed "));
-  EXPECT_NE(record->runs.at(1).tests[0].line, record->runs.at(1).tests[1].line);
+  EXPECT_NE(record->runs.at(2).tests[0].line, record->runs.at(2).tests[1].line);
 }
 
-TEST_F(Settle, LeavesOutWhatNeedsNoTest) {
-  folder_.write("no_test-0.json", answer("coulomb_friction", "", ""));
+TEST_F(Settle, CarriesNothingOutWhereTheTwoAloneNeedNoTest) {
+  folder_.write("none-0.json", answer("coulomb_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
-  EXPECT_EQ(record->left_out, "asked of the two alone, no test is needed");
-  EXPECT_TRUE(record->runs.empty());
+  ASSERT_EQ(record->runs.size(), 1U);
+  EXPECT_EQ(record->runs[0].choice, "none");
+  EXPECT_EQ(record->runs[0].remaining, kCoulomb);
 }
 
 TEST_F(Settle, LeavesOutAnEffectAtTwoPlaces) {
@@ -117,8 +118,8 @@ TEST_F(Settle, AFailureIsASentenceAndTheOtherTestsGoOn) {
   folder_.write("random-1.json", answer("stribeck_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
-  EXPECT_EQ(record->runs.at(0).failure, "lacuna diagnose ended with code 1: lacuna: no");
-  EXPECT_EQ(record->runs.at(1).remaining, kStribeck);
+  EXPECT_EQ(record->runs.at(1).failure, "lacuna diagnose ended with code 1: lacuna: no");
+  EXPECT_EQ(record->runs.at(2).remaining, kStribeck);
 }
 
 }  // namespace
