@@ -154,6 +154,7 @@ DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& 
   DiagnosisRecord record{.settings = settings,
                          .verdict = std::string(to_string(diagnosis.verdict)),
                          .probability = diagnosis.probability,
+                         .calibrated = diagnosis.calibrated,
                          .chance = diagnosis.p_by_chance,
                          .hypotheses = static_cast<std::int64_t>(diagnosis.hypotheses),
                          .base_times_floor = diagnosis.base_times_floor,

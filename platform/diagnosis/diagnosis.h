@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +68,14 @@ struct RandomForce {
   double duration = 0.0;   ///< s
 };
 
+/// Figures that say how sure a verdict is, by name (evidence.h).
+using Evidence = std::map<std::string, double>;
+
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
-  double probability = 0.0;  ///< of the verdict; uncalibrated
+  double probability = 0.0;  ///< of the verdict
+  bool calibrated = false;   ///< the probability is how often such verdicts were right (calibration.h)
+  Evidence evidence;
   std::vector<ChannelError> base;
   double base_times_floor = 0.0;
   std::vector<RandomForce> forces;

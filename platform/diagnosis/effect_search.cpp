@@ -1,5 +1,6 @@
 #include "diagnosis/effect_search.h"
 
+#include "diagnosis/calibration.h"
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/conclusion.h"
 #include "diagnosis/cut_trials.h"
@@ -236,6 +237,7 @@ class EffectSearch {
       meter_.end_part();
     }
     look_for_feedback();
+    tell_probability(state_.so_far, steady_, !cut_.free_run);
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -274,6 +276,7 @@ class EffectSearch {
     const LengthVerdict verdict =
         judge_lengths(result.ranking.front().effects, segment_, result.lengths, task_.catalog);
     if (!verdict.survives) result.probability *= kUnsteady;
+    steady_ = verdict.survives;
     result.findings.insert(result.findings.end(), verdict.findings.begin(), verdict.findings.end());
   }
 
@@ -319,7 +322,8 @@ class EffectSearch {
   const Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;
   SearchState state_;
-  Rejudged again_;  ///< the last choice, under the noise of the round at hand
+  Rejudged again_;      ///< the last choice, under the noise of the round at hand
+  bool steady_ = true;  ///< the answer, at other lengths of segments
   double seconds_before_ = 0.0;
 };
 

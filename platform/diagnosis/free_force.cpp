@@ -23,6 +23,7 @@ constexpr int kSliceKnots = 9;                     // ... at so many velocities
 constexpr double kNear = 0.1, kSeen = 0.05;        // of the range of positions; of the velocities there
 constexpr double kRounding = 1e-6;                 // of the strongest direction
 constexpr std::array kRidges = {0.001, 0.01, 0.1, 1.0, 10.0, 100.0, 1000.0};
+constexpr double kPiece = 0.5;  ///< s, of the shortest blocks that noise is thought to push either way
 constexpr Eigen::Index kFewestBlocks = 16;
 constexpr int kMostChoices = 3;  // of a ridge, each with the weights of the fit before
 
@@ -97,18 +98,23 @@ void draw_curves(const Eigen::MatrixXd& readings, const Eigen::VectorXd& sizes, 
     }
 }
 
-/// What each segment contributes to the score of every column, columns made orthonormal: columns × segments.
-Eigen::MatrixXd scores_of(const WhitenedSegments& whitened, const Eigen::MatrixXd& columns, std::size_t segments) {
-  Eigen::MatrixXd scores(columns.cols(), static_cast<Eigen::Index>(segments));
-  for (std::size_t k = 0; k < segments; ++k) {
-    const Eigen::Index first = whitened.first(k), rows = whitened.first(k + 1) - first;
-    scores.col(static_cast<Eigen::Index>(k)) =
-        columns.middleRows(first, rows).transpose() * whitened.residual().segment(first, rows);
+/// What each piece of the segments contributes to the score of every column, columns made orthonormal: columns ×
+/// pieces, as many of a segment as `pieces` says, one after the other in time.
+Eigen::MatrixXd scores_of(const WhitenedSegments& whitened, const Eigen::MatrixXd& columns,
+                          const std::vector<Eigen::Index>& pieces) {
+  Eigen::MatrixXd scores(columns.cols(), std::accumulate(pieces.begin(), pieces.end(), Eigen::Index{0}));
+  Eigen::Index column = 0;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Eigen::Index begin = whitened.first(k), all = whitened.first(k + 1) - begin;
+    for (Eigen::Index piece = 0; piece < pieces[k]; ++piece) {
+      const Eigen::Index first = begin + all * piece / pieces[k], rows = begin + all * (piece + 1) / pieces[k] - first;
+      scores.col(column++) = columns.middleRows(first, rows).transpose() * whitened.residual().segment(first, rows);
+    }
   }
   return Eigen::MatrixXd(columns.transpose() * columns).llt().matrixL().solve(scores);
 }
 
-/// Scores of blocks of so many segments, one after the other.
+/// Scores of blocks of so many pieces, one after the other.
 Eigen::MatrixXd in_blocks(const Eigen::MatrixXd& scores, Eigen::Index length) {
   Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(scores.rows(), (scores.cols() + length - 1) / length);
   for (Eigen::Index k = 0; k < scores.cols(); ++k) blocks.col(k / length) += scores.col(k);
@@ -244,6 +250,9 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
     }
     first += joint.count();
   }
+  for (const Eigen::VectorXd& times : forces.times)
+    force.pieces.push_back(
+        std::max<Eigen::Index>(1, std::lround(forces.width * static_cast<double>(times.size()) / kPiece)));
   force.readings.resize(static_cast<Eigen::Index>(rows.size()), functions);
   for (std::size_t i = 0; i < rows.size(); ++i) force.readings.row(static_cast<Eigen::Index>(i)) = rows[i];
   for (std::size_t k = 0; k < forces.of.size() && !force.empty(); ++k) {
@@ -266,7 +275,7 @@ FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whi
   const Eigen::MatrixXd combinations = independent(projected);
   result.freedom = static_cast<int>(combinations.cols());
   if (result.freedom == 0) return result;
-  const Eigen::MatrixXd scores = scores_of(whitened, projected * combinations, task.folds.size());
+  const Eigen::MatrixXd scores = scores_of(whitened, projected * combinations, force.pieces);
   result.deviance = scores.rowwise().sum().squaredNorm();
   std::vector<Eigen::MatrixXd> columns;
   for (const Eigen::MatrixXd& one : force.columns) columns.emplace_back(one * combinations);

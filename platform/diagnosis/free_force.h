@@ -28,7 +28,8 @@ struct FreeForce {
   /// By segment, bins × functions: change of the prediction by each function at size 1.
   std::vector<Eigen::MatrixXd> columns;
   std::vector<ForceCurve> curves;  ///< where the force is to be told only: of each quantity, then slices of each joint
-  Eigen::MatrixXd readings;        ///< places of the curves, one after the other × functions
+  std::vector<Eigen::Index> pieces;  ///< by segment, of about half a second
+  Eigen::MatrixXd readings;          ///< places of the curves, one after the other × functions
   bool empty() const { return curves.empty(); }
 };
 
@@ -38,7 +39,7 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
 struct FreeForceTest {
   double deviance = 0.0;  ///< by how much −2 log likelihood falls
   int freedom = 0;        ///< independent functions that can be seen
-  /// How often noise explains as much, blocks of segments pushed either way at random; at least 1/(draws + 1).
+  /// How often noise explains as much, pieces of segments pushed either way at random; at least 1/(draws + 1).
   double p = 1.0;
   /// Held-out deviance by segment, folds left out one by one; ridge by cross-validation.
   Eigen::VectorXd held_out;

@@ -97,7 +97,8 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
   const ordered_json whole = {
       {"verdict", to_string(diagnosis.verdict)},
       {"probability", diagnosis.probability},
-      {"calibrated", false},
+      {"calibrated", diagnosis.calibrated},
+      {"evidence", diagnosis.evidence},
       {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
       {"units", units(diagnosis.base)},
       {"random_forces", list(diagnosis.forces)},

@@ -1,5 +1,6 @@
 #include "report/diagnosis_pictures.h"
 
+#include "report/diagnosis_text.h"
 #include "report/figure.h"
 #include "report/file_name.h"
 
@@ -105,10 +106,9 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   const Series chance{"chance, 95 %",     Mark::path, kOrange, {diagnosis.chance_95, diagnosis.chance_95},
                       {-0.5, rows - 0.5}, {}};
   panel.series = {gain, interval, chance};
-  Figure figure{
-      fmt::format("{} · {}, P {:.2f} (uncalibrated)", title, to_string(diagnosis.verdict), diagnosis.probability),
-      "held-out log likelihood over the model [nats]",
-      {panel}};
+  Figure figure{fmt::format("{} · {}, P {}", title, to_string(diagnosis.verdict), probability_text(diagnosis)),
+                "held-out log likelihood over the model [nats]",
+                {panel}};
   figure.height = 200 + 44 * static_cast<int>(panel.y_names.size());
   return figure;
 }

@@ -85,6 +85,8 @@ Diagnosis read_diagnosis(const std::string& document) {
   Diagnosis diagnosis;
   diagnosis.verdict = verdict_of(whole["verdict"]);
   diagnosis.probability = figure(whole["probability"]);
+  diagnosis.calibrated = whole.value("calibrated", false);
+  diagnosis.evidence = whole.value("evidence", Evidence{});
   diagnosis.base = errors_of(whole, whole["base"]);
   diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
   for (const ordered_json& one : whole["random_forces"])

@@ -97,12 +97,16 @@ std::string untestable_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+std::string probability_text(const Diagnosis& diagnosis) {
+  return fmt::format("{:.2f} ({})", diagnosis.probability,
+                     diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
+}
+
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) {
   if (diagnosis.base.empty())  // nothing was searched
     return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                        fmt::join(diagnosis.findings, "\n"));
-  std::string text =
-      fmt::format("verdict {} · P {:.2f} (uncalibrated)\n", to_string(diagnosis.verdict), diagnosis.probability);
+  std::string text = fmt::format("verdict {} · P {}\n", to_string(diagnosis.verdict), probability_text(diagnosis));
   text += answers_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);

@@ -6,6 +6,9 @@
 
 namespace lacuna {
 
+/// "0.93 (uncalibrated)", or what it was calibrated on.
+std::string probability_text(const Diagnosis& diagnosis);
+
 /// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
 /// command to go on with.
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file);

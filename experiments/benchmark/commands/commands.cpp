@@ -28,6 +28,7 @@ int run_program(int argc, char** argv) {
   add_plan_command(*hidden);
   add_make_command(*hidden);
   add_run_command(*hidden);
+  add_calibrate_command(*hidden);
   add_figures_command(*hidden);
   program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
   lacuna::watch_for_interrupts();

@@ -14,6 +14,7 @@ int run_program(int argc, char** argv);
 void add_plan_command(CLI::App& program);
 void add_make_command(CLI::App& program);
 void add_run_command(CLI::App& program);
+void add_calibrate_command(CLI::App& program);
 void add_figures_command(CLI::App& program);
 
 }  // namespace hidden_effects

@@ -56,6 +56,12 @@ double median(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
+double brier_score(const std::vector<Stated>& stated) {
+  double sum = 0.0;
+  for (const Stated& one : stated) sum += (one.probability - one.is_right) * (one.probability - one.is_right);
+  return sum / static_cast<double>(stated.size());
+}
+
 double calibration_error(const std::vector<Stated>& stated, int bins) {
   std::vector<double> excess(static_cast<std::size_t>(bins), 0.0);
   for (const Stated& one : stated) {

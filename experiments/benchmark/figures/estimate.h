@@ -29,6 +29,9 @@ double median(std::vector<double> values);
 /// Mean of |stated probability − share that is right| over `bins` equally wide bins, weighted by how many each holds.
 double calibration_error(const std::vector<Stated>& stated, int bins = 10);
 
+/// Mean of (stated probability − is_right)² (G. W. Brier, Monthly Weather Review 78 (1950) 1-3).
+double brier_score(const std::vector<Stated>& stated);
+
 /// A statistic with the percentile interval of 2000 resamples, always the same ones (B. Efron, Ann. Stat. 7 (1979)
 /// 1-26). Below two items there is no interval.
 Estimate bootstrap(const std::vector<double>& values, const std::function<double(const std::vector<double>&)>& of);

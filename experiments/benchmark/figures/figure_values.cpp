@@ -1,5 +1,7 @@
 #include "figures/figure_values.h"
 
+#include "figures/left_out.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -55,6 +57,7 @@ FigureValues read_figures(Database& database, const std::string& version, const 
   for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
     all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});
   read_values(database, all);
+  add_left_out(database, all);
   return all;
 }
 

@@ -164,7 +164,8 @@ JOIN judged j ON (j.version, j.set_name, j.number) = (s.version, s.set_name, s.n
 WHERE r.tests IS NOT NULL AND j.made AND j.kind IN ('one', 'two');
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
--- stated probability over ten bins; bootstrap). `least` and `most` are the goal.
+-- stated probability over ten bins; bootstrap). `least` and `most` are the goal. The values of rigs left out are no
+-- rows of `figure_value`: they take the program's calibration (figures/left_out.h).
 CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
   (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
@@ -183,17 +184,19 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (15, 'width', 'width of the effects'' intervals over the oracle''s', 'median', NULL, 1.5),
   (16, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
   (17, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
-  (18, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, 0.05),
-  (19, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (20, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
-  (21, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
-  (22, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
-  (23, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
-  (24, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
-  (25, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (26, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (27, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (28, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (18, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, NULL),
+  (19, 'brier_left_out', 'Brier score on rigs that the calibration left out', 'mean', NULL, NULL),
+  (20, 'calibration_left_out', 'calibration error on rigs that the calibration left out', 'calibration', NULL, 0.05),
+  (21, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (22, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
+  (23, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
+  (24, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
+  (25, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
+  (26, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
+  (27, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (28, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (29, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (30, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.

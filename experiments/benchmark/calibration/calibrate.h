@@ -1,0 +1,27 @@
+#pragma once
+
+#include "diagnosis/calibration.h"
+#include "runs/database.h"
+
+#include <string>
+#include <vector>
+
+namespace hidden_effects {
+
+/// A first verdict with what spoke for it, and whether it is right (view `verdict_right`).
+struct JudgedVerdict {
+  std::string rig, noise, strength, effect, verdict;  ///< of the case, as `FigureValue` has them; of the answer
+  lacuna::Evidence evidence;
+  double is_right = 0.0;
+};
+
+/// All of a version and set but `cannot_tell`, which states no probability.
+std::vector<JudgedVerdict> judged_verdicts(Database& database, const std::string& version, const std::string& set);
+
+/// Fits the log odds of each verdict; verdicts with fewer cases than figures of evidence get an intercept alone.
+lacuna::Calibration calibrate(const std::vector<JudgedVerdict>& verdicts);
+
+/// For all cases, and for those of all rigs but one, each in turn.
+lacuna::ShippedCalibration calibrate_and_leave_out(const std::vector<JudgedVerdict>& verdicts);
+
+}  // namespace hidden_effects

@@ -1,0 +1,64 @@
+#include "calibration/logistic_regression.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+
+namespace hidden_effects {
+namespace {
+
+constexpr int kMostSteps = 100;
+constexpr double kConverged = 1e-9;
+constexpr double kPriorCases = 0.5;  ///< of either kind
+constexpr double kConstant = 1e-9;   ///< a column that scatters by less tells nothing
+
+struct Standardised {
+  Eigen::RowVectorXd mean, scale;
+  Eigen::MatrixXd rows;  ///< with a first column of ones
+};
+
+Standardised standardised(const Eigen::MatrixXd& rows) {
+  Standardised to;
+  const double count = static_cast<double>(rows.rows());
+  to.mean = rows.colwise().sum() / count;
+  to.scale = ((rows.rowwise() - to.mean).colwise().squaredNorm() / count).cwiseSqrt();
+  to.rows = Eigen::MatrixXd::Ones(rows.rows(), rows.cols() + 1);
+  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+    if (to.scale(j) > kConstant)
+      to.rows.col(j + 1) = (rows.col(j).array() - to.mean(j)) / to.scale(j);
+    else
+      to.rows.col(j + 1).setZero();
+  }
+  return to;
+}
+
+double logistic(double odds) { return 1.0 / (1.0 + std::exp(-odds)); }
+
+}  // namespace
+
+LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right) {
+  const Standardised data = standardised(rows);
+  Eigen::VectorXd penalty = Eigen::VectorXd::Ones(rows.cols() + 1);
+  penalty(0) = 0.0;
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(rows.cols() + 1);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Eigen::VectorXd p = (data.rows * at).unaryExpr(&logistic);
+    Eigen::MatrixXd curvature =
+        data.rows.transpose() * (p.array() * (1.0 - p.array())).matrix().asDiagonal() * data.rows;
+    curvature.diagonal() += penalty;
+    Eigen::VectorXd slope = data.rows.transpose() * (right - p) - penalty.cwiseProduct(at);
+    const double middle = logistic(at(0));
+    slope(0) += kPriorCases * (1.0 - 2.0 * middle);
+    curvature(0, 0) += 2.0 * kPriorCases * middle * (1.0 - middle);
+    const Eigen::VectorXd move = curvature.ldlt().solve(slope);
+    at += move;
+    if (move.norm() < kConverged) break;
+  }
+  LogisticFit fit{at(0), Eigen::VectorXd::Zero(rows.cols())};
+  for (Eigen::Index j = 0; j < rows.cols(); ++j)
+    if (data.scale(j) > kConstant) fit.weights(j) = at(j + 1) / data.scale(j);
+  fit.intercept -= fit.weights.dot(data.mean.transpose());
+  return fit;
+}
+
+}  // namespace hidden_effects

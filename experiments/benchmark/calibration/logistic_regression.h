@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hidden_effects {
+
+/// Log odds = intercept + weights · row.
+struct LogisticFit {
+  double intercept = 0.0;
+  Eigen::VectorXd weights;
+};
+
+/// Maximum of the likelihood of `right` (0 or 1, one a row) less half the squared length of the weights, each in
+/// standard deviations of its column: few cases move a weight little. The intercept, at the columns' means, is held by
+/// half a right and half a wrong case (H. Jeffreys' prior), so that it is finite where all are right.
+LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right);
+
+}  // namespace hidden_effects

@@ -1,0 +1,68 @@
+#include "commands/commands.h"
+
+#include "calibration/calibrate.h"
+#include "figures/figure_values.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+namespace hidden_effects {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CalibrateOptions {
+  std::string set = "tuning", version;
+  fs::path database, out;
+};
+
+/// How far off the probabilities are on the rigs that they were not fitted to, and on the cases that they were.
+void tell_errors(const std::vector<JudgedVerdict>& verdicts, const lacuna::ShippedCalibration& calibration) {
+  std::vector<Stated> own, left_out;
+  for (const JudgedVerdict& one : verdicts) {
+    own.push_back({calibration.all.at(one.verdict).probability(one.evidence), one.is_right});
+    const lacuna::Calibration& without = calibration.without.at(one.rig);
+    if (const auto known = without.find(one.verdict); known != without.end())
+      left_out.push_back({known->second.probability(one.evidence), one.is_right});
+  }
+  fmt::print("{} verdicts; calibration error {:.3f}, on rigs left out {:.3f} (Brier score {:.3f} and {:.3f})\n",
+             own.size(), calibration_error(own), calibration_error(left_out), brier_score(own), brier_score(left_out));
+}
+
+void calibrate(const CalibrateOptions& options) {
+  if (!fs::exists(options.database))
+    throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
+  Database database(options.database);
+  const FigureValues all = read_figures(database, options.version, options.set);
+  const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.version, all.set);
+  if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");
+  const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
+  const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
+                                         all.set, all.version, verdicts.size());
+  std::ofstream file(options.out, std::ios::binary);
+  file << lacuna::calibration_json(calibration, source);
+  if (!file.flush()) throw std::runtime_error(options.out.string() + " cannot be written");
+  tell_errors(verdicts, calibration);
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& program) {
+  auto options = std::make_shared<CalibrateOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command =
+      program.add_subcommand("calibrate", "Fit the probabilities of verdicts to how often they were right");
+  command->add_option("--db", options->database, "Database that `run` wrote")->required()->option_text("FILE");
+  command->add_option("--set", options->set, "tuning, reporting or fixed (default: tuning)")->option_text("SET");
+  command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
+      ->option_text("TEXT");
+  command->add_option("--out", options->out, "File to write: platform/diagnosis/calibration.json")
+      ->required()
+      ->option_text("FILE");
+  command->callback([options] { calibrate(*options); });
+}
+
+}  // namespace hidden_effects

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "figures/figure_values.h"
+
+namespace hidden_effects {
+
+/// Adds what the shipped calibration, fitted without the rig of a case, says of the case's verdict: the figures
+/// `brier_left_out` and `calibration_left_out`. Rigs that it does not know by name were all left out.
+void add_left_out(Database& database, FigureValues& all);
+
+}  // namespace hidden_effects

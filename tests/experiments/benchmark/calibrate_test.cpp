@@ -1,0 +1,55 @@
+#include "calibration/calibrate.h"
+#include "calibration/logistic_regression.h"
+#include "plant/draw.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hidden_effects {
+namespace {
+
+double logistic(double odds) { return 1.0 / (1.0 + std::exp(-odds)); }
+
+TEST(LogisticFit, FindsTheOddsThatMadeTheCases) {
+  constexpr Eigen::Index kCases = 20000;
+  Draw draw(1, 0);
+  Eigen::MatrixXd rows(kCases, 2);
+  Eigen::VectorXd right(kCases);
+  for (Eigen::Index i = 0; i < kCases; ++i) {
+    rows(i, 0) = 4.0 * draw.uniform();
+    rows(i, 1) = draw.uniform() < 0.3 ? 1.0 : 0.0;
+    right(i) = draw.uniform() < logistic(-1.0 + 0.8 * rows(i, 0) - 1.5 * rows(i, 1)) ? 1.0 : 0.0;
+  }
+  const LogisticFit fit = fit_logistic(rows, right);
+  EXPECT_NEAR(fit.intercept, -1.0, 0.1);  // its standard error is 0.03
+  EXPECT_NEAR(fit.weights(0), 0.8, 0.06);
+  EXPECT_NEAR(fit.weights(1), -1.5, 0.12);
+}
+
+TEST(LogisticFit, StaysFiniteWhereAllAreRight) {
+  const LogisticFit fit = fit_logistic(Eigen::MatrixXd(20, 0), Eigen::VectorXd::Ones(20));
+  EXPECT_NEAR(logistic(fit.intercept), 20.5 / 21.0, 1e-6);
+}
+
+JudgedVerdict verdict(const char* rig, double lead, bool right) {
+  return {rig, "white", "3", "cogging", "effect_found", {{"log_lead", lead}}, right ? 1.0 : 0.0};
+}
+
+TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
+  std::vector<JudgedVerdict> verdicts;
+  for (int i = 0; i < 40; ++i) {
+    verdicts.push_back(verdict("servo_pendulum", 2.0, i % 10 != 0));
+    verdicts.push_back(verdict("servo_pendulum", 0.0, i % 10 < 3));
+    verdicts.push_back(verdict("cart_pole", 1.0, false));
+  }
+  const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
+  const auto without = calibration.without.at("cart_pole").at("effect_found");
+  EXPECT_NEAR(without.probability({{"log_lead", 2.0}}), 0.9, 0.03);
+  EXPECT_NEAR(without.probability({{"log_lead", 0.0}}), 0.3, 0.03);
+  EXPECT_LT(calibration.all.at("effect_found").probability({{"log_lead", 1.0}}), 0.5);
+  EXPECT_LT(calibration.without.at("servo_pendulum").at("effect_found").probability({{"log_lead", 1.0}}), 0.05);
+}
+
+}  // namespace
+}  // namespace hidden_effects
