@@ -1,5 +1,6 @@
 #include "cases/make_case.h"
 
+#include "cases/recorded_trial.h"
 #include "cases/scales_of.h"
 #include "cases/strength.h"
 #include "plant/draw.h"
@@ -11,7 +12,6 @@
 namespace hidden_effects {
 namespace {
 
-constexpr double kMakeStep = 2.5e-5;  ///< s
 constexpr int kFitTrials = 3, kTrials = 4;
 constexpr std::array kNames = {"multisine", "steps", "chirp", "triangle"};
 
@@ -58,43 +58,9 @@ Excitation excitation_of(const Rig& rig, int trial, const CasePlan& plan) {
   return excitation;
 }
 
-void add_random_forces(Excitation& excitation, const CaseNoise& noise, std::uint64_t seed) {
-  if (std::all_of(noise.random_force.begin(), noise.random_force.end(), [](double size) { return size == 0.0; }))
-    return;
-  const double duration = static_cast<double>(excitation.samples()) * excitation.interval;
-  const auto knots = static_cast<std::size_t>(std::ceil(duration / excitation.knot_interval)) + 2;
-  for (std::size_t j = 0; j < noise.random_force.size(); ++j) {
-    bench::Disturbance force(noise.random_force[j], noise.force_time, excitation.knot_interval, mixed(seed, 100 + j));
-    std::vector<double>& values = excitation.forces.emplace_back();
-    for (std::size_t k = 0; k < knots; ++k) {
-      values.push_back(force.value());
-      force.next();
-    }
-  }
-}
-
-void add_sensor_noise(Readings& readings, const CaseNoise& noise, double interval, std::uint64_t seed) {
-  for (std::size_t s = 0; s < readings.size(); ++s) {
-    bench::Normal white(mixed(seed, 200 + s));
-    bench::Disturbance slow(noise.sensor_slow[s], noise.sensor_time, interval, mixed(seed, 300 + s));
-    for (double& value : readings[s]) {
-      value += noise.sensor_white[s] * white() + slow.value();
-      slow.next();
-      if (noise.quantum[s] > 0.0) value = bench::rounded(value, noise.quantum[s]);
-    }
-  }
-}
-
 Start at_zero(const PlantSpec& spec) {
   const auto n = static_cast<Eigen::Index>(spec.joints.size());
   return {Coordinates::Zero(n), Coordinates::Zero(n)};
-}
-
-Readings carry_out(const PlantModel& model, const Eigen::VectorXd& values, const Excitation& excitation) {
-  const Laws laws = model.laws_at(values);
-  Simulation plant(model.spec_at(values), laws, excitation, kMakeStep);
-  const Motion motion = simulate(plant, at_zero(model.spec), excitation.samples(), 10);
-  return read_sensors(plant.spec(), laws, motion);
 }
 
 class Maker {
@@ -161,21 +127,9 @@ class Maker {
 
   void record(int t) {
     const auto number = static_cast<std::size_t>(t);
-    MadeTrial trial;
+    MadeTrial trial = recorded_trial(made_, excitations_[number], noise_seed(number));
     trial.name = kNames[number];
     trial.held_out = t >= kFitTrials;
-    trial.applied = excitations_[number];
-    trial.clean = carry_out(made_.truth, made_.truth_values, trial.applied);
-    add_random_forces(trial.applied, made_.noise, noise_seed(number));
-    trial.readings =
-        trial.applied.forces.empty() ? trial.clean : carry_out(made_.truth, made_.truth_values, trial.applied);
-    add_sensor_noise(trial.readings, made_.noise, rig_.interval, noise_seed(number));
-    trial.recorded_commands = trial.applied.commands;
-    for (std::size_t d = 0; d < trial.recorded_commands.size(); ++d) {
-      bench::Normal normal(mixed(noise_seed(number), 400 + d));
-      if (made_.noise.command[d] > 0.0)
-        for (double& value : trial.recorded_commands[d]) value += made_.noise.command[d] * normal();
-    }
     made_.trials.push_back(std::move(trial));
   }
 

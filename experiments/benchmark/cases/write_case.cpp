@@ -94,9 +94,8 @@ std::string columns_text(const PlantSpec& spec) {
                         sensor.velocity ? "/s" : "");
   }
   for (const PlantDrive& drive : spec.drives) {
-    const PlantJoint& joint = spec.joints[static_cast<std::size_t>(drive.joint)];
     text += fmt::format("[target.commands.{}]\ncolumn = \"{}\"\nunit = \"{}\"\n\n", drive.name, drive.name,
-                        drive.servo ? unit_of_position(joint) : unit_of_force(joint));
+                        unit_of_command(spec, drive));
   }
   return text;
 }
@@ -144,6 +143,11 @@ void write_case(const MadeCase& made, const std::filesystem::path& folder) {
   write_text(folder / "robot.toml", robot_text(made));
   write_text(folder / "rig.toml", rig_text(made));
   for (const MadeTrial& trial : made.trials) write_text(folder / (trial.name + ".csv"), recording_text(made, trial));
+}
+
+std::string unit_of_command(const PlantSpec& spec, const PlantDrive& drive) {
+  const PlantJoint& joint = spec.joints[static_cast<std::size_t>(drive.joint)];
+  return drive.servo ? unit_of_position(joint) : unit_of_force(joint);
 }
 
 std::string where_of(const LawKind& kind, int element, const PlantSpec& spec) {

@@ -23,7 +23,7 @@ struct RunOptions {
   fs::path database, work, lacuna;
   int jobs = 1, most_diagnoses = ProgramSettings{}.most_diagnoses;
   double longest = 1800.0;
-  bool keep = false, baselines = false, without_oracle = false;
+  bool keep = false, baselines = false, settle = false, without_oracle = false;
 };
 
 /// Beside this program, where a build puts both.
@@ -73,7 +73,8 @@ void run(const RunOptions& options) {
   const SetProgress progress = run_set(
       database, version, plans, options.jobs,
       [&](const CasePlan& plan) {
-        return run_case(plan, version, {options.work, options.keep, !options.without_oracle, options.baselines},
+        return run_case(plan, version,
+                        {options.work, options.keep, !options.without_oracle, options.baselines, options.settle},
                         settings);
       },
       lacuna::interrupt_requested, told);
@@ -108,6 +109,9 @@ void add_run_command(CLI::App& program) {
       ->option_text("N");
   command->add_flag("--keep", options->keep, "Keep the files of the cases");
   command->add_flag("--baselines", options->baselines, "Ask other methods, too: as long again as a diagnosis");
+  command->add_flag("--settle", options->settle,
+                    "Carry out the tests that are proposed, and random ones, until the answer is told from its closest "
+                    "look-alike: up to thirteen short diagnoses more");
   command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");
   command->callback([options] { run(*options); });
 }

@@ -140,6 +140,29 @@ LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
 WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
+-- How many tests told the first answer from its closest look-alike (7: six did not), and what was left then: the
+-- 'truth', a 'stand-in' that the oracle did not tell from it on the data before, or 'another'. `truth_in_question`: one
+-- of the two is hidden.
+CREATE TEMP VIEW settled AS
+SELECT s.version, s.set_name, s.number, r.choice, r.tests,
+       CASE WHEN r.effect IS NULL THEN NULL
+            WHEN EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number, h.effect, h.place)
+                                                        = (s.version, s.set_name, s.number, r.effect, r.place))
+              THEN 'truth'
+            WHEN EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.effect, o.place)
+                                                          = (s.version, s.set_name, s.number, r.effect, r.place)
+                                                        AND o.told_apart = 0)
+              THEN 'stand-in'
+            ELSE 'another' END AS left_over,
+       EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (s.version, s.set_name, s.number)
+                                            AND ((h.effect, h.place) = (s.effect, s.place)
+                                              OR (h.effect, h.place) = (s.rival_effect, s.rival_place)))
+         AS truth_in_question
+FROM settling s
+JOIN settling_run r ON (r.version, r.set_name, r.number) = (s.version, s.set_name, s.number)
+JOIN judged j ON (j.version, j.set_name, j.number) = (s.version, s.set_name, s.number)
+WHERE r.tests IS NOT NULL AND j.made AND j.kind IN ('one', 'two');
+
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
 -- stated probability over ten bins; bootstrap). `least` and `most` are the goal. The values of rigs left out are no
 -- rows of `figure_value`: they take the program's calibration (figures/left_out.h).
@@ -165,8 +188,15 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (19, 'brier_left_out', 'Brier score on rigs that the calibration left out', 'mean', NULL, NULL),
   (20, 'calibration_left_out', 'calibration error on rigs that the calibration left out', 'calibration', NULL, 0.05),
   (21, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (22, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (23, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (22, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
+  (23, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
+  (24, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
+  (25, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
+  (26, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
+  (27, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (28, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (29, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (30, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.
@@ -224,6 +254,13 @@ SELECT j.version, j.set_name, j.number, 'cannot_tell', coalesce(j.verdict = 'can
   FROM judged j WHERE j.made AND j.kind IN ('one', 'two')
     AND EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number) = (j.version, j.set_name, j.number)
                 AND o.effect = '' AND o.told_apart)
+UNION ALL
+SELECT version, set_name, number, 'tests_' || choice, tests, NULL FROM settled
+UNION ALL
+SELECT version, set_name, number, 'settled_' || choice, left_over IS NOT NULL, NULL FROM settled
+UNION ALL
+SELECT version, set_name, number, 'left_' || choice, left_over = 'truth', NULL
+  FROM settled WHERE truth_in_question AND left_over IS NOT NULL
 UNION ALL
 SELECT version, set_name, number, 'seconds', seconds, NULL FROM judged WHERE seconds IS NOT NULL
 UNION ALL

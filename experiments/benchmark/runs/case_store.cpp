@@ -10,6 +10,7 @@ namespace {
 
 Cell optional(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
 Cell count(std::size_t value) { return static_cast<std::int64_t>(value); }
+Cell text_or_null(const std::string& words) { return words.empty() ? Cell() : Cell(words); }
 Cell flag(bool value) { return std::int64_t{value ? 1 : 0}; }
 
 /// Rows of one case: version, set and number stand before the values of each.
@@ -43,9 +44,8 @@ double true_value(const CaseRecord& about, const EffectAt& what, const std::stri
 
 void write_case(Writer& writer, const CaseResult& result) {
   const CaseRecord& about = result.about;
-  writer.insert("bench_case",
-                {about.group, about.rig, about.noise, about.planned_strength, optional(about.strength),
-                 flag(about.absorbed), about.seed, result.failure.empty() ? Cell() : Cell(result.failure)});
+  writer.insert("bench_case", {about.group, about.rig, about.noise, about.planned_strength, optional(about.strength),
+                               flag(about.absorbed), about.seed, text_or_null(result.failure)});
   for (std::size_t i = 0; i < about.hidden.size(); ++i) {
     const HiddenLawRecord& law = about.hidden[i];
     writer.insert("hidden_law", {count(i), law.law, law.answer.effect, law.answer.place, flag(law.library_form)});
@@ -107,6 +107,25 @@ void write_baseline(Writer& writer, const BaselineRecord& one) {
                                     i < one.scores.size() ? optional(one.scores[i]) : Cell()});
 }
 
+/// Until the two were told apart; one more than the most where they were not.
+Cell tests_until_settled(const SettlingRun& run) {
+  if (!run.failure.empty()) return {};
+  const bool in_vain = run.remaining.effect.empty() && run.tests.size() == kMostSettlingTests;
+  return count(run.tests.size() + (in_vain ? 1 : 0));
+}
+
+void write_settling(Writer& writer, const SettlingRecord& settling) {
+  writer.insert("settling", {settling.answer.effect, settling.answer.place, settling.rival.effect, settling.rival.place,
+                             text_or_null(settling.left_out)});
+  for (const SettlingRun& run : settling.runs) {
+    writer.insert("settling_run", {run.choice, tests_until_settled(run), text_or_null(run.remaining.effect),
+                                   text_or_null(run.remaining.place), text_or_null(run.failure)});
+    for (std::size_t i = 0; i < run.tests.size(); ++i)
+      writer.insert("settling_test", {run.choice, count(i + 1), run.tests[i].line, run.tests[i].verdict,
+                                      optional(run.tests[i].processor_seconds)});
+  }
+}
+
 }  // namespace
 
 void keep_version(Database& database, const std::string& version, const std::string& program) {
@@ -131,6 +150,7 @@ void keep_case(Database& database, const CaseResult& result) {
   write_oracle(writer, result.oracle);
   write_values(writer, result);
   for (const BaselineRecord& one : result.baselines) write_baseline(writer, one);
+  if (result.settling) write_settling(writer, *result.settling);
   transaction.commit();
 }
 

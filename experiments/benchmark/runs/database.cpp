@@ -63,12 +63,11 @@ Database::~Database() = default;
 
 void Database::check_header() {
   Transaction transaction(*this);
-  if (integer(query("SELECT count(*) FROM sqlite_master")[0][0]) == 0) {
-    execute(schema_sql());
+  if (integer(query("SELECT count(*) FROM sqlite_master")[0][0]) == 0)
     execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kSchema));
-  }
   if (integer(query("PRAGMA application_id")[0][0]) != kApplicationId) complain("is not a database of the benchmark");
   if (integer(query("PRAGMA user_version")[0][0]) != kSchema) complain("is of another version of the benchmark");
+  execute(schema_sql());
   transaction.commit();
 }
 

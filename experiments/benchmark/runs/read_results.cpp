@@ -68,6 +68,7 @@ DiagnosisRecord read_diagnosis(const std::string& json) {
     record.times_floor = number(document.at("base").at("ratio_to_floor"));
     record.seconds = number(document.at("seconds"));
     record.json = json;
+    record.next_test = document.value("next_test", "");
     for (const ordered_json& model : document.at("ranking")) record.ranking.push_back(model_of(model));
     return record;
   });

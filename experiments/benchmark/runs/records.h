@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct DiagnosisRecord {
   double probability = kUnknown, p_by_chance = kUnknown, times_floor = kUnknown;
   double seconds = kUnknown, processor_seconds = kUnknown;
   std::string json;
+  std::string next_test;  ///< that would tell the answer from its closest look-alike; empty: none is proposed
   std::vector<RankedModelRecord> ranking;
   std::vector<EffectAt> added;  ///< to the model because of it
 };
@@ -110,6 +112,30 @@ struct BaselineRecord {
   std::vector<double> scores;  ///< by rank; what they mean depends on the method
 };
 
+/// A test that was carried out to settle which of two effects is there, and what the program said then.
+struct SettlingTest {
+  std::string line;  ///< as `lacuna trial --test` takes it
+  std::string verdict;
+  double processor_seconds = kUnknown;  ///< of the diagnosis
+};
+
+inline constexpr int kMostSettlingTests = 6;
+
+/// Tests one after the other, until the program tells the two apart or there were `kMostSettlingTests`.
+struct SettlingRun {
+  std::string choice;  ///< of the tests: "chosen" by the program, or "random"; "none": the two are asked about alone
+  std::vector<SettlingTest> tests;
+  EffectAt remaining;   ///< no effect: not settled
+  std::string failure;  ///< the sentence with which it ended early; empty: it did not
+};
+
+/// How the answer of the first diagnosis is told from its closest look-alike by further tests.
+struct SettlingRecord {
+  EffectAt answer, rival;
+  std::string left_out;  ///< why no test was carried out; empty: they were
+  std::vector<SettlingRun> runs;
+};
+
 /// All that is kept of a case.
 struct CaseResult {
   CaseRecord about;
@@ -119,6 +145,7 @@ struct CaseResult {
   std::vector<FreeValueRecord> free_values;
   OracleRecord oracle;
   std::vector<BaselineRecord> baselines;
+  std::optional<SettlingRecord> settling;
 };
 
 }  // namespace hidden_effects

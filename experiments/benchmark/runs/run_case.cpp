@@ -7,6 +7,7 @@
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
 #include "runs/run_contact_case.h"
+#include "runs/settle.h"
 #include "runs/truth_error.h"
 
 #include <exception>
@@ -80,7 +81,7 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
     made = make_case(plan);
     write_case(*made, folder.path());
   } catch (const std::exception& error) {
-    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}};
+    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}};
   }
   const CaseRecord about = about_case(*made, version);
   const OracleRecord oracle = options.oracle ? oracle_of(*made) : OracleRecord();
@@ -88,6 +89,8 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
   result.oracle = oracle;
   add_truth_error(*made, result);
   if (options.baselines) add_baselines(*made, result);
+  if (options.settle && !result.diagnoses.empty())
+    result.settling = settle(*made, result.diagnoses.front(), folder.path(), settings);
   return result;
 }
 

@@ -14,6 +14,7 @@ struct RunCaseOptions {
   bool keep = false;           ///< these files
   bool oracle = true;          ///< ask what the data could tell at all
   bool baselines = false;      ///< ask the other methods, too, which takes about as long as a diagnosis
+  bool settle = false;         ///< carry out tests that tell the answer from its closest look-alike
 };
 
 /// Makes a case in `work`/its name, sends it through the program, and removes the folder unless it is to be kept.

@@ -1,14 +1,15 @@
 -- What is kept of the benchmark of hidden effects. Numbers are SI; NULL: not known.
+-- A table that a file of before does not have is made when it is opened.
 -- A place is that of the experiment's file, 'joint.hinge'; 'world' where an effect stands on nothing.
 
-CREATE TABLE version (
+CREATE TABLE IF NOT EXISTS version (
   version TEXT PRIMARY KEY,  -- of the method
   program TEXT NOT NULL,     -- what `lacuna --version` printed
   begun TEXT NOT NULL        -- UTC
 ) STRICT;
 
 -- A case: its plan, and how it came out.
-CREATE TABLE bench_case (
+CREATE TABLE IF NOT EXISTS bench_case (
   version TEXT NOT NULL REFERENCES version,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -23,7 +24,7 @@ CREATE TABLE bench_case (
   PRIMARY KEY (version, set_name, number)
 ) STRICT;
 
-CREATE TABLE hidden_law (
+CREATE TABLE IF NOT EXISTS hidden_law (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -36,7 +37,7 @@ CREATE TABLE hidden_law (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE hidden_value (
+CREATE TABLE IF NOT EXISTS hidden_value (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -48,7 +49,7 @@ CREATE TABLE hidden_value (
 ) STRICT;
 
 -- Round 1 is the diagnosis of the base; each later one that of the model with what was found before.
-CREATE TABLE diagnosis (
+CREATE TABLE IF NOT EXISTS diagnosis (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -64,7 +65,7 @@ CREATE TABLE diagnosis (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE ranked_model (
+CREATE TABLE IF NOT EXISTS ranked_model (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -78,7 +79,7 @@ CREATE TABLE ranked_model (
 ) STRICT;
 
 -- The effects of a ranked model in their order, then what the data do not tell from the last of them.
-CREATE TABLE ranked_effect (
+CREATE TABLE IF NOT EXISTS ranked_effect (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -93,7 +94,7 @@ CREATE TABLE ranked_effect (
 ) STRICT;
 
 -- What was added to the model after a round.
-CREATE TABLE added_effect (
+CREATE TABLE IF NOT EXISTS added_effect (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -106,7 +107,7 @@ CREATE TABLE added_effect (
 
 -- 95 % intervals: of parameters of the first ranked model (round ≥ 1, effect and place named), and of the free values
 -- that the last model was fitted with (round 0, effect and place empty).
-CREATE TABLE interval (
+CREATE TABLE IF NOT EXISTS interval (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -123,7 +124,7 @@ CREATE TABLE interval (
 ) STRICT;
 
 -- What these data can tell from a hidden law with the truth known. No effect: the law left out.
-CREATE TABLE oracle_rival (
+CREATE TABLE IF NOT EXISTS oracle_rival (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -137,7 +138,7 @@ CREATE TABLE oracle_rival (
 ) STRICT;
 
 -- How sharp the refitted truth is.
-CREATE TABLE oracle_width (
+CREATE TABLE IF NOT EXISTS oracle_width (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -148,7 +149,7 @@ CREATE TABLE oracle_width (
 ) STRICT;
 
 -- What other methods answer on the same data.
-CREATE TABLE baseline (
+CREATE TABLE IF NOT EXISTS baseline (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -159,7 +160,7 @@ CREATE TABLE baseline (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE baseline_rank (
+CREATE TABLE IF NOT EXISTS baseline_rank (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -172,8 +173,48 @@ CREATE TABLE baseline_rank (
   FOREIGN KEY (version, set_name, number, method) REFERENCES baseline ON DELETE CASCADE
 ) STRICT;
 
+-- How the first answer was told from its closest look-alike by further tests (`run --settle`).
+CREATE TABLE IF NOT EXISTS settling (
+  version TEXT NOT NULL,
+  set_name TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  effect TEXT NOT NULL,
+  place TEXT NOT NULL,
+  rival_effect TEXT NOT NULL,  -- the look-alike
+  rival_place TEXT NOT NULL,
+  left_out TEXT,               -- why no test was carried out
+  PRIMARY KEY (version, set_name, number),
+  FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
+) STRICT;
+
+CREATE TABLE IF NOT EXISTS settling_run (
+  version TEXT NOT NULL,
+  set_name TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  choice TEXT NOT NULL,  -- of the tests: 'chosen' by the program, or 'random'; 'none': the two were asked about alone
+  tests INTEGER,         -- until one of the two was named alone; 7: six were not enough; 0 of 'none'; NULL: it ended early
+  effect TEXT,           -- what was named alone; NULL: nothing
+  place TEXT,
+  failure TEXT,          -- the sentence with which it ended early
+  PRIMARY KEY (version, set_name, number, choice),
+  FOREIGN KEY (version, set_name, number) REFERENCES settling ON DELETE CASCADE
+) STRICT;
+
+CREATE TABLE IF NOT EXISTS settling_test (
+  version TEXT NOT NULL,
+  set_name TEXT NOT NULL,
+  number INTEGER NOT NULL,
+  choice TEXT NOT NULL,
+  test INTEGER NOT NULL,   -- from 1
+  line TEXT NOT NULL,      -- as `lacuna trial --test` takes it
+  verdict TEXT NOT NULL,   -- with its recording among the files
+  processor_seconds REAL,  -- of that diagnosis
+  PRIMARY KEY (version, set_name, number, choice, test),
+  FOREIGN KEY (version, set_name, number, choice) REFERENCES settling_run ON DELETE CASCADE
+) STRICT;
+
 -- RMSE of free runs over the held-out trials.
-CREATE TABLE held_out (
+CREATE TABLE IF NOT EXISTS held_out (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,

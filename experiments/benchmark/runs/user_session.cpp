@@ -89,10 +89,27 @@ DiagnosisRecord UserSession::diagnose() {
     const std::set<std::string> without = outcome.code == kBadInput ? refused(outcome.errors) : std::set<std::string>();
     again = std::erase_if(among, [&](const std::string& name) { return without.contains(name); }) > 0 && !among.empty();
   }
+  return read(json, outcome);
+}
+
+DiagnosisRecord UserSession::diagnose_among(const std::vector<std::string>& effects) {
+  std::vector<std::string> words = {"diagnose", "rig.toml", "--among"};
+  words.insert(words.end(), effects.begin(), effects.end());
+  ChildOutcome outcome;
+  const std::string json = expect_json(std::move(words), outcome);
+  return read(json, outcome);
+}
+
+DiagnosisRecord UserSession::read(const std::string& json, const ChildOutcome& outcome) const {
   check("diagnose", outcome, settings_.longest);
   DiagnosisRecord record = read_diagnosis(json);
   record.processor_seconds = outcome.processor_seconds;
   return record;
+}
+
+void UserSession::write_commands(const std::string& test, const std::string& file) {
+  ChildOutcome outcome;
+  expect_json({"trial", "rig.toml", "--test", test, "--csv=" + file}, outcome);
 }
 
 void UserSession::add(const EffectAt& what) {

@@ -40,6 +40,10 @@ class UserSession {
   UserSession(ProgramSettings settings, std::filesystem::path folder, std::vector<std::string> withheld);
 
   DiagnosisRecord diagnose();
+  /// With these effects alone.
+  DiagnosisRecord diagnose_among(const std::vector<std::string>& effects);
+  /// Writes the commands of a test, a line as `lacuna trial --test` takes it, as CSV.
+  void write_commands(const std::string& test, const std::string& file);
   void add(const EffectAt& what);
   ReadComparison compare();
 
@@ -47,6 +51,7 @@ class UserSession {
   ChildOutcome call(std::vector<std::string> words);
   std::string expect_json(std::vector<std::string> words, ChildOutcome& outcome);
   std::vector<std::string> library();
+  DiagnosisRecord read(const std::string& json, const ChildOutcome& outcome) const;
 
   ProgramSettings settings_;
   std::filesystem::path folder_;

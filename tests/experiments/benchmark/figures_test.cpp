@@ -155,6 +155,46 @@ TEST_F(Figures, ProbabilitiesAreThoseOfVerdicts) {
   EXPECT_DOUBLE_EQ(figure("cannot_tell").value, 1.0);
 }
 
+/// Chosen tests: two, which leave the truth; six in vain; one, which leaves what only looks like it. Random ones: five,
+/// which leave the truth; a failure; six in vain. The fourth case needs no test, the fifth is left out.
+TEST_F(Figures, TestsAreCountedUntilOneOfTheTwoIsLeft) {
+  const auto tests = [](std::size_t count) { return std::vector<SettlingTest>(count, {"line", "effect_found", 1.0}); };
+  const std::vector<std::vector<SettlingRun>> runs = {
+      {{"none", {}, {}, ""}, {"chosen", tests(2), kCoulomb, ""}, {"random", tests(5), kCoulomb, ""}},
+      {{"chosen", tests(6), {}, ""}, {"random", tests(1), {}, "lacuna trial crashed with signal 11"}},
+      {{"chosen", tests(1), kStribeck, ""}, {"random", tests(6), {}, ""}},
+      {{"none", {}, kCoulomb, ""}},
+      {}};
+  for (int number = 0; number < 5; ++number) {
+    CaseResult result = answered(number, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}, {kStribeck}));
+    result.settling = {kCoulomb, kStribeck, number == 4 ? "both are one effect" : "", runs[number]};
+    keep(result);
+  }
+  EXPECT_EQ(figure("tests_chosen").n, 3U);
+  EXPECT_DOUBLE_EQ(figure("tests_chosen").value, 2.0);
+  EXPECT_EQ(figure("tests_random").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("tests_random").value, 6.0);
+  EXPECT_NEAR(figure("settled_chosen").value, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(figure("settled_random").value, 0.5, 1e-12);
+  EXPECT_EQ(figure("settled_none").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("settled_none").value, 0.5);
+  EXPECT_EQ(figure("left_chosen").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("left_chosen").value, 0.5);
+  EXPECT_DOUBLE_EQ(figure("left_random").value, 1.0);
+}
+
+/// What is left is not the hidden effect, but the oracle did not tell the two apart on the first data.
+TEST_F(Figures, WhatIsLeftMayStandForTheTruth) {
+  CaseResult result = answered(0, small_diagnosis(1, "effect_found", 0.9, {kStribeck}, {kSpring}));
+  result.settling = {kStribeck, kSpring, "", {{"chosen", {}, kStribeck, ""}, {"random", {}, kSpring, ""}}};
+  result.oracle.rivals = {{0, kStribeck, 0.5, false}};
+  keep(result);
+  const std::vector<Row> rows = database_.query("SELECT left_over FROM settled ORDER BY choice");
+  EXPECT_EQ(text(rows.at(0)[0]), "stand-in");
+  EXPECT_EQ(text(rows.at(1)[0]), "another");
+  EXPECT_EQ(figure("left_chosen").n, 0U);
+}
+
 TEST_F(Figures, CasesThatEndedEarlyCountAsWrong) {
   CaseResult failed = small_case(0, "one_joint", {kCoulomb});
   failed.failure = "lacuna diagnose crashed with signal 11";

@@ -21,6 +21,7 @@ TEST(ReadDiagnosis, TakesWhatTheProgramWrites) {
   diagnosis.p_by_chance = 0.01;
   diagnosis.base_times_floor = 3.5;
   diagnosis.seconds = 12.0;
+  diagnosis.next_test = "triangle motor 0.3 N*m 0.1 Hz 20 s";
   lacuna::RankedModel model;
   model.effects = {{"coulomb_friction", "joint.hinge", {{"torque", "N*m", 0.2, 0.1, 0.3}}},
                    {"mount_tilt", "world", {{"angle", "rad", 0.05, kNone, kNone}}}};
@@ -32,6 +33,7 @@ TEST(ReadDiagnosis, TakesWhatTheProgramWrites) {
   EXPECT_EQ(record.verdict, "effect_found");
   EXPECT_EQ(record.probability, 0.75);
   EXPECT_EQ(record.times_floor, 3.5);
+  EXPECT_EQ(record.next_test, "triangle motor 0.3 N*m 0.1 Hz 20 s");
   ASSERT_EQ(record.ranking.size(), 1U);
   const RankedModelRecord& first = record.ranking.front();
   EXPECT_EQ(first.gain, 40.0);

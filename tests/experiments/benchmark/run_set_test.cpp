@@ -42,6 +42,7 @@ class RunSet : public testing::Test {
     result.diagnoses[0].added = {kCoulomb};
     result.held_out = {{"base", "angle", 0.1}};
     result.free_values = {{{"body.arm.mass", 1.0, 0.9, 1.1}, 1.0}};
+    result.settling = {kCoulomb, kStribeck, "", {{"chosen", {{"a line", "effect_found", 1.0}}, kCoulomb, ""}}};
     return result;
   }
 
@@ -62,7 +63,8 @@ TEST_F(RunSet, KeepsEveryCaseOnce) {
   EXPECT_EQ(again.kept, 0);
   EXPECT_EQ(again.before, 6);
   EXPECT_EQ(calls, 6);
-  for (const char* table : {"bench_case", "hidden_law", "hidden_value", "diagnosis", "ranked_model", "added_effect"})
+  for (const char* table : {"bench_case", "hidden_law", "hidden_value", "diagnosis", "ranked_model", "added_effect",
+                            "settling", "settling_run", "settling_test"})
     EXPECT_EQ(rows(table), 6) << table;
   EXPECT_EQ(rows("ranked_effect"), 12);
   EXPECT_EQ(rows("interval"), 12);
@@ -101,6 +103,13 @@ TEST_F(RunSet, AnotherVersionHasCasesOfItsOwn) {
   run(whole);
   EXPECT_FALSE(has_case(database_, "w", "tuning", 0));
   EXPECT_TRUE(has_case(database_, "v", "tuning", 0));
+}
+
+TEST(BenchmarkDatabase, OfBeforeGetsTheTablesThatItDoesNotHave) {
+  const lacuna::TestFolder folder;
+  Database(folder / "benchmark.db").execute("DROP TABLE settling_test; DROP TABLE settling_run; DROP TABLE settling");
+  Database again(folder / "benchmark.db");
+  EXPECT_EQ(integer(again.query("SELECT count(*) FROM settling_test")[0][0]), 0);
 }
 
 TEST(BenchmarkDatabase, IsNoOtherProgramsFile) {
