@@ -6,13 +6,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace lacuna {
 namespace {
 
-constexpr double kLittle = 0.1;    ///< of the answer's gain
-constexpr double kByChance = 2.0;  ///< nats
+constexpr double kLittle = 0.1;      ///< of the answer's gain
+constexpr double kByChance = 2.0;    ///< nats
+constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
+constexpr std::size_t kMostJudged = 6;
+constexpr double kFineShare = 2e-3;  ///< of the answer's gain
+constexpr int kSoonShown = 8;        ///< of a refit: what is a tenth of the gain behind shows soon
 
 struct Judged {
   FewerEffects model;
@@ -37,11 +40,13 @@ class Contest {
 
  private:
   void add_rivals() {
-    std::vector<std::size_t> all(task_.first.rivals.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<KeptRival>& rivals = task_.first.rivals;  // the largest gain first
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < rivals.size() && all.size() < kMostJudged; ++i)
+      if (rivals[i].gain.value >= kWorthJudging * rivals.front().gain.value) all.push_back(i);
     std::vector<RefitAgain> fits =
         refit_again({task_.first, task_.plain, task_.catalog, task_.now, task_.seed, task_.threads}, all);
-    for (std::size_t i = 0; i < fits.size(); ++i) add({task_.first.rivals[i].entry}, std::move(fits[i].fit), i);
+    for (std::size_t i = 0; i < fits.size(); ++i) add({rivals[all[i]].entry}, std::move(fits[i].fit), all[i]);
   }
 
   /// The answer without one of its effects, without two, ...; and what was an alternative to the last of them.
@@ -67,7 +72,8 @@ class Contest {
   }
 
   void add_contender(const Contender& model) {
-    add(model.added, refit_reduced(model, task_.now, task_.threads),
+    const double precision = kFineShare * std::max(1.0, all_.value);  // of the deviance
+    add(model.added, refit_reduced(model, task_.now, task_.threads, {precision, kSoonShown}),
         model.added.size() == 1 ? rival_of(model.added.front()) : std::nullopt);
   }
 

@@ -155,9 +155,9 @@ BaseSolution without_values(BaseSolution base) {
   return base;
 }
 
-Refit refit_reduced(const Contender& less, const Round& round, int threads) {
+Refit refit_reduced(const Contender& less, const Round& round, int threads, RefitEffort effort) {
   return refit({less.definition, *less.model, {}}, without_values(round.base), round.bins, round.factors, {less.values},
-               threads);
+               threads, effort);
 }
 
 }  // namespace lacuna

@@ -64,6 +64,6 @@ Round run_round(const RoundTask& task);
 BaseSolution without_values(BaseSolution base);
 
 /// A model with fewer effects, refitted under the round's noise.
-Refit refit_reduced(const Contender& less, const Round& round, int threads);
+Refit refit_reduced(const Contender& less, const Round& round, int threads, RefitEffort effort = {});
 
 }  // namespace lacuna

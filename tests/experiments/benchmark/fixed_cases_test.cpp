@@ -51,7 +51,7 @@ Outcome diagnose_case(const CasePlan& plan) {
   const lacuna::TestFolder folder;
   const MadeCase made = make_case(plan);
   write_case(made, folder.path());
-  UserSession session({LACUNA_BINARY_DIRECTORY "/bin/lacuna", 120.0}, folder.path(), {});
+  UserSession session({LACUNA_BINARY_DIRECTORY "/bin/lacuna", 300.0}, folder.path(), {});
   return {about_case(made, "test"), session.diagnose()};
 }
 
