@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLittle = 0.1;      ///< of the answer's gain
-constexpr double kByChance = 2.0;    ///< nats
+constexpr double kLittle = 0.1;        ///< of the answer's gain
+constexpr double kByChance = 2.0;      ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
