@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/diagnosed_start.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "app/replace_file.h"
@@ -127,28 +128,49 @@ EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
   return entry;
 }
 
+/// The experiment before and after; everything is checked before the file is touched.
+struct Extension {
+  std::string text, edited;
+  EffectEntry entry;
+  Rig base, extended;
+  bool from_diagnosis = false;  ///< the start values that were not typed
+};
+
+Extension extension_of(const AddOptions& options) {
+  std::string text = read_text(options.experiment);
+  Rig base = open_rig(options);
+  check_id(options.id, base.experiment.model.effects);
+  EffectEntry entry = entry_of(options, base.experiment.model.effects);
+  std::string edited = insert_effect(text, entry);
+  Rig extended = open_extended(options, edited, base);
+  check_new(options, entry.id, extended.definition.effects);
+  std::map<std::string, double> found = diagnosed_start(options, base, extended, entry);
+  for (const auto& [name, value] : entry.start) found[name] = value;
+  const bool from_diagnosis = found.size() > entry.start.size();
+  if (from_diagnosis) {
+    entry.start = std::move(found);
+    edited = insert_effect(text, entry);
+    extended = open_extended(options, edited, base);
+  }
+  return {std::move(text), std::move(edited), std::move(entry), std::move(base), std::move(extended), from_diagnosis};
+}
+
 void run_add(const AddOptions& options) {
   check_output(options.json);
   check_replaceable(options.experiment);
-  const std::string text = read_text(options.experiment);
-  Rig base = open_rig(options);
-  check_id(options.id, base.experiment.model.effects);
-  const EffectEntry entry = entry_of(options, base.experiment.model.effects);
-  const std::string edited = insert_effect(text, entry);
-  Rig extended = open_extended(options, edited, base);  // everything is checked before the file is touched
-  check_new(options, entry.id, extended.definition.effects);
-  const std::string redundancy = redundancy_of(extended.definition, entry.id);
-
-  const RevisionErrors before = errors_before_edit(options, std::move(base));
-  const RevisionErrors after = errors_before_edit(options, std::move(extended));
-  replace_text(options.experiment, text, edited);
+  Extension made = extension_of(options);
+  const std::string redundancy = redundancy_of(made.extended.definition, made.entry.id);
+  const RevisionErrors before = errors_before_edit(options, std::move(made.base));
+  const RevisionErrors after = errors_before_edit(options, std::move(made.extended));
+  replace_text(options.experiment, made.text, made.edited);
   if (!takes_standard_output(options.json)) {
-    fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
+    fmt::print("{}\n{}", options.experiment.string(), text_diff(made.text, made.edited));
+    if (made.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", made.entry.id);
     fmt::print("{}", change_text(before, after));
     if (!redundancy.empty()) fmt::print("{}\n", redundancy);
     fmt::print("undo: lacuna undo {0}\n→ lacuna compare {0}\n", options.experiment.string());
   }
-  if (options.json) write_output(*options.json, change_json(entry.id, before, after));
+  if (options.json) write_output(*options.json, change_json(made.entry.id, before, after));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ void tell_probability(Diagnosis& diagnosis, bool steady, bool covered) {
   diagnosis.evidence = evidence_of(diagnosis, steady);
   const Calibration& calibration = shipped_calibration().all;
   const auto known = calibration.find(std::string(to_string(diagnosis.verdict)));
-  if (!covered || known == calibration.end()) return;
+  if (!covered || diagnosis.form_only || known == calibration.end()) return;
   diagnosis.probability = known->second.probability(diagnosis.evidence);
   diagnosis.calibrated = true;
 }

@@ -5,6 +5,9 @@
 #include "diagnosis/selection.h"
 #include "diagnosis/unexplained_motion.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
 
@@ -41,6 +44,29 @@ Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const
   return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
 }
 
+/// What is found, or left, may only make up for the form of what the model has: nothing is missing then, and a sentence
+/// says so.
+std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome) {
+  if (diagnosis.verdict == Verdict::nothing_missing || !outcome.present) return "";
+  const PresentEffects& present = *outcome.present;
+  const double gained = std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value});
+  if (!makes_up_for_form(gained, present, diagnosis.base_times_floor)) return "";
+  diagnosis.verdict = Verdict::nothing_missing;
+  diagnosis.form_only = true;
+  const double share = gained / present.gain.value;
+  diagnosis.probability = 1.0 - share;
+  return fmt::format(
+      "what is left to be gained, {:.1f} nats, is {:.2g} % of what {} explain{}: it more likely makes up for {} form, "
+      "and the model is at the floor without it",
+      gained, 100.0 * share, fmt::join(present.names, " and "), present.names.size() == 1 ? "s" : "",
+      present.names.size() == 1 ? "its" : "their");
+}
+
+void cannot_tell(Diagnosis& diagnosis) {
+  diagnosis.verdict = Verdict::cannot_tell;
+  diagnosis.probability = 0.5;
+}
+
 bool is_about(const std::string& finding, const std::vector<EffectEntry>& added) {
   return std::any_of(added.begin(), added.end(),
                      [&](const EffectEntry& entry) { return finding.starts_with(name_of(entry) + " "); });
@@ -59,32 +85,35 @@ void measure_by(std::vector<ChannelError> floors, Diagnosis& diagnosis) {
 
 }  // namespace
 
-void conclude(Diagnosis& diagnosis, const Contender& contender, const BaseValues& first, const Round& last,
-              bool outdone_by_law, std::uint64_t seed) {
+void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
+  const Contender& answer = outcome.answer;
+  const Round& last = outcome.last;
   const std::vector<ChannelError> errors = channel_errors(last.base, last.bins, last.noise, last.fit, last.folds);
-  if (contender.added.empty()) {
-    diagnosis.ranking = ranking_of(contender, last, std::nullopt, {}, seed);
+  if (answer.added.empty()) {
+    diagnosis.ranking = ranking_of(answer, last, std::nullopt, {}, outcome.seed);
   } else {
-    diagnosis.ranking.front().effects = found_effects(contender.added, contender.definition, last.fit);
+    diagnosis.ranking.front().effects = found_effects(answer.added, answer.definition, last.fit);
     diagnosis.ranking.front().errors = errors;
   }
   diagnosis.forces = random_forces(last);
   diagnosis.free_force_p = last.free_force.p;
-  diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, seed);
-  diagnosis.verdict = outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, contender, last);
+  diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, outcome.seed);
+  measure_by(errors, diagnosis);
+  diagnosis.verdict = outcome.outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, answer, last);
+  weigh(diagnosis);
+  const std::string about_form = judge_form(diagnosis, outcome);
   const std::vector<std::string> unexplained = unexplained_motion(last.base, errors);
-  if (diagnosis.verdict == Verdict::nothing_missing && !unexplained.empty()) diagnosis.verdict = Verdict::cannot_tell;
+  if (diagnosis.verdict == Verdict::nothing_missing && !unexplained.empty()) cannot_tell(diagnosis);
   const bool structure_left = diagnosis.free_force_p < kFreeForceLevel;
   if (diagnosis.verdict != Verdict::not_in_library && !(diagnosis.verdict == Verdict::effect_found && structure_left)) {
     diagnosis.residual_force.clear();
     diagnosis.formulas.clear();
   }
-  measure_by(errors, diagnosis);
-  weigh(diagnosis);
   std::vector<std::string> classes = std::move(diagnosis.findings);
-  std::erase_if(classes, [&](const std::string& text) { return !is_about(text, contender.added); });
-  diagnosis.findings = findings_of(diagnosis, first, contender, last);
+  std::erase_if(classes, [&](const std::string& text) { return !is_about(text, answer.added); });
+  diagnosis.findings = findings_of(diagnosis, outcome.first, answer, last);
   diagnosis.findings.insert(diagnosis.findings.begin(), unexplained.begin(), unexplained.end());
+  if (!about_form.empty()) diagnosis.findings.insert(diagnosis.findings.begin(), about_form);
   diagnosis.findings.insert(diagnosis.findings.end(), classes.begin(), classes.end());
 }
 

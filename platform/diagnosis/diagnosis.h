@@ -74,6 +74,7 @@ using Evidence = std::map<std::string, double>;
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
   double probability = 0.0;  ///< of the verdict
+  bool form_only = false;    ///< what is left makes up for the form of effects that the model has (present_effects.h)
   bool calibrated = false;   ///< the probability is how often such verdicts were right (calibration.h)
   Evidence evidence;
   std::vector<ChannelError> base;

@@ -1,18 +1,14 @@
 #include "diagnosis/effect_search.h"
 
-#include "diagnosis/calibration.h"
 #include "diagnosis/channel_errors.h"
-#include "diagnosis/conclusion.h"
 #include "diagnosis/cut_trials.h"
-#include "diagnosis/feedback_bias.h"
 #include "diagnosis/fewer_effects.h"
 #include "diagnosis/integration_error.h"
 #include "diagnosis/outdone_library.h"
-#include "diagnosis/propose_test.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/rejudge.h"
 #include "diagnosis/round.h"
-#include "diagnosis/segment_lengths.h"
+#include "diagnosis/search_ending.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
 
@@ -25,7 +21,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
-constexpr double kUnsteady = 0.5;  ///< of the probability, where an effect does not survive other segment lengths
 constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
@@ -135,14 +130,8 @@ class EffectSearch {
 
   void take_chosen() {
     const KeptRival& rival = state_.last->rivals[state_.last->chosen];
-    contender_ = model_with(rival);
+    contender_ = with_effect_of(rival, *state_.last, plain_, task_.catalog);
     state_.states = rival.states;
-  }
-
-  Contender model_with(const KeptRival& rival) const {
-    std::vector<EffectEntry> added = state_.last->added;
-    added.push_back(rival.entry);
-    return with_effects(plain_, added, rival.values, task_.catalog);
   }
 
   /// Judges the last choice again, now that its noise is known. Whether another rival is better; it is the choice then.
@@ -210,7 +199,8 @@ class EffectSearch {
   std::vector<Contender> alternatives() const {
     std::vector<Contender> all;
     if (state_.last)
-      for (const KeptRival& rival : state_.last->rivals) all.push_back(model_with(rival));
+      for (const KeptRival& rival : state_.last->rivals)
+        all.push_back(with_effect_of(rival, *state_.last, plain_, task_.catalog));
     return all;
   }
 
@@ -234,85 +224,9 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    if (!state_.law_leads && !contender_.added.empty()) tell_rest(round);  // the library has the law
-    state_.so_far.answer_gain = gain_of_answer(round);
-    conclude(state_.so_far, contender_, {plain_.definition.free, state_.base_values}, round, outdone_by_law,
-             task_.seed);
-    if (state_.law_leads && is_answer() && round.free_force.p < kFreeForceLevel) tell_rest(round);
-    if (is_answer()) {
-      meter_.add_parts(1);
-      meter_.begin_part("other lengths of segments");
-      change_lengths(round);
-      if (state_.so_far.verdict == Verdict::effect_found) propose(round);
-      meter_.end_part();
-    }
-    look_for_feedback();
-    tell_probability(state_.so_far, steady_, !cut_.free_run);
+    end_search({task_, cut_, segment_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
-  }
-
-  /// What the answer leaves may have a law of its own.
-  void tell_rest(const Round& round) {
-    state_.so_far.residual_force = round.free_force.curves;
-    state_.so_far.formulas = round.formulas;
-    state_.so_far.formulas_of_rest = true;
-  }
-
-  /// Over the model without any effect, both under the noise of `round`.
-  Gain gain_of_answer(const Round& round) const {
-    if (contender_.added.empty()) return {};
-    Contender none = plain_;
-    none.values = state_.base_values;
-    const Refit fit = refit_reduced(none, round, task_.threads);
-    if (!fit.valid) return state_.gains.at(names_of(contender_.added));
-    return gain(held_out_deviance(fit, round.folds), round.held_out, task_.seed);
-  }
-
-  /// Whether the effects found are said to be missing, and do not only imitate something.
-  bool is_answer() const {
-    const Diagnosis& result = state_.so_far;
-    return !contender_.added.empty() && (result.verdict == Verdict::effect_found || answer_comes_first(result));
-  }
-
-  /// What does not survive a change of segment length is less likely to be the answer.
-  void change_lengths(const Round& round) {
-    Diagnosis& result = state_.so_far;
-    result.lengths =
-        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, segment_, task_.threads},
-                          contender_,
-                          round,
-                          task_.threads});
-    const LengthVerdict verdict =
-        judge_lengths(result.ranking.front().effects, segment_, result.lengths, task_.catalog);
-    if (!verdict.survives) result.probability *= kUnsteady;
-    steady_ = verdict.survives;
-    result.findings.insert(result.findings.end(), verdict.findings.begin(), verdict.findings.end());
-  }
-
-  /// Whether a controller made the commands so that what is identified from them is another than with it in the loop.
-  void look_for_feedback() {
-    if (!has_controller(task_.trials)) return;
-    meter_.add_parts(1);
-    meter_.begin_part("the controller in the loop");
-    const std::vector<std::string> findings = feedback_bias(
-        {contender_.definition, *contender_.model, task_.trials, contender_.experiment.fit, task_.seed, task_.threads});
-    state_.so_far.findings.insert(state_.so_far.findings.end(), findings.begin(), findings.end());
-    meter_.end_part();
-  }
-
-  /// The test that would tell the answer from what looks most like it.
-  void propose(const Round& round) {
-    if (again_.inseparable.empty()) return;
-    const auto& [which, fit] = again_.inseparable.front();
-    const KeptRival& alike = state_.last->rivals[which];
-    const Contender other = model_with(alike);
-    const std::optional<NextTest> test = propose_test(
-        task_.catalog, {name_of(state_.last->rivals[state_.last->chosen].entry), contender_.definition, round.fit},
-        {name_of(alike.entry), other.definition, fit}, round.base, task_.seed, task_.threads, {});
-    if (!test) return;
-    state_.so_far.next_test = test->line;
-    state_.so_far.next_test_worth = to_string(*test);
   }
 
   void keep() {
@@ -332,8 +246,7 @@ class EffectSearch {
   const Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;
   SearchState state_;
-  Rejudged again_;      ///< the last choice, under the noise of the round at hand
-  bool steady_ = true;  ///< the answer, at other lengths of segments
+  Rejudged again_;  ///< the last choice, under the noise of the round at hand
   double seconds_before_ = 0.0;
 };
 

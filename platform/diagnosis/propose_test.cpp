@@ -1,9 +1,11 @@
 #include "diagnosis/propose_test.h"
 
+#include "diagnosis/test_conditions.h"
 #include "evaluation/test_space.h"
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr double kLongest = 10.0;  ///< s
 constexpr int kEvaluations = 24;
 constexpr double kWorthwhile = 1.0;  ///< nats a trial: less is not worth a trip to the rig
+constexpr double kMostTrips = 20.0;
 constexpr int kCoarser = 8;  ///< times fewer substeps: which test is the best one does not depend on the last digit
 
 std::unique_ptr<CompiledModel> coarse(const ModelDefinition& definition) {
@@ -33,25 +36,29 @@ double longest(const std::vector<Trial>& trials) {
 
 }  // namespace
 
+bool worthwhile(const NextTest& test) {
+  return test.nats > test.random_nats && test.nats > kWorthwhile && test.trials <= kMostTrips;
+}
+
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedRival& one, const FittedRival& other,
-                                     const BaseSolution& base, std::uint64_t seed, int threads,
+                                     const Round& round, std::uint64_t seed, int threads,
                                      const ProgressCallback& progress) {
-  TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(base.trials));
-  limit_to_trials(space, base.trials);
+  TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(round.base.trials));
+  limit_to_trials(space, round.base.trials);
+  TestConditions conditions = like_the_trials(round, space.control_period);
   const std::unique_ptr<CompiledModel> first = coarse(one.definition), second = coarse(other.definition);
   NextTestTask task{.catalog = catalog,
                     .rivals = {rival(one, *first), rival(other, *second)},
-                    .noise = base.noise,
+                    .noise = std::move(conditions.noise),
                     .space = std::move(space),
-                    .start = {},
-                    .start_deviation = {},
+                    .start = std::move(conditions.start),
+                    .start_deviation = std::move(conditions.start_deviation),
                     .evaluations = kEvaluations,
                     .seed = seed,
                     .threads = threads,
                     .progress = progress};
   try {
-    NextTest found = next_test(task);
-    if (found.nats > found.random_nats && found.nats > kWorthwhile) return found;
+    return next_test(task);
   } catch (const Interrupted&) {
     throw;
   } catch (const Error&) {  // no limits, or a plugin that is not there: a diagnosis without a proposal

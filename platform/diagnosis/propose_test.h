@@ -16,10 +16,13 @@ struct FittedRival {
 };
 
 /// METHOD step 12, for a diagnosis that leaves two models: the test that would settle it, no longer than the longest
-/// trial and within the commands of the trials. Nothing where the robot has no actuator that takes a test or no test
-/// tells the two apart better than a random one does.
+/// trial, begun as these were and within their commands, read with the noise of the round. Nothing where the robot has
+/// no actuator that takes a test.
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedRival& one, const FittedRival& other,
-                                     const BaseSolution& base, std::uint64_t seed, int threads,
+                                     const Round& round, std::uint64_t seed, int threads,
                                      const ProgressCallback& progress);
+
+/// Whether a test tells enough for a trip to the rig, and more than a random one does.
+bool worthwhile(const NextTest& test);
 
 }  // namespace lacuna

@@ -18,4 +18,11 @@ EffectNames names_with(const std::vector<EffectEntry>& entries, const EffectEntr
   return names;
 }
 
+Contender with_effect_of(const KeptRival& rival, const SearchStep& step, const Contender& plain,
+                         const PluginCatalog& catalog) {
+  std::vector<EffectEntry> added = step.added;
+  added.push_back(rival.entry);
+  return with_effects(plain, added, rival.values, catalog);
+}
+
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnosis/contender.h"
 #include "diagnosis/diagnosis.h"
 
 #include <lacuna/effect_list.h>
@@ -37,6 +38,10 @@ struct SearchStep {
   std::size_t chosen = 0;
   std::vector<Eigen::VectorXd> timing;  ///< by segment: the nuisance of the round's base; empty: it had none
 };
+
+/// The model that a step chose from, with one of its rivals.
+Contender with_effect_of(const KeptRival& rival, const SearchStep& step, const Contender& plain,
+                         const PluginCatalog& catalog);
 
 inline constexpr std::size_t kMostEffects = 3;
 

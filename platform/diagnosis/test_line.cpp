@@ -16,7 +16,7 @@ namespace lacuna {
 namespace {
 
 /// The genes of an actuator, in the order of the encoding.
-enum Gene : std::size_t { kShape, kAmplitude, kCentre, kLow, kHigh, kSeed, kGenes };
+enum GeneOfLine : std::size_t { kShape, kAmplitude, kCentre, kLow, kHigh, kSeed, kGenes };
 
 const std::vector<std::string> kShapes = {"multisine", "steps", "chirp", "triangle"};
 constexpr double kMultisine = 0.0, kChirp = 2.0;

@@ -70,6 +70,10 @@ class ResultStore {
   DiagnosisId record_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
   /// The document of the diagnosis of this revision with the same settings.
   std::optional<std::string> diagnosis_of(RevisionId revision, const std::string& settings) const;
+  /// What the latest diagnosis that names this effect there found for its parameters, the best model with it: of this
+  /// revision, or else of the nearest one that it was made from. Those that have no value are left out.
+  std::vector<CandidateValueRecord> diagnosed_values(RevisionId revision, const std::string& effect,
+                                                     const std::string& place) const;
   /// Stores where a diagnosis stands, JSON, in place of what it stored before; a finished one of the
   /// revision removes all of its own.
   void keep_unfinished_diagnosis(RevisionId revision, const std::string& settings, const std::string& document);
@@ -91,6 +95,7 @@ class ResultStore {
   std::vector<StoredTrial> trials(ExperimentId experiment) const;
   std::optional<StoredRevision> current_revision(ExperimentId experiment) const;
   std::optional<StoredRevision> revision(ExperimentId experiment, int number) const;
+  std::optional<StoredRevision> find_revision(ExperimentId experiment, const RevisionRecord& revision) const;
   RevisionRecord revision_record(RevisionId revision) const;
   /// By revision number, then channel. A revision that was never compared has one row without errors.
   std::vector<HistoryRow> history(ExperimentId experiment) const;

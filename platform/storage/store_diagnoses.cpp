@@ -37,6 +37,18 @@ void insert_diagnosis(const Database& database, DiagnosisId id, RevisionId revis
   insert_candidates(database, id, d.candidates);
 }
 
+constexpr const char* kDiagnosedValues = R"(
+WITH RECURSIVE origin (id, steps) AS (
+  SELECT ?1, 0 UNION ALL SELECT parent, steps + 1 FROM origin JOIN revision USING (id) WHERE parent IS NOT NULL
+), named AS (
+  SELECT v.diagnosis, v.rank
+  FROM candidate_value v JOIN diagnosis d ON d.id = v.diagnosis JOIN origin ON origin.id = d.revision
+  WHERE v.effect = ?2 AND v.place = ?3
+  ORDER BY origin.steps, d.id DESC, v.rank LIMIT 1
+)
+SELECT v.name, v.unit, v.value FROM candidate_value v JOIN named USING (diagnosis, rank)
+WHERE v.effect = ?2 AND v.place = ?3 AND v.value IS NOT NULL ORDER BY v.position)";
+
 }  // namespace
 
 DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRecord& d) {
@@ -55,6 +67,15 @@ std::optional<std::string> ResultStore::diagnosis_of(RevisionId revision, const 
                 "SELECT document FROM diagnosis WHERE revision = ? AND settings = ? ORDER BY id DESC LIMIT 1");
   if (!row.with(revision, settings).step()) return std::nullopt;
   return row.text(0);
+}
+
+std::vector<CandidateValueRecord> ResultStore::diagnosed_values(RevisionId revision, const std::string& effect,
+                                                                const std::string& place) const {
+  std::vector<CandidateValueRecord> values;
+  Statement row(database_, kDiagnosedValues);
+  row.with(revision, effect, place);
+  while (row.step()) values.push_back({effect, place, row.text(0), row.text(1), row.real(2)});
+  return values;
 }
 
 void ResultStore::keep_unfinished_diagnosis(RevisionId revision, const std::string& settings,

@@ -70,6 +70,10 @@ std::optional<StoredRevision> ResultStore::find_revision(ExperimentId experiment
   return row.with(experiment, digest).step() ? std::optional(stored_revision(row)) : std::nullopt;
 }
 
+std::optional<StoredRevision> ResultStore::find_revision(ExperimentId experiment, const RevisionRecord& record) const {
+  return find_revision(experiment, digest_of(record));
+}
+
 std::optional<StoredRevision> ResultStore::revision(ExperimentId experiment, int number) const {
   Statement row(database_, kRevisionByNumber);
   return row.with(experiment, number).step() ? std::optional(stored_revision(row)) : std::nullopt;

@@ -8,11 +8,13 @@
 namespace lacuna {
 namespace {
 
-Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among) {
+/// `present`: what the model has already.
+Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {}) {
   Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
   experiment.engine.step = 0.01;
   experiment.engine.substeps = 8;
   experiment.noise = {};
+  experiment.model.effects = present;
   const ModelDefinition definition = define_model(experiment, built_catalog());
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
@@ -55,6 +57,27 @@ TEST(FrictionByDirection, IsOneEffectAndNotTwo) {
   EXPECT_EQ(found.effect, "directional_friction");
   EXPECT_NEAR(found.parameters.at(0).value, 0.01, 0.002);
   EXPECT_NEAR(found.parameters.at(1).value, 0.03, 0.002);
+}
+
+EffectEntry friction_in_model(double torque) {
+  return {"friction", "coulomb_friction", {"joint.hinge"}, {{"torque", torque}}, {}};
+}
+
+/// A friction that is a little stronger on the way back is still a friction; one that is half as strong again is not
+/// what the model has.
+TEST(PresentEffect, ThatIsNotQuiteOfTheRightFormIsNoReasonToAddAnother) {
+  const Diagnosis slight =
+      diagnosed({.inertia = 0.03, .damping = 0.01, .friction = 0.03, .backward = 0.0015, .noise = 2e-3},
+                {"joint_offset_torque"}, {friction_in_model(0.03)});
+  EXPECT_EQ(slight.verdict, Verdict::nothing_missing) << slight.base_times_floor;
+  EXPECT_LT(slight.p_by_chance, 0.01) << "and yet it is beyond chance";
+  EXPECT_THAT(slight.findings, testing::Contains(testing::HasSubstr("what coulomb_friction @ joint.hinge explains")));
+
+  const Diagnosis strong =
+      diagnosed({.inertia = 0.03, .damping = 0.01, .friction = 0.03, .backward = 0.015, .noise = 2e-3},
+                {"joint_offset_torque"}, {friction_in_model(0.03)});
+  ASSERT_EQ(strong.verdict, Verdict::effect_found);
+  EXPECT_EQ(strong.ranking.at(0).effects.at(0).effect, "joint_offset_torque");
 }
 
 }  // namespace

@@ -64,5 +64,22 @@ TEST(Loop, TheErrorFallsToTheFloorWhenTheMissingFrictionIsAddedAndUndoRestoresFi
   EXPECT_TRUE(revision(program, 1)["current"]);
 }
 
+TEST(Loop, AnAddedEffectStartsWhereTheDiagnosisLeftItUnlessAStartIsTyped) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.run({"diagnose", "first-steps.toml", "--among", "coulomb_friction"}).exit_code, 0);
+  const Outcome add = program.run({"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge"});
+  ASSERT_EQ(add.exit_code, 0) << add.errors;
+  EXPECT_THAT(add.output, HasSubstr("coulomb_friction starts where the diagnosis left it"));
+  EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.02"));
+
+  ASSERT_EQ(program.run({"undo", "first-steps.toml"}).exit_code, 0);
+  const Outcome typed =
+      program.run({"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge", "--start", "torque=0.01"});
+  ASSERT_EQ(typed.exit_code, 0) << typed.errors;
+  EXPECT_THAT(typed.output, testing::Not(HasSubstr("where the diagnosis left it")));
+  EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.01 }"));
+}
+
 }  // namespace
 }  // namespace lacuna

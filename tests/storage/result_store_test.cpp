@@ -322,5 +322,24 @@ TEST_F(ResultStoreTest, ADiagnosisThatTwoProcessesMakeIsStoredOnce) {
       << "one of each revision";
 }
 
+TEST_F(ResultStoreTest, KnowsWhatTheNearestDiagnosisFoundForAnEffect) {
+  const SmallDatabase small = fill_small_database(store_);
+  const auto torque = [&](RevisionId revision) {
+    const std::vector<CandidateValueRecord> found =
+        store_.diagnosed_values(revision, "coulomb_friction", "joint.hinge");
+    return found.size() == 1 && found.front().name == "torque" ? found.front().value : -1.0;
+  };
+  EXPECT_EQ(torque(small.rigid), 0.131);
+  EXPECT_EQ(torque(small.with_friction), 0.131) << "of the revision that it was made from";
+  DiagnosisRecord again = test::found_friction();
+  again.candidates.front().values.front().value = 0.14;
+  begin();
+  store_.record_diagnosis(small.with_friction, again);
+  EXPECT_EQ(torque(small.with_friction), 0.14);
+  EXPECT_EQ(torque(small.rigid), 0.131);
+  EXPECT_THAT(store_.diagnosed_values(small.rigid, "coulomb_friction", "joint.wrist"), testing::IsEmpty());
+  EXPECT_THAT(store_.diagnosed_values(small.rigid, "backlash", "joint.hinge"), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace lacuna

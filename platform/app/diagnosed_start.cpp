@@ -1,0 +1,41 @@
+#include "app/diagnosed_start.h"
+
+#include "app/records.h"
+#include "storage/result_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options, const Rig& base,
+                                                   const EffectEntry& entry) {
+  const std::filesystem::path file = database_of(options, base.experiment);
+  if (entry.where.size() > 1 || !std::filesystem::exists(file)) return {};
+  Database database = Database::open_read_only(file);
+  const ResultStore store(database);
+  const std::optional<ExperimentId> experiment = store.find_experiment(base.experiment.name);
+  if (!experiment) return {};
+  const std::optional<StoredRevision> revision = store.find_revision(*experiment, revision_record(base));
+  if (!revision) return {};
+  return store.diagnosed_values(revision->id, entry.effect, entry.where.empty() ? "world" : entry.where.front());
+}
+
+double short_number(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+
+}  // namespace
+
+std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
+                                              const EffectEntry& entry) {
+  std::map<std::string, double> start;
+  for (const CandidateValueRecord& found : diagnosed_values(options, base, entry)) {
+    const std::string address = "effect." + entry.id + "." + found.name;
+    for (const FreeValue& free : extended.definition.free)
+      if (free.address == address) start[found.name] = std::clamp(short_number(found.value), free.lower, free.upper);
+  }
+  return start;
+}
+
+}  // namespace lacuna

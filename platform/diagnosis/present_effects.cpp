@@ -1,0 +1,48 @@
+#include "diagnosis/present_effects.h"
+
+#include "diagnosis/search_state.h"
+
+#include <algorithm>
+#include <map>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLittle = 0.05;  ///< of what the effects explain
+constexpr double kAtFloor = 1.2;  ///< times the floor
+
+Contender without_effects(const Contender& plain, const PluginCatalog& catalog) {
+  Contender bare;
+  bare.experiment = plain.experiment;
+  ModelSection& model = bare.experiment.model;
+  model.effects.clear();
+  std::erase_if(model.free, [](const FreeRange& free) { return free.pattern.starts_with("effect."); });
+  std::erase_if(model.set, [](const auto& value) { return value.first.starts_with("effect."); });
+  bare.definition = define_model(bare.experiment, catalog);
+  bare.model = compile(bare.definition.structure, bare.definition.engine);
+  std::map<std::string, double> known;
+  for (std::size_t i = 0; i < plain.definition.free.size(); ++i)
+    known[plain.definition.free[i].address] = plain.values[i];
+  for (const FreeValue& free : bare.definition.free) bare.values.push_back(known.at(free.address));
+  return bare;
+}
+
+}  // namespace
+
+std::optional<PresentEffects> present_effects(const Contender& plain, const PluginCatalog& catalog, const Round& round,
+                                              std::uint64_t seed, int threads) {
+  if (plain.experiment.model.effects.empty()) return std::nullopt;
+  PresentEffects present;
+  for (const EffectEntry& entry : plain.experiment.model.effects) present.names.push_back(name_of(entry));
+  const Refit with = refit_reduced(plain, round, threads);
+  const Refit less = refit_reduced(without_effects(plain, catalog), round, threads);
+  if (!with.valid || !less.valid) return std::nullopt;
+  present.gain = gain(held_out_deviance(less, round.folds), held_out_deviance(with, round.folds), seed);
+  return present;
+}
+
+bool makes_up_for_form(double gain, const PresentEffects& present, double base_times_floor) {
+  return base_times_floor <= kAtFloor && gain <= kLittle * present.gain.value;
+}
+
+}  // namespace lacuna

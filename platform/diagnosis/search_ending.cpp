@@ -1,0 +1,125 @@
+#include "diagnosis/search_ending.h"
+
+#include "diagnosis/calibration.h"
+#include "diagnosis/conclusion.h"
+#include "diagnosis/feedback_bias.h"
+#include "diagnosis/propose_test.h"
+#include "diagnosis/segment_lengths.h"
+
+#include <fmt/format.h>
+
+namespace lacuna {
+namespace {
+
+constexpr double kUnsteady = 0.5;  ///< of the probability, where an effect does not survive other segment lengths
+
+class EndedSearch {
+ public:
+  explicit EndedSearch(const SearchEnding& ending)
+      : ending_(ending), task_(ending.task), result_(ending.state.so_far) {}
+
+  void run() {
+    if (!ending_.state.law_leads && !ending_.answer.added.empty()) tell_rest();  // the library has the law
+    result_.answer_gain = gain_of_answer();
+    conclude(result_,
+             {ending_.answer, first(), ending_.last, ending_.outdone_by_law,
+              present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads), task_.seed});
+    if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();
+    if (is_answer()) look_at_answer();
+    look_for_feedback();
+    tell_probability(result_, steady_, !ending_.cut.free_run);
+  }
+
+ private:
+  BaseValues first() const { return {ending_.plain.definition.free, ending_.state.base_values}; }
+
+  /// What the answer leaves may have a law of its own.
+  void tell_rest() {
+    result_.residual_force = ending_.last.free_force.curves;
+    result_.formulas = ending_.last.formulas;
+    result_.formulas_of_rest = true;
+  }
+
+  /// Over the model without any effect added, both under the noise of the last round.
+  Gain gain_of_answer() const {
+    if (ending_.answer.added.empty()) return {};
+    Contender none = ending_.plain;
+    none.values = ending_.state.base_values;
+    const Refit fit = refit_reduced(none, ending_.last, task_.threads);
+    if (!fit.valid) return ending_.state.gains.at(names_of(ending_.answer.added));
+    return gain(held_out_deviance(fit, ending_.last.folds), ending_.last.held_out, task_.seed);
+  }
+
+  /// Whether the effects found are said to be missing, and do not only imitate something.
+  bool is_answer() const {
+    return !ending_.answer.added.empty() &&
+           (result_.verdict == Verdict::effect_found ||
+            (result_.verdict == Verdict::not_in_library && answer_comes_first(result_)));
+  }
+
+  void look_at_answer() {
+    ending_.meter.add_parts(1);
+    ending_.meter.begin_part("other lengths of segments");
+    change_lengths();
+    if (result_.verdict == Verdict::effect_found) propose();
+    ending_.meter.end_part();
+  }
+
+  /// What does not survive a change of segment length is less likely to be the answer.
+  void change_lengths() {
+    result_.lengths =
+        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, ending_.segment, task_.threads},
+                          ending_.answer,
+                          ending_.last,
+                          task_.threads});
+    const LengthVerdict verdict =
+        judge_lengths(result_.ranking.front().effects, ending_.segment, result_.lengths, task_.catalog);
+    if (!verdict.survives) result_.probability *= kUnsteady;
+    steady_ = verdict.survives;
+    result_.findings.insert(result_.findings.end(), verdict.findings.begin(), verdict.findings.end());
+  }
+
+  /// The test that would tell the answer from what looks most like it.
+  void propose() {
+    if (ending_.again.inseparable.empty()) return;
+    const SearchStep& step = *ending_.state.last;
+    const auto& [which, fit] = ending_.again.inseparable.front();
+    const KeptRival& alike = step.rivals[which];
+    const Contender other = with_effect_of(alike, step, ending_.plain, task_.catalog);
+    const std::optional<NextTest> test = propose_test(
+        task_.catalog, {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
+        {name_of(alike.entry), other.definition, fit}, ending_.last, task_.seed, task_.threads, {});
+    if (!test) return;
+    if (!worthwhile(*test)) {
+      result_.findings.push_back(
+          fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
+                      test->rivals[0], test->rivals[1]));
+      return;
+    }
+    result_.next_test = test->line;
+    result_.next_test_worth = to_string(*test);
+  }
+
+  /// Whether a controller made the commands so that what is identified from them is another than with it in the loop.
+  void look_for_feedback() {
+    if (!has_controller(task_.trials)) return;
+    ending_.meter.add_parts(1);
+    ending_.meter.begin_part("the controller in the loop");
+    const std::vector<std::string> findings =
+        feedback_bias({ending_.answer.definition, *ending_.answer.model, task_.trials, ending_.answer.experiment.fit,
+                       task_.seed, task_.threads});
+    result_.findings.insert(result_.findings.end(), findings.begin(), findings.end());
+    ending_.meter.end_part();
+  }
+
+  const SearchEnding& ending_;
+  const DiagnosisTask& task_;
+  Diagnosis& result_;
+  bool steady_ = true;  ///< the answer, at other lengths of segments
+};
+
+}  // namespace
+
+void end_search(const SearchEnding& ending) { EndedSearch(ending).run(); }
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/rejudge.h"
+#include "diagnosis/round.h"
+#include "diagnosis/search_state.h"
+
+namespace lacuna {
+
+/// A search that has come to its end. Everything referred to must live until `end_search` returns.
+struct SearchEnding {
+  const DiagnosisTask& task;
+  const BaseSolution& cut;  ///< of the trials
+  double segment = 0.0;     ///< s
+  const Contender& plain;   ///< the experiment's model, with substeps that suffice
+  const Contender& answer;
+  const Rejudged& again;  ///< the answer's last effect and its rivals, under the noise of `last`
+  const Round& last;      ///< of the answer: it found nothing more to add
+  bool outdone_by_law = false;
+  SearchState& state;
+  ProgressMeter& meter;
+};
+
+/// Verdict, probability and all that is said of an answer once it is found: in `state.so_far`.
+void end_search(const SearchEnding& ending);
+
+}  // namespace lacuna

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "diagnosis/round.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// How one more trial would begin and be read if it is made as those before it were.
+struct TestConditions {
+  StartState start;  ///< of the first trial, as its first readings tell it
+  /// Of the joint coordinates, positions and then velocities: what readings leave open (m or rad, and per second);
+  /// 0 where the trials state it exactly.
+  std::vector<double> start_deviation;
+  /// By channel: deviations of single readings, independent of each other, that tell as little of slow changes as the
+  /// noise of the round does, slow noise and random forces included.
+  std::vector<ChannelNoise> noise;
+};
+
+/// `period`: s, between readings.
+TestConditions like_the_trials(const Round& round, double period);
+
+}  // namespace lacuna
