@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace lacuna {
@@ -24,28 +26,27 @@ constexpr double kSame = 1e-9;     ///< of the sensor noise
 /// Simulates a hypothesis at the base's solution, on some of its segments.
 class Bench {
  public:
-  Bench(const Hypothesis& hypothesis, const BaseSolution& base, std::size_t most)
+  Bench(const Hypothesis& hypothesis, const BaseSolution& base, std::vector<std::size_t> segments)
       : hypothesis_(hypothesis),
         base_(base),
         predictor_(*hypothesis.model, base.trials, 1),
         space_(hypothesis.definition.free),
-        problem_(predictor_, space_, chosen(base, most), base.noise) {}
+        segments_(std::move(segments)),
+        problem_(predictor_, space_, chosen(base), base.noise) {}
 
   const ParameterSpace& space() const { return space_; }
   bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
     return problem_.residuals({space_.to_coordinates(hypothesis_.values(base_.values, own)), states_}, residuals);
   }
   /// Segments of the base that are simulated.
-  const std::vector<std::size_t>& segments() const { return chosen_; }
+  const std::vector<std::size_t>& segments() const { return segments_; }
 
  private:
-  std::vector<Segment> chosen(const BaseSolution& base, std::size_t most) {
-    const std::size_t count = std::min(most, base.segments.size());
+  std::vector<Segment> chosen(const BaseSolution& base) {
     std::vector<Segment> kept;
-    for (std::size_t i = 0; i < count; ++i) {
-      chosen_.push_back(i * base.segments.size() / count);
-      kept.push_back(base.segments[chosen_.back()]);
-      states_.push_back(base.states[chosen_.back()]);
+    for (const std::size_t k : segments_) {
+      kept.push_back(base.segments[k]);
+      states_.push_back(base.states[k]);
     }
     return kept;
   }
@@ -54,16 +55,41 @@ class Bench {
   const BaseSolution& base_;
   TrialPredictor predictor_;
   ParameterSpace space_;
-  std::vector<std::size_t> chosen_;
+  std::vector<std::size_t> segments_;
   std::vector<Eigen::VectorXd> states_;
   ShootingProblem problem_;
 };
 
-/// How many segments sizes are looked for on: a size need not be exact.
-std::size_t ladder_segments(const BaseSolution& base) {
+std::vector<std::size_t> all_segments(const BaseSolution& base) {
+  std::vector<std::size_t> all(base.segments.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+/// Segments that sizes are looked for on, which need not be exact: half of them evenly spread, and those in which the
+/// base leaves most, where an effect that is rarely there (an end stop) shows.
+std::vector<std::size_t> ladder_segments(const BaseSolution& base) {
   double longest = 0.0;
   for (const Segment& segment : base.segments) longest = std::max(longest, duration_of(segment, base.trials));
-  return std::max(kFewestSegments, static_cast<std::size_t>(std::ceil(kLadderTime / longest)));
+  const std::size_t wanted = std::max(kFewestSegments, static_cast<std::size_t>(std::ceil(kLadderTime / longest)));
+  std::vector<std::size_t> by_size = all_segments(base);
+  if (wanted >= by_size.size()) return by_size;
+  const auto left = [&](std::size_t k) { return base.linear[k].residual.squaredNorm(); };
+  std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) { return left(a) > left(b); });
+  std::set<std::size_t> chosen;
+  const std::size_t even = (wanted + 1) / 2;
+  for (std::size_t i = 0; i < even; ++i) chosen.insert(i * base.segments.size() / even);
+  for (std::size_t i = 0; chosen.size() < wanted; ++i) chosen.insert(by_size[i]);
+  return {chosen.begin(), chosen.end()};
+}
+
+double rms(const std::vector<Eigen::VectorXd>& parts) {
+  double squares = 0.0, count = 0.0;
+  for (const Eigen::VectorXd& part : parts) {
+    squares += part.squaredNorm();
+    count += static_cast<double>(part.size());
+  }
+  return std::sqrt(squares / std::max(count, 1.0));
 }
 
 /// How far a parameter must go from its neutral value to matter.
@@ -72,10 +98,10 @@ class Ladder {
   Ladder(const Hypothesis& hypothesis, const BaseSolution& base)
       : hypothesis_(hypothesis),
         bench_(hypothesis, base, ladder_segments(base)),
-        residual_(std::max(1.0, base.residual)),
         may_jump_(base.free_run),
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
+    residual_ = std::max(1.0, rms(calm_));
   }
 
   bool valid() const { return valid_; }
@@ -112,9 +138,12 @@ class Ladder {
     }
     return std::nullopt;
   }
+  /// Whether that size changes as much as the residual, rather than as much as can be.
+  bool is_enough() const { return is_enough_; }
 
  private:
   std::optional<double> size_on_the_way(std::size_t i) {
+    is_enough_ = false;
     const double range = room(i, direction_);
     double below = 0.0, above = range, way = kFirst * range, best = 0.0, most = 0.0;
     std::vector<std::pair<double, double>> jumps;  // ways and changes, too large
@@ -124,7 +153,8 @@ class Ladder {
         most = *change;
         best = way;
       }
-      if (change && *change >= kEnough * residual_ && *change <= kTooMuch * residual_) return value(i, way);
+      is_enough_ = change && *change >= kEnough * residual_ && *change <= kTooMuch * residual_;
+      if (is_enough_) return value(i, way);
       if (change && *change > kTooMuch * residual_) jumps.emplace_back(way, *change);
       const bool small = change && *change < kEnough * residual_;
       if (small && way >= range) break;
@@ -159,12 +189,8 @@ class Ladder {
     std::vector<double> own = others_;
     own[i] = value(i, way);
     if (!bench_.residuals(own, moved_)) return std::nullopt;
-    double squares = 0.0, count = 0.0;
-    for (std::size_t k = 0; k < calm_.size(); ++k) {
-      squares += (moved_[k] - calm_[k]).squaredNorm();
-      count += static_cast<double>(calm_[k].size());
-    }
-    return std::sqrt(squares / std::max(count, 1.0));
+    for (std::size_t k = 0; k < calm_.size(); ++k) moved_[k] -= calm_[k];
+    return rms(moved_);
   }
 
   /// As far as a change in proportion would need, between what is too little and what is too much.
@@ -179,17 +205,19 @@ class Ladder {
 
   const Hypothesis& hypothesis_;
   Bench bench_;
-  double residual_;
+  double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
   double direction_ = 1.0;  ///< of the way that is climbed: up or down
+  bool is_enough_ = false;  ///< the size that was found last
   bool may_jump_;           ///< a foot that just touches leaves the ground at the smallest tilt
   std::vector<double> others_;
   bool valid_ = false;
   std::vector<Eigen::VectorXd> calm_, moved_;
 };
 
-/// Each parameter that matters by itself; the others go to `shapes`.
-void climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>& probes,
+/// Each parameter that matters by itself; the others go to `shapes`. Whether any matters as much as the residual does.
+bool climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>& probes,
            std::vector<std::size_t>& shapes) {
+  bool enough = false;
   ladder.set_others(others);
   for (std::size_t i = 0; i < others.size(); ++i) {
     const std::optional<double> size = ladder.size(i);
@@ -197,13 +225,16 @@ void climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>
       shapes.push_back(i);
       continue;
     }
+    enough = enough || ladder.is_enough();
     Probe probe{others, ladder.one_sided(i), {}};
     probe.own[i] = *size;
     probes.push_back(std::move(probe));
   }
+  return enough;
 }
 
-/// Parameters that matter only where another one is not neutral, such as a payload's mass and its place.
+/// Parameters that matter only where another one is not neutral, such as a payload's mass and its place: a mass on the
+/// axis of a hinge turns nothing.
 void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vector<Probe>& probes) {
   std::vector<std::size_t> unused;
   for (std::size_t i = 0; i < neutral.size() && neutral.size() > 1; ++i)
@@ -219,8 +250,7 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
                                 const std::map<std::string, double>& scales) {
   std::vector<Probe> probes;
   std::vector<std::size_t> shapes, unused;
-  climb(ladder, hypothesis.neutral, probes, shapes);
-  if (probes.empty()) climb_beside(ladder, hypothesis.neutral, probes);
+  if (!climb(ladder, hypothesis.neutral, probes, shapes)) climb_beside(ladder, hypothesis.neutral, probes);
   if (hypothesis.defaults != hypothesis.neutral) {
     probes.push_back({hypothesis.defaults, true, {}});
     climb(ladder, hypothesis.defaults, probes, unused);
@@ -249,7 +279,7 @@ std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution&
   if (!ladder.valid()) return {};
   std::vector<Probe> probes = sized_probes(ladder, hypothesis, scales);
   if (probes.empty()) return {};
-  Bench bench(hypothesis, base, base.segments.size());
+  Bench bench(hypothesis, base, all_segments(base));
   std::vector<Eigen::VectorXd> calm, moved;
   if (ladder.starts_at_base(base, bins)) {
     for (const LinearSegment& segment : base.linear) calm.push_back(segment.residual);

@@ -36,11 +36,18 @@ std::size_t simpler_first(const Round& round, std::size_t chosen) {
   return chosen;
 }
 
+/// Probes may miss what a refit finds, where an effect has several parameters: then that there is something to be
+/// explained is shown by the force of any form.
+bool explains_structure(const Round& round, const Rival& rival) {
+  return round.free_force.p < kFreeForceLevel && rival.gain.lower_95 > 0.0;
+}
+
 }  // namespace
 
 std::optional<std::size_t> choose(const Round& round, double level) {
-  if (round.rivals.empty() || round.screening.p > level) return std::nullopt;
+  if (round.rivals.empty()) return std::nullopt;
   const Rival& best = round.rivals.front();
+  if (round.screening.p > level && !explains_structure(round, best)) return std::nullopt;
   if (best.gain.value <= kSomething) return std::nullopt;
   // Errors of one block of a free run are in the next, too: the score's chance counts them as more than they are.
   if (round.base.free_run && best.gain.lower_95 <= 0.0) return std::nullopt;

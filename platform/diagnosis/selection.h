@@ -11,7 +11,8 @@ namespace lacuna {
 
 inline constexpr double kFirstLevel = 0.05, kFurtherLevel = 0.01;  ///< of chance: the first effect, those after it
 
-/// The rival of a round to go on with: the screening's best score is beyond chance at `level`, it predicts what
+/// The rival of a round to go on with: the screening's best score is beyond chance at `level`, or it surely explains a
+/// part of what a force of any form shows to be there; it predicts what
 /// was left out better than the base by half a nat, and of those within one standard error of the best, or a tenth of
 /// its gain, it is the simplest; a still simpler one goes first if it has half of the best gain, since the next round
 /// may find that it and another one do as well (rejudge.h). Nothing: none of them.

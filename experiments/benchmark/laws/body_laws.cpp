@@ -72,11 +72,15 @@ class CablePull : public ElementLaw {
   }
 };
 
-/// The rig turned about y, which turns gravity the other way in the rig's frame.
+/// The rig turned about y, which turns gravity the other way in the rig's frame, and then about its own x, which leaves
+/// less of it in the plane.
 class MountTilt : public ElementLaw {
  public:
   using ElementLaw::ElementLaw;
-  void amend(PlantSpec& spec) const override { spec.gravity = turned(spec.gravity, -p_[0]); }
+  void amend(PlantSpec& spec) const override {
+    spec.gravity = turned(spec.gravity, -p_[1]);
+    spec.gravity.y() *= std::cos(p_[0]);
+  }
 };
 
 }  // namespace
@@ -148,9 +152,11 @@ std::vector<LawKind> body_laws() {
        "mount_tilt",
        Place::world,
        true,
-       {"pitch"},
+       {"roll", "pitch"},
        make<MountTilt>,
-       [](double size, const Scales&, const Shape& u) { return Values{with_sign(std::min(1.0, 0.05 * size), u[0])}; },
+       [](double size, const Scales&, const Shape& u) {
+         return Values{std::min(1.2, 0.2 * size * u[1]), with_sign(std::min(1.0, 0.05 * size), u[0])};
+       },
        everywhere},
   };
 }

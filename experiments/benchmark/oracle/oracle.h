@@ -10,8 +10,15 @@ namespace hidden_effects {
 /// Two models are told apart by data whose whitened predictions, refitted, differ by that sum of squares.
 inline constexpr double kToldApart = 4.0;
 
+/// Where somebody says that a law explains the data.
+struct KnownStart {
+  PlacedLaw law;
+  std::vector<double> parameters;
+};
+
 struct OracleOptions {
   std::vector<std::string> among;  ///< effects that are tried; empty: all
+  std::vector<KnownStart> known;   ///< fits begin there, too
   double step = 1e-3;              ///< s, of all predictions, the truth's too: so the integrator's error drops out
   std::size_t most_shapes = 6;     ///< of a law, in the linear screening
   std::size_t most_refined = 3;    ///< starts of a rival

@@ -181,15 +181,18 @@ Stand::Screened Stand::screen(const PlacedLaw& rival) const {
   const std::vector<double> limit = friction_limit(rival, taken_, taken_parameters_, scales);
   for (const Footing& footing : footings_) {
     SizeSearch search(footing, rival, scales);
-    const auto keep = [&](const std::optional<SizeSearch::Found>& found) {
-      if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left});
+    const auto keep = [&](const std::optional<SizeSearch::Found>& found, bool known = false) {
+      if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left, known});
     };
+    for (const KnownStart& known : data_.options().known)
+      if (known.law.kind == rival.kind && known.law.element == rival.element)
+        keep(search.attempt(known.parameters), true);
     for (const Shape& shape : first_shapes(*rival.kind, scales, data_.options().most_shapes)) keep(search.run(shape));
     if (!limit.empty()) keep(search.attempt(limit));
     screened.lower_estimate = std::min(screened.lower_estimate, left_by_all(footing.lacking(), search.effects));
   }
   std::sort(screened.attempts.begin(), screened.attempts.end(),
-            [](const Attempt& a, const Attempt& b) { return a.left < b.left; });
+            [](const Attempt& a, const Attempt& b) { return a.known != b.known ? a.known : a.left < b.left; });
   return screened;
 }
 
@@ -210,7 +213,9 @@ Rival Stand::judge(const PlacedLaw& law, double reference) const {
   const Screened screened = screen(law);
   Rival rival{law, screened.lower_estimate, false, true};
   const double base = footings_.back().lacking().squaredNorm();
-  if (screened.lower_estimate > std::max(reference + options.refined_below, options.refined_share * base)) return rival;
+  const bool is_known = !screened.attempts.empty() && screened.attempts.front().known;
+  if (!is_known && screened.lower_estimate > std::max(reference + options.refined_below, options.refined_share * base))
+    return rival;
   const auto fitted = refine(screened.attempts, reference + kToldApart, options.hopeless);
   if (!fitted) return rival;
   rival.non_centrality = fitted->deviance;

@@ -77,10 +77,11 @@ class Stand {
  private:
   struct Attempt {
     Explanation from;
-    double left = 0.0;  ///< by linear estimate
+    double left = 0.0;   ///< by linear estimate
+    bool known = false;  ///< of `OracleOptions::known`
   };
   struct Screened {
-    std::vector<Attempt> attempts;  ///< the least left first
+    std::vector<Attempt> attempts;  ///< the known ones first, then the least left
     double lower_estimate = 0.0;    ///< what all of them together leave
   };
   Screened screen(const PlacedLaw& rival) const;

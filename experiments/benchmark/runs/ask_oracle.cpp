@@ -2,8 +2,11 @@
 
 #include "cases/write_case.h"
 #include "oracle/oracle.h"
+#include "oracle/rivals.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace hidden_effects {
 namespace {
@@ -11,6 +14,35 @@ namespace {
 EffectAt effect_at(const PlacedLaw& law, const PlantSpec& spec) {
   const std::string place = where_of(*law.kind, law.element, spec);
   return {law.kind->effect, place.empty() ? "world" : place};
+}
+
+std::optional<std::vector<double>> parameters_of(const RankedEffectRecord& effect, const LawKind& kind) {
+  std::vector<double> parameters;
+  for (const std::string& name : kind.parameters)
+    for (const IntervalRecord& one : effect.parameters)
+      if (one.parameter == name && std::isfinite(one.value)) parameters.push_back(one.value);
+  return parameters.size() == kind.parameters.size() ? std::optional(parameters) : std::nullopt;
+}
+
+bool is_member(const EffectAt& what, const RankedModelRecord& answer) {
+  return std::find(answer.look_alikes.begin(), answer.look_alikes.end(), what) != answer.look_alikes.end() ||
+         std::any_of(answer.effects.begin(), answer.effects.end(),
+                     [&](const RankedEffectRecord& effect) { return effect.what == what; });
+}
+
+/// Where the first diagnosis puts the members of its answer.
+std::vector<KnownStart> known_starts(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {
+  std::vector<KnownStart> known;
+  if (told.empty() || told.front().ranking.empty()) return known;
+  const PlantSpec& spec = made.truth.spec;
+  for (const RankedModelRecord& model : told.front().ranking)
+    for (const RankedEffectRecord& effect : model.effects) {
+      if (!is_member(effect.what, told.front().ranking.front())) continue;
+      for (const PlacedLaw& law : library_laws(spec))
+        if (effect_at(law, spec) == effect.what)
+          if (auto parameters = parameters_of(effect, *law.kind)) known.push_back({law, std::move(*parameters)});
+    }
+  return known;
 }
 
 void add_once(const OracleRival& one, std::vector<OracleRival>& all) {
@@ -22,8 +54,10 @@ void add_once(const OracleRival& one, std::vector<OracleRival>& all) {
 
 }  // namespace
 
-OracleRecord oracle_record(const MadeCase& made) {
-  const OracleAnswer answer = ask_oracle(made);
+OracleRecord oracle_record(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {
+  OracleOptions options;
+  options.known = known_starts(made, told);
+  const OracleAnswer answer = ask_oracle(made, options);
   OracleRecord record;
   for (std::size_t law = 0; law < answer.rivals.size(); ++law) {
     const int number = static_cast<int>(law);

@@ -45,9 +45,9 @@ std::vector<std::string> withheld(const CaseRecord& about, const OracleRecord& o
 }
 
 /// A case whose truth runs away nearby has no oracle.
-OracleRecord oracle_of(const MadeCase& made) {
+OracleRecord oracle_of(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {
   try {
-    return oracle_record(made);
+    return oracle_record(made, told);
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -84,9 +84,10 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
     return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}};
   }
   const CaseRecord about = about_case(*made, version);
-  const OracleRecord oracle = options.oracle ? oracle_of(*made) : OracleRecord();
+  OracleRecord oracle;
+  if (options.oracle && about.group == "withheld") oracle = oracle_of(*made, {});
   CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about, oracle)}, settings);
-  result.oracle = oracle;
+  result.oracle = options.oracle && about.group != "withheld" ? oracle_of(*made, result.diagnoses) : oracle;
   add_truth_error(*made, result);
   if (options.baselines) add_baselines(*made, result);
   if (options.settle && !result.diagnoses.empty())

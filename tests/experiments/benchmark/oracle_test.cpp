@@ -68,6 +68,16 @@ TEST(Oracle, ATruthOfAnotherFormIsRepresentedByTheLibrarysLawOfThatName) {
   EXPECT_EQ(answer.widths.back().parameter, "actuator_lag.time");
 }
 
+/// A tilted pendulum feels a torque of one period a turn. With no patience for what the screening finds, nothing but a
+/// known start is refined.
+TEST(Oracle, ALawIsAlsoLookedForWhereItIsSaidToBe) {
+  const MadeCase made = pendulum_case({{"mount_tilt", 0, {0.0, 0.1}}}, white_noise(), kSamples);
+  OracleOptions options{.among = {"cogging"}, .refined_below = 0.0, .refined_share = 0.0};
+  EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::IsEmpty());
+  options.known = {{{&law_kind("cogging"), 0}, {0.01, 0.05, 1.1}}};
+  EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::ElementsAre("cogging"));
+}
+
 TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
   const MadeCase made =
       pendulum_case({{"coulomb_friction", 0, {0.03}}, {"joint_offset_torque", 0, {0.05}}}, white_noise(), kSamples);

@@ -78,6 +78,15 @@ TEST(Simulation, DryFrictionAgreesWithAnIntegrationThatSplitsItsSteps) {
   EXPECT_GT(std::log2(coarse / fine) / 3.0, 1.8);  // the order
 }
 
+/// What a hinge about y feels of gravity that is turned about y and then about the rig's own x.
+TEST(Simulation, ATiltedRigHasLessGravityInItsPlane) {
+  PlantSpec tilted = servo_pendulum().nominal;
+  const double g = -tilted.gravity.y(), roll = 0.4, pitch = 0.3;
+  law_kind("mount_tilt").make(std::vector<double>{roll, pitch}, 0)->amend(tilted);
+  EXPECT_NEAR(std::abs(tilted.gravity.x()), g * std::sin(pitch), 1e-12);
+  EXPECT_NEAR(tilted.gravity.y(), -g * std::cos(pitch) * std::cos(roll), 1e-12);
+}
+
 TEST(Simulation, AStopOfDryFrictionHoldsUntilTheTorqueExceedsIt) {
   const Rig rig = servo_pendulum();
   PlantSpec level = rig.nominal;
