@@ -17,11 +17,11 @@ struct KnownStart {
 };
 
 struct OracleOptions {
-  std::vector<std::string> among;  ///< effects that are tried; empty: all
-  std::vector<KnownStart> known;   ///< fits begin there, too
-  double step = 1e-3;              ///< s, of all predictions, the truth's too: so the integrator's error drops out
-  std::size_t most_shapes = 6;     ///< of a law, in the linear screening
-  std::size_t most_refined = 3;    ///< starts of a rival
+  std::vector<std::string> among = {};  ///< effects that are tried; empty: all
+  std::vector<KnownStart> known = {};   ///< fits begin there, too
+  double step = 1e-3;                   ///< s, of all predictions, the truth's too: so the integrator's error drops out
+  std::size_t most_shapes = 6;          ///< of a law, in the linear screening
+  std::size_t most_refined = 3;         ///< starts of a rival
   int most_iterations = 25;
   double hopeless = 0.1;        ///< of the deviance: a fit that an iteration helps less than that is given up
   double refined_below = 60.0;  ///< of a linear estimate of the non-centrality beyond the representative's, and
