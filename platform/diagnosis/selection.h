@@ -18,7 +18,7 @@ inline constexpr double kFirstLevel = 0.05, kFurtherLevel = 0.01;  ///< of chanc
 /// may find that it and another one do as well (rejudge.h). Nothing: none of them.
 std::optional<std::size_t> choose(const Round& round, double level);
 
-inline constexpr std::size_t kMostLookAlikes = 4;
+inline constexpr std::size_t kMostLookAlikes = 6;
 
 /// Rivals that these data do not tell from the chosen one, the best first, at most `kMostLookAlikes`.
 std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed);
