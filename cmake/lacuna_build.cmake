@@ -64,8 +64,9 @@ endfunction()
 #   medium   the others (the default); report and app, and physics that the engine's own tests walk through too, need
 #            not be built twice in CI
 #   long     half a minute and more; begun first
+# UNITY: large, and no two of its sources use one name for two things; compiled together.
 function(lacuna_add_test name)
-  cmake_parse_arguments(ARG "" "LABELS;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "LABELS;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # s
   endif()
@@ -75,6 +76,9 @@ function(lacuna_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   lacuna_set_up_test(${name})
   target_precompile_headers(${name} REUSE_FROM lacuna_test_headers)
+  if(ARG_UNITY)
+    lacuna_compile_together(${name})
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_LINKS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE

@@ -133,22 +133,22 @@ TEST(EffectsEditor, WritesAnEffectThatReadsBackTheSame) {
   EXPECT_NO_THROW(insert_effect("[model]\neffects = []\n", full));
 }
 
-std::string complaint(const std::function<void()>& action) {
+std::string complaint_of_editing(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {
     return error.what();
   }
-  return "no complaint";
+  return "no complaint_of_editing";
 }
 
 TEST(EffectsEditor, RefusesWhatItCannotDo) {
   const std::string text = "[model]\neffects = [{ effect = \"friction\" }]\n";
-  EXPECT_THAT(complaint([&] { insert_effect(text, kFriction); }), HasSubstr("the id \"friction\" already"));
-  EXPECT_THAT(complaint([&] { remove_effect(text, "frictoin"); }), HasSubstr("did you mean \"friction\"?"));
-  EXPECT_THAT(complaint([] { insert_effect("[fit]\n", kFriction); }), HasSubstr("no [model]"));
-  EXPECT_THAT(complaint([] { insert_effect("[model]\neffects = 3\n", kFriction); }), HasSubstr("no list"));
-  EXPECT_THAT(complaint([] { insert_effect("[model\n", kFriction); }), HasSubstr("not TOML"));
+  EXPECT_THAT(complaint_of_editing([&] { insert_effect(text, kFriction); }), HasSubstr("the id \"friction\" already"));
+  EXPECT_THAT(complaint_of_editing([&] { remove_effect(text, "frictoin"); }), HasSubstr("did you mean \"friction\"?"));
+  EXPECT_THAT(complaint_of_editing([] { insert_effect("[fit]\n", kFriction); }), HasSubstr("no [model]"));
+  EXPECT_THAT(complaint_of_editing([] { insert_effect("[model]\neffects = 3\n", kFriction); }), HasSubstr("no list"));
+  EXPECT_THAT(complaint_of_editing([] { insert_effect("[model\n", kFriction); }), HasSubstr("not TOML"));
 }
 
 }  // namespace

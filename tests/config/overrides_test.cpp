@@ -19,13 +19,13 @@ TomlNode with(const std::vector<std::string>& overrides) {
   return tree;
 }
 
-std::string complaint(const std::string& override) {
+std::string complaint_about(const std::string& override) {
   try {
     with({override});
   } catch (const BadInput& bad) {
     return bad.what();
   }
-  return "no complaint";
+  return "no complaint_about";
 }
 
 TEST(Overrides, ReplaceAndAddValues) {
@@ -43,15 +43,15 @@ TEST(Overrides, TakeWhatIsNoTomlAsText) {
 }
 
 TEST(Overrides, SayWhatIsWrongWithThem) {
-  EXPECT_THAT(complaint("engine.step"), HasSubstr("--set engine.step: write KEY=VALUE"));
-  EXPECT_THAT(complaint("=3"), HasSubstr("a key is empty"));
-  EXPECT_THAT(complaint("engine..step=3"), HasSubstr("a key is empty"));
-  EXPECT_THAT(complaint("engine.step.x=3"), HasSubstr("\"x\" does not follow a table, but a number"));
-  EXPECT_THAT(complaint("model.effects[1].id=b"), HasSubstr("there is no item [1]; the list has 1"));
-  EXPECT_THAT(complaint("model.effects[x]=b"), HasSubstr("an index is a number"));
-  EXPECT_THAT(complaint("engine[0]=b"), HasSubstr("[0] does not follow a list"));
-  EXPECT_THAT(complaint("engine.step=\"x"), HasSubstr("is not a TOML value"));
-  EXPECT_THAT(complaint("engine.step=1\nx = 2"), HasSubstr("is not a TOML value"));
+  EXPECT_THAT(complaint_about("engine.step"), HasSubstr("--set engine.step: write KEY=VALUE"));
+  EXPECT_THAT(complaint_about("=3"), HasSubstr("a key is empty"));
+  EXPECT_THAT(complaint_about("engine..step=3"), HasSubstr("a key is empty"));
+  EXPECT_THAT(complaint_about("engine.step.x=3"), HasSubstr("\"x\" does not follow a table, but a number"));
+  EXPECT_THAT(complaint_about("model.effects[1].id=b"), HasSubstr("there is no item [1]; the list has 1"));
+  EXPECT_THAT(complaint_about("model.effects[x]=b"), HasSubstr("an index is a number"));
+  EXPECT_THAT(complaint_about("engine[0]=b"), HasSubstr("[0] does not follow a list"));
+  EXPECT_THAT(complaint_about("engine.step=\"x"), HasSubstr("is not a TOML value"));
+  EXPECT_THAT(complaint_about("engine.step=1\nx = 2"), HasSubstr("is not a TOML value"));
 }
 
 }  // namespace

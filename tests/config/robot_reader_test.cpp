@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kTolerance = 1e-12;  // relative to numbers of order one: rounding
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kOneDegree = std::numbers::pi / 180.0;
 
 RobotSpec from_body(const std::string& body, const std::string& rest = "") {
   return read_robot_text("[robot]\nname = \"r\"\n[body.b]\n" + body + "\n" + rest, "robot.toml");
@@ -21,13 +21,13 @@ TEST(ReadRobot, ReadsAPendulum) {
   ASSERT_EQ(robot.joints.size(), 1U);
   EXPECT_EQ(robot.joints[0].parent, kWorld);
   EXPECT_EQ(robot.joints[0].child, "arm");
-  EXPECT_NEAR(robot.joints[0].upper, 170.0 * kDegree, kTolerance);
+  EXPECT_NEAR(robot.joints[0].upper, 170.0 * kOneDegree, kTolerance);
   ASSERT_EQ(robot.actuators.size(), 1U);
   EXPECT_EQ(robot.actuators[0].kind, ActuatorKind::position_servo);
   EXPECT_DOUBLE_EQ(robot.actuators[0].kp, 12.0);
   ASSERT_EQ(robot.sensors.size(), 1U);
   EXPECT_EQ(robot.sensors[0].element, "hinge");
-  EXPECT_NEAR(robot.sensors[0].noise, 0.05 * kDegree, kTolerance);
+  EXPECT_NEAR(robot.sensors[0].noise, 0.05 * kOneDegree, kTolerance);
   EXPECT_TRUE(robot.bodies[0].shapes.empty());
   // Rod and bob: masses add; the moment about the hinge is that of the textbook.
   const BodySpec& arm = robot.bodies[0];

@@ -12,7 +12,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kGenomes = 200;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNanOfEncoding = std::numeric_limits<double>::quiet_NaN();
 
 class EncodingConformance : public testing::Test {
  protected:
@@ -74,7 +74,7 @@ std::vector<double> commands_of(const Test& test, const TestSpace& space) {
   const Controller& controller = *std::get<std::shared_ptr<const Controller>>(test.drive);
   std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0), all;
   std::vector<double> sensors(space.sensors.size());
-  std::vector<double> commands(space.actuators.size(), kNan);
+  std::vector<double> commands(space.actuators.size(), kNanOfEncoding);
   for (int period = 0; period * space.control_period < test.duration; ++period) {
     const double time = period * space.control_period;
     for (std::size_t s = 0; s < sensors.size(); ++s) sensors[s] = 3.0 * std::sin(20.0 * time + static_cast<double>(s));

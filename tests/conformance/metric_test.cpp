@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNanOfMetric = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSamples = 300, kChannels = 3;
 constexpr double kRounding = 1e-12;  // share of a score
 
@@ -25,7 +25,7 @@ std::vector<Samples> comparison() {
     for (std::size_t c = 0; c < kChannels; ++c) {
       const double t = 0.05 * static_cast<double>(i) + static_cast<double>(c);
       samples.predicted.push_back(std::sin(t));
-      samples.measured.push_back((i + c) % 7 == 0 ? kNan : std::sin(1.02 * t) + 0.3 / (1.0 + t));
+      samples.measured.push_back((i + c) % 7 == 0 ? kNanOfMetric : std::sin(1.02 * t) + 0.3 / (1.0 + t));
     }
     all.push_back(samples);
   }
@@ -98,7 +98,7 @@ TEST(MetricConformance, AWorsePredictionScoresWorse) {
 }
 
 TEST(MetricConformance, PredictionsThatAreNoNumberAreInfinitelyBad) {
-  for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {kNanOfMetric, std::numeric_limits<double>::infinity()}) {
     std::vector<Samples> broken = comparison();
     broken[kSamples / 2].predicted.assign(kChannels, bad);
     on_every<FitnessMetric>([&](const FitnessMetric& metric, const std::vector<double>& parameters) {

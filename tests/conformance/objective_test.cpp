@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNanOfObjective = std::numeric_limits<double>::quiet_NaN();
 
 class ObjectiveConformance : public testing::Test {
  protected:
@@ -49,7 +49,7 @@ TEST_F(ObjectiveConformance, AnotherModelHasSomeAndNoneBelowZero) {
 }
 
 TEST_F(ObjectiveConformance, WhatTheTargetDoesNotHaveIsNoError) {
-  const std::vector<double> partly = {2.5, kNan, 0.8, kNan};
+  const std::vector<double> partly = {2.5, kNanOfObjective, 0.8, kNanOfObjective};
   on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
     for (const ObjectiveScore& score : metric.score(space_, {{2.5, 6.0, 0.8, 0.1}}, partly, parameters))
       EXPECT_EQ(score.value, 0.0) << score.name;

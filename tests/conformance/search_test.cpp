@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kInvalid = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNanOfSearch = std::numeric_limits<double>::quiet_NaN();
 
 class SearchConformance : public testing::Test {
  protected:
@@ -160,7 +160,7 @@ TEST_F(SearchConformance, SurvivesGenerationsOfInvalidScores) {
   on_every<SearchStrategy>([&](const SearchStrategy& strategy, const std::vector<double>& parameters) {
     const auto search = strategy.begin(task(), parameters);
     for (int i = 0; i < 2 && !search->finished(); ++i)
-      search->tell(std::vector<double>(search->ask().size(), i == 0 ? kInvalid : kNan));
+      search->tell(std::vector<double>(search->ask().size(), i == 0 ? kInvalid : kNanOfSearch));
     for (const ScoredIndividual& one : search->best()) EXPECT_EQ(one.score, kInvalid);
     while (!search->finished()) {
       for (const Individual& one : search->ask()) ASSERT_TRUE(fits(layout_, one.genome));

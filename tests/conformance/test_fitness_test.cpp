@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr Eigen::Index kSamples = 50;
+constexpr Eigen::Index kReadings = 50;
 constexpr double kPeriod = 0.01;  // s
 
 /// Models that go forward at different speeds.
@@ -19,11 +19,11 @@ std::vector<TestPrediction> predictions(std::size_t models) {
     TestPrediction prediction;
     prediction.sensors.channels = {{"touch", "1"}, {"angle", "rad"}};
     prediction.centre_of_mass.channels = {{"x", "m"}, {"y", "m"}, {"z", "m"}};
-    prediction.sensors.times = Eigen::VectorXd::LinSpaced(kSamples, kPeriod, kPeriod * kSamples);
+    prediction.sensors.times = Eigen::VectorXd::LinSpaced(kReadings, kPeriod, kPeriod * kReadings);
     prediction.centre_of_mass.times = prediction.sensors.times;
-    prediction.sensors.samples.resize(kSamples, 2);
-    prediction.centre_of_mass.samples.resize(kSamples, 3);
-    for (Eigen::Index i = 0; i < kSamples; ++i) {
+    prediction.sensors.samples.resize(kReadings, 2);
+    prediction.centre_of_mass.samples.resize(kReadings, 3);
+    for (Eigen::Index i = 0; i < kReadings; ++i) {
       const double t = prediction.sensors.times(i), speed = 1.0 + static_cast<double>(m);
       prediction.sensors.samples.row(i) << (std::sin(30.0 * t * speed) > 0.0 ? 1.0 : -1.0), std::cos(speed * t);
       prediction.centre_of_mass.samples.row(i) << speed * t, 0.1 * t, 0.85;
@@ -38,7 +38,7 @@ TEST(TestFitnessConformance, JudgesTheSameTestTheSame) {
     EXPECT_FALSE(fitness.unit().empty());
     const std::vector<TestPrediction> all = predictions(fitness.models(parameters));
     lacuna::Test test;
-    test.duration = kPeriod * kSamples;
+    test.duration = kPeriod * kReadings;
     const double score = fitness.score(test, all, parameters);
     EXPECT_TRUE(std::isfinite(score));
     EXPECT_EQ(fitness.score(test, all, parameters), score);
@@ -51,7 +51,7 @@ TEST(TestFitnessConformance, APredictionThatIsNoNumberMakesNoBetterTest) {
     std::vector<TestPrediction> all = predictions(fitness.models(parameters));
     if (all.empty()) return;
     lacuna::Test test;
-    test.duration = kPeriod * kSamples;
+    test.duration = kPeriod * kReadings;
     const double score = fitness.score(test, all, parameters);
     all.back().sensors.samples.bottomRows(1).setConstant(std::numeric_limits<double>::quiet_NaN());
     all.back().centre_of_mass.samples.bottomRows(1).setConstant(std::numeric_limits<double>::quiet_NaN());

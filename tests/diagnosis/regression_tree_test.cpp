@@ -9,12 +9,12 @@
 namespace lacuna {
 namespace {
 
-constexpr Eigen::Index kSamples = 3000;
+constexpr Eigen::Index kRows = 3000;
 
-Eigen::VectorXd coloured(double memory, std::uint64_t stream) {
+Eigen::VectorXd coloured_rows(double memory, std::uint64_t stream) {
   SeededNoise random(11, stream);
   const double kept = std::exp(-1.0 / memory);
-  Eigen::VectorXd values(kSamples);
+  Eigen::VectorXd values(kRows);
   double value = random.normal() / std::sqrt(1.0 - kept * kept);
   for (double& one : values) one = value = kept * value + random.normal();
   return values;
@@ -22,12 +22,12 @@ Eigen::VectorXd coloured(double memory, std::uint64_t stream) {
 
 /// Time, a sine, its derivative, the derivative's size, and noise.
 Eigen::MatrixXd features(std::uint64_t stream) {
-  Eigen::MatrixXd all(kSamples, 5);
-  for (Eigen::Index i = 0; i < kSamples; ++i) {
+  Eigen::MatrixXd all(kRows, 5);
+  for (Eigen::Index i = 0; i < kRows; ++i) {
     const double phase = static_cast<double>(i) / 50.0;
     all.row(i) << static_cast<double>(i), std::sin(phase), std::cos(phase), std::abs(std::cos(phase)), 0.0;
   }
-  all.col(4) = coloured(20.0, stream);
+  all.col(4) = coloured_rows(20.0, stream);
   return all;
 }
 
@@ -36,7 +36,7 @@ TEST(GrowTree, NoiseGrowsNone) {
   for (const double memory : {0.1, 20.0, 100.0}) {
     int grown = 0;
     for (std::uint64_t i = 0; i < kRepeats; ++i)
-      grown += grow_tree(features(1000 + i), coloured(memory, i).array().square()).grown() ? 1 : 0;
+      grown += grow_tree(features(1000 + i), coloured_rows(memory, i).array().square()).grown() ? 1 : 0;
     EXPECT_LE(grown, 3) << memory;
   }
 }
@@ -44,13 +44,13 @@ TEST(GrowTree, NoiseGrowsNone) {
 TEST(GrowTree, FindsTheRegimeTheShareAndTheThreshold) {
   const Eigen::MatrixXd all = features(1);
   constexpr double kSpeed = 0.2;
-  Eigen::VectorXd error = coloured(3.0, 2).array().square();
+  Eigen::VectorXd error = coloured_rows(3.0, 2).array().square();
   double slow = 0.0, samples = 0.0;
-  for (Eigen::Index i = 0; i < kSamples; ++i)
+  for (Eigen::Index i = 0; i < kRows; ++i)
     if (all(i, 3) < kSpeed) {
       error(i) *= 16.0;
       slow += error(i);
-      samples += 1.0 / kSamples;
+      samples += 1.0 / kRows;
     }
   const RegressionTree tree = grow_tree(all, error);
   ASSERT_TRUE(tree.grown());
@@ -65,8 +65,8 @@ TEST(GrowTree, FindsTheRegimeTheShareAndTheThreshold) {
 
 TEST(GrowTree, LeavesArePartsOfTheWholeAndNotTooSmall) {
   const Eigen::MatrixXd all = features(3);
-  Eigen::VectorXd error = coloured(0.1, 4).array().square();
-  for (Eigen::Index i = 0; i < kSamples; ++i) error(i) *= (all(i, 3) < 0.3 ? 9.0 : 1.0) * (all(i, 1) > 0.0 ? 4.0 : 1.0);
+  Eigen::VectorXd error = coloured_rows(0.1, 4).array().square();
+  for (Eigen::Index i = 0; i < kRows; ++i) error(i) *= (all(i, 3) < 0.3 ? 9.0 : 1.0) * (all(i, 1) > 0.0 ? 4.0 : 1.0);
   const RegressionTree tree = grow_tree(all, error);
   double errors = 0.0, samples = 0.0;
   int depth = 0;
@@ -84,14 +84,14 @@ TEST(GrowTree, LeavesArePartsOfTheWholeAndNotTooSmall) {
 }
 
 TEST(GrowTree, OneBurstIsNoRegime) {
-  Eigen::VectorXd error = coloured(0.1, 5).array().square();
+  Eigen::VectorXd error = coloured_rows(0.1, 5).array().square();
   error.segment(1234, 120) *= 400.0;  // within one block, so that no other block can confirm it
   EXPECT_FALSE(grow_tree(features(6), error).grown());
 }
 
 TEST(GrowTree, NothingToPartIsNoTree) {
-  EXPECT_FALSE(grow_tree(features(1), Eigen::VectorXd::Zero(kSamples)).grown());
-  EXPECT_FALSE(grow_tree(Eigen::MatrixXd(kSamples, 0), Eigen::VectorXd::Ones(kSamples)).grown());
+  EXPECT_FALSE(grow_tree(features(1), Eigen::VectorXd::Zero(kRows)).grown());
+  EXPECT_FALSE(grow_tree(Eigen::MatrixXd(kRows, 0), Eigen::VectorXd::Ones(kRows)).grown());
 }
 
 }  // namespace

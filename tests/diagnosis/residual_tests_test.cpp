@@ -27,7 +27,7 @@ Eigen::VectorXd coloured(double memory, std::uint64_t seed, std::uint64_t stream
   return values;
 }
 
-Eigen::VectorXd sine(double period) {
+Eigen::VectorXd sine_of_period(double period) {
   return Eigen::VectorXd::NullaryExpr(kSamples, [period](Eigen::Index i) {
     return std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / period);
   });
@@ -45,7 +45,7 @@ int false_alarms(double memory, const std::function<IndependenceTest(const Resid
 }
 
 TEST(ResidualTester, ColouredNoiseThatDependsOnNothingRaisesAsFewAlarmsAsPromised) {
-  const Eigen::VectorXd position = sine(170.0);
+  const Eigen::VectorXd position = sine_of_period(170.0);
   const Eigen::VectorXd direction = position.array().sign();
   for (const double memory : {0.1, 30.0}) {
     SCOPED_TRACE(memory);
@@ -59,7 +59,7 @@ TEST(ResidualTester, ColouredNoiseThatDependsOnNothingRaisesAsFewAlarmsAsPromise
 }
 
 TEST(ResidualTester, SeesADependenceUnderColouredNoiseAndItsShare) {
-  const Eigen::VectorXd velocity = sine(170.0);
+  const Eigen::VectorXd velocity = sine_of_period(170.0);
   const Eigen::VectorXd direction = velocity.array().sign();
   constexpr double kSize = 12.0;
   const Eigen::VectorXd noise = coloured(10.0, 1, 7);
@@ -74,7 +74,7 @@ TEST(ResidualTester, SeesADependenceUnderColouredNoiseAndItsShare) {
 }
 
 TEST(ResidualTester, WhatCovariatesExplainIsNoDependence) {
-  const Eigen::VectorXd command = sine(170.0);
+  const Eigen::VectorXd command = sine_of_period(170.0);
   const Eigen::VectorXd residual = 4.0 * command + coloured(5.0, 1, 3);
   EXPECT_LT(ResidualTester(residual, {}, 1).of(command).p, 1e-6);
   const ResidualTester beside(residual, command, 1);
@@ -86,7 +86,7 @@ TEST(ResidualTester, GapsAndConstantFeaturesAreNoEvidence) {
   Eigen::VectorXd residual = coloured(5.0, 1, 4);
   residual.segment(100, 200).setConstant(std::nan(""));
   const ResidualTester tester(residual, {}, 1);
-  EXPECT_TRUE(std::isfinite(tester.of(sine(90.0)).statistic));
+  EXPECT_TRUE(std::isfinite(tester.of(sine_of_period(90.0)).statistic));
   EXPECT_FALSE(tester.of(Eigen::VectorXd::Constant(kSamples, 3.0)).testable);
 }
 

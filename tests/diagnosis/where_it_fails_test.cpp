@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kInterval = 0.004;  // s
-constexpr Eigen::Index kSamples = 2500;
+constexpr Eigen::Index kReadings = 2500;
 constexpr double kNoise = 1e-3;  // rad
 
 /// A wheel on a hinge, 1 kg·m² about it, which a motor turns.
@@ -68,17 +68,17 @@ Rig rig_lacking(const Missing& missing, std::uint64_t seed = 1) {
   trial.initial = {{InitialKnowledge::given, 0.0, 0.0}};
   trial.measured.channels = {{"angle", "rad"}};
   trial.commands.series.channels = command_channels(wheel());
-  trial.measured.times = Eigen::VectorXd::LinSpaced(kSamples, 0.0, kInterval * (kSamples - 1));
+  trial.measured.times = Eigen::VectorXd::LinSpaced(kReadings, 0.0, kInterval * (kReadings - 1));
   trial.commands.series.times = trial.measured.times;
-  trial.measured.samples.resize(kSamples, 1);
-  trial.commands.series.samples.resize(kSamples, 1);
+  trial.measured.samples.resize(kReadings, 1);
+  trial.commands.series.samples.resize(kReadings, 1);
   trial.sensor_noise = {kNoise};
-  TimeSeries::Samples predicted(kSamples, 1);
+  TimeSeries::Samples predicted(kReadings, 1);
   SeededNoise random(seed, 0);
   double q = 0.0, v = 0.0, rigid_q = 0.0, rigid_v = 0.0;
   constexpr int kSubsteps = 40;
   constexpr double h = kInterval / kSubsteps;
-  for (Eigen::Index i = 0; i < kSamples; ++i) {
+  for (Eigen::Index i = 0; i < kReadings; ++i) {
     trial.measured.samples(i, 0) = q + kNoise * random.normal();
     predicted(i, 0) = rigid_q;
     trial.commands.series.samples(i, 0) = command_at(trial.measured.times(i));
@@ -100,11 +100,11 @@ Rig rig_lacking(const Missing& missing, std::uint64_t seed = 1) {
   ChannelScore score;
   score.channel = "angle";
   score.unit = "rad";
-  score.samples = kSamples;
+  score.samples = kReadings;
   score.floor = kNoise;
-  score.rmse = compared.residuals.norm() / std::sqrt(static_cast<double>(kSamples));
+  score.rmse = compared.residuals.norm() / std::sqrt(static_cast<double>(kReadings));
   score.times_floor = score.rmse / kNoise;
-  score.normalised_rmse = score.rmse / std::sqrt(compared.measured.col(0).squaredNorm() / kSamples);
+  score.normalised_rmse = score.rmse / std::sqrt(compared.measured.col(0).squaredNorm() / kReadings);
   score.bias = compared.residuals.mean();
   score.parts = error_parts(compared.measured.col(0), predicted.col(0));
   compared.channels = {score};

@@ -7,17 +7,17 @@
 namespace lacuna {
 namespace {
 
-EffectEntry friction() {
+EffectEntry friction_entry() {
   return {"friction", "coulomb_friction", {"joint.hinge"}, {{"torque", 0.1}}, {"shape"}, {{"torque", {0.0, 0.2}}}};
 }
 
 /// Every field filled; figures that no short text has.
 SearchState state() {
   SearchState state;
-  state.added = {friction()};
+  state.added = {friction_entry()};
   state.values = {1.0 / 3.0, 2e-17};
   state.states = {Eigen::Vector2d(0.1, -0.7), Eigen::VectorXd(0)};
-  KeptRival rival{friction(), {0.3}, {Eigen::Vector2d(1.0 / 7.0, 2.0)}, true, {11.0, 1.5, 8.0, 14.0 / 3.0}};
+  KeptRival rival{friction_entry(), {0.3}, {Eigen::Vector2d(1.0 / 7.0, 2.0)}, true, {11.0, 1.5, 8.0, 14.0 / 3.0}};
   state.last = SearchStep{{}, {rival, rival}, 1, {Eigen::Vector3d(1.0, 2.0, 1.0 / 9.0)}};
   state.tried = {{}, {"coulomb_friction @ joint.hinge"}, {"a @ world", "b @ joint.hinge"}};
   state.gains[{"coulomb_friction @ joint.hinge"}] = {11.0, 1.5, 8.0, 14.0};
@@ -44,7 +44,7 @@ TEST(SearchStateJson, IsReadDigitForDigit) {
   ASSERT_TRUE(read->last);
   EXPECT_EQ(read->last->chosen, 1U);
   EXPECT_EQ(read->last->timing, state().last->timing);
-  EXPECT_EQ(read->last->rivals.front().entry.range, friction().range);
+  EXPECT_EQ(read->last->rivals.front().entry.range, friction_entry().range);
   EXPECT_TRUE(read->law_leads);
 }
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 /// A program whose diagnosis after N tests of a choice is CHOICE-N.json; none-0.json before any, open-N.json where
 /// there is none for the choice.
-constexpr const char* kProgram = R"(#!/bin/sh
+constexpr const char* kSettlingProgram = R"(#!/bin/sh
 answers=$(dirname "$0")
 choice=$(basename "$PWD")
 case "$1" in
@@ -34,7 +34,7 @@ esac
 constexpr const char* kFirstLine = "steps motor 0.1 N*m 1 Hz 0.5 s seed 4";
 constexpr const char* kSecondLine = "triangle motor 0.1 N*m 2 Hz 0.5 s";
 
-std::string answer(const std::string& effect, const std::string& look_alikes, const std::string& next_test) {
+std::string said(const std::string& effect, const std::string& look_alikes, const std::string& next_test) {
   return fmt::format(R"({{"verdict": "effect_found", "probability": 0.9, "p_by_chance": 0.01, "seconds": 2,
       "base": {{"ratio_to_floor": 3}}, "next_test": "{}", "ranking": [{{"probability": 0.9, "gain": 10,
       "ratio_to_floor": 1, "class": [{}], "effects": [{{"effect": "{}", "where": "joint.hinge", "parameters": {{}}}}]}}]}})",
@@ -47,11 +47,11 @@ class Settle : public testing::Test {
     made_.trials[0].name = "multisine";
     made_.trials[1].name = "steps";
     made_.trials[2].name = "chirp";
-    std::filesystem::permissions(folder_.write("lacuna", kProgram), std::filesystem::perms::owner_all);
+    std::filesystem::permissions(folder_.write("lacuna", kSettlingProgram), std::filesystem::perms::owner_all);
     std::string commands = "t [s],motor [N*m]\n";
     for (int k = 0; k <= 100; ++k) commands += fmt::format("{},{}\n", 0.005 * k, k % 20 < 10 ? 0.1 : -0.1);
     folder_.write("commands.csv", commands);
-    folder_.write("open.json", answer("stribeck_friction", R"("coulomb_friction @ joint.hinge")", ""));
+    folder_.write("open.json", said("stribeck_friction", R"("coulomb_friction @ joint.hinge")", ""));
     first_ = small_diagnosis(1, "effect_found", 0.9, {kStribeck}, {kCoulomb});
     first_.next_test = kFirstLine;
   }
@@ -70,9 +70,9 @@ class Settle : public testing::Test {
 };
 
 TEST_F(Settle, CarriesProposalsOutUntilOneOfTheTwoIsNamedAlone) {
-  folder_.write("chosen-1.json", answer("stribeck_friction", R"("coulomb_friction @ joint.hinge")", kSecondLine));
-  folder_.write("chosen-2.json", answer("coulomb_friction", "", ""));
-  folder_.write("random-1.json", answer("stribeck_friction", "", ""));
+  folder_.write("chosen-1.json", said("stribeck_friction", R"("coulomb_friction @ joint.hinge")", kSecondLine));
+  folder_.write("chosen-2.json", said("coulomb_friction", "", ""));
+  folder_.write("random-1.json", said("stribeck_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
   ASSERT_EQ(record->runs.size(), 3U);
@@ -100,7 +100,7 @@ TEST_F(Settle, RepeatsTheLastProposalWithOtherSeedsAndGivesUp) {
 }
 
 TEST_F(Settle, CarriesNothingOutWhereTheTwoAloneNeedNoTest) {
-  folder_.write("none-0.json", answer("coulomb_friction", "", ""));
+  folder_.write("none-0.json", said("coulomb_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
   ASSERT_EQ(record->runs.size(), 1U);
@@ -115,7 +115,7 @@ TEST_F(Settle, LeavesOutAnEffectAtTwoPlaces) {
 
 TEST_F(Settle, AFailureIsASentenceAndTheOtherTestsGoOn) {
   folder_.write("refused-chosen", "");
-  folder_.write("random-1.json", answer("stribeck_friction", "", ""));
+  folder_.write("random-1.json", said("stribeck_friction", "", ""));
   const auto record = run();
   ASSERT_TRUE(record.has_value());
   EXPECT_EQ(record->runs.at(1).failure, "lacuna diagnose ended with code 1: lacuna: no");
