@@ -47,9 +47,12 @@ Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const
 /// What is found, or left, may only make up for the form of what the model has: nothing is missing then, and a sentence
 /// says so.
 std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome) {
-  if (diagnosis.verdict == Verdict::nothing_missing || !outcome.present) return "";
-  const PresentEffects& present = *outcome.present;
-  const double gained = std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value});
+  if (diagnosis.verdict == Verdict::nothing_missing) return "";
+  const std::optional<PresentEffects> explained = outcome.present();
+  if (!explained) return "";
+  const PresentEffects& present = *explained;
+  const double further = outcome.last.rivals.empty() ? 0.0 : outcome.last.rivals.front().gain.value;
+  const double gained = std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value, further});
   if (!makes_up_for_form(gained, present, diagnosis.base_times_floor)) return "";
   diagnosis.verdict = Verdict::nothing_missing;
   diagnosis.form_only = true;

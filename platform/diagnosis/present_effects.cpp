@@ -42,7 +42,7 @@ std::optional<PresentEffects> present_effects(const Contender& plain, const Plug
 }
 
 bool makes_up_for_form(double gain, const PresentEffects& present, double base_times_floor) {
-  return base_times_floor <= kAtFloor && gain <= kLittle * present.gain.value;
+  return base_times_floor <= kAtFloor && present.gain.lower_95 > 0.0 && gain <= kLittle * present.gain.value;
 }
 
 }  // namespace lacuna

@@ -10,6 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kMove = 0.5;           ///< standard deviations, of a difference
+constexpr double kStartMove = 0.005;    ///< the same of the start, whose deviations are wide (test_conditions.h)
 constexpr double kSmallestMove = 1e-3;  ///< what the bounds leave less than this of is held
 constexpr double kAtBound = 1e-9;       ///< of a range
 
@@ -108,8 +109,8 @@ bool RivalPredictor::predict(const Test& test, int worker, RivalPrediction& pred
     prediction.follows.col(column++) = (moved - prediction.readings) / move.step;
   }
   for (const std::size_t component : unknown_starts_) {
-    if (!readings(values_, moved_start(test, component, kMove), worker, moved)) return false;
-    prediction.follows.col(column++) = (moved - prediction.readings) / kMove;
+    if (!readings(values_, moved_start(test, component, kStartMove), worker, moved)) return false;
+    prediction.follows.col(column++) = (moved - prediction.readings) / kStartMove;
   }
   return true;
 }

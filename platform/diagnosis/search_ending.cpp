@@ -21,9 +21,10 @@ class EndedSearch {
   void run() {
     if (!ending_.state.law_leads && !ending_.answer.added.empty()) tell_rest();  // the library has the law
     result_.answer_gain = gain_of_answer();
-    conclude(result_,
-             {ending_.answer, first(), ending_.last, ending_.outdone_by_law,
-              present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads), task_.seed});
+    const auto present = [this] {
+      return present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads);
+    };
+    conclude(result_, {ending_.answer, first(), ending_.last, ending_.outdone_by_law, present, task_.seed});
     if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();
     if (is_answer()) look_at_answer();
     look_for_feedback();

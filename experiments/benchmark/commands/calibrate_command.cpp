@@ -34,6 +34,9 @@ void tell_errors(const std::vector<JudgedVerdict>& verdicts, const lacuna::Shipp
 }
 
 void calibrate(const CalibrateOptions& options) {
+  if (options.set == "reporting")
+    throw std::invalid_argument(
+        "--set reporting: probabilities are judged on that set, so they are not fitted to it; take tuning");
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   Database database(options.database);
@@ -41,6 +44,8 @@ void calibrate(const CalibrateOptions& options) {
   const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.version, all.set);
   if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");
   const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
+  if (calibration.without.size() < 2)
+    throw std::invalid_argument("the verdicts are of one rig alone; what is fitted to it cannot be tried on another");
   const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
                                          all.set, all.version, verdicts.size());
   std::ofstream file(options.out, std::ios::binary);
@@ -56,7 +61,7 @@ void add_calibrate_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("calibrate", "Fit the probabilities of verdicts to how often they were right");
   command->add_option("--db", options->database, "Database that `run` wrote")->required()->option_text("FILE");
-  command->add_option("--set", options->set, "tuning, reporting or fixed (default: tuning)")->option_text("SET");
+  command->add_option("--set", options->set, "tuning or fixed (default: tuning)")->option_text("SET");
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
       ->option_text("TEXT");
   command->add_option("--out", options->out, "File to write: platform/diagnosis/calibration.json")

@@ -32,7 +32,7 @@ void show_figures(const FiguresOptions& options) {
   fs::create_directories(options.out);
   std::ofstream file(options.out / "figures.md", std::ios::binary);
   file << page;
-  if (!file.flush()) throw std::runtime_error("figures.md cannot be written");
+  if (!file.flush()) throw std::runtime_error((options.out / "figures.md").string() + " cannot be written");
   draw_pictures(database, all, options.out);
 }
 

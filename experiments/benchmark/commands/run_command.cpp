@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 
 #include "contacts/contact_plan.h"
+#include "foundation/digest.h"
 #include "foundation/interrupt.h"
 #include "runs/case_store.h"
 #include "runs/run_case.h"
@@ -45,6 +46,11 @@ std::string answer_text(const CaseResult& result) {
   return fmt::format("{}, P {:.2f}, {:.0f} s", words, first.probability, first.seconds);
 }
 
+/// What it says of itself and which file it is: another build may give other results.
+std::string identity_of(const ProgramSettings& settings, const fs::path& folder) {
+  return fmt::format("{}, {:.16}", program_version(settings, folder), lacuna::sha256_of_file(settings.lacuna));
+}
+
 /// A line a case, with the time that the rest takes if it goes on like this.
 class Telling {
  public:
@@ -65,15 +71,13 @@ void run(const RunOptions& options) {
   if (!fs::exists(file))
     throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
   const ProgramSettings settings{file, options.longest, options.most_diagnoses, lacuna::interrupt_requested};
-  const std::string program = program_version(settings, options.work);
-  const std::string version = options.version.empty() ? program : options.version;
   Database database(options.database);
-  keep_version(database, version, program);
+  keep_version(database, options.version, identity_of(settings, options.work));
   const Telling told;
   const SetProgress progress = run_set(
-      database, version, plans, options.jobs,
+      database, options.version, plans, options.jobs,
       [&](const CasePlan& plan) {
-        return run_case(plan, version,
+        return run_case(plan, options.version,
                         {options.work, options.keep, !options.without_oracle, options.baselines, options.settle},
                         settings);
       },
@@ -99,7 +103,8 @@ void add_run_command(CLI::App& program) {
       ->check(CLI::PositiveNumber)
       ->option_text("J");
   command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")->option_text("PATH");
-  command->add_option("--version", options->version, "Name of the method's version (default: the program's)")
+  command->add_option("--version", options->version, "Name of the method's version, such as a commit")
+      ->required()
       ->option_text("TEXT");
   command->add_option("--time-limit", options->longest, "Seconds that one call may take (default: 1800)")
       ->check(CLI::PositiveNumber)
@@ -113,7 +118,13 @@ void add_run_command(CLI::App& program) {
                     "Carry out the tests that are proposed, and random ones, until the answer is told from its closest "
                     "look-alike: up to thirteen short diagnoses more");
   command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    try {
+      run(*options);
+    } catch (const CaseStopped&) {
+      throw lacuna::Interrupted("interrupted; run the same command again to go on");
+    }
+  });
 }
 
 }  // namespace hidden_effects

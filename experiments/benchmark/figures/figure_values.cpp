@@ -26,6 +26,10 @@ void count_cases(Database& database, FigureValues& all) {
   all.made = static_cast<std::size_t>(integer(counts[1]));
 }
 
+std::string strength_text(const Cell& strength) {
+  return std::isnan(real(strength)) ? "not made" : fmt::format("{:g}", real(strength));
+}
+
 /// The plus signs keep SQLite from choosing cases by version inside of each view, where that takes a hundred times
 /// longer.
 void read_values(Database& database, FigureValues& all) {
@@ -34,8 +38,15 @@ void read_values(Database& database, FigureValues& all) {
                                        "FROM v CROSS JOIN judged j USING (version, set_name, number) "
                                        "WHERE +v.version = ? AND +v.set_name = ? ORDER BY number",
                                        {all.version, all.set}))
-    all.values.push_back({text(row[0]), real(row[1]), real(row[2]), text(row[3]), fmt::format("{:g}", real(row[4])),
-                          text(row[5]), text(row[6])});
+    all.values.push_back(
+        {text(row[0]), real(row[1]), real(row[2]), text(row[3]), strength_text(row[4]), text(row[5]), text(row[6])});
+}
+
+std::string what_is_there(Database& database) {
+  std::vector<std::string> all;
+  for (const Row& row : database.query("SELECT DISTINCT set_name, version FROM bench_case ORDER BY 1, 2"))
+    all.push_back(fmt::format("--set {} --version {}", text(row[0]), text(row[1])));
+  return all.empty() ? "none at all" : fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace
@@ -52,8 +63,8 @@ FigureValues read_figures(Database& database, const std::string& version, const 
   all.version = version.empty() ? last_version(database, set) : version;
   count_cases(database, all);
   if (all.cases == 0)
-    throw std::runtime_error(fmt::format("the database has no case of the set \"{}\"{}", set,
-                                         version.empty() ? "" : " by version " + version));
+    throw std::invalid_argument(fmt::format("the database has no case of --set {}{}; it has {}", set,
+                                            version.empty() ? "" : " --version " + version, what_is_there(database)));
   for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
     all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});
   read_values(database, all);

@@ -157,7 +157,8 @@ std::vector<LawKind> body_laws() {
        [](double size, const Scales&, const Shape& u) {
          return Values{std::min(1.2, 0.2 * size * u[1]), with_sign(std::min(1.0, 0.05 * size), u[0])};
        },
-       everywhere},
+       everywhere,
+       {"roll"}},
   };
 }
 

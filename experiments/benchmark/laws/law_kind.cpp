@@ -1,5 +1,7 @@
 #include "laws/law_kind.h"
 
+#include <algorithm>
+
 #include <stdexcept>
 
 namespace hidden_effects {
@@ -12,6 +14,10 @@ const std::vector<LawKind>& all_laws() {
     return laws;
   }();
   return all;
+}
+
+bool is_even(const LawKind& kind, const std::string& parameter) {
+  return std::find(kind.even.begin(), kind.even.end(), parameter) != kind.even.end();
 }
 
 const LawKind& law_kind(const std::string& name) {

@@ -47,6 +47,8 @@ struct LawKind {
 
   /// Whether neither position nor velocity, nor a slider or hinge, makes it senseless there.
   bool (*applies)(const PlantSpec& spec, int element) = nullptr;
+
+  std::vector<std::string> even = {};  ///< parameters whose sign changes nothing; they are told by their size
 };
 
 /// All laws, by family.
@@ -56,6 +58,8 @@ std::vector<LawKind> body_laws();
 std::vector<LawKind> drive_laws();
 std::vector<LawKind> sensor_laws();
 const std::vector<LawKind>& all_laws();
+
+bool is_even(const LawKind& kind, const std::string& parameter);
 
 /// The one of that name; throws `std::invalid_argument`.
 const LawKind& law_kind(const std::string& name);

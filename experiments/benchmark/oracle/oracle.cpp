@@ -14,8 +14,6 @@ namespace {
 
 using Index = Eigen::Index;
 
-bool same(const PlacedLaw& a, const PlacedLaw& b) { return a.kind == b.kind && a.element == b.element; }
-
 /// The truth in words of the library: laws of another form replaced one by one by what fits best of the same name.
 Explanation representative(const TrueData& data) {
   Explanation at = data.truth();
@@ -83,7 +81,7 @@ std::vector<Rival> rivals_of(const TrueData& data, const Explanation& at, std::s
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
     const auto& laws = at.model.laws;
     if (!wanted(rival, data.options().among)) continue;
-    if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return same(one, rival); })) continue;
+    if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return one == rival; })) continue;
     rivals.push_back(stand.judge(rival, at.deviance));
   }
   std::stable_sort(rivals.begin(), rivals.end(),

@@ -116,11 +116,13 @@ Stand::Stand(const TrueData& data, const Explanation& at, std::size_t law) : dat
   }
 }
 
+namespace {
+
 /// Sizes of a law such that it explains as much as it can of what is lacking: its own size times its share in that,
 /// over and over.
-class SizeSearch {
+class OracleSizes {
  public:
-  SizeSearch(const Footing& footing, const PlacedLaw& rival, const Scales& scales)
+  OracleSizes(const Footing& footing, const PlacedLaw& rival, const Scales& scales)
       : footing_(footing), rival_(rival), scales_(scales) {}
 
   struct Found {
@@ -175,48 +177,69 @@ double left_by_all(const Eigen::VectorXd& lacking, const std::vector<Eigen::Vect
   return lacking.squaredNorm() - (orthonormal(columns).transpose() * lacking).squaredNorm();
 }
 
+}  // namespace
+
 Stand::Screened Stand::screen(const PlacedLaw& rival) const {
   Screened screened{{}, std::numeric_limits<double>::infinity()};
   const Scales scales = data_.scales(rival);
   const std::vector<double> limit = friction_limit(rival, taken_, taken_parameters_, scales);
   for (const Footing& footing : footings_) {
-    SizeSearch search(footing, rival, scales);
-    const auto keep = [&](const std::optional<SizeSearch::Found>& found, bool known = false) {
-      if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left, known});
+    OracleSizes search(footing, rival, scales);
+    const auto keep = [&](const std::optional<OracleSizes::Found>& found) {
+      if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left});
     };
-    for (const KnownStart& known : data_.options().known)
-      if (known.law.kind == rival.kind && known.law.element == rival.element)
-        keep(search.attempt(known.parameters), true);
     for (const Shape& shape : first_shapes(*rival.kind, scales, data_.options().most_shapes)) keep(search.run(shape));
     if (!limit.empty()) keep(search.attempt(limit));
     screened.lower_estimate = std::min(screened.lower_estimate, left_by_all(footing.lacking(), search.effects));
   }
   std::sort(screened.attempts.begin(), screened.attempts.end(),
-            [](const Attempt& a, const Attempt& b) { return a.known != b.known ? a.known : a.left < b.left; });
+            [](const Attempt& a, const Attempt& b) { return a.left < b.left; });
   return screened;
+}
+
+std::vector<Stand::Attempt> Stand::known_attempts(const PlacedLaw& rival) const {
+  std::vector<Attempt> attempts;
+  const Scales scales = data_.scales(rival);
+  for (const Footing& footing : footings_) {
+    OracleSizes search(footing, rival, scales);
+    std::optional<OracleSizes::Found> best;
+    for (const KnownStart& known : data_.options().known) {
+      if (known.law != rival) continue;
+      const auto found = search.attempt(known.parameters);
+      if (found && (!best || found->left < best->left)) best = found;
+    }
+    if (best) attempts.push_back({footing.with(rival, best->parameters), best->left});
+  }
+  return attempts;
+}
+
+std::vector<Stand::Attempt> Stand::foremost(Screened screened) const {
+  if (screened.attempts.size() > data_.options().most_refined)
+    screened.attempts.resize(data_.options().most_refined, screened.attempts.front());
+  return std::move(screened.attempts);
 }
 
 std::optional<Explanation> Stand::refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const {
   std::optional<Explanation> best;
-  for (std::size_t i = 0; i < std::min(data_.options().most_refined, attempts.size()); ++i) {
-    auto fitted = data_.refitted(attempts[i].from, settled, hopeless);
+  for (const Attempt& attempt : attempts) {
+    auto fitted = data_.refitted(attempt.from, settled, hopeless);
     if (fitted && (!best || fitted->deviance < best->deviance)) best = std::move(fitted);
     if (best && best->deviance < settled) break;
   }
   return best;
 }
 
-std::optional<Explanation> Stand::best(const PlacedLaw& law) const { return refine(screen(law).attempts, 0.0, 0.0); }
+std::optional<Explanation> Stand::best(const PlacedLaw& law) const { return refine(foremost(screen(law)), 0.0, 0.0); }
 
 Rival Stand::judge(const PlacedLaw& law, double reference) const {
   const OracleOptions& options = data_.options();
-  const Screened screened = screen(law);
+  Screened screened = screen(law);
   Rival rival{law, screened.lower_estimate, false, true};
   const double base = footings_.back().lacking().squaredNorm();
-  const bool is_known = !screened.attempts.empty() && screened.attempts.front().known;
-  if (!is_known && screened.lower_estimate > std::max(reference + options.refined_below, options.refined_share * base))
-    return rival;
-  const auto fitted = refine(screened.attempts, reference + kToldApart, options.hopeless);
+  std::vector<Attempt> attempts = known_attempts(law);
+  if (screened.lower_estimate <= std::max(reference + options.refined_below, options.refined_share * base))
+    for (Attempt& own : foremost(std::move(screened))) attempts.push_back(std::move(own));
+  const auto fitted = refine(attempts, reference + kToldApart, options.hopeless);
   if (!fitted) return rival;
   rival.non_centrality = fitted->deviance;
   rival.told_apart = fitted->deviance >= reference + kToldApart;

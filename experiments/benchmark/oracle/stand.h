@@ -77,14 +77,17 @@ class Stand {
  private:
   struct Attempt {
     Explanation from;
-    double left = 0.0;   ///< by linear estimate
-    bool known = false;  ///< of `OracleOptions::known`
+    double left = 0.0;  ///< by linear estimate
   };
   struct Screened {
-    std::vector<Attempt> attempts;  ///< the known ones first, then the least left
+    std::vector<Attempt> attempts;  ///< the least left first
     double lower_estimate = 0.0;    ///< what all of them together leave
   };
   Screened screen(const PlacedLaw& rival) const;
+  /// From `OracleOptions::known`: at most one a footing.
+  std::vector<Attempt> known_attempts(const PlacedLaw& rival) const;
+  /// Those that are worth refining.
+  std::vector<Attempt> foremost(Screened screened) const;
   std::optional<Explanation> refine(const std::vector<Attempt>& attempts, double settled, double hopeless) const;
 
   const TrueData& data_;

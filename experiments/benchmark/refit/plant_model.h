@@ -15,6 +15,7 @@ namespace hidden_effects {
 struct PlacedLaw {
   const LawKind* kind = nullptr;
   int element = 0;
+  bool operator==(const PlacedLaw&) const = default;
 };
 
 /// What is believed of a rig: which values are free, which laws act. Its values, in this order: the free values of the

@@ -20,7 +20,8 @@ std::optional<std::vector<double>> parameters_of(const RankedEffectRecord& effec
   std::vector<double> parameters;
   for (const std::string& name : kind.parameters)
     for (const IntervalRecord& one : effect.parameters)
-      if (one.parameter == name && std::isfinite(one.value)) parameters.push_back(one.value);
+      if (one.parameter == name && std::isfinite(one.value))
+        parameters.push_back(is_even(kind, name) ? std::abs(one.value) : one.value);
   return parameters.size() == kind.parameters.size() ? std::optional(parameters) : std::nullopt;
 }
 

@@ -58,9 +58,7 @@ CaseResult go_through(const CaseTask& task, const ProgramSettings& settings) {
   UserSession session(settings, task.folder, task.withheld);
   try {
     use_program(task, settings, session, result);
-  } catch (const CaseStopped&) {
-    throw;
-  } catch (const std::runtime_error& error) {
+  } catch (const CaseFailure& error) {  // what else goes wrong says nothing of the program
     result.failure = error.what();
   }
   return result;

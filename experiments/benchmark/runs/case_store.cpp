@@ -1,9 +1,12 @@
 #include "runs/case_store.h"
 
+#include "laws/law_kind.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace hidden_effects {
 namespace {
@@ -54,11 +57,21 @@ void write_case(Writer& writer, const CaseResult& result) {
   }
 }
 
+/// What has no sign is told by its size.
+IntervalRecord folded(const IntervalRecord& one, const std::string& effect) {
+  const bool even = std::any_of(all_laws().begin(), all_laws().end(), [&](const LawKind& kind) {
+    return kind.effect == effect && is_even(kind, one.parameter);
+  });
+  return even && one.value < 0.0 ? IntervalRecord{one.parameter, -one.value, -one.upper, -one.lower} : one;
+}
+
 void write_intervals(Writer& writer, const CaseRecord& about, int round, const RankedEffectRecord& effect) {
-  for (const IntervalRecord& one : effect.parameters)
+  for (const IntervalRecord& told : effect.parameters) {
+    const IntervalRecord one = folded(told, effect.what.effect);
     writer.insert("interval",
                   {std::int64_t{round}, effect.what.effect, effect.what.place, one.parameter, optional(one.value),
                    optional(one.lower), optional(one.upper), optional(true_value(about, effect.what, one.parameter))});
+  }
 }
 
 void write_ranked(Writer& writer, int round, std::size_t rank, const RankedModelRecord& model) {
@@ -131,6 +144,12 @@ void write_settling(Writer& writer, const SettlingRecord& settling) {
 void keep_version(Database& database, const std::string& version, const std::string& program) {
   database.query("INSERT OR IGNORE INTO version VALUES (?, ?, strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))",
                  {version, program});
+  const std::string before = text(database.query("SELECT program FROM version WHERE version = ?", {version})[0][0]);
+  if (before != program)
+    throw std::invalid_argument(
+        fmt::format("version {} was begun with another program ({}; this one is {}): its "
+                    "results would stand beside those; name another --version",
+                    version, before, program));
 }
 
 bool has_case(Database& database, const std::string& version, const std::string& set, int number) {

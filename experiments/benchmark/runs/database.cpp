@@ -54,8 +54,8 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
   } catch (const SQLite::Exception& error) {
     complain(error.what());
   }
-  execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
   check_header();
+  execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
   execute(views_sql());
 }
 

@@ -1,8 +1,10 @@
 #include "runs/read_results.h"
 
+#include "runs/case_failure.h"
+
 #include <nlohmann/json.hpp>
 
-#include <stdexcept>
+#include <string>
 
 namespace hidden_effects {
 namespace {
@@ -42,7 +44,7 @@ ordered_json parsed(const std::string& text, const char* what) {
   try {
     return ordered_json::parse(text);
   } catch (const ordered_json::exception& error) {
-    throw std::runtime_error(std::string("the JSON of ") + what + " cannot be read: " + error.what());
+    throw CaseFailure(std::string("the JSON of ") + what + " cannot be read: " + error.what());
   }
 }
 
@@ -53,7 +55,7 @@ auto reading(const std::string& text, const char* what, const Read& read) {
   try {
     return read(document);
   } catch (const ordered_json::exception& error) {
-    throw std::runtime_error(std::string("the JSON of ") + what + " is not as expected: " + error.what());
+    throw CaseFailure(std::string("the JSON of ") + what + " is not as expected: " + error.what());
   }
 }
 

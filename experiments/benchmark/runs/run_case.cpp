@@ -79,10 +79,10 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
   std::optional<MadeCase> made;
   try {
     made = make_case(plan);
-    write_case(*made, folder.path());
   } catch (const std::exception& error) {
     return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}};
   }
+  write_case(*made, folder.path());
   const CaseRecord about = about_case(*made, version);
   OracleRecord oracle;
   if (options.oracle && about.group == "withheld") oracle = oracle_of(*made, {});

@@ -56,7 +56,9 @@ CaseResult run_contact_case(const CasePlan& plan, const std::string& version, co
   try {
     const std::vector<HeldOutRecord> errors = truth_by_program(*made, folder, settings);
     result.held_out.insert(result.held_out.end(), errors.begin(), errors.end());
-  } catch (const CaseFailure&) {
+  } catch (const CaseStopped&) {
+    throw;
+  } catch (const std::runtime_error&) {
     // A true law that the program cannot fit has no such error.
   }
   return result;

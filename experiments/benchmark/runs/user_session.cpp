@@ -25,7 +25,7 @@ std::string last_line(const std::string& text) {
 
 /// Throws for whatever is not an exit with 0.
 void check(const std::string& command, const ChildOutcome& outcome, double longest) {
-  if (outcome.stopped || (outcome.code == kInterrupted && !outcome.timed_out)) throw CaseStopped();
+  if (outcome.stopped) throw CaseStopped();
   if (outcome.timed_out) throw CaseFailure(fmt::format("lacuna {} took longer than {:g} s", command, longest));
   if (outcome.code > 128)
     throw CaseFailure(fmt::format("lacuna {} crashed with signal {}", command, outcome.code - 128));

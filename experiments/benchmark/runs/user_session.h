@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runs/case_failure.h"
 #include "runs/child_process.h"
 #include "runs/read_results.h"
 #include "runs/records.h"
@@ -11,18 +12,6 @@
 #include <vector>
 
 namespace hidden_effects {
-
-/// The program refused, crashed or took too long: a sentence of it.
-class CaseFailure : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Somebody asked for the end; the case is to be begun again another time.
-class CaseStopped : public std::runtime_error {
- public:
-  CaseStopped() : std::runtime_error("stopped") {}
-};
 
 /// How the program is run.
 struct ProgramSettings {
