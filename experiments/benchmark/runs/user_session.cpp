@@ -11,7 +11,6 @@ namespace hidden_effects {
 namespace {
 
 constexpr int kBadInput = 2;
-constexpr int kInterrupted = 75;
 constexpr const char* kResult = "result.json";
 
 /// The line that says what went wrong: the last one that is not empty.
