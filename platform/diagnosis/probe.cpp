@@ -1,6 +1,7 @@
 #include "diagnosis/probe.h"
 
 #include "diagnosis/data_scales.h"
+#include "fitting/rms_of_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,15 +84,6 @@ std::vector<std::size_t> ladder_segments(const BaseSolution& base) {
   return {chosen.begin(), chosen.end()};
 }
 
-double rms(const std::vector<Eigen::VectorXd>& parts) {
-  double squares = 0.0, count = 0.0;
-  for (const Eigen::VectorXd& part : parts) {
-    squares += part.squaredNorm();
-    count += static_cast<double>(part.size());
-  }
-  return std::sqrt(squares / std::max(count, 1.0));
-}
-
 /// How far a parameter must go from its neutral value to matter.
 class Ladder {
  public:
@@ -101,7 +93,7 @@ class Ladder {
         may_jump_(base.free_run),
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
-    residual_ = std::max(1.0, rms(calm_));
+    residual_ = std::max(1.0, rms_of_parts(calm_));
   }
 
   bool valid() const { return valid_; }
@@ -190,7 +182,7 @@ class Ladder {
     own[i] = value(i, way);
     if (!bench_.residuals(own, moved_)) return std::nullopt;
     for (std::size_t k = 0; k < calm_.size(); ++k) moved_[k] -= calm_[k];
-    return rms(moved_);
+    return rms_of_parts(moved_);
   }
 
   /// As far as a change in proportion would need, between what is too little and what is too much.

@@ -1,5 +1,6 @@
 #include "fitting/start_points.h"
 
+#include "fitting/rms_of_parts.h"
 #include "fitting/seeded_noise.h"
 
 #include <algorithm>
@@ -11,19 +12,10 @@ namespace {
 constexpr double kSmallestShare = 1e-7;  ///< of the range, where the search for a size begins
 constexpr double kLadder = 3.1622776601683795;
 
-double rms(const std::vector<Eigen::VectorXd>& residuals) {
-  double sum = 0.0, count = 0.0;
-  for (const Eigen::VectorXd& segment : residuals) {
-    sum += segment.squaredNorm();
-    count += static_cast<double>(segment.size());
-  }
-  return std::sqrt(sum / std::max(count, 1.0));
-}
-
 double rms_change(const std::vector<Eigen::VectorXd>& a, const std::vector<Eigen::VectorXd>& b) {
   std::vector<Eigen::VectorXd> difference;
   for (std::size_t k = 0; k < a.size(); ++k) difference.push_back(a[k] - b[k]);
-  return rms(difference);
+  return rms_of_parts(difference);
 }
 
 /// The smallest rung of a ladder from zero at which value `j` matters: it changes the prediction by as much
@@ -32,7 +24,7 @@ double size_that_matters(ShootingProblem& problem, const FreeValue& free, Eigen:
                          const std::vector<Eigen::VectorXd>& residuals) {
   const double direction = free.upper > 0.0 ? 1.0 : -1.0;
   const double farthest = direction > 0.0 ? free.upper : -free.lower;
-  const double enough = std::max(1.0, rms(residuals));
+  const double enough = std::max(1.0, rms_of_parts(residuals));
   std::vector<double> changes;
   std::vector<Eigen::VectorXd> moved;
   for (double size = kSmallestShare * farthest; size < farthest; size *= kLadder) {
