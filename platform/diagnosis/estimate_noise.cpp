@@ -53,13 +53,16 @@ std::vector<Eigen::MatrixXd> explained(const std::vector<LinearSegment>& segment
   return all;
 }
 
-class RestrictedLikelihood {
+class MarginalLikelihood {
  public:
-  RestrictedLikelihood(NoiseModel& noise, const std::vector<LinearSegment>& segments,
-                       std::vector<Eigen::MatrixXd> explained, int threads)
-      : noise_(noise), segments_(segments), explained_(std::move(explained)), threads_(threads) {}
+  MarginalLikelihood(NoiseModel& noise, const std::vector<LinearSegment>& segments,
+                     std::vector<Eigen::MatrixXd> explained, int threads)
+      : noise_(noise), segments_(segments), explained_(std::move(explained)), threads_(threads) {
+    for (const LinearSegment& segment : segments_) power_ += segment.residual.squaredNorm();
+    power_ = std::max(power_, 1e-300);
+  }
 
-  /// −2 log of the restricted likelihood at these deviations, but for a constant.
+  /// −2 log of the likelihood at these deviations, but for a constant.
   double operator()(const std::vector<double>& deviations) {
     throw_if_interrupted();
     noise_.set_deviations(deviations);
@@ -75,6 +78,7 @@ class RestrictedLikelihood {
     }
     if (!sum.valid) return kUnlikely;
     if (sum.score.size() == 0) return sum.deviance;
+    sum.information.diagonal().array() += 1.0 / power_;
     const Eigen::LLT<Eigen::MatrixXd> solver(sum.information);
     if (solver.info() != Eigen::Success) return kUnlikely;
     return sum.deviance + log_determinant(solver) - sum.score.dot(solver.solve(sum.score));
@@ -108,40 +112,58 @@ class RestrictedLikelihood {
   const std::vector<LinearSegment>& segments_;
   std::vector<Eigen::MatrixXd> explained_;
   int threads_;
+  double power_ = 0.0;  ///< of the residuals: variance of what is explained, a priori, by direction
+};
+
+struct NoiseSearch {
+  MarginalLikelihood likelihood;
+  const std::vector<double>& sizes;
+
+  /// `logarithms`: of multiples of sizes.
+  std::vector<double> deviations(const std::vector<double>& logarithms) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < sizes.size(); ++i) all.push_back(sizes[i] * std::exp(logarithms[i]));
+    return all;
+  }
 };
 
 double minus_two_log_likelihood(const std::vector<double>& logarithms, std::vector<double>&, void* data) {
-  auto& [likelihood, sizes] = *static_cast<std::pair<RestrictedLikelihood*, const std::vector<double>*>*>(data);
-  std::vector<double> deviations;
-  for (std::size_t i = 0; i < logarithms.size(); ++i) deviations.push_back((*sizes)[i] * std::exp(logarithms[i]));
-  return (*likelihood)(deviations);
+  NoiseSearch& search = *static_cast<NoiseSearch*>(data);
+  return search.likelihood(search.deviations(logarithms));
+}
+
+std::vector<double> lower_bounds(const NoiseModel& noise) {
+  std::vector<double> lower;
+  for (std::size_t i = 0; i < noise.sizes().size(); ++i)
+    lower.push_back(std::log(std::clamp(noise.least()[i] / std::max(noise.sizes()[i], 1e-300), 1.0 / kRange, kRange)));
+  return lower;
+}
+
+std::vector<double> start_of(const NoiseModel& noise, double start, const std::vector<double>& lower) {
+  std::vector<double> logarithms;
+  for (const NoiseComponent& one : noise.components())
+    logarithms.push_back(one.kind == NoiseComponent::Kind::sensor ? 0.0 : start);
+  for (std::size_t i = 0; i < lower.size(); ++i) logarithms[i] = std::max(logarithms[i], lower[i]);
+  return logarithms;
 }
 
 }  // namespace
 
 void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segments,
                     const std::vector<Eigen::MatrixXd>& columns, int threads) {
-  RestrictedLikelihood likelihood(noise, segments, explained(segments, columns), threads);
-  const std::vector<double> sizes = noise.sizes();
-  std::pair<RestrictedLikelihood*, const std::vector<double>*> data{&likelihood, &sizes};
-  const auto count = static_cast<unsigned>(sizes.size());
-  nlopt::opt search(nlopt::LN_SBPLX, count);
+  NoiseSearch data{{noise, segments, explained(segments, columns), threads}, noise.sizes()};
+  const std::vector<double> lower = lower_bounds(noise);
+  nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(lower.size()));
   search.set_min_objective(minus_two_log_likelihood, &data);
-  std::vector<double> lower;
-  for (unsigned i = 0; i < count; ++i)
-    lower.push_back(std::log(std::clamp(noise.least()[i] / std::max(sizes[i], 1e-300), 1.0 / kRange, kRange)));
   search.set_lower_bounds(lower);
   search.set_upper_bounds(std::log(kRange));
   search.set_initial_step(1.0);
   search.set_ftol_abs(0.05);
   search.set_maxeval(kMostEvaluations);
-  std::vector<double> logarithms;
+  std::vector<double> best;
   double least = kUnlikely;
   for (const double start : kStarts) {
-    std::vector<double> found;
-    for (const NoiseComponent& one : noise.components())
-      found.push_back(one.kind == NoiseComponent::Kind::sensor ? 0.0 : start);
-    for (unsigned i = 0; i < count; ++i) found[i] = std::max(found[i], lower[i]);
+    std::vector<double> found = start_of(noise, start, lower);
     double value = kUnlikely;
     try {
       search.optimize(found, value);
@@ -149,13 +171,11 @@ void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segment
         const std::exception&) {  // the library hides what the objective threw; rounding ends a search that is done
       throw_if_interrupted();
     }
-    if (value > least && !logarithms.empty()) continue;
+    if (value > least && !best.empty()) continue;
     least = value;
-    logarithms = found;
+    best = found;
   }
-  std::vector<double> deviations;
-  for (unsigned i = 0; i < count; ++i) deviations.push_back(sizes[i] * std::exp(logarithms[i]));
-  noise.set_deviations(deviations);
+  noise.set_deviations(data.deviations(best));
 }
 
 }  // namespace lacuna

@@ -52,9 +52,11 @@ class NoiseModel {
   std::vector<std::vector<Eigen::MatrixXd>> shapes_;
 };
 
-/// Sets the deviations of `noise` to those, from the least on, that maximise the restricted likelihood (REML: what the
-/// start states, the model's values and `columns` explain is projected out, so that a structured error that a candidate
-/// would explain does not pass for noise). `columns`: by segment, bins × any number.
+/// Sets the deviations of `noise` to those, from the least on, that maximise the marginal likelihood: what the start
+/// states, the model's values and `columns` explain is left to them, so that a structured error that a candidate would
+/// explain does not pass for noise. This is the restricted likelihood (REML), but that each direction explained is, a
+/// priori, no larger than the whole residual: a flat prior would allow any noise that many columns can explain away
+/// where few segments were measured. `columns`: by segment, bins × any number.
 ///
 /// Literature: H. D. Patterson and R. Thompson, Biometrika 58 (1971) 545-554; D. A. Harville, JASA 72 (1977) 320-338.
 void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segments,
