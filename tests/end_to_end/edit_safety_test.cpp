@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> kAdd = {"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge"};
+const std::vector<std::string> kAddFriction = {"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge"};
 
 /// Whether `add` has entered the model with the effect into its database, and fits it now. Asked by another
 /// process: what the watched one prints is its own.
@@ -27,7 +27,7 @@ TEST(Add, InterruptedInItsRefitLeavesTheFileAsItWas) {
   program.copy_first_steps();
   const std::string as_written = program.read("first-steps.toml");
   const Outcome outcome = program.run_and_signal(
-      kAdd, [&] { return refits(program); }, SIGINT);
+      kAddFriction, [&] { return refits(program); }, SIGINT);
   EXPECT_EQ(outcome.exit_code, 75) << outcome.output;
   EXPECT_THAT(outcome.errors, HasSubstr("first-steps.toml is as it was"));
   EXPECT_EQ(program.read("first-steps.toml"), as_written);
@@ -40,9 +40,9 @@ TEST(Add, KilledInItsRefitLeavesTheFileAsItWasAndWorksTheNextTime) {
   program.copy_first_steps();
   const std::string as_written = program.read("first-steps.toml");
   program.run_and_signal(
-      kAdd, [&] { return refits(program); }, SIGKILL);
+      kAddFriction, [&] { return refits(program); }, SIGKILL);
   EXPECT_EQ(program.read("first-steps.toml"), as_written);
-  const Outcome again = program.run(kAdd);
+  const Outcome again = program.run(kAddFriction);
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("coulomb_friction"));
 }
@@ -53,7 +53,7 @@ TEST(Add, LeavesAFileAloneThatItsUserChangedDuringTheRefit) {
   const std::string mine = program.read("first-steps.toml") + "# a thought\n";
   // Signal 0 sends nothing: it only tells when the refit has begun.
   const Outcome outcome = program.run_and_signal(
-      kAdd,
+      kAddFriction,
       [&] {
         if (!refits(program)) return false;
         program.write("first-steps.toml", mine);

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double kTolerance = 1e-15;  // of a handful of additions of order one
+constexpr double kCodeTolerance = 1e-15;  // of a handful of additions of order one
 
 TEST(ParametersEncoding, AGeneIsAValueUnderItsAddress) {
   const RobotSpec robot;
@@ -80,15 +80,15 @@ TEST_F(RecurrentNetworkTest, FollowsItsEquations) {
   std::array command{0.0};
   network->act(0.0, std::array{2.0}, state, command);
   const double first1 = activation(0.5 * 2.0 + 0.1), first2 = activation(-0.7 * 2.0 - 0.2);
-  EXPECT_NEAR(state[0], first1, kTolerance);
-  EXPECT_NEAR(state[1], first2, kTolerance);
-  EXPECT_NEAR(command[0], activation(0.6 * first1 - 0.8 * first2 + 0.05), kTolerance);
+  EXPECT_NEAR(state[0], first1, kCodeTolerance);
+  EXPECT_NEAR(state[1], first2, kCodeTolerance);
+  EXPECT_NEAR(command[0], activation(0.6 * first1 - 0.8 * first2 + 0.05), kCodeTolerance);
   network->act(0.01, std::array{-1.0}, state, command);
   const double second1 = activation(-0.5 + 0.2 * first1 - 0.3 * first2 + 0.1);
   const double second2 = activation(0.7 + 0.9 * first1 + 0.4 * first2 - 0.2);
-  EXPECT_NEAR(state[0], second1, kTolerance);
-  EXPECT_NEAR(state[1], second2, kTolerance);
-  EXPECT_NEAR(command[0], activation(0.6 * second1 - 0.8 * second2 + 0.05), kTolerance);
+  EXPECT_NEAR(state[0], second1, kCodeTolerance);
+  EXPECT_NEAR(state[1], second2, kCodeTolerance);
+  EXPECT_NEAR(command[0], activation(0.6 * second1 - 0.8 * second2 + 0.05), kCodeTolerance);
 }
 
 TEST_F(RecurrentNetworkTest, CommandsSpanTheActuatorsRange) {
@@ -102,7 +102,7 @@ TEST_F(RecurrentNetworkTest, CommandsSpanTheActuatorsRange) {
   for (const auto& [weight, command] : {std::pair{0.0, 2.5}, {1e3, 3.0}, {-1e3, 2.0}}) {
     genome[bias] = weight;
     controller(narrow, {1.0, 1e3}, genome)->act(0.0, std::array{0.0}, state, commands);
-    EXPECT_NEAR(commands[0], command, kTolerance);
+    EXPECT_NEAR(commands[0], command, kCodeTolerance);
     EXPECT_EQ(commands[1], -4.0);
   }
 }

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTolerance = 1e-15;  // of a handful of additions of order one
+constexpr double kScoreTolerance = 1e-15;  // of a handful of additions of order one
 
 using Sample = std::array<double, 2>;
 
@@ -26,15 +26,15 @@ TEST(MeanAbsoluteDifference, IsTheMeanOverSamplesAndChannels) {
   const auto score = accumulator(2);
   score->add(Sample{1.0, 2.0}, Sample{1.5, 1.0});
   score->add(Sample{0.0, 0.0}, Sample{-0.25, 0.25});
-  EXPECT_NEAR(score->score(), (0.5 + 1.0 + 0.25 + 0.25) / 4.0, kTolerance);
-  EXPECT_NEAR(score->bound(), score->score(), kTolerance);
+  EXPECT_NEAR(score->score(), (0.5 + 1.0 + 0.25 + 0.25) / 4.0, kScoreTolerance);
+  EXPECT_NEAR(score->bound(), score->score(), kScoreTolerance);
 }
 
 TEST(MeanAbsoluteDifference, MeasuredNanCountsForNothing) {
   const auto score = accumulator(2);
   score->add(Sample{1.0, 2.0}, Sample{kNan, 1.0});
   score->add(Sample{3.0, 7.0}, Sample{1.0, kNan});
-  EXPECT_NEAR(score->score(), (1.0 + 2.0) / 2.0, kTolerance);
+  EXPECT_NEAR(score->score(), (1.0 + 2.0) / 2.0, kScoreTolerance);
 }
 
 TEST(MeanAbsoluteDifference, BoundNeverFallsAndNeverExceedsTheScore) {
@@ -47,8 +47,8 @@ TEST(MeanAbsoluteDifference, BoundNeverFallsAndNeverExceedsTheScore) {
     bounds.push_back(score->bound());
   }
   EXPECT_TRUE(std::is_sorted(bounds.begin(), bounds.end()));
-  EXPECT_GT(bounds.front(), 0.0 - kTolerance);
-  EXPECT_LE(bounds.back(), score->score() + kTolerance);
+  EXPECT_GT(bounds.front(), 0.0 - kScoreTolerance);
+  EXPECT_LE(bounds.back(), score->score() + kScoreTolerance);
   EXPECT_LT(bounds[kSamples / 2], score->score());
 }
 

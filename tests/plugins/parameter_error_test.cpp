@@ -8,8 +8,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTolerance = 1e-15;  // of values of order one
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kErrorTolerance = 1e-15;  // of values of order one
 
 class ParameterErrorTest : public testing::Test {
  protected:
@@ -35,19 +35,20 @@ TEST_F(ParameterErrorTest, EachByItsAddressAndTheMeanOfAGroup) {
   free("body.leg.mass", "kg");
   free("contact.friction", "1");
   const auto errors = scores({3.0, 0.1, 1.5, 0.5}, {2.5, 0.1, 4.0, 0.75});
-  EXPECT_THAT(errors, testing::ElementsAre(testing::Pair("body.*.mass kg", testing::DoubleNear(1.5, kTolerance)),
-                                           testing::Pair("body.leg.mass kg", testing::DoubleNear(2.5, kTolerance)),
-                                           testing::Pair("body.torso.mass kg", testing::DoubleNear(0.5, kTolerance)),
-                                           testing::Pair("contact.friction 1", testing::DoubleNear(0.25, kTolerance)),
-                                           testing::Pair("sensor.t1.delay s", 0.0)));
+  EXPECT_THAT(errors,
+              testing::ElementsAre(testing::Pair("body.*.mass kg", testing::DoubleNear(1.5, kErrorTolerance)),
+                                   testing::Pair("body.leg.mass kg", testing::DoubleNear(2.5, kErrorTolerance)),
+                                   testing::Pair("body.torso.mass kg", testing::DoubleNear(0.5, kErrorTolerance)),
+                                   testing::Pair("contact.friction 1", testing::DoubleNear(0.25, kErrorTolerance)),
+                                   testing::Pair("sensor.t1.delay s", 0.0)));
 }
 
 TEST_F(ParameterErrorTest, LeavesOutWhatTheTargetDoesNotHave) {
   for (const char* body : {"a", "b", "c"}) free(std::string("body.") + body + ".mass", "kg");
-  const auto errors = scores({3.0, 2.0, 1.0}, {2.0, kNan, 4.0});
-  EXPECT_THAT(errors, testing::ElementsAre(testing::Pair("body.*.mass kg", testing::DoubleNear(2.0, kTolerance)),
-                                           testing::Pair("body.a.mass kg", testing::DoubleNear(1.0, kTolerance)),
-                                           testing::Pair("body.c.mass kg", testing::DoubleNear(3.0, kTolerance))));
+  const auto errors = scores({3.0, 2.0, 1.0}, {2.0, kUnknown, 4.0});
+  EXPECT_THAT(errors, testing::ElementsAre(testing::Pair("body.*.mass kg", testing::DoubleNear(2.0, kErrorTolerance)),
+                                           testing::Pair("body.a.mass kg", testing::DoubleNear(1.0, kErrorTolerance)),
+                                           testing::Pair("body.c.mass kg", testing::DoubleNear(3.0, kErrorTolerance))));
 }
 
 TEST_F(ParameterErrorTest, AddsNoNewtonMetresToNewtons) {

@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // of lengths, angles and moments of order one
+constexpr double kGeometryTolerance = 1e-12;  // of lengths, angles and moments of order one
 constexpr double kThirtyDegrees = std::numbers::pi / 6.0;
 
 class QuadrupedTest : public testing::Test {
@@ -49,15 +49,15 @@ TEST_F(QuadrupedTest, StandsWithFourFeetOnTheGround) {
     const ShapeSpec& shape = lower.shapes.at(0);
     const Eigen::Vector3d along = lower.orientation * Eigen::Vector3d::UnitZ();
     const double lowest = lower.position.z() - std::abs(along.z()) * 0.5 * shape.size[1] - shape.size[0];
-    EXPECT_NEAR(lowest, 0.0, kTolerance) << leg;
+    EXPECT_NEAR(lowest, 0.0, kGeometryTolerance) << leg;
   }
 }
 
 TEST_F(QuadrupedTest, FrontIsForwardAndLeftIsLeft) {
-  EXPECT_TRUE(body("front_left_lower").position.isApprox(Eigen::Vector3d(1.0, 1.0, 0.85), kTolerance));
-  EXPECT_TRUE(body("rear_right_upper").position.isApprox(Eigen::Vector3d(-0.5, -0.5, 1.225), kTolerance));
-  EXPECT_TRUE(joint("front_right_knee").anchor.isApprox(Eigen::Vector3d(1.0, -1.0, 1.6), kTolerance));
-  EXPECT_TRUE(joint("front_right_hip").anchor.isApprox(Eigen::Vector3d(0.0, 0.0, 0.85), kTolerance));
+  EXPECT_TRUE(body("front_left_lower").position.isApprox(Eigen::Vector3d(1.0, 1.0, 0.85), kGeometryTolerance));
+  EXPECT_TRUE(body("rear_right_upper").position.isApprox(Eigen::Vector3d(-0.5, -0.5, 1.225), kGeometryTolerance));
+  EXPECT_TRUE(joint("front_right_knee").anchor.isApprox(Eigen::Vector3d(1.0, -1.0, 1.6), kGeometryTolerance));
+  EXPECT_TRUE(joint("front_right_hip").anchor.isApprox(Eigen::Vector3d(0.0, 0.0, 0.85), kGeometryTolerance));
 }
 
 TEST_F(QuadrupedTest, UpperLegsPointFromHipToKnee) {
@@ -65,7 +65,7 @@ TEST_F(QuadrupedTest, UpperLegsPointFromHipToKnee) {
     const std::string name = leg;
     const Eigen::Vector3d along = body(name + "_upper").orientation * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d leg_line = joint(name + "_knee").anchor - joint(name + "_hip").anchor;
-    EXPECT_NEAR(along.dot(leg_line.normalized()), 1.0, kTolerance);
+    EXPECT_NEAR(along.dot(leg_line.normalized()), 1.0, kGeometryTolerance);
   }
 }
 
@@ -76,7 +76,7 @@ TEST_F(QuadrupedTest, PositiveAnglesLiftTheKneeAndSwingTheFootOutward) {
     EXPECT_GT(joint(name + "_hip").axis.cross(knee - hip).z(), 0.0);
     const Eigen::Vector3d foot_motion = joint(name + "_knee").axis.cross(Eigen::Vector3d(0.0, 0.0, -1.0));
     EXPECT_GT(foot_motion.dot(knee - hip), 0.0);
-    EXPECT_NEAR(joint(name + "_hip").axis.z(), 0.0, kTolerance);
+    EXPECT_NEAR(joint(name + "_hip").axis.z(), 0.0, kGeometryTolerance);
   }
 }
 
@@ -88,18 +88,18 @@ TEST_F(QuadrupedTest, OnlyTorsoAndLowerLegsTouchTheGround) {
 
 TEST_F(QuadrupedTest, ServosWantEightTimesTheErrorAsSpeedAndCommandsSpanTheRange) {
   for (const ActuatorSpec& servo : robot_.actuators) {
-    EXPECT_NEAR(servo.kp / servo.kd, 8.0, kTolerance);
+    EXPECT_NEAR(servo.kp / servo.kd, 8.0, kGeometryTolerance);
     EXPECT_EQ(servo.force_limit, 40.0);
-    EXPECT_NEAR(servo.gain * 1.0, kThirtyDegrees, kTolerance);
-    EXPECT_NEAR(joint(servo.joint).upper, kThirtyDegrees, kTolerance);
-    EXPECT_NEAR(joint(servo.joint).lower, -kThirtyDegrees, kTolerance);
+    EXPECT_NEAR(servo.gain * 1.0, kThirtyDegrees, kGeometryTolerance);
+    EXPECT_NEAR(joint(servo.joint).upper, kThirtyDegrees, kGeometryTolerance);
+    EXPECT_NEAR(joint(servo.joint).lower, -kThirtyDegrees, kGeometryTolerance);
   }
 }
 
 TEST_F(QuadrupedTest, KneeSensorsReadOneAtTheStop) {
   const SensorSpec& sensor = named(robot_.sensors, "angle_front_left");
   EXPECT_EQ(sensor.element, "front_left_knee");
-  EXPECT_NEAR(sensor.scale * kThirtyDegrees, 1.0, kTolerance);
+  EXPECT_NEAR(sensor.scale * kThirtyDegrees, 1.0, kGeometryTolerance);
 }
 
 TEST_F(QuadrupedTest, MassesAreParametersAndScaleTheInertia) {
@@ -112,7 +112,7 @@ TEST_F(QuadrupedTest, MassesAreParametersAndScaleTheInertia) {
   values_[static_cast<std::size_t>(mass - declarations.begin())] = 3.0;
   robot_ = plugin_.build({values_, nullptr});
   EXPECT_EQ(body("rear_left_upper").mass, 3.0);
-  EXPECT_NEAR(body("rear_left_upper").inertia.xx, 3.0 * light.xx, kTolerance);
+  EXPECT_NEAR(body("rear_left_upper").inertia.xx, 3.0 * light.xx, kGeometryTolerance);
   EXPECT_EQ(body("torso").mass, 1.0);
 }
 

@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/migrate.h"
 #include "storage/small_database.h"
 #include "storage/statement.h"
@@ -14,6 +15,8 @@
 namespace lacuna {
 namespace {
 
+using test::ask;
+using test::sentence_of;
 using testing::HasSubstr;
 
 std::string content_of(const std::filesystem::path& file) {
@@ -22,22 +25,6 @@ std::string content_of(const std::filesystem::path& file) {
 }
 
 /// The sentence with which `action` fails.
-template <class Action>
-std::string sentence_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::int64_t ask(const Database& database, const char* sql) {
-  Statement statement(database, sql);
-  EXPECT_TRUE(statement.step());
-  return statement.integer(0);
-}
-
 class DatabaseTest : public testing::Test {
  protected:
   std::string open_sentence() {

@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/child_process.h"
 #include "storage/made_up_run.h"
 #include "storage/statement.h"
@@ -17,27 +18,13 @@ namespace lacuna {
 namespace {
 
 using test::ChildProcess;
+using test::is_intact;
 using test::MadeUpDatabase;
 using test::MadeUpRun;
+using test::sentence_of;
 using testing::HasSubstr;
 
 constexpr MadeUpRun kLong{.passes = 100};
-
-template <class Action>
-std::string sentence_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool is_intact(const Database& database) {
-  Statement check(database, "PRAGMA integrity_check");
-  Statement keys(database, "PRAGMA foreign_key_check");
-  return check.step() && check.text(0) == "ok" && !keys.step();
-}
 
 /// Goes on with run 1 of a file.
 class Continued {

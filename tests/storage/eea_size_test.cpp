@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/made_up_run.h"
 #include "storage/statement.h"
 
@@ -10,6 +11,7 @@
 namespace lacuna {
 namespace {
 
+using test::ask;
 using test::MadeUpDatabase;
 
 constexpr double kSecondsOfARun = 2000.0;    ///< of the paper, on a quiet machine
@@ -23,12 +25,6 @@ double seconds_of(const auto& action) {
   const auto begin = std::chrono::steady_clock::now();
   action();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-std::int64_t ask(const Database& database, const char* sql) {
-  Statement statement(database, sql);
-  EXPECT_TRUE(statement.step());
-  return statement.integer(0);
 }
 
 constexpr const char* kLastButOneRun =

@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/made_up_run.h"
 #include "storage/statement.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 using test::MadeUpDatabase;
 using test::MadeUpRun;
+using test::sentence_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -21,16 +23,6 @@ std::vector<std::uint64_t> bits(const std::vector<double>& numbers) {
   std::vector<std::uint64_t> all;
   for (const double number : numbers) all.push_back(bits(number));
   return all;
-}
-
-template <class Action>
-std::string sentence_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 class EeaStoreTest : public testing::Test {

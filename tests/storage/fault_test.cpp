@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/child_process.h"
 #include "storage/query.h"
 #include "storage/small_database.h"
@@ -21,33 +22,15 @@
 namespace lacuna {
 namespace {
 
+using test::ask;
 using test::ChildProcess;
+using test::is_intact;
+using test::sentence_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::int64_t ask(const Database& database, const char* sql) {
-  Statement statement(database, sql);
-  EXPECT_TRUE(statement.step());
-  return statement.integer(0);
-}
-
-bool is_intact(const Database& database) {
-  Statement check(database, "PRAGMA integrity_check");
-  return check.step() && check.text(0) == "ok";
-}
-
 void add_experiment(ResultStore& store, int number) {
   store.record_experiment({"experiment " + std::to_string(number), "rig.toml", std::string(5000, 'x'), {}});
-}
-
-template <class Action>
-std::string sentence_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 class StorageFault : public testing::Test {

@@ -1,3 +1,4 @@
+#include "storage/asked.h"
 #include "storage/child_process.h"
 #include "storage/made_up_run.h"
 #include "storage/statement.h"
@@ -10,11 +11,7 @@
 namespace lacuna {
 namespace {
 
-std::int64_t ask(const Database& database, const char* sql) {
-  Statement statement(database, sql);
-  EXPECT_TRUE(statement.step());
-  return statement.integer(0);
-}
+using test::ask;
 
 /// A file as version 1 left it: its tables, its view of traces, a trial with what was measured and a prediction.
 void make_version_1(const std::filesystem::path& file) {
