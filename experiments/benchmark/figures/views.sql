@@ -319,25 +319,59 @@ SELECT j.version, j.set_name, j.number, CASE j.kind WHEN 'withheld' THEN 'withhe
 FROM judged j
 WHERE j.made AND j.kind <> 'two';
 
--- What other methods make of the same cases. A method is right about an effect when it chooses the true one first.
+-- Each method that was asked about a case with something or nothing hidden, this program among them where others were
+-- asked, too; `chosen` is 0 where it found nothing.
+CREATE TEMP VIEW asked AS
+SELECT b.version, b.set_name, b.number, b.method, b.chosen > 0 AS chosen, b.seconds, j.kind
+  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made
+UNION ALL
+SELECT j.version, j.set_name, j.number, 'lacuna',
+       coalesce(j.verdict IN ('effect_found', 'not_in_library'), 0), d.processor_seconds, j.kind
+  FROM judged j LEFT JOIN diagnosis d
+    ON (d.version, d.set_name, d.number, d.round) = (j.version, j.set_name, j.number, 1)
+ WHERE j.made AND EXISTS (SELECT 1 FROM baseline b
+                          WHERE (b.version, b.set_name, b.number) = (j.version, j.set_name, j.number));
+
+-- What a method names, best first: of this program its ranking, without look-alikes.
+CREATE TEMP VIEW choice AS
+SELECT version, set_name, number, method, rank, effect, place FROM baseline_rank
+UNION ALL
+SELECT r.version, r.set_name, r.number, 'lacuna', r.rank, r.effect, r.place FROM ranked_effect r
+ WHERE r.round = 1 AND NOT r.look_alike
+   AND r.position = (SELECT min(q.position) FROM ranked_effect q
+                     WHERE (q.version, q.set_name, q.number, q.round, q.rank)
+                         = (r.version, r.set_name, r.number, r.round, r.rank));
+
+-- What methods make of the same cases, one choice each: the true effect, or one that the oracle does not tell from it.
 CREATE TEMP VIEW baseline_value AS
 SELECT version, set_name, number, method, 'first right' AS figure,
-       b.chosen > 0 AND EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h
-                                ON (h.version, h.set_name, h.number, h.effect, h.place)
-                                 = (r.version, r.set_name, r.number, r.effect, r.place)
-                                WHERE (r.version, r.set_name, r.number, r.method, r.rank)
-                                    = (b.version, b.set_name, b.number, b.method, 1)) AS value
-  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+       a.chosen AND EXISTS (SELECT 1 FROM choice c JOIN hidden_law h
+                            ON (h.version, h.set_name, h.number, h.effect, h.place)
+                             = (c.version, c.set_name, c.number, c.effect, c.place)
+                            WHERE (c.version, c.set_name, c.number, c.method, c.rank)
+                                = (a.version, a.set_name, a.number, a.method, 1)) AS value
+  FROM asked a WHERE a.kind = 'one'
+UNION ALL
+SELECT version, set_name, number, method, 'first right, or not told from it by the oracle',
+       a.chosen AND EXISTS (SELECT 1 FROM choice c JOIN hidden_law h
+                            ON (h.version, h.set_name, h.number) = (c.version, c.set_name, c.number)
+                            WHERE (c.version, c.set_name, c.number, c.method, c.rank)
+                                = (a.version, a.set_name, a.number, a.method, 1)
+                              AND ((c.effect, c.place) = (h.effect, h.place)
+                                   OR EXISTS (SELECT 1 FROM oracle_rival o
+                                              WHERE (o.version, o.set_name, o.number, o.law, o.effect, o.place)
+                                                  = (h.version, h.set_name, h.number, h.law, c.effect, c.place)
+                                                AND o.told_apart = 0)))
+  FROM asked a WHERE a.kind = 'one'
 UNION ALL
 SELECT version, set_name, number, method, 'among the first three',
-       EXISTS (SELECT 1 FROM baseline_rank r JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
-                                                                = (r.version, r.set_name, r.number, r.effect, r.place)
-               WHERE (r.version, r.set_name, r.number, r.method) = (b.version, b.set_name, b.number, b.method)
-                 AND r.rank <= 3)
-  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'one'
+       EXISTS (SELECT 1 FROM choice c JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
+                                                         = (c.version, c.set_name, c.number, c.effect, c.place)
+               WHERE (c.version, c.set_name, c.number, c.method) = (a.version, a.set_name, a.number, a.method)
+                 AND c.rank <= 3)
+  FROM asked a WHERE a.kind = 'one'
 UNION ALL
-SELECT version, set_name, number, method, 'something found where nothing is hidden', b.chosen > 0
-  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND j.kind = 'nothing'
+SELECT version, set_name, number, method, 'something found where nothing is hidden', chosen
+  FROM asked WHERE kind = 'nothing'
 UNION ALL
-SELECT version, set_name, number, method, 'processor seconds', b.seconds
-  FROM baseline b JOIN judged j USING (version, set_name, number) WHERE j.made AND b.seconds IS NOT NULL;
+SELECT version, set_name, number, method, 'processor seconds', seconds FROM asked WHERE seconds IS NOT NULL;

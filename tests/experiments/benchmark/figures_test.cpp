@@ -239,6 +239,21 @@ TEST_F(Figures, OtherMethodsAreScoredOnTheSameCases) {
   EXPECT_THAT(table, HasSubstr("| guess | first right | 33.3 % [6.1, 79.2] n 3 |"));
   EXPECT_THAT(table, HasSubstr("| guess | among the first three | 66.7 % [20.8, 93.9] n 3 |"));
   EXPECT_THAT(table, HasSubstr("| guess | processor seconds | 4 [4, 4] n 3 |"));
+  EXPECT_THAT(table, HasSubstr("| lacuna | first right | 0.0 % [0.0, 56.1] n 3 |"));
+}
+
+/// The oracle does not tell a spring from the hidden friction: as first choice it is wrong, and not told from what is
+/// right. Of this program the first choice counts alone, too.
+TEST_F(Figures, MethodsMayNameWhatCannotBeToldFromTheTruth) {
+  CaseResult result = answered(0, small_diagnosis(1, "effect_found", 0.9, {kSpring}));
+  result.baselines = {{"guess", 1, 4.0, {kSpring}, {2.0}}};
+  result.oracle.rivals = {{0, kSpring, 0.5, false}};
+  keep(result);
+  const std::string table = baseline_table(database_, read_figures(database_, "v", "tuning"));
+  for (const std::string method : {"guess", "lacuna"}) {
+    EXPECT_THAT(table, HasSubstr("| " + method + " | first right | 0.0 % [0.0, 79.3] n 1 |"));
+    EXPECT_THAT(table, HasSubstr("| " + method + " | first right, or not told from it by the oracle | 100.0 %"));
+  }
 }
 
 TEST_F(Figures, ASetWithoutCasesIsSaid) {
