@@ -1,6 +1,6 @@
 #include "diagnosis/refit.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <limits>
@@ -12,6 +12,18 @@ namespace {
 /// Of free runs through contacts, where the deviance is no smoother: impacts happen at whole steps.
 constexpr int kMostRunIterations = 10;
 constexpr double kRunPrecision = 0.5;
+constexpr double kWidest = 1e12;  ///< range of coordinates without bounds, such as nuisances
+
+/// Where the data leave a direction open, its variance is that of values anywhere within their bounds: a pseudo-inverse
+/// would call such values certain.
+Eigen::MatrixXd inverse_within(const Eigen::MatrixXd& information, const Eigen::VectorXd& ranges) {
+  const Eigen::VectorXd deviations = ranges / std::sqrt(12.0);
+  Eigen::MatrixXd relative = deviations.asDiagonal() * information * deviations.asDiagonal();
+  relative.diagonal().array() += 1.0;
+  const Eigen::MatrixXd inverse =
+      relative.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  return deviations.asDiagonal() * inverse * deviations.asDiagonal();
+}
 
 void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::MatrixXd>& factors,
                        LeastSquaresResult& search, Refit& result) {
@@ -39,9 +51,8 @@ void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::Matrix
   }
   result.covariance = Eigen::MatrixXd::Zero(count, count);
   if (inside.empty()) return;
-  const Eigen::MatrixXd inverse =
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(information(inside, inside)).pseudoInverse();
-  result.covariance(inside, inside) = inverse;
+  const Eigen::VectorXd ranges = (problem.upper() - problem.lower()).cwiseMin(kWidest);
+  result.covariance(inside, inside) = inverse_within(information(inside, inside), ranges(inside));
 }
 
 /// Difference steps that the base has found, where the model has the base's values and states.

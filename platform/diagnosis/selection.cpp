@@ -15,8 +15,9 @@ constexpr double kAsGood = 0.1;
 /// Share of the best gain from which on a simpler effect is tried first: two of them may do what a richer one does, and
 /// the next round judges that (rejudge.h).
 constexpr double kSimpleFirst = 0.5;
-constexpr double kSomething = 0.5;  ///< nats: what an effect must predict better, to be one
-constexpr double kTold = 2.0;       ///< nats: less does not tell two effects apart
+constexpr double kSomething = 0.5;      ///< nats: what an effect must predict better, to be one
+constexpr double kTold = 2.0;           ///< nats: less does not tell two effects apart
+constexpr double kSaysSomething = 0.9;  ///< of the deviation of a value anywhere within its bounds
 
 std::size_t freedom(const Round& round, const Rival& rival) { return round.hypotheses[rival.hypothesis].own.size(); }
 
@@ -85,8 +86,9 @@ std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, co
       const auto j = static_cast<Eigen::Index>(i);
       FoundParameter parameter{free.address.substr(prefix.size()), free.unit, fit.values[i], kNothing, kNothing};
       const double deviation = std::sqrt(fit.covariance(j, j));
-      if (!fit.at_bound[i] && deviation > 0.0) {
-        const double at = space.to_coordinate(j, fit.values[i]);
+      const double at = space.to_coordinate(j, fit.values[i]);
+      const double untold = (space.upper()(j) - space.lower()(j)) / std::sqrt(12.0);  // anywhere within its bounds
+      if (!fit.at_bound[i] && deviation > 0.0 && deviation < kSaysSomething * untold) {
         parameter.lower_95 = space.to_value(j, std::max(space.lower()(j), at - kBeyond * deviation));
         parameter.upper_95 = space.to_value(j, std::min(space.upper()(j), at + kBeyond * deviation));
       }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostShown = 5;
 
 std::string interval(const FoundParameter& parameter) {
-  if (!std::isfinite(parameter.lower_95)) return "";
+  if (!std::isfinite(parameter.lower_95)) return " (undetermined)";
   return fmt::format(" [{:.3g}, {:.3g}]", parameter.lower_95, parameter.upper_95);
 }
 
