@@ -6,12 +6,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
 constexpr double kByChance = 2.0;      ///< nats
+constexpr double kTie = 0.5;           ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -95,9 +97,15 @@ class Contest {
   const Judged* best_of(std::size_t size) const {
     const Judged* best = nullptr;
     for (const Judged& one : judged_)
-      if (one.model.added.size() == size && (best == nullptr || one.model.gain.value > best->model.gain.value))
-        best = &one;
+      if (one.model.added.size() == size && (best == nullptr || is_better(one, *best))) best = &one;
     return best;
+  }
+
+  /// The larger gain, or as good as that with fewer parameters.
+  static bool is_better(const Judged& one, const Judged& other) {
+    const double ahead = one.model.gain.value - other.model.gain.value;
+    if (std::abs(ahead) > kTie) return ahead > 0.0;
+    return one.model.fit.values.size() < other.model.fit.values.size();
   }
 
   bool is_enough(const Judged& one) const {

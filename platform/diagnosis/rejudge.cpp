@@ -12,13 +12,14 @@ namespace {
 constexpr double kClose = 0.5;  ///< of the chosen one's gain: less is no close call
 constexpr std::size_t kMostClose = 8;
 constexpr double kToldApart = 2.0;  ///< nats: less does not tell two effects apart
-/// A close call is judged by gains of this precision, and needs no more iterations.
-constexpr double kFineEnough = 1e-3;
+/// A close call is judged by deviances of this precision, of the gain and at most, and needs no more iterations.
+constexpr double kFineEnough = 1e-3, kLeastFine = 2.0;
 constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
-/// The same, beyond which nobody would take one for the other.
-constexpr double kInseparableShare = 0.01;
+/// What a look-alike may be behind: odds of one to fifty, or that share of the gain. The error of a difference that
+/// blocks of data tell is no measure here: what one block happens to say of two models would make all of them alike.
+constexpr double kAlikeNats = 4.0, kInseparableShare = 0.001;
 constexpr double kEqual = 0.5;  ///< nats: then the one with fewer parameters is named first
 
 std::vector<std::size_t> close_calls(const SearchStep& step) {
@@ -44,7 +45,7 @@ Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender
   base.nuisance.clear();
   if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
   return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
-               {std::max(RefitEffort().precision, kFineEnough * 2.0 * rival.gain.value), kIterations});
+               {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations});
 }
 
 /// Whether the chosen effect and one more, with no more parameters than the richer rival, predict as well as it does:
@@ -104,7 +105,7 @@ Rejudged rejudge(const RejudgeTask& task) {
   const std::vector<std::size_t> close = close_calls(before);
   std::vector<RefitAgain> fits = refit_again(task, close);
   const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
-  const double inseparable = std::max(kToldApart, kInseparableShare * chosen.gain.value);
+  const double inseparable = std::max(kAlikeNats, kInseparableShare * chosen.gain.value);
   Rejudged result;
   double most = 0.0;
   std::vector<Alike> alikes;
@@ -114,7 +115,7 @@ Rejudged rejudge(const RejudgeTask& task) {
     const Gain ahead = gain(task.now.held_out, held_out, task.seed);
     const std::size_t freedom = before.rivals[close[i]].values.size();
     const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit;
-    if (!a_limit && (ahead.upper_95 >= 0.0 || ahead.value > -inseparable)) alikes.push_back({i, ahead.value, freedom});
+    if (!a_limit && ahead.value > -inseparable) alikes.push_back({i, ahead.value, freedom});
     const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
     const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&
                          (freedom <= chosen.values.size() ||
