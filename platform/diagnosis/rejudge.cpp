@@ -17,9 +17,10 @@ constexpr double kFineEnough = 1e-3, kLeastFine = 2.0;
 constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
-/// What a look-alike may be behind: odds of one to fifty, or that share of the gain. The error of a difference that
-/// blocks of data tell is no measure here: what one block happens to say of two models would make all of them alike.
-constexpr double kAlikeNats = 4.0, kInseparableShare = 0.001;
+/// What a look-alike may be behind: odds of one to four hundred, or that share of the gain. The error of a difference
+/// that blocks of data tell is no measure here: what one block happens to say of two models would make all of them
+/// alike.
+constexpr double kAlikeNats = 6.0, kInseparableShare = 0.001;
 constexpr double kEqual = 0.5;  ///< nats: then the one with fewer parameters is named first
 
 std::vector<std::size_t> close_calls(const SearchStep& step) {

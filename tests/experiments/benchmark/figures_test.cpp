@@ -175,7 +175,8 @@ TEST_F(Figures, TestsAreCountedUntilOneOfTheTwoIsLeft) {
       {}};
   for (int number = 0; number < 5; ++number) {
     CaseResult result = answered(number, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}, {kStribeck}));
-    result.settling = {kCoulomb, kStribeck, number == 4 ? "both are one effect" : "", runs[number]};
+    result.settling = {kCoulomb, kStribeck, number == 4 ? "both are one effect" : "",
+                       runs[static_cast<std::size_t>(number)]};
     keep(result);
   }
   EXPECT_EQ(figure("tests_chosen").n, 2U);
