@@ -15,7 +15,8 @@ INERTIA = 0.005 + 0.50 * 0.20**2 + 0.005  # kg*m^2
 GRAVITY_TORQUE = 0.50 * 9.81 * 0.20  # N*m, of the arm when it is horizontal
 VISCOUS = 0.021  # N*m*s/rad
 COULOMB = 0.030  # N*m; what the model lacks
-NOISE = 0.3e-3  # rad, of the encoder
+NOISE = 0.3e-3  # rad, standard deviation of a reading before it is rounded
+COUNT = 2.0 * math.pi / 2048  # rad, step of the encoder
 LIMIT = 0.6  # N*m, of the motor
 STEP = 0.25e-3  # s, of the integration
 
@@ -52,7 +53,7 @@ class Pendulum:
         self.q += h * self.v
 
     def angle(self):
-        return self.q + self.noise.gauss(0.0, NOISE)
+        return COUNT * round((self.q + self.noise.gauss(0.0, NOISE)) / COUNT)
 
 
 def say(message):

@@ -10,6 +10,9 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
+#include <string>
+#include <thread>
 
 namespace lacuna {
 namespace {
@@ -32,10 +35,10 @@ class Echo : public Controller {
 
 class OutsideTarget : public testing::Test {
  protected:
-  ProcessTarget& rig(const std::string& fault, double limit = 20.0) {
+  OutsideTarget() { setting_.source.start_limit = 60.0; }  // s; the machine may be busy
+  ProcessTarget& rig(const std::string& fault) {
     setting_.source.command = {"python3", kRig, fault};
     setting_.source.folder = folder_.path();
-    setting_.source.start_limit = setting_.source.trial_limit = limit;
     setting_.location = {"rig.toml", 3, 1};
     setting_.space = {{{"angle", "rad"}}, {{"motor", "N*m"}}, {-0.6}, {0.6}, 0.01, 0.0};
     setting_.coordinates = {"hinge"};
@@ -61,9 +64,9 @@ class OutsideTarget : public testing::Test {
   }
 
   /// What a trial of a rig with that fault fails with.
-  std::string complaint(const std::string& fault, const lacuna::Test& test = series(0.2), double limit = 20.0) {
+  std::string complaint(const std::string& fault, const lacuna::Test& test = series(0.2)) {
     try {
-      rig(fault, limit).carry_out(test);
+      rig(fault).carry_out(test);
     } catch (const Error& error) {
       return error.what();
     }
@@ -154,11 +157,7 @@ TEST_F(OutsideTarget, ThatDoesNotFitTheModelIsWrongInputWithAllOfIt) {
 TEST_F(OutsideTarget, SaysHowAHelloFails) {
   EXPECT_THAT(complaint("crashes in hello"),
               AllOf(HasSubstr("ended with exit code 3"), HasSubstr("no rig at /dev/ttyUSB0"), HasSubstr(kRig)));
-  EXPECT_THAT(complaint("hangs in hello", series(0.2), 0.5),
-              AllOf(HasSubstr("has not answered in time"), HasSubstr("target.start_limit")));
   EXPECT_THAT(complaint("prints"), AllOf(HasSubstr("\"Rig driver 1.2 ready\""), HasSubstr("for messages alone")));
-  EXPECT_THAT(complaint("half a line", series(0.2), 0.5),
-              HasSubstr(R"(has not ended its line in time, "{"type": "hel")"));
   EXPECT_THAT(complaint("huge line"), HasSubstr("a line of more than 64 MiB"));
   EXPECT_THAT(complaint("closes its output"), HasSubstr("closed its standard output"));
   EXPECT_THAT(complaint("is sick"), HasSubstr("says: the motor's power is off"));
@@ -171,9 +170,6 @@ TEST_F(OutsideTarget, SaysHowAHelloFails) {
 TEST_F(OutsideTarget, SaysHowATrialFails) {
   EXPECT_THAT(complaint("dies"), AllOf(HasSubstr("ended with exit code 3"), HasSubstr("over-current")));
   EXPECT_THAT(complaint("is killed"), HasSubstr("was ended by signal 11 (Segmentation fault)"));
-  EXPECT_THAT(
-      complaint("hangs", series(0.2), 1.0),
-      AllOf(HasSubstr("has not answered in time"), HasSubstr("target.trial_limit, 1 s beyond the test's 0.1 s")));
   EXPECT_THAT(complaint("refuses"), HasSubstr("says: the arm is not at rest"));
   EXPECT_THAT(complaint("half an answer"), HasSubstr("ended with exit code 0 in the middle of a line"));
   EXPECT_THAT(complaint("other type"), HasSubstr("of type \"banana\" where one of type \"samples\" is due"));
@@ -185,7 +181,17 @@ TEST_F(OutsideTarget, SaysHowATrialFails) {
   EXPECT_THAT(complaint("out of step", controlled()),
               HasSubstr("is out of step: readings 2 of the test are due at 0.02 s"));
   EXPECT_THAT(complaint("only series", controlled()), HasSubstr("takes whole command series only"));
-  EXPECT_THAT(complaint("reads nothing", series(0.2), 0.5), HasSubstr("has not answered in time"));
+}
+
+TEST_F(OutsideTarget, HasTimeLimits) {
+  setting_.source.trial_limit = 2.0;  // s; the program runs by then
+  EXPECT_THAT(complaint("hangs"), AllOf(HasSubstr("has not answered in time"),
+                                        HasSubstr("target.trial_limit, 2 s beyond the test's 0.1 s")));
+  EXPECT_THAT(complaint("half a line"), HasSubstr(R"(has not ended its line in time, "{"type": "sam" so far)"));
+  setting_.source.start_limit = 0.5;
+  EXPECT_THAT(complaint("hangs in hello"),
+              AllOf(HasSubstr("has not answered in time"), HasSubstr("target.start_limit, 0.5 s")));
+  EXPECT_THAT(complaint("reads nothing"), HasSubstr("has not answered in time"));
 }
 
 TEST_F(OutsideTarget, IsSentNothingBeyondItsLimits) {
@@ -209,7 +215,11 @@ TEST_F(OutsideTarget, IsStartedAgainAfterItFailed) {
 TEST_F(OutsideTarget, ThatEndsBetweenTwoTrialsIsStartedAgain) {
   ProcessTarget& target = rig("dies afterwards");
   EXPECT_EQ(target.carry_out(series(0.2)).measured.times.size(), 11);
-  for (int i = 0; i < 200 && notes_.empty(); ++i) target.hello();  // until its end is seen
+  for (int i = 0; i < 6000 && notes_.empty(); ++i) {  // until its end is seen
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    target.hello();
+  }
+  EXPECT_THAT(notes_, HasSubstr("has ended since its last trial and is started again"));
   EXPECT_EQ(target.carry_out(series(0.2)).measured.times.size(), 11);
 }
 

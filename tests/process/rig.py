@@ -57,10 +57,6 @@ def greet():
         time.sleep(1000)
     if FAULT == "prints":
         say("Rig driver 1.2 ready")
-    if FAULT == "half a line":
-        sys.stdout.write('{"type": "hel')
-        sys.stdout.flush()
-        time.sleep(1000)
     if FAULT == "huge line":
         while True:
             sys.stdout.write("x" * (1 << 20))
@@ -86,13 +82,21 @@ def greet():
 
 
 def fault_in_trial(test):
-    if FAULT == "dies" or (FAULT == "dies once" and once("died")):
+    if FAULT == "dies" or (FAULT == "dies once" and once("died")) or (
+        FAULT == "waits for repair" and not os.path.exists("repaired")
+    ):
         crash("motor driver: over-current")
     if FAULT == "is killed":
         os.kill(os.getpid(), signal.SIGSEGV)
     if FAULT == "echoes":
         crash(json.dumps({key: test[key] for key in ("trial", "seed", "duration", "period", "periods")}))
+    if FAULT == "waits for more":
+        listen()
     if FAULT == "hangs":
+        time.sleep(1000)
+    if FAULT == "half a line":
+        sys.stdout.write('{"type": "sam')
+        sys.stdout.flush()
         time.sleep(1000)
     if FAULT == "refuses":
         say({"type": "error", "message": "the arm is not at rest"})
@@ -149,6 +153,8 @@ def run_exchange(test):
 
 
 def main():
+    with open("pid", "w") as file:
+        file.write(str(os.getpid()))
     if FAULT == "reads nothing":
         time.sleep(1000)
     if FAULT == "floods standard error":
