@@ -46,6 +46,9 @@ decltype(auto) ProcessTarget::guarded(const std::string& limit, Call&& call) {
     throw;
   } catch (const Error& error) {
     fail(error.what());
+  } catch (...) {  // a controller's; the program waits for commands that never come
+    lines_.reset();
+    throw;
   }
 }
 
