@@ -25,7 +25,7 @@ HELLO = {
     "protocol": "lacuna-process/1",
     "name": "pendulum",
     "modes": ["series", "exchange"],
-    "sensors": [{"name": "angle", "unit": "rad", "noise": NOISE}],
+    "sensors": [{"name": "angle", "unit": "rad"}],
     "actuators": [{"name": "motor", "unit": "N*m", "lower": -LIMIT, "upper": LIMIT}],
 }
 AT_REST = {"hinge": {"position": 0.0, "velocity": 0.0}}

@@ -15,8 +15,8 @@ struct Reading {
 };
 
 inline constexpr double kForceLimit = 6.0;      ///< N, of the motor
-inline constexpr double kPositionNoise = 1e-4;  ///< m, standard deviation
-inline constexpr double kAngleNoise = 3e-4;     ///< rad
+inline constexpr double kPositionNoise = 1e-3;  ///< m, standard deviation
+inline constexpr double kAngleNoise = 2e-3;     ///< rad
 
 /// A cart with a hanging pole, integrated by MuJoCo. What a model of it without friction lacks is the dry friction of the
 /// cart on its rail.
