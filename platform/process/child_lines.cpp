@@ -179,8 +179,10 @@ void ChildLines::throw_ending() {
   const std::string what = ending    ? ending->phrase()
                            : closed_ ? "closed its standard output"
                                      : "closed its standard input";
-  if (is_blank_line(received_)) throw Error(what);
-  throw Error(what + fmt::format(" in the middle of a line, {}", quoted_text(received_)));
+  const std::string_view said = std::string_view(received_).substr(0, received_.find('\n'));
+  if (is_blank_line(said)) throw Error(what);
+  const char* when = said.size() < received_.size() ? " after it sent " : " in the middle of a line, ";
+  throw Error(what + when + quoted_text(said));
 }
 
 }  // namespace lacuna
