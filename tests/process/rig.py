@@ -91,8 +91,9 @@ def fault_in_trial(test):
     if FAULT == "echoes":
         crash(json.dumps({key: test[key] for key in ("trial", "seed", "duration", "period", "periods")}))
     if FAULT == "waits for more":
+        once("waits")
         listen()
-    if FAULT == "hangs":
+    if FAULT == "hangs" or (FAULT == "hangs once" and once("hangs")):
         time.sleep(1000)
     if FAULT == "half a line":
         sys.stdout.write('{"type": "sam')
