@@ -19,8 +19,8 @@ constexpr std::uint64_t kSingleTrials = 0x7472'6961'6c73;  // apart from the str
 
 std::string described(const ProcessSource& source) {
   std::string text = "\nversion " + source.version + "\n";
-  for (const std::string& word : source.command) text += word + "\n";
-  for (const auto& [name, value] : source.environment) text += name + "=" + value + "\n";
+  for (const std::string& word : source.command) text += fmt::format("{}\n", word);
+  for (const auto& [name, value] : source.environment) text += fmt::format("{}={}\n", name, value);
   return text;
 }
 
