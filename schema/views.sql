@@ -256,3 +256,11 @@ FROM (SELECT 'model' AS kind, pass, generation, (id & 1099511627775) - 1 AS numb
 JOIN pass ON pass.id = failed.pass
 JOIN eea_run ON eea_run.run = pass.run
 JOIN experiment ON experiment.id = eea_run.experiment;
+
+-- One row a test that a target did not carry out, and why; nothing was measured.
+-- example: SELECT trial, failed, reason FROM failed_trials ORDER BY failed;
+CREATE VIEW failed_trials AS
+SELECT experiment.name AS experiment, failed_trial.run, failed_trial.trial, failed_trial.test, failed_trial.failed,
+       failed_trial.reason
+FROM failed_trial
+JOIN experiment ON experiment.id = failed_trial.experiment;

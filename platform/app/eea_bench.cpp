@@ -32,12 +32,31 @@ std::vector<double> EeaBench::truth(int replicate) const {
   return true_values(rig_.definition, *target_, hidden_values(replicate));
 }
 
-ReplicateTarget::ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int replicate)
+std::optional<Hello> ask_target(const EeaBench& bench) {
+  const Experiment& experiment = bench.rig().experiment;
+  const std::unique_ptr<ProcessTarget> program = outside_target(experiment, bench.rig().definition, 1);
+  if (!program) return std::nullopt;
+  const Hello hello = program->hello();
+  const EeaDefinition& definition = bench.definition();
+  RandomStream any(std::array<std::uint64_t, 1>{1});
+  const Test test = definition.decode_test(definition.exploration.breeder->random(any));
+  if (!hello.exchanges && !std::holds_alternative<CommandSeries>(test.drive))
+    throw_problem(experiment.where("test.encoding"),
+                  "test.encoding: " + definition.test_encoding.origin.name +
+                      " makes controllers, and the target takes whole command series only; write encoding = "
+                      "\"command_series\"");
+  return hello;
+}
+
+ReplicateTarget::ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int replicate, TargetNotes notes)
     : system_(bench.rig().catalog->make<TargetSystem>(bench.rig().experiment.target.kind)),
       origin_(bench.rig().catalog->origin<TargetSystem>(bench.rig().experiment.target.kind)) {
-  if (!bench.target()) return;
-  RandomStream noise(std::array<std::uint64_t, 2>{seed, static_cast<std::uint64_t>(replicate)});
-  simulator_ = std::make_unique<TargetSimulator>(*bench.target(), bench.hidden_values(replicate), noise());
+  const Experiment& experiment = bench.rig().experiment;
+  const std::uint64_t noise = RandomStream(std::array{seed, static_cast<std::uint64_t>(replicate)})();
+  if (bench.target())
+    simulator_ = std::make_unique<TargetSimulator>(*bench.target(), bench.hidden_values(replicate), noise);
+  program_ = outside_target(experiment, bench.rig().definition, noise, std::move(notes));
+  if (program_) repeats_ = experiment.target.process.repeats;
 }
 
 EeaState beginning(const EeaBench& bench) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/options.h"
+#include "app/outside_target.h"
 #include "app/rig.h"
 #include "eea/eea_loop.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace lacuna {
@@ -33,16 +35,23 @@ class EeaBench {
   std::unique_ptr<EeaDefinition> definition_;
 };
 
+/// What an outside target says of itself; nothing of another kind. Starts it and ends it again. Throws `BadInput` with
+/// everything in which it does not fit the experiment, `Error` where it fails.
+std::optional<Hello> ask_target(const EeaBench& bench);
+
 /// A replicate's own target.
 class ReplicateTarget {
  public:
-  ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int replicate);
-  EeaTarget target() const { return {*system_, origin_, simulator_.get()}; }
+  /// An outside target is started by its first trial.
+  ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int replicate, TargetNotes notes = {});
+  EeaTarget target() const { return {*system_, origin_, simulator_.get(), program_.get(), repeats_}; }
 
  private:
   std::unique_ptr<TargetSystem> system_;
   ComponentOrigin origin_;
   std::unique_ptr<TargetSimulator> simulator_;
+  std::unique_ptr<ProcessTarget> program_;
+  int repeats_ = 0;
 };
 
 /// Where a replicate begins: the first state, with the trials that a recorded target has.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -26,6 +27,10 @@ class ShownJournal : public StoreJournal {
     display_.end_trial(index_, row);
     StoreJournal::add(std::move(row), trial);
   }
+  void note_failure(const FailedTrialRecord& failed) override {
+    display_.note(index_, "trial " + failed.trial + " failed: " + failed.reason);
+    StoreJournal::note_failure(failed);
+  }
   void add(PassRow row) override {
     display_.end_pass(index_, row);
     StoreJournal::add(std::move(row));
@@ -35,6 +40,12 @@ class ShownJournal : public StoreJournal {
   RunDisplay& display_;
   std::size_t index_;
 };
+
+/// A rig does one thing at a time.
+int most_side_by_side(const EeaBench& bench) {
+  const TargetSection& target = bench.rig().experiment.target;
+  return target.kind == "process" ? target.process.copies : std::numeric_limits<int>::max();
+}
 
 /// What was committed stays, whatever cannot be written any more.
 void close(EeaStore& store, ReplicateEnd& end) {
@@ -91,7 +102,8 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     throw_if_interrupted();
     EeaState state = state_of(store);
     ShownJournal journal(store, display, index);
-    const ReplicateTarget target(bench_, planned.seed, planned.replicate);
+    const ReplicateTarget target(bench_, planned.seed, planned.replicate,
+                                 [&](const std::string& note) { display.note(index, note); });
     eea_loop({.definition = bench_.definition(),
               .journal = journal,
               .seed = planned.seed,
@@ -120,7 +132,7 @@ std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& p
   std::vector<ReplicateEnd> ends;
   ends.reserve(planned.size());
   for (const PlannedReplicate& each : planned) ends.emplace_back().planned = each;
-  const int side_by_side = std::min(threads, static_cast<int>(planned.size()));
+  const int side_by_side = std::min({threads, static_cast<int>(planned.size()), most_side_by_side(bench_)});
   const int threads_each = std::max(1, threads / std::max(1, side_by_side));
   parallel_for(planned.size(), side_by_side,
                [&](std::size_t index, int) { carry_out(index, threads_each, display, ends[index]); });

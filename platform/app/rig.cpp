@@ -22,7 +22,7 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
                                [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
   const std::string& target = rig.experiment.target.kind;
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials", [&] {
-    return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader, .simulator = nullptr});
+    return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader});
   });
   return rig;
 }
@@ -48,7 +48,7 @@ Rig with_stored_trials(Rig rig, const CommonOptions& options) {
   const std::filesystem::path file = database_of(options, rig.experiment);
   if (!std::filesystem::exists(file)) return rig;
   rig.trials = stored_trials(file, rig.experiment.name);
-  const TrialTarget target(rig.experiment, *rig.catalog, last_replicate(file, rig.experiment.name));
+  const TrialTarget target(rig.experiment, rig.definition, *rig.catalog, last_replicate(file, rig.experiment.name));
   for (Trial& trial : carried_out_trials(Database::open_read_only(file), rig.experiment.name, target.digest()))
     rig.trials.push_back(std::move(trial));
   return rig;

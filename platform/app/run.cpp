@@ -57,6 +57,7 @@ void run(const RunOptions& options) {
   const std::filesystem::path file = database_of(options, bench.rig().experiment);
   if (options.resume && !std::filesystem::exists(file))
     throw_problem({file.string()}, "no such database, so there is no run to go on with; without --resume one begins");
+  ask_target(bench);  // what does not fit is said before a run begins
   Database database = Database::open(file);
   const RunPlan plan =
       options.resume ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);

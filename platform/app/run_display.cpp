@@ -94,11 +94,14 @@ RunDisplay::Standing RunDisplay::standing() const {
   return all;
 }
 
+std::string RunDisplay::whose(const Replicate& own) const {
+  return replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
+}
+
 void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
   const Standing all = standing();
-  const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
   const std::string line =
-      fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose,
+      fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose(own),
                   progress.pass, progress.passes, to_string(progress.phase), progress.generation, progress.generations,
                   progress.best, std::isfinite(all.left) ? format_duration(all.left) : "?", all.rate, all.invalid);
   fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(line));
@@ -117,10 +120,16 @@ void RunDisplay::end_pass(std::size_t replicate, const PassRow& pass) {
   own.in_pass = own.invalid_in_pass = 0;
   if (lines_) lines_->pass(own.planned, pass);
   if (!lines_of_text_) return;
-  const std::string whose = replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
-  fmt::print(stderr, "{}pass {} · error {:.4g}{} · {} evaluations, {} invalid · {}\n", whose, pass.number,
+  fmt::print(stderr, "{}pass {} · error {:.4g}{} · {} evaluations, {} invalid · {}\n", whose(own), pass.number,
              pass.best_score, objective_text(pass), pass.evaluations + pass.test_evaluations,
              pass.invalid + pass.invalid_tests, format_duration(seconds()));
+}
+
+void RunDisplay::note(std::size_t replicate, const std::string& note) {
+  const std::scoped_lock lock(telling_);
+  if (lines_) lines_->note(replicates_[replicate].planned, note);
+  if (live_) std::fputs("\r\033[K", stderr);
+  if (live_ || lines_of_text_) fmt::print(stderr, "{}{}\n", whose(replicates_[replicate]), note);
 }
 
 void RunDisplay::end_replicate(std::size_t replicate, const ReplicateEnd& end) {

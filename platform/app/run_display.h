@@ -23,6 +23,8 @@ class RunDisplay {
   void show(std::size_t replicate, const EeaProgress& progress);
   void end_trial(std::size_t replicate, const TargetTrialRow& trial);
   void end_pass(std::size_t replicate, const PassRow& pass);
+  /// A sentence that the user should see now.
+  void note(std::size_t replicate, const std::string& note);
   void end_replicate(std::size_t replicate, const ReplicateEnd& end);
 
  private:
@@ -51,6 +53,8 @@ class RunDisplay {
   Standing standing() const;
   void print(const Replicate& own, const EeaProgress& progress);
   double seconds() const;
+
+  std::string whose(const Replicate& own) const;
 
   bool live_, lines_of_text_;
   RunLines* lines_;

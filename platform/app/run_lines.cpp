@@ -66,6 +66,12 @@ void RunLines::pass(const PlannedReplicate& replicate, const PassRow& pass) {
   write(line);
 }
 
+void RunLines::note(const PlannedReplicate& replicate, const std::string& note) {
+  Json line = event("note", replicate);
+  line["note"] = note;
+  write(line);
+}
+
 void RunLines::end(const ReplicateEnd& end) {
   Json line = event("end", end.planned);
   line["ending"] = to_string(end.ending);

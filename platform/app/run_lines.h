@@ -13,7 +13,7 @@
 namespace lacuna {
 
 /// A run as JSON Lines, an object a line, each handed over as soon as it is known. Its member `event` says what it is:
-/// `begin`, then for each replicate `trial`, `progress` and `pass`, and `end`. One thread at a time.
+/// `begin`, then for each replicate `trial`, `progress`, `pass` and `note`, and `end`. One thread at a time.
 class RunLines {
  public:
   /// `to`: the option's value, "" for standard output; none: nothing is written. Throws `Error` where the file cannot
@@ -25,6 +25,7 @@ class RunLines {
   /// `rate`: evaluations per second of all replicates together; `left`: seconds until all are done, about.
   void progress(const PlannedReplicate& replicate, const EeaProgress& progress, double rate, double left);
   void pass(const PlannedReplicate& replicate, const PassRow& pass);
+  void note(const PlannedReplicate& replicate, const std::string& note);
   void end(const ReplicateEnd& end);
 
   /// Throws `Error` where a line could not be written. The run itself does without them.

@@ -29,6 +29,7 @@ std::string run_summary(const EeaBench& bench) {
   const Experiment& experiment = bench.rig().experiment;
   std::string text;
   if (bench.target()) text += target_line(bench);
+  if (const std::optional<Hello> hello = ask_target(bench)) text += fact_line("target", target_summary(*hello));
   if (bench.takes_tests())
     text += fact_line("test", fmt::format("{}, {}, {}", definition.test_encoding.origin.name,
                                           counted(definition.exploration.layout().size(), "gene"),

@@ -1,5 +1,7 @@
 #include "app/store_journal.h"
 
+#include "eea/recorded_trials.h"
+
 namespace lacuna {
 
 void StoreJournal::checkpoint(const EeaState& state, bool now) {
@@ -18,7 +20,7 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
   std::vector<Trial> trials = store.trials();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     TargetTrial& trial = state.trials.emplace_back();
-    trial.trial = std::move(trials[i]);
+    trial.trial = with_known_start(definition, std::move(trials[i]));
     const double end = trial.trial.measured.times(trial.trial.measured.times.size() - 1);
     trial.drive =
         rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trial.trial.commands, end, {}};

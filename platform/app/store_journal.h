@@ -21,6 +21,7 @@ class StoreJournal : public EeaJournal {
     store_.append_prediction(model, trial, readings, centre_of_mass);
   }
   void add(PassRow row) override { store_.append(std::move(row)); }
+  void note_failure(const FailedTrialRecord& failed) override { store_.note_failure(failed); }
   void checkpoint(const EeaState& state, bool now) override;
 
  private:

@@ -1,5 +1,6 @@
 #include "app/stored_model.h"
 
+#include "eea/recorded_trials.h"
 #include "foundation/problem.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
     const Test drive =
         rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
-    model.trials.push_back({drive, std::move(trials[i]), 0});
+    model.trials.push_back({drive, with_known_start(definition, std::move(trials[i])), 0});
     model.numbers.push_back(rows[i].number);
   }
   return model;

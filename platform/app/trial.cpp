@@ -11,6 +11,7 @@
 #include "foundation/counted.h"
 #include "measurement/command_file.h"
 #include "storage/carried_out.h"
+#include "storage/failed_trials.h"
 #include "storage/result_store.h"
 
 #include <CLI/CLI.hpp>
@@ -101,40 +102,80 @@ Test test_of_line(const TrialOptions& options, TestSpace space, const PluginCata
                       [&] { return encoding.decode(space, parameters, line.genome); });
 }
 
-void carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target, const Test& test) {
+/// What a trial is stored in: a run of its own, begun in a transaction of the caller's.
+struct TrialRun {
+  RunId run;
+  ExperimentId experiment;
+};
+
+TrialRun begin_run(const Rig& rig, std::uint64_t seed, ResultStore& store) {
   const Experiment& experiment = rig.experiment;
-  Database database = Database::open(database_of(options, experiment));
-  ResultStore store(database);
-  Transaction transaction(database);
-  const std::uint64_t seed = options.seed.value_or(experiment.seed);
   const RunId run = store.begin_run({command_line(), seed, 1}, provenance_of_this_program());
   store.record_plugins(plugins_of_model(experiment, *rig.catalog));
   store.record_robot_files(robot_files_of(experiment));
-  const ExperimentId id =
-      store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides});
-  const std::int64_t number = count_carried_out(database, experiment.name) + 1;
-  Trial trial = target.carry_out(test, seed, static_cast<std::uint64_t>(number));
-  trial.name = fmt::format("trial-{}", number);
-  trial.held_out = options.held_out;
-  record_carried_out(database, run, id, trial, {options.test, target.digest()});
+  return {run,
+          store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides})};
+}
+
+void keep(const TrialOptions& options, const Rig& rig, const TrialTarget& target, std::uint64_t seed,
+          const Trial& trial, Database& database) {
+  ResultStore store(database);
+  Transaction transaction(database);
+  const TrialRun entered = begin_run(rig, seed, store);
+  record_carried_out(database, entered.run, entered.experiment, trial, {options.test, target.digest()});
   store.end_run(RunEnding::done);
   transaction.commit();
+}
 
+void keep_failure(const TrialOptions& options, const Rig& rig, std::uint64_t seed, const std::string& name,
+                  const std::string& reason, Database& database) {
+  ResultStore store(database);
+  Transaction transaction(database);
+  const TrialRun entered = begin_run(rig, seed, store);
+  record_failed_trial(database, entered.run, entered.experiment, {name, options.test, reason});
+  store.end_run(RunEnding::failed);
+  transaction.commit();
+}
+
+/// The database is not held while the target works, which may take long.
+Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target, const Test& test) {
+  Database database = Database::open(database_of(options, rig.experiment));
+  const std::uint64_t seed = options.seed.value_or(rig.experiment.seed);
+  const std::int64_t number = count_carried_out(database, rig.experiment.name) + 1;
+  const std::string name = fmt::format("trial-{}", number);
+  Trial trial;
+  try {
+    trial = target.carry_out(test, seed, static_cast<std::uint64_t>(number));
+  } catch (const BadInput&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    keep_failure(options, rig, seed, name, error.what(), database);
+    throw;
+  }
+  trial.name = name;
+  trial.held_out = options.held_out;
+  keep(options, rig, target, seed, trial, database);
+  return trial;
+}
+
+void report(const TrialOptions& options, const Rig& rig, const Trial& trial, double duration) {
   const Eigen::Index samples = trial.measured.times.size();
   if (!takes_standard_output(options.json)) {
     fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "", options.test,
-               test.duration, counted(static_cast<std::size_t>(samples), "sample"),
+               duration, counted(static_cast<std::size_t>(samples), "sample"),
                counted(trial.measured.channels.size(), "channel"));
     fmt::print("→ lacuna fit {}\n", shell_word(options.experiment.string()));
   }
   if (options.json)
     write_output(*options.json, nlohmann::json{{"trial", trial.name},
                                                {"test", options.test},
-                                               {"duration", test.duration},
+                                               {"duration", duration},
                                                {"samples", samples},
                                                {"held_out", options.held_out},
-                                               {"seed", seed},
-                                               {"database", database.file().string()}}
+                                               {"seed", options.seed.value_or(rig.experiment.seed)},
+                                               {"database", database_of(options, rig.experiment).string()}}
                                         .dump(2) +
                                     "\n");
 }
@@ -172,12 +213,12 @@ void run_trial(const TrialOptions& options) {
   check_output(options.json, options.csv);
   const Rig rig = open_rig(options);
   const int replicate = last_replicate(database_of(options, rig.experiment), rig.experiment.name);
-  TrialTarget target(rig.experiment, *rig.catalog, replicate);
+  TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
   const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;
   const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
   const Test test = is_file(options.test) ? test_of_file(options, space) : test_of_line(options, space, *rig.catalog);
   if (target.takes_tests() && !options.csv)
-    carry_out(options, rig, target, test);
+    report(options, rig, carry_out(options, rig, target, test), test.duration);
   else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
     throw_problem({},
                   "a recorded target carries no test out, and commands and JSON do not go to one output; name a "
@@ -191,7 +232,7 @@ void run_trial(const TrialOptions& options) {
 void add_trial_command(CLI::App& program) {
   auto options = std::make_shared<TrialOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
-      program.add_subcommand("trial", "Carry a test out on a simulated target, or write its commands for a rig");
+      program.add_subcommand("trial", "Carry a test out on a target that takes tests, or write its commands for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command

@@ -1,5 +1,6 @@
 #include "app/trial_target.h"
 
+#include "app/outside_target.h"
 #include "evaluation/hidden_truth.h"
 #include "foundation/digest.h"
 #include "storage/canonical_text.h"
@@ -9,18 +10,32 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdio>
 
 namespace lacuna {
 namespace {
 
 constexpr std::uint64_t kSingleTrials = 0x7472'6961'6c73;  // apart from the streams of runs
 
+std::string described(const ProcessSource& source) {
+  std::string text = "\nversion " + source.version + "\n";
+  for (const std::string& word : source.command) text += fmt::format("{}\n", word);
+  for (const auto& [name, value] : source.environment) text += fmt::format("{}={}\n", name, value);
+  return text;
+}
+
+void notes_to_user(const std::string& note) { fmt::print(stderr, "{}\n", note); }
+
 }  // namespace
 
-TrialTarget::TrialTarget(const Experiment& experiment, const PluginCatalog& catalog, int replicate)
-    : system_(catalog.make<TargetSystem>(experiment.target.kind)),
+TrialTarget::TrialTarget(const Experiment& experiment, const ModelDefinition& model, const PluginCatalog& catalog,
+                         int replicate)
+    : experiment_(experiment),
+      model_(model),
+      system_(catalog.make<TargetSystem>(experiment.target.kind)),
       origin_(catalog.origin<TargetSystem>(experiment.target.kind)) {
   std::string description = experiment.target.kind;
+  if (experiment.target.kind == "process") description += described(experiment.target.process);
   if (experiment.target.kind == "simulated") {
     definition_ = std::make_unique<ModelDefinition>(define_target(experiment, catalog));
     hidden_ = draw_hidden_values(*definition_, experiment.target.simulated, replicate);
@@ -32,14 +47,17 @@ TrialTarget::TrialTarget(const Experiment& experiment, const PluginCatalog& cata
 }
 
 Trial TrialTarget::carry_out(const Test& test, std::uint64_t seed, std::uint64_t number) {
+  const std::uint64_t noise = RandomStream(std::array{kSingleTrials, seed})();
   std::unique_ptr<TargetSimulator> simulator;
   if (definition_) {
-    const std::uint64_t noise = RandomStream(std::array{kSingleTrials, seed})();
     simulator = std::make_unique<TargetSimulator>(*definition_, hidden_, noise);
     simulator->begin_trial(number);
   }
-  return guarded_call(origin_, "carrying a test out",
-                      [&] { return system_->carry_out(test, {.trials = nullptr, .simulator = simulator.get()}); });
+  const std::unique_ptr<ProcessTarget> program = outside_target(experiment_, model_, noise, notes_to_user);
+  if (program) program->begin_trial(number);
+  return guarded_call(origin_, "carrying a test out", [&] {
+    return system_->carry_out(test, {.simulator = simulator.get(), .program = program.get()});
+  });
 }
 
 }  // namespace lacuna

@@ -14,18 +14,22 @@ namespace lacuna {
 /// The target of an experiment, to carry single tests out on.
 class TrialTarget {
  public:
-  /// `replicate`: whose hidden values a simulated target has (see `target.redraw`). The catalog must live as long.
-  TrialTarget(const Experiment& experiment, const PluginCatalog& catalog, int replicate);
+  /// `model`: what an outside target is held against. `replicate`: whose hidden values a simulated target has (see
+  /// `target.redraw`). Experiment, model and catalog must live as long. An outside target is not started yet.
+  TrialTarget(const Experiment& experiment, const ModelDefinition& model, const PluginCatalog& catalog, int replicate);
 
   bool takes_tests() const { return system_->takes_tests(); }
   /// The robot that a simulated target is; null for another one.
   const RobotSpec* robot() const { return definition_ ? &definition_->structure.robot : nullptr; }
-  /// SHA-256 of what the target is, its hidden values included, so that trials of another one are told apart.
+  /// SHA-256 of what the target is, so that trials of another one are told apart: of a simulated one with its hidden
+  /// values, of an outside one its command, environment and version.
   const std::string& digest() const { return digest_; }
   /// The `number`th trial; `seed` and the number key its noise. Throws `Error` where the target cannot.
   Trial carry_out(const Test& test, std::uint64_t seed, std::uint64_t number);
 
  private:
+  const Experiment& experiment_;
+  const ModelDefinition& model_;
   std::unique_ptr<TargetSystem> system_;
   ComponentOrigin origin_;
   std::unique_ptr<ModelDefinition> definition_;

@@ -5,6 +5,7 @@
 #include <lacuna/robot_spec.h>
 
 #include "foundation/problem.h"
+#include "foundation/process_source.h"
 #include "foundation/recording_source.h"
 
 #include <cstdint>
@@ -59,6 +60,7 @@ struct TargetSection {
   std::string kind = "recorded";  ///< plugin name
   RecordingSource recording;
   SimulatedSource simulated;
+  ProcessSource process;
 };
 
 /// What tests are made of.

@@ -1,6 +1,7 @@
 #include "config/experiment_schema.h"
 
 #include "config/blank.h"
+#include "config/path_variables.h"
 #include "foundation/unit.h"
 
 #include <limits>
@@ -238,10 +239,69 @@ Table<SimulatedSource> simulated_keys() {
            "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002");
 }
 
+/// A folder that is there, variables replaced, from the experiment file's.
+Value<std::filesystem::path> existing_folder() {
+  Value<std::filesystem::path> value;
+  value.shape.kind = Shape::Kind::text;
+  value.shape.meaning = "a folder's path";
+  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::filesystem::path& result) {
+    std::string written;
+    if (!plain.read(node, reading, written)) return false;
+    try {
+      result = reading.directory() / replace_variables(written);
+      if (std::filesystem::is_directory(result)) return true;
+      reading.problem(node, toml_text(written) + " is no folder; paths are taken from the experiment file's");
+    } catch (const Error& error) {
+      reading.problem(node, error.what());
+    }
+    return false;
+  };
+  value.write = [](const std::filesystem::path& shown) { return shown.empty() ? "" : toml_text(shown.string()); };
+  return value;
+}
+
+/// A text in which variables such as `${HOME}` are replaced.
+Value<std::string> text_with_variables() {
+  Value<std::string> value = text();
+  value.read = [plain = text()](const TomlNode& node, Reading& reading, std::string& result) {
+    if (!plain.read(node, reading, result)) return false;
+    try {
+      result = replace_variables(result);
+      return true;
+    } catch (const Error& error) {
+      reading.problem(node, error.what());
+      return false;
+    }
+  };
+  return value;
+}
+
+Table<ProcessSource> process_keys() {
+  return Table<ProcessSource>()
+      .key("command", &ProcessSource::command, list_of(text_with_variables(), 1),
+           "process: the program and its arguments, as in [\"python3\", \"rig.py\"]; it speaks the protocol of "
+           "docs/reference/process-target.md on its standard input and output")
+      .key("folder", &ProcessSource::folder, existing_folder(),
+           "process: that the program works in; without it the experiment file's")
+      .key("environment", &ProcessSource::environment, map_of("NAME", text_with_variables()),
+           "process: variables that the program gets besides those of lacuna")
+      .key("start_limit", &ProcessSource::start_limit, number("s").above(0.0),
+           "process: how long the program may take until it has said hello")
+      .key("trial_limit", &ProcessSource::trial_limit, number("s").above(0.0),
+           "process: how much longer than the test itself a trial may take")
+      .key("repeats", &ProcessSource::repeats, whole_number<int>(0, 1000),
+           "process: how often `lacuna run` tries a test again that failed before it takes another one")
+      .key("copies", &ProcessSource::copies, whole_number<int>(1, 1000),
+           "process: how many of the program may run at the same time; a rig is one, replicates wait for it")
+      .key("version", &ProcessSource::version, text(),
+           "process: another text for a target that has changed, whose trials so far are then left out");
+}
+
 /// Of each kind of target the keys that others do not have.
 void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
   const std::vector<std::pair<std::string, Shape>> kinds = {{"recorded", recording_keys().value().shape},
-                                                            {"simulated", simulated_keys().value().shape}};
+                                                            {"simulated", simulated_keys().value().shape},
+                                                            {"process", process_keys().value().shape}};
   for (const auto& [kind, shape] : kinds)
     for (const KeyShape& key : shape.keys) {
       const TomlNode* found = kind == target.kind ? nullptr : node.find(key.name);
@@ -249,22 +309,29 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
     }
   std::string& robot = target.simulated.system.robot;
   if (target.kind == "simulated" && robot.empty() && node.find("file")) robot = "declared";
-  const char* needed = target.kind == "recorded" ? "files" : "robot";
-  if (node.find(needed) || (target.kind == "simulated" && node.find("file"))) return;
-  reading.problem_at(needed, node.location,
-                     target.kind == "recorded"
-                         ? "is missing: measured files to fit to (a list of at least 1, each a file's path)"
-                         : "is missing: a robot plugin's name, or file = \"robot.toml\"");
+  if (target.kind == "process" && target.process.folder.empty()) target.process.folder = reading.directory();
+  struct Need {
+    const char *kind, *key, *complaint;
+  };
+  static constexpr Need kNeeds[] = {
+      {"recorded", "files", "is missing: measured files to fit to (a list of at least 1, each a file's path)"},
+      {"simulated", "robot", "is missing: a robot plugin's name, or file = \"robot.toml\""},
+      {"process", "command", "is missing: the program and its arguments, as in [\"python3\", \"rig.py\"]"}};
+  for (const Need& need : kNeeds)
+    if (target.kind == need.kind && !node.find(need.key) && !(target.kind == "simulated" && node.find("file")))
+      reading.problem_at(need.key, node.location, need.complaint);
 }
 
 }  // namespace
 
 Table<TargetSection> target_keys() {
   return Table<TargetSection>()
-      .key("kind", &TargetSection::kind, text_of({"recorded", "simulated"}),
-           "what the target is: measured files, or a robot that is simulated with values hidden from the search")
+      .key("kind", &TargetSection::kind, text_of({"recorded", "simulated", "process"}),
+           "what the target is: measured files, a robot that is simulated with values hidden from the search, or a "
+           "program of its own, such as a rig's driver or another simulator")
       .merged(&TargetSection::recording, recording_keys().check({"holdout_trials", "trial_column"}, check_trials))
       .merged(&TargetSection::simulated, simulated_keys())
+      .merged(&TargetSection::process, process_keys())
       .check({"kind"}, check_kind);
 }
 

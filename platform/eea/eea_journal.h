@@ -4,6 +4,7 @@
 
 #include "eea/eea_state.h"
 #include "storage/eea_records.h"
+#include "storage/failed_trials.h"
 
 namespace lacuna {
 
@@ -19,6 +20,8 @@ class EeaJournal {
   virtual void add_prediction(std::uint64_t model, int trial, const TimeSeries& readings,
                               const TimeSeries& centre_of_mass) = 0;
   virtual void add(PassRow row) = 0;
+  /// The target did not carry a test out. Written down at once; no row that is compared with another run's.
+  virtual void note_failure(const FailedTrialRecord& failed) = 0;
   /// At the end of each generation and phase. May be put off, but not if `now`.
   virtual void checkpoint(const EeaState& state, bool now) = 0;
 };

@@ -36,6 +36,12 @@ void go_on_with(Phase phase, const EeaRun& run, EeaState& state) {
   run.end_generation(state, {.pass = state.pass, .passes = run.definition.passes, .phase = phase});
 }
 
+/// A trial of a target outside may have taken minutes of a rig: it is made safe at once.
+void go_on_after_trial(Phase phase, const EeaRun& run, const EeaTarget& target, EeaState& state) {
+  go_on_with(phase, run, state);
+  if (target.program) run.journal.checkpoint(state, true);
+}
+
 }  // namespace
 
 EeaState first_state(const EeaDefinition& definition) {
@@ -52,7 +58,7 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
       case Phase::trial:  // steps 1 and 2: a test, the first one random, is sent to the target
         if (!state.next_test) choose_random_test(run, state, 0);
         carry_out_test(run, target, state, false);
-        go_on_with(Phase::estimation, run, state);
+        go_on_after_trial(Phase::estimation, run, target, state);
         break;
       case Phase::estimation:  // step 3: models that explain all trials so far
         estimate(run, state);
@@ -69,7 +75,7 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
         break;
       case Phase::transfer:  // how the last test does on the target
         carry_out_test(run, target, state, true);
-        go_on_with(Phase::finished, run, state);
+        go_on_after_trial(Phase::finished, run, target, state);
         break;
       case Phase::finished: break;
     }

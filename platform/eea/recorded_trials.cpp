@@ -30,6 +30,11 @@ void fix_start(Trial& trial, const StartState& start) {
 
 }  // namespace
 
+Trial with_known_start(const EeaDefinition& definition, Trial trial) {
+  if (states_its_start(trial)) return trial;
+  return std::move(recorded_trials(definition, {std::move(trial)}).front().trial);
+}
+
 std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::vector<Trial> trials) {
   const TrialPredictor predictor(*definition.compiled, trials, 1);
   const RobotSpec& robot = definition.model.structure.robot;

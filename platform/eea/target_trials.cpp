@@ -1,19 +1,24 @@
 #include "eea/target_trials.h"
 
 #include "eea/exploration.h"
+#include "eea/recorded_trials.h"
 #include "evaluation/test_predictor.h"
 
 #include <array>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace lacuna {
 namespace {
 
-constexpr int kAttempts = 5;
+constexpr int kTests = 5;
 
 Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
   if (target.simulator) target.simulator->begin_trial(static_cast<std::uint64_t>(number));
+  if (target.program) target.program->begin_trial(static_cast<std::uint64_t>(number));
   Trial trial = guarded_call(target.origin, "carrying a test out", [&] {
-    return target.system.carry_out(drive, {.trials = nullptr, .simulator = target.simulator});
+    return target.system.carry_out(drive, {.simulator = target.simulator, .program = target.program});
   });
   trial.name = std::to_string(number);
   return trial;
@@ -41,21 +46,34 @@ CarriedOut carry_out(const EeaRun& run, const EeaTarget& target, const Genome& t
   return done;
 }
 
-/// Puts random tests in the place of tests that fail, a few times. Input that is wrong stays so, and a user who ends
-/// the run is obeyed.
+/// Carries the next test out, or nothing where the target fails, which is noted. Input that is wrong stays so, and a
+/// user who ends the run is obeyed.
+std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, const NextTest& test, int number,
+                                  std::string& reason) {
+  try {
+    return carry_out(run, target, test.genome, number);
+  } catch (const BadInput&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    reason = error.what();
+    run.journal.note_failure({std::to_string(number), std::to_string(test.number), reason});
+    return std::nullopt;
+  }
+}
+
+/// Repeats tests that fail, and puts random ones in their place, a few times.
 CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaState& state, int number) {
-  for (int attempt = 1;; ++attempt) try {
-      return carry_out(run, target, state.next_test->genome, number);
-    } catch (const BadInput&) {
-      throw;
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error& error) {
-      if (attempt == kAttempts)
-        throw Error("trial " + std::to_string(number) + ": " + error.what() + " (after " + std::to_string(kAttempts) +
-                    " tests)");
-      choose_random_test(run, state, attempt);
-    }
+  std::string reason;
+  for (int test = 1; test <= kTests; ++test) {
+    if (test > 1) choose_random_test(run, state, test - 1);
+    for (int repeat = 0; repeat <= target.repeats; ++repeat)
+      if (std::optional<CarriedOut> done = attempt(run, target, *state.next_test, number, reason))
+        return std::move(*done);
+  }
+  throw Error("trial " + std::to_string(number) + ": " + reason + " (after " + std::to_string(kTests) + " tests" +
+              (target.repeats > 0 ? ", each tried " + std::to_string(target.repeats + 1) + " times)" : ")"));
 }
 
 }  // namespace
@@ -67,7 +85,7 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
   run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness},
                   done.trial);
   if (!state.best.empty()) note_prediction(run, state, number, done.drive);
-  state.trials.push_back({test.number, std::move(done.drive), std::move(done.trial)});
+  state.trials.push_back({test.number, std::move(done.drive), with_known_start(run.definition, std::move(done.trial))});
   state.next_test.reset();
 }
 

@@ -4,6 +4,7 @@
 
 #include "eea/eea_run.h"
 #include "evaluation/target_simulator.h"
+#include "process/process_target.h"
 
 namespace lacuna {
 
@@ -12,10 +13,13 @@ struct EeaTarget {
   TargetSystem& system;
   ComponentOrigin origin;
   TargetSimulator* simulator = nullptr;  ///< of a simulated target
+  ProcessTarget* program = nullptr;      ///< of a target outside
+  int repeats = 0;                       ///< how often a test that failed is tried again before another takes its place
 };
 
 /// Step 2 of the seed: carries `state.next_test` out on the target and adds the trial to `state.trials`. A test that
-/// the target cannot carry out is replaced by a random one, a few times. With `for_transfer` the trial is written down
+/// fails is repeated as often as the target allows, then replaced by a random one, a few times; each failure is noted.
+/// With `for_transfer` the trial is written down
 /// alone: no model will be fitted to it.
 void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer);
 

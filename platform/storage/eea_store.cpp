@@ -96,6 +96,13 @@ void EeaStore::commit(const CheckpointRow& checkpoint) {
   seconds_ += seconds_since(begin);
 }
 
+void EeaStore::note_failure(const FailedTrialRecord& failed) {
+  const std::lock_guard lock(writing_);
+  Transaction transaction(database_);
+  record_failed_trial(database_, run_, experiment_, failed);
+  transaction.commit();
+}
+
 void EeaStore::write(const CheckpointRow& checkpoint) {
   Transaction transaction(database_);
   if (!writer_) {

@@ -2,6 +2,7 @@
 
 #include "storage/database.h"
 #include "storage/eea_records.h"
+#include "storage/failed_trials.h"
 #include "storage/result_store.h"
 
 #include <lacuna/trial.h>
@@ -45,6 +46,9 @@ class EeaStore {
   void append(PassRow row);
   /// What a model says about one trial; kept as float32. `centre_of_mass` may be empty.
   void append_prediction(std::uint64_t model, int trial, const TimeSeries& readings, const TimeSeries& centre_of_mass);
+
+  /// Writes at once that the target did not carry a test out, apart from what was appended.
+  void note_failure(const FailedTrialRecord& failed);
 
   /// Writes all that was appended, and `checkpoint` in place of the last one.
   void commit(const CheckpointRow& checkpoint);

@@ -34,12 +34,12 @@ class FailingTarget : public TargetSystem {
 
 /// Carries out the first trial of a run.
 template <class Failure>
-void first_trial(FailingTarget<Failure>& system, MemoryJournal& journal, EeaState& state) {
+void first_trial(FailingTarget<Failure>& system, MemoryJournal& journal, EeaState& state, int repeats = 0) {
   const auto bench = small_bench();
   TargetSimulator simulator(*bench->target(), bench->hidden_values(1), 1);
   const EeaRun run{.definition = bench->definition(), .journal = journal, .truth = {}, .progress = {}};
   choose_random_test(run, state, 0);
-  carry_out_test(run, {system, {"target", "failing", {}}, &simulator}, state, false);
+  carry_out_test(run, {system, {"target", "failing", {}}, &simulator, nullptr, repeats}, state, false);
 }
 
 TEST(TargetTrials, ATestThatFailsIsReplaced) {
@@ -48,9 +48,24 @@ TEST(TargetTrials, ATestThatFailsIsReplaced) {
   EeaState state;
   first_trial(system, journal, state);
   EXPECT_EQ(system.asked, 3);
+  ASSERT_EQ(journal.failures.size(), 2U);
+  EXPECT_EQ(journal.failures[1].trial, "0");
+  EXPECT_EQ(journal.failures[1].test, "1");
+  EXPECT_THAT(journal.failures[1].reason, HasSubstr("the rig says no"));
   ASSERT_EQ(journal.trial_rows.size(), 1U);
   EXPECT_EQ(journal.trial_rows[0].test, 2U) << "the first two tests failed";
   EXPECT_EQ(state.trials.size(), 1U);
+}
+
+TEST(TargetTrials, ATestThatFailsIsRepeatedFirstWhereTheTargetAllowsIt) {
+  FailingTarget system(Error("the rig says no"), 3);
+  MemoryJournal journal;
+  EeaState state;
+  first_trial(system, journal, state, 1);
+  EXPECT_EQ(system.asked, 4);
+  ASSERT_EQ(journal.trial_rows.size(), 1U);
+  EXPECT_EQ(journal.trial_rows[0].test, 1U) << "the first test failed twice, the second once";
+  EXPECT_EQ(journal.failures.size(), 3U);
 }
 
 TEST(TargetTrials, AnInterruptionAndWrongInputEndTheRunAtOnce) {

@@ -23,6 +23,7 @@ class MemoryJournal : public EeaJournal {
   }
   void add_prediction(std::uint64_t, int, const TimeSeries&, const TimeSeries&) override { ++predictions; }
   void add(PassRow row) override { passes.push_back(std::move(row)); }
+  void note_failure(const FailedTrialRecord& failed) override { failures.push_back(failed); }
   void checkpoint(const EeaState& state, bool) override { checkpoints.push_back(save(state)); }
 
   std::vector<ModelRow> models;
@@ -30,6 +31,7 @@ class MemoryJournal : public EeaJournal {
   std::vector<TargetTrialRow> trial_rows;
   std::vector<Trial> trials;
   std::vector<PassRow> passes;
+  std::vector<FailedTrialRecord> failures;
   std::vector<std::vector<double>> checkpoints;
   int predictions = 0;
 };

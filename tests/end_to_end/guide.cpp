@@ -62,8 +62,9 @@ std::vector<std::string> words_of_picture(const std::string& svg) {
   return words;
 }
 
-void follow_guide(const std::string& document, const Program& program) {
-  const std::vector<GuideStep> steps = guide_steps(source_file(document));
+void follow_guide(const std::string& document, const Program& program, const std::string& until) {
+  const std::string text = source_file(document);
+  const std::vector<GuideStep> steps = guide_steps(text.substr(0, until.empty() ? text.size() : text.find(until)));
   ASSERT_FALSE(steps.empty()) << document << " has no steps";
   for (const GuideStep& step : steps) {
     SCOPED_TRACE(document + ":" + std::to_string(step.line));

@@ -24,8 +24,9 @@ struct GuideStep {
 std::vector<GuideStep> guide_steps(const std::string& markdown);
 
 /// Takes the steps of a document of the source tree, such as "docs/tutorials/first-steps.md", in the program's folder.
-/// A command that does not print what is said, or ends with another exit code, fails the test.
-void follow_guide(const std::string& document, const Program& program);
+/// A command that does not print what is said, or ends with another exit code, fails the test. `until`: the heading
+/// before which to stop; empty: the end.
+void follow_guide(const std::string& document, const Program& program, const std::string& until = "");
 
 /// The words of a picture, one a line.
 std::vector<std::string> words_of_picture(const std::string& svg);

@@ -78,6 +78,13 @@ Outcome Program::install(const std::string& prefix) {
 
 void Program::copy_smoke() const { fs::copy(fs::path(kExperiments) / "smoke", folder_ / "smoke"); }
 
+void Program::copy_outside_targets() const {
+  for (const char* file : {"outside-pendulum.toml", "outside-cart-pole.toml"})
+    fs::copy(fs::path(kExperiments) / file, folder_);
+  for (const char* subfolder : {"robots", "targets"})
+    fs::copy(fs::path(kExperiments) / subfolder, folder_ / subfolder, fs::copy_options::recursive);
+}
+
 void Program::copy_light_servo_pendulum() const {
   copy_servo_pendulum();
   std::string text = read("servo-pendulum.toml");

@@ -23,10 +23,20 @@ class Simulator {
   virtual Trial simulate(const Test& test) const = 0;
 };
 
+/// A program beside the host that carries tests out, such as a rig's driver or another simulator; the host starts it,
+/// speaks to it, and hands it to targets.
+class ExternalProgram {
+ public:
+  virtual ~ExternalProgram() = default;
+  /// Throws `Error` that says how the program failed; it is started again for the next test.
+  virtual Trial carry_out(const Test& test) = 0;
+};
+
 /// What a target may ask of its host; null where the experiment has no use for it.
 struct TargetServices {
   const TrialReader* trials = nullptr;
   const Simulator* simulator = nullptr;
+  ExternalProgram* program = nullptr;
 };
 
 /// The system to be identified. Used by one thread at a time.

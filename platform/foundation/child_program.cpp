@@ -1,0 +1,170 @@
+#include "foundation/child_program.h"
+
+#include <lacuna/error.h>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr off_t kMostText = 1 << 16;
+constexpr off_t kMostWritten = 1 << 24;
+constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
+
+/// What `posix_spawn` is told.
+class SpawnOrders {
+ public:
+  explicit SpawnOrders(const ChildBeginning& beginning) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawnattr_init(&attributes_);
+    if (!beginning.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, beginning.folder.c_str());
+    connect(beginning.input, STDIN_FILENO, O_RDONLY);
+    connect(beginning.output, STDOUT_FILENO, O_WRONLY);
+    connect(beginning.errors, STDERR_FILENO, O_WRONLY);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+  }
+  ~SpawnOrders() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnOrders(const SpawnOrders&) = delete;
+  SpawnOrders& operator=(const SpawnOrders&) = delete;
+
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+  const posix_spawnattr_t* attributes() const { return &attributes_; }
+
+ private:
+  void connect(int descriptor, int stream, int how) {
+    if (descriptor < 0)
+      posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null", how, 0);
+    else
+      posix_spawn_file_actions_adddup2(&actions_, descriptor, stream);
+  }
+
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// Words as C takes them, with a null at their end.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& variables) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    if (!variables.contains(text.substr(0, text.find('=')))) all.push_back(text);
+  }
+  for (const auto& [name, value] : variables) all.push_back(fmt::format("{}={}", name, value));
+  return all;
+}
+
+double processor_seconds(const rusage& used) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+/// Whether it has ended, which it keeps to tell until it is waited for: so long nobody else has its number.
+bool is_over(pid_t process) {
+  siginfo_t told{};
+  return waitid(P_PID, static_cast<id_t>(process), &told, WEXITED | WNOHANG | WNOWAIT) != 0 || told.si_pid == process;
+}
+
+}  // namespace
+
+CapturedOutput::CapturedOutput(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
+  if (file_ < 0) throw Error(fmt::format("no room for a program's output: {}", strerror(errno)));
+  fcntl(file_, F_SETFL, O_APPEND);  // a child goes on at the end, also after `trim`
+}
+
+CapturedOutput::~CapturedOutput() { close(file_); }
+
+std::string CapturedOutput::tail() const {
+  const off_t size = lseek(file_, 0, SEEK_END), from = std::max<off_t>(0, size - kMostText);
+  std::string text(static_cast<std::size_t>(size - from), '\0');
+  const ssize_t got = pread(file_, text.data(), text.size(), from);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  return text;
+}
+
+std::string CapturedOutput::end() const {
+  std::string text = kept_ + tail();
+  constexpr auto kMost = static_cast<std::size_t>(kMostText);
+  return text.size() > kMost ? text.substr(text.size() - kMost) : text;
+}
+
+void CapturedOutput::trim() {
+  if (lseek(file_, 0, SEEK_END) < kMostWritten) return;
+  kept_ = tail();
+  if (ftruncate(file_, 0) != 0) throw Error(fmt::format("a program's output cannot be trimmed: {}", strerror(errno)));
+}
+
+int ChildEnding::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
+std::string ChildEnding::phrase() const {
+  if (WIFEXITED(status)) return fmt::format("ended with exit code {}", WEXITSTATUS(status));
+  return fmt::format("was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+}
+
+ChildProgram::ChildProgram(const ChildBeginning& beginning) {
+  std::vector<std::string> words = beginning.words, variables = environment_with(beginning.environment);
+  const SpawnOrders orders(beginning);
+  const int failed = posix_spawnp(&process_, words.front().c_str(), orders.actions(), orders.attributes(),
+                                  pointers_to(words).data(), pointers_to(variables).data());
+  if (failed != 0) throw Error(fmt::format("{} cannot be started: {}", beginning.words.front(), strerror(failed)));
+}
+
+ChildProgram::~ChildProgram() { end(0.0); }
+
+std::optional<ChildEnding> ChildProgram::ended() {
+  if (ending_ || !is_over(process_)) return ending_;
+  kill(-process_, SIGKILL);
+  rusage used{};
+  ending_.emplace();
+  wait4(process_, &ending_->status, 0, &used);
+  ending_->processor_seconds = processor_seconds(used);
+  return ending_;
+}
+
+std::optional<ChildEnding> ChildProgram::ended_within(double seconds) {
+  const Clock::time_point until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  for (auto pause = kShortestPause; !ended() && Clock::now() < until; pause = std::min(2 * pause, kLongestPause))
+    std::this_thread::sleep_for(pause);
+  return ended();
+}
+
+ChildEnding ChildProgram::end(double grace) {
+  if (const std::optional<ChildEnding> before = ended()) return *before;
+  if (grace > 0.0) kill(-process_, SIGTERM);
+  if (!ended_within(grace)) {
+    kill(-process_, SIGKILL);
+    while (!ended_within(1.0)) {
+    }
+  }
+  return *ending_;
+}
+
+}  // namespace lacuna

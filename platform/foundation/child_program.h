@@ -1,0 +1,76 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A file in memory that a child writes to. One thread.
+class CapturedOutput {
+ public:
+  /// Throws `Error` where there is no room for it.
+  explicit CapturedOutput(const char* name);
+  ~CapturedOutput();
+  CapturedOutput(const CapturedOutput&) = delete;
+  CapturedOutput& operator=(const CapturedOutput&) = delete;
+
+  int file() const { return file_; }
+  /// The last 64 KiB of what was written.
+  std::string end() const;
+  /// Forgets all but these as soon as there are 16 MiB, so that a child that is never silent fills no memory.
+  void trim();
+
+ private:
+  std::string tail() const;
+
+  int file_;
+  std::string kept_;  ///< from before the file was emptied
+};
+
+/// How a child is begun.
+struct ChildBeginning {
+  std::vector<std::string> words;  ///< the program, with its path or to be looked for in PATH, and its arguments
+  std::filesystem::path folder;    ///< that it works in; empty: this process's
+  std::map<std::string, std::string> environment;  ///< variables besides those of this process
+  int input = -1;                                  ///< descriptor; -1: nothing to read
+  int output = -1, errors = -1;                    ///< -1: nowhere
+};
+
+/// How a child ended.
+struct ChildEnding {
+  int status = 0;  ///< as `wait` tells it
+  double processor_seconds = 0.0;
+
+  int code() const;            ///< of the exit; 128 + signal where one ended it
+  std::string phrase() const;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
+};
+
+/// A program that runs beside this one, in a process group of its own, so that an interrupt at the terminal reaches
+/// this process alone and the child's own children end with it. One thread.
+class ChildProgram {
+ public:
+  /// Throws `Error` where it cannot be started.
+  explicit ChildProgram(const ChildBeginning& beginning);
+  /// Ends it at once, where it still runs.
+  ~ChildProgram();
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
+
+  /// How it ended; nothing while it runs. What it left running in its group is ended with it.
+  std::optional<ChildEnding> ended();
+  /// The same, after waiting for `seconds` at most.
+  std::optional<ChildEnding> ended_within(double seconds);
+  /// Asks it to end (SIGTERM), and ends it (SIGKILL) when `grace` s did not suffice.
+  ChildEnding end(double grace);
+
+ private:
+  pid_t process_ = 0;
+  std::optional<ChildEnding> ending_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,77 @@
+#include "process/json_message.h"
+
+#include "process/quoted_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr const char* kOnlyMessages =
+    "; its standard output is for messages alone, each a JSON object on a line of its own, all else belongs on "
+    "standard error";
+
+/// Python and others write these where a number is none; JSON knows them not.
+bool has_no_number(const std::string& line) {
+  return line.find("NaN") != std::string::npos || line.find("Infinity") != std::string::npos;
+}
+
+nlohmann::json parsed(const std::string& line) {
+  nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+  if (json.is_discarded() && has_no_number(line))
+    throw Error("sends NaN or Infinity, " + quoted_text(line) +
+                "; find out why it is none, and send null for a reading that is missing");
+  if (!json.is_object()) throw Error("sends a line that is no JSON object, " + quoted_text(line) + kOnlyMessages);
+  return json;
+}
+
+}  // namespace
+
+JsonMessage::JsonMessage(const std::string& line, const std::string& type) : type_(type), json_(parsed(line)) {
+  const nlohmann::json* own = find("type");
+  if (own == nullptr || !own->is_string()) throw Error("sends a message without \"type\", " + quoted_text(line));
+  const std::string given = own->get<std::string>();
+  if (given == "error") {
+    const nlohmann::json* message = find("message");
+    throw RefusedTest("says: " + (message && message->is_string() ? message->get<std::string>() : line));
+  }
+  if (given != type)
+    throw Error(fmt::format("sends a message of type {} where one of type \"{}\" is due", quoted_text(given), type));
+}
+
+const nlohmann::json* JsonMessage::find(const std::string& name) const {
+  const auto found = json_.find(name);
+  return found == json_.end() ? nullptr : &*found;
+}
+
+const nlohmann::json* JsonMessage::need(const std::string& name, const std::string& meaning) {
+  const nlohmann::json* found = find(name);
+  if (found == nullptr) add_fault(fmt::format("\"{}\" is missing, {}", name, meaning));
+  return found;
+}
+
+std::string JsonMessage::text(const std::string& name, const std::string& meaning) {
+  const nlohmann::json* found = need(name, meaning);
+  if (found == nullptr) return {};
+  if (found->is_string() && !found->get<std::string>().empty()) return found->get<std::string>();
+  add_fault(fmt::format("\"{}\" is not {}", name, meaning));
+  return {};
+}
+
+double JsonMessage::number(const std::string& name, const std::string& meaning) {
+  const nlohmann::json* found = need(name, meaning);
+  if (found == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  if (found->is_number() && std::isfinite(found->get<double>())) return found->get<double>();
+  add_fault(fmt::format("\"{}\" is not {}", name, meaning));
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void JsonMessage::throw_if_faulty() const {
+  if (faults_.empty()) return;
+  throw Error(fmt::format("sends a wrong message of type \"{}\": {}", type_, fmt::join(faults_, "; ")));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <lacuna/error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Thrown where a test is not carried out and nothing is wrong with the program: it says that it cannot, or the test is
+/// none for it.
+class RefusedTest : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A message of the protocol "lacuna-process/1" (docs/reference/process-target.md) as it came: an object a line. Faults
+/// are collected while its members are read, so that all of them are told at once. What is thrown continues "the
+/// program
+/// ...".
+class JsonMessage {
+ public:
+  /// Throws `Error` where the line is no JSON object or no message of this type, `RefusedTest` where it is one of
+  /// type "error".
+  JsonMessage(const std::string& line, const std::string& type);
+
+  /// A member; null where there is none.
+  const nlohmann::json* find(const std::string& name) const;
+  /// The same; a fault where there is none.
+  const nlohmann::json* need(const std::string& name, const std::string& meaning);
+  std::string text(const std::string& name, const std::string& meaning);
+  double number(const std::string& name, const std::string& meaning);
+
+  void add_fault(const std::string& fault) { faults_.push_back(fault); }
+  /// Throws `Error` with all faults, if there are any.
+  void throw_if_faulty() const;
+
+ private:
+  std::string type_;
+  nlohmann::json json_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,121 @@
+#include "process/process_target.h"
+
+#include "foundation/interrupt.h"
+#include "process/child_lines.h"
+#include "process/conversation.h"
+#include "process/json_message.h"
+#include "process/quoted_text.h"
+
+#include <lacuna/random_stream.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+std::string words_of(const std::vector<std::string>& command) {
+  const std::string words = fmt::format("{}", fmt::join(command, " "));
+  return quoted_text(words);
+}
+
+}  // namespace
+
+ProcessTarget::ProcessTarget(ProcessTargetSetting setting)
+    : setting_(std::move(setting)), program_(words_of(setting_.source.command)) {}
+
+ProcessTarget::~ProcessTarget() = default;
+
+/// Makes of whatever fails a sentence about the program, which is ended: nobody knows what it would say next. One that
+/// refuses a test by the book goes on.
+template <class Call>
+decltype(auto) ProcessTarget::guarded(const std::string& limit, Call&& call) {
+  try {
+    return std::forward<Call>(call)();
+  } catch (const RefusedTest& refusal) {
+    throw Error(program_ + " " + refusal.what());
+  } catch (const TookTooLong& lateness) {
+    fail(fmt::format("{} (the limit is {})", lateness.what(), limit));
+  } catch (const BadInput&) {
+    lines_.reset();
+    throw;
+  } catch (const Interrupted&) {
+    lines_.reset();
+    throw;
+  } catch (const Error& error) {
+    fail(error.what());
+  } catch (...) {  // a controller's; the program waits for commands that never come
+    lines_.reset();
+    throw;
+  }
+}
+
+const Hello& ProcessTarget::hello() {
+  start();
+  return hello_;
+}
+
+Trial ProcessTarget::carry_out(const Test& test) {
+  start();
+  const std::string limit = fmt::format("target.trial_limit, {:.4g} s beyond the test's {:.4g} s",
+                                        setting_.source.trial_limit, test.duration);
+  return guarded(limit, [&] { return try_test(test); });
+}
+
+void ProcessTarget::fail(const std::string& what) {
+  const std::string words = lines_ ? lines_->last_words() : "";
+  lines_.reset();
+  throw Error(program_ + " " + what + (words.empty() ? "" : "; its last words on standard error:\n" + words));
+}
+
+void ProcessTarget::start() {
+  if (lines_ && lines_->has_ended()) {
+    if (setting_.note) setting_.note(program_ + " has ended since its last trial and is started again");
+    lines_.reset();
+  }
+  if (lines_) return;
+  try {
+    lines_ = std::make_unique<ChildLines>(setting_.source);
+  } catch (const Error& error) {
+    throw_problem(setting_.location, fmt::format("target.command: {}; name a program, with its path from target.folder "
+                                                 "or one that is in PATH",
+                                                 error.what()));
+  }
+  try {
+    guarded(fmt::format("target.start_limit, {:.4g} s", setting_.source.start_limit), [&] { greet(); });
+  } catch (const Error&) {
+    lines_.reset();  // also where it refuses: it has not said what it is
+    throw;
+  }
+}
+
+void ProcessTarget::greet() {
+  const auto until = ChildLines::in(setting_.source.start_limit);
+  lines_->send(hello_message(), until);
+  hello_ = read_hello(lines_->receive(until));
+  ProblemList problems;
+  for (const std::string& misfit : misfits(hello_, setting_.space)) problems.add(setting_.location, misfit);
+  problems.throw_if_any();
+}
+
+Trial ProcessTarget::try_test(const Test& test) {
+  if (const std::string line = lines_->unasked(); !line.empty())
+    throw Error("sends a line that nobody asked for, " + quoted_text(line));
+  TestHeading heading;
+  heading.trial = number_;
+  heading.seed = RandomStream(std::array<std::uint64_t, 2>{setting_.noise_seed, number_})() >> 11U;
+  heading.duration = test.duration;
+  heading.period = setting_.space.control_period;
+  heading.periods = whole_periods(test.duration, heading.period);
+  Conversation conversation(*lines_, hello_, setting_.space, heading,
+                            ChildLines::in(test.duration + setting_.source.trial_limit));
+  Trial trial = conversation.carry_out(test);
+  trial.initial = initial_values(conversation.start(), setting_.coordinates);
+  if (setting_.note)
+    for (const std::string& note : conversation.notes()) setting_.note(note);
+  return trial;
+}
+
+}  // namespace lacuna

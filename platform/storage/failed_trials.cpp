@@ -1,0 +1,17 @@
+#include "storage/failed_trials.h"
+
+#include "storage/clock.h"
+#include "storage/row_key.h"
+#include "storage/statement.h"
+
+namespace lacuna {
+
+void record_failed_trial(const Database& database, RunId run, ExperimentId experiment,
+                         const FailedTrialRecord& failed) {
+  Statement(database,
+            "INSERT INTO failed_trial (id, run, experiment, trial, test, failed, reason) VALUES (?, ?, ?, ?, ?, ?, ?)")
+      .run_with(next_key(database, "failed_trial", run), run, experiment, failed.trial, failed.test, utc_now(),
+                failed.reason);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,90 @@
+#include "foundation/child_program.h"
+
+#include "support/test_folder.h"
+
+#include <lacuna/error.h>
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kPatience = 60.0;  // s
+
+class ChildProgramTest : public testing::Test {
+ protected:
+  ChildBeginning shell(const std::string& script) const {
+    return {.words = {"sh", "-c", script},
+            .folder = folder_.path(),
+            .environment = {{"LACUNA_TEST_WORD", "lantern"}},
+            .output = output_.file(),
+            .errors = output_.file()};
+  }
+  TestFolder folder_;
+  CapturedOutput output_{"output"};
+};
+
+TEST_F(ChildProgramTest, WorksInItsFolderWithItsVariablesAndNothingToRead) {
+  ChildProgram child(shell("pwd; echo $LACUNA_TEST_WORD; cat; exit 3"));
+  const std::optional<ChildEnding> ending = child.ended_within(kPatience);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->code(), 3);
+  EXPECT_EQ(ending->phrase(), "ended with exit code 3");
+  EXPECT_EQ(output_.end(), folder_.path().string() + "\nlantern\n");
+}
+
+TEST_F(ChildProgramTest, SaysWhichSignalEndedIt) {
+  ChildProgram child(shell("kill -SEGV $$"));
+  const std::optional<ChildEnding> ending = child.ended_within(kPatience);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->code(), 128 + SIGSEGV);
+  EXPECT_EQ(ending->phrase(), "was ended by signal 11 (Segmentation fault)");
+}
+
+TEST_F(ChildProgramTest, EndsWithItsOwnChildrenThoughItRefuses) {
+  ChildProgram child(shell("trap '' TERM; sleep 1000 & echo $!; wait"));
+  std::string said;
+  for (int i = 0; i < 6000 && said.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    said = output_.end();
+  }
+  const auto grandchild = static_cast<pid_t>(std::stoi(said));
+  EXPECT_EQ(child.end(0.05).code(), 128 + SIGKILL);
+  bool gone = false;
+  for (int i = 0; i < 6000 && !gone; ++i) {  // its new parent may take a moment to notice
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    gone = kill(grandchild, 0) != 0;
+    // Where nobody waits for orphans, as in some containers, what is left is no process any more.
+    if (std::ifstream status("/proc/" + said.substr(0, said.find('\n')) + "/stat"); !gone && status)
+      gone = std::string(std::istreambuf_iterator<char>(status), {}).find(") Z ") != std::string::npos;
+  }
+  EXPECT_TRUE(gone);
+}
+
+TEST_F(ChildProgramTest, AProgramThatIsNotThereIsSaid) {
+  EXPECT_THAT([] { ChildProgram({.words = {"no-such-program"}, .folder = {}, .environment = {}}); },
+              testing::ThrowsMessage<Error>(HasSubstr("no-such-program cannot be started: No such file")));
+}
+
+TEST_F(ChildProgramTest, OfWhatItWritesTheEndIsKept) {
+  ChildProgram child(shell("head -c 20000000 /dev/zero | tr '\\0' x; echo; echo last"));
+  ASSERT_TRUE(child.ended_within(kPatience));
+  output_.trim();
+  EXPECT_THAT(output_.end(), testing::EndsWith("x\nlast\n"));
+  EXPECT_EQ(output_.end().size(), 1U << 16U);
+  ChildProgram more(shell("echo more"));
+  ASSERT_TRUE(more.ended_within(kPatience));
+  EXPECT_THAT(output_.end(), testing::EndsWith("x\nlast\nmore\n"));
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,171 @@
+"""A rig for tests: it reads half of what its motor is told, and has a fault of its own where its argument names one."""
+
+import json
+import os
+import signal
+import sys
+import time
+
+FAULT = sys.argv[1] if len(sys.argv) > 1 else "none"
+
+HELLO = {
+    "type": "hello",
+    "protocol": "lacuna-process/1",
+    "name": "test rig",
+    "modes": {"only series": ["series"], "only exchange": ["exchange"]}.get(FAULT, ["series", "exchange"]),
+    "sensors": [{"name": "heat", "unit": "1"}, {"name": "angle", "unit": "deg", "noise": 0.1}],
+    "actuators": [{"name": "motor", "unit": "mN*m", "lower": -600, "upper": 600}],
+}
+
+
+def say(message):
+    print(message if isinstance(message, str) else json.dumps(message), flush=True)
+
+
+def listen():
+    line = sys.stdin.readline()
+    if not line:
+        leave()
+    return json.loads(line)
+
+
+def leave():
+    if FAULT == "stays":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        time.sleep(1000)
+    sys.exit(0)
+
+
+def crash(words):
+    sys.stderr.write(words + "\n")
+    sys.exit(3)
+
+
+def once(name):
+    """Whether it is the first time, over all processes in this folder."""
+    if os.path.exists(name):
+        return False
+    open(name, "w").close()
+    return True
+
+
+def greet():
+    if FAULT == "crashes in hello":
+        sys.stderr.write("first line\n" * 9)
+        crash("Traceback: no rig at /dev/ttyUSB0")
+    if FAULT == "hangs in hello":
+        time.sleep(1000)
+    if FAULT == "prints":
+        say("Rig driver 1.2 ready")
+    if FAULT == "huge line":
+        while True:
+            sys.stdout.write("x" * (1 << 20))
+    if FAULT == "closes its output":
+        os.close(1)
+        time.sleep(1000)
+    if FAULT == "is sick":
+        say({"type": "error", "message": "the motor's power is off"})
+        return
+    hello = json.loads(json.dumps(HELLO))
+    if FAULT == "wrong hello":
+        hello.update(protocol="lacuna-process/9", modes=["often"])
+        hello["sensors"] = [{"name": "angle", "unit": "furlong"}, {"name": "angle"}]
+        hello["actuators"][0].update(lower=2, upper=1)
+    if FAULT == "wrong units":
+        hello["sensors"][1]["unit"] = "m"
+    if FAULT == "wrong names":
+        hello["sensors"][1]["name"] = "angel"
+        hello["actuators"].append({"name": "brake", "unit": "N*m", "lower": 0, "upper": 1})
+    if FAULT == "narrow":
+        hello["actuators"][0].update(lower=-100, upper=100)
+    say(hello)
+
+
+def fault_in_trial(test):
+    if FAULT == "dies" or (FAULT == "dies once" and once("died")) or (
+        FAULT == "waits for repair" and not os.path.exists("repaired")
+    ):
+        crash("motor driver: over-current")
+    if FAULT == "is killed":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    if FAULT == "echoes":
+        crash(json.dumps({key: test[key] for key in ("trial", "seed", "duration", "period", "periods")}))
+    if FAULT == "waits for more":
+        once("waits")
+        listen()
+    if FAULT == "hangs" or (FAULT == "hangs once" and once("hangs")):
+        time.sleep(1000)
+    if FAULT == "half a line":
+        sys.stdout.write('{"type": "sam')
+        sys.stdout.flush()
+        time.sleep(1000)
+    if FAULT == "refuses":
+        say({"type": "error", "message": "the arm is not at rest"})
+        return True
+    if FAULT == "half an answer":
+        sys.stdout.write('{"type": "samples", "times": [0, ')
+        sys.stdout.flush()
+        sys.exit(0)
+    if FAULT == "other type":
+        say({"type": "banana"})
+        return True
+    return False
+
+
+def samples_of(test):
+    commands = test["commands"]
+    times = [k * test["period"] for k in range(test["periods"] + 1)]
+    first = commands["samples"][0][0]
+    return {"type": "samples", "times": times, "samples": [[20.0, 0.5 * first] for _ in times]}
+
+
+def run_series(test):
+    answer = samples_of(test)
+    if FAULT == "nan":
+        answer["samples"][1][1] = float("nan")
+    if FAULT == "a gap":
+        answer["samples"][1][1] = None
+    if FAULT == "nothing measured":
+        answer["samples"] = [[20.0, None] for _ in answer["times"]]
+    if FAULT == "too few":
+        answer["times"], answer["samples"] = answer["times"][:3], answer["samples"][:3]
+    if FAULT == "short rows":
+        answer["samples"] = [row[:1] for row in answer["samples"]]
+    if FAULT == "times stand still":
+        answer["times"][2] = answer["times"][1]
+    if FAULT == "other joint":
+        answer["start"] = {"knee": {"position": 0, "velocity": 0}}
+    if FAULT == "knows its start":
+        answer["start"] = {"hinge": {"position": 0.25, "velocity": 0.0}}
+    say(answer)
+    if FAULT == "talks on":
+        say({"type": "by the way"})
+    if FAULT == "dies afterwards":
+        sys.exit(0)
+
+
+def run_exchange(test):
+    angle = 0.0
+    for k in range(test["periods"] + 1):
+        late = 0.8 * test["period"] if FAULT == "out of step" and k == 2 else 0.0
+        say({"type": "readings", "time": k * test["period"] + late, "sensors": [20.0, angle]})
+        if k < test["periods"]:
+            angle = 0.5 * listen()["commands"][0]
+
+
+def main():
+    with open("pid", "w") as file:
+        file.write(str(os.getpid()))
+    if FAULT == "reads nothing":
+        time.sleep(1000)
+    if FAULT == "floods standard error":
+        sys.stderr.write("noise " * (1 << 22))
+    while True:
+        message = listen()
+        if message["type"] == "hello":
+            greet()
+        elif not fault_in_trial(message):
+            (run_series if message["mode"] == "series" else run_exchange)(message)
+
+
+main()
