@@ -65,6 +65,7 @@ struct TargetSection {
 struct TestSection {
   ComponentChoice encoding = {"recurrent_network", {}};
   double duration = 10.0;  ///< s; the seed's 1000 steps of 10 ms
+  std::vector<std::string> sensors;  ///< patterns: what a controller sees; none: all
 };
 
 /// One of the operators that make a child, in the order in which they are applied.
@@ -83,6 +84,7 @@ struct EstimationSection {
   SearchSection search;
   ComponentChoice metric = {"mean_absolute_difference", {}};
   std::string objective;  ///< objective metric; empty: none
+  std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
   int seeds = 0;          ///< how many of the last pass's best models start the next; the seed's experiment takes none
   bool abandon = true;    ///< end an evaluation that cannot get under the generation's bar
   bool reuse = true;      ///< simulate identical models once

@@ -15,11 +15,11 @@ void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
   if (best.genome.empty()) return;  // the approximate model that came with the experiment
   pass.best_model = best.number;
   pass.best_score = best.score;
-  pass.best_values = best.values;
-  if (!run.definition.objective || run.truth.empty()) return;
+  pass.best_values = best.model.values;
+  if (!run.definition.objective || !run.target) return;
   const Chosen<ObjectiveMetric>& metric = *run.definition.objective;
   const std::vector<ObjectiveScore> scores = guarded_call(metric.origin, "score", [&] {
-    return metric->score(run.definition.model_space, {best.values}, run.truth, metric.parameters);
+    return metric->score(run.definition.model_space, best.model, {run.truth, *run.target}, metric.parameters);
   });
   for (const ObjectiveScore& score : scores) pass.objective.push_back({score.name, score.unit, score.value});
 }
@@ -43,7 +43,7 @@ EeaState first_state(const EeaDefinition& definition) {
   if (!definition.approximate) return state;
   state.pass = 0;
   state.phase = Phase::exploration;
-  state.best.push_back({0, {}, definition.model.start_values(), kNotKnown});
+  state.best.push_back({0, {}, {definition.model.start_values()}, kNotKnown});
   return state;
 }
 

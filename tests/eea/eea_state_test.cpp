@@ -29,7 +29,7 @@ TEST(EeaState, ComesBackAsItWasSaved) {
   EXPECT_EQ(save(loaded), save(state));
   EXPECT_EQ(loaded.phase, Phase::exploration);
   EXPECT_EQ(loaded.next_test->genome, state.next_test->genome);
-  EXPECT_EQ(loaded.best[1].values, state.best[1].values);
+  EXPECT_EQ(loaded.best[1].model.values, state.best[1].model.values);
   EXPECT_EQ(loaded.counts.steps, state.counts.steps);
 }
 

@@ -20,7 +20,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 3;
+inline constexpr std::uint32_t kInterfaceVersion = 4;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -107,6 +107,7 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(ScoredIndividual),
     LACUNA_LAYOUT_(TestPrediction),
     LACUNA_LAYOUT_(ObjectiveScore),
+    LACUNA_LAYOUT_(HiddenTruth),
 };
 #undef LACUNA_LAYOUT_
 
