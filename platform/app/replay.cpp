@@ -73,8 +73,7 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
                                   fmt::join(model.numbers, ", ")));
   const ScoredTrial& scored = model.trials[static_cast<std::size_t>(found - model.numbers.begin())];
   const Eigen::VectorXd& times = scored.trial.measured.times;
-  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1,
-                                &model.definition.model);
+  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1, &model.definition.model);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;

@@ -14,8 +14,6 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
   const std::optional<CheckpointRow> checkpoint = store.checkpoint();
   if (!checkpoint) return std::nullopt;
   EeaState state = load_state(checkpoint->state);
-  for (KnownModel& known : state.best)
-    if (!known.genome.empty()) known.model = definition.decode_model(known.genome);
   const std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();
   for (std::size_t i = 0; i < rows.size(); ++i) {

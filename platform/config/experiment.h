@@ -64,7 +64,7 @@ struct TargetSection {
 /// What tests are made of.
 struct TestSection {
   ComponentChoice encoding = {"recurrent_network", {}};
-  double duration = 10.0;  ///< s; the seed's 1000 steps of 10 ms
+  double duration = 10.0;            ///< s; the seed's 1000 steps of 10 ms
   std::vector<std::string> sensors;  ///< patterns: what a controller sees; none: all
 };
 
@@ -83,11 +83,11 @@ struct SearchSection {
 struct EstimationSection {
   SearchSection search;
   ComponentChoice metric = {"mean_absolute_difference", {}};
-  std::string objective;  ///< objective metric; empty: none
+  std::string objective;             ///< objective metric; empty: none
   std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
-  int seeds = 0;          ///< how many of the last pass's best models start the next; the seed's experiment takes none
-  bool abandon = true;    ///< end an evaluation that cannot get under the generation's bar
-  bool reuse = true;      ///< simulate identical models once
+  int seeds = 0;        ///< how many of the last pass's best models start the next; the seed's experiment takes none
+  bool abandon = true;  ///< end an evaluation that cannot get under the generation's bar
+  bool reuse = true;    ///< simulate identical models once
 };
 
 struct ExplorationSection {

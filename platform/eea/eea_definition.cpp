@@ -115,8 +115,7 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
     estimation.breeder = breeder_for(model_encoding, model_space, nothing_encoded, std::move(mutations), complaints);
   try_search(estimation, "estimation.parameters", complaints);
   const std::vector<Channel> channels = sensor_channels(model.structure.robot);
-  for (const std::size_t c :
-       chosen_channels(model.structure.robot, estimate.sensors, "estimation.sensors", complaints))
+  for (const std::size_t c : chosen_channels(model.structure.robot, estimate.sensors, "estimation.sensors", complaints))
     scored_channels.push_back(channels[c].name);
 }
 

@@ -36,6 +36,12 @@ void go_on_with(Phase phase, const EeaRun& run, EeaState& state) {
   run.end_generation(state, {.pass = state.pass, .passes = run.definition.passes, .phase = phase});
 }
 
+/// A state that was stored has genomes and values only.
+void decode_again(const EeaDefinition& definition, std::vector<KnownModel>& models) {
+  for (KnownModel& known : models)
+    if (!known.genome.empty()) known.model = definition.decode_model(known.genome);
+}
+
 }  // namespace
 
 EeaState first_state(const EeaDefinition& definition) {
@@ -48,6 +54,7 @@ EeaState first_state(const EeaDefinition& definition) {
 }
 
 void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
+  decode_again(run.definition, state.best);
   while (state.phase != Phase::finished) switch (state.phase) {
       case Phase::trial:  // steps 1 and 2: a test, the first one random, is sent to the target
         if (!state.next_test) choose_random_test(run, state, 0);

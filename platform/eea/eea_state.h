@@ -54,8 +54,8 @@ struct EeaState {
   std::vector<ModelRow> evaluated;  ///< models of this pass, where a run goes on in the midst of one
 };
 
-/// Everything but `trials` and `evaluated`, which stand in the database as rows, and the models' own robots, which their
-/// genomes stand for.
+/// Everything but `trials` and `evaluated`, which stand in the database as rows, and the models' own robots, which
+/// their genomes stand for.
 std::vector<double> save(const EeaState& state);
 /// The inverse. Throws `Error` for numbers that are no saved state.
 EeaState load_state(std::span<const double> saved);

@@ -72,8 +72,7 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
 }
 
 void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive) {
-  const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1,
-                                &run.definition.model);
+  const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1, &run.definition.model);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;

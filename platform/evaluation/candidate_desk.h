@@ -13,8 +13,8 @@ namespace lacuna {
 /// candidate gives the same bits whatever came before.
 class CandidateDesk {
  public:
-  /// `shared` must outlive the desk. `definition` is what a candidate's own robot is compiled with, and must outlive it,
-  /// too; without one no candidate may bring a robot.
+  /// `shared` must outlive the desk. `definition` is what a candidate's own robot is compiled with, and must outlive
+  /// it, too; without one no candidate may bring a robot.
   CandidateDesk(const CompiledModel& shared, const ModelDefinition* definition);
   ~CandidateDesk();
   CandidateDesk(CandidateDesk&&) noexcept;

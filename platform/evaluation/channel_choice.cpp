@@ -41,8 +41,8 @@ std::vector<std::size_t> chosen_channels(const RobotSpec& robot, const std::vect
     std::size_t channel = 0;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
       const std::size_t count = sensor_channels(robot, robot.sensors[i]).size();
-      const bool wanted = std::find(match.elements.begin(), match.elements.end(), static_cast<int>(i)) !=
-                          match.elements.end();
+      const bool wanted =
+          std::find(match.elements.begin(), match.elements.end(), static_cast<int>(i)) != match.elements.end();
       for (std::size_t end = channel + count; channel < end; ++channel)
         if (wanted) chosen.push_back(channel);
     }

@@ -21,8 +21,8 @@ void append(std::string& key, const std::string& name) {
 void append(std::string& key, const BodySpec& body) {
   append(key, body.mass);
   append(key, body.com);
-  for (const double moment : {body.inertia.xx, body.inertia.yy, body.inertia.zz, body.inertia.xy, body.inertia.xz,
-                              body.inertia.yz})
+  for (const double moment :
+       {body.inertia.xx, body.inertia.yy, body.inertia.zz, body.inertia.xy, body.inertia.xz, body.inertia.yz})
     append(key, moment);
   append(key, body.position);
   append(key, body.orientation);
@@ -68,9 +68,9 @@ void append(std::string& key, const SensorSpec& sensor) {
 }
 
 void append(std::string& key, const ContactSpec& contact) {
-  for (const double law : {contact.ground ? 1.0 : 0.0, contact.stiffness, contact.damping, contact.friction,
-                           contact.slope, contact.impact_damping, contact.restitution, contact.rolling_lever,
-                           contact.creep})
+  for (const double law :
+       {contact.ground ? 1.0 : 0.0, contact.stiffness, contact.damping, contact.friction, contact.slope,
+        contact.impact_damping, contact.restitution, contact.rolling_lever, contact.creep})
     append(key, law);
 }
 
@@ -98,10 +98,10 @@ void append_key(const RobotSpec& robot, std::string& key) {
 }
 
 std::string misfit(const RobotSpec& built, const RobotSpec& of_experiment) {
-  for (const std::string& complaint : {misfit_of(built.bodies, of_experiment.bodies, "body"),
-                                       misfit_of(built.joints, of_experiment.joints, "joint"),
-                                       misfit_of(built.actuators, of_experiment.actuators, "actuator"),
-                                       misfit_of(built.sensors, of_experiment.sensors, "sensor")})
+  for (const std::string& complaint :
+       {misfit_of(built.bodies, of_experiment.bodies, "body"), misfit_of(built.joints, of_experiment.joints, "joint"),
+        misfit_of(built.actuators, of_experiment.actuators, "actuator"),
+        misfit_of(built.sensors, of_experiment.sensors, "sensor")})
     if (!complaint.empty()) return complaint;
   return {};
 }

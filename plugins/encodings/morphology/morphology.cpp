@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift };
+enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift, kWhole };
 
 constexpr std::array<const char*, kGenesPerPart> kGeneNames = {"parent", "end", "length", "roll", "turn", "touch"};
 constexpr double kVertical = 1e-6;  // sine of the angle to the vertical
@@ -39,7 +39,15 @@ void check_robot(const RobotSpec& robot) {
 ChainSettings settings_of(std::span<const double> parameters) {
   if (parameters[kLeastLength] > parameters[kGreatestLength])
     throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
-  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight]};
+  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight], parameters[kWhole] >= 0.5};
+}
+
+/// The first part hangs on nothing, so as whole numbers its parent and end are no choice.
+Gene gene_of(const std::string& name, std::size_t part, std::size_t gene, const ChainSettings& settings) {
+  const bool whole = settings.whole && (gene == kParentGene || gene == kEndGene);
+  if (!whole) return {name, "1", GeneKind::real, 0.0, 1.0};
+  const double choices = part == 0 ? 1.0 : gene == kParentGene ? static_cast<double>(part) : 2.0;
+  return {name, "1", GeneKind::integer, 0.0, choices - 1.0};
 }
 
 /// A solid cylinder along x.
@@ -107,35 +115,45 @@ std::string Morphology::summary() const {
 }
 
 ParameterDeclarations Morphology::parameters() const {
-  return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
-          {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
-          {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
-           "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
-          {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
-           "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
-          {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
-           "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
-           "pushes it out"}};
+  return {
+      {"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
+      {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
+      {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
+       "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
+      {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
+       "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
+      {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
+       "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
+       "pushes it out"},
+      {"whole", "1", 0.0, 0.0, 1.0, Scale::linear,
+       "1: parent and end are whole-number genes, so that searches know the tree from its lengths and angles; 0: all "
+       "genes are in [0, 1], as in the source"}};
 }
 
 GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double> parameters) const {
   check_robot(space.robot);
-  settings_of(parameters);
+  const ChainSettings settings = settings_of(parameters);
   GenomeLayout layout;
-  for (const BodySpec& body : space.robot.bodies)
-    for (const char* gene : kGeneNames)
-      layout.genes.push_back({body.name + "." + gene, "1", GeneKind::real, 0.0, 1.0});
-  layout.row = kGenesPerPart;
+  for (std::size_t part = 0; part < space.robot.bodies.size(); ++part)
+    for (std::size_t i = 0; i < kGenesPerPart; ++i)
+      layout.genes.push_back(gene_of(space.robot.bodies[part].name + "." + kGeneNames[i], part, i, settings));
+  layout.row = space.free.empty() ? kGenesPerPart : 0;
+  for (const FreeParameter& free : space.free) {
+    if (!std::isfinite(free.lower) || !std::isfinite(free.upper) || free.lower > free.upper)
+      throw Error(free.address + " has no finite search range; give its bounds under [model.free]");
+    layout.genes.push_back({free.address, free.unit, GeneKind::real, free.lower, free.upper});
+  }
   return layout;
 }
 
 ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double> parameters,
                                  std::span<const double> genome) const {
   const std::size_t shape_genes = kGenesPerPart * space.robot.bodies.size();
-  if (genome.size() != shape_genes)
+  if (genome.size() != shape_genes + space.free.size())
     throw Error("a genome of " + std::to_string(genome.size()) + " genes does not fit a robot of " +
-                std::to_string(space.robot.bodies.size()) + " parts");
-  std::vector<PlacedPart> parts = place_parts(genome, settings_of(parameters));
+                std::to_string(space.robot.bodies.size()) + " parts and " + std::to_string(space.free.size()) +
+                " free parameters");
+  std::vector<PlacedPart> parts = place_parts(genome.first(shape_genes), settings_of(parameters));
   auto robot = std::make_shared<RobotSpec>(space.robot);
   if (parameters[kLift] >= 0.5)
     if (const double height = missing_height(*robot, parts); height > 0.0)
@@ -150,6 +168,8 @@ ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double
   }
   place_touch_sensors(*robot, parts);
   ModelProposal model;
+  for (std::size_t i = 0; i < space.free.size(); ++i)
+    model.values.push_back(std::clamp(genome[shape_genes + i], space.free[i].lower, space.free[i].upper));
   model.robot = std::move(robot);
   return model;
 }

@@ -25,14 +25,13 @@ std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainS
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::span<const double> genes = genome.subspan(i * kGenesPerPart, kGenesPerPart);
     PlacedPart& part = parts[i];
-    part.length =
-        settings.least_length + genes[kLengthGene] * (settings.greatest_length - settings.least_length);
+    part.length = settings.least_length + genes[kLengthGene] * (settings.greatest_length - settings.least_length);
     part.touch = genes[kTouchGene] >= 0.5;
     if (i == 0) {
       part.tail = {-0.5 * part.length, 0.0, settings.root_height};
       continue;
     }
-    part.parent = scaled_index(genes[kParentGene], i);
+    part.parent = settings.whole ? static_cast<std::size_t>(genes[kParentGene]) : scaled_index(genes[kParentGene], i);
     part.at_head = genes[kEndGene] >= 0.5;
     const PlacedPart& parent = parts[part.parent];
     part.tail = part.at_head ? parent.head() : parent.tail;

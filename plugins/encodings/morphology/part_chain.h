@@ -17,14 +17,15 @@ enum PartGene : std::size_t { kParentGene, kEndGene, kLengthGene, kRollGene, kTu
 struct ChainSettings {
   double least_length = 0.0, greatest_length = 0.0;  ///< m
   double root_height = 0.0;                          ///< of the first part's axis above the ground, m
+  bool whole = false;                                ///< parent and end are given as whole numbers
 };
 
 /// One part as its genes place it, world frame.
 struct PlacedPart {
-  std::size_t parent = 0;  ///< index of a part before it; of the first part itself
-  bool at_head = false;    ///< of the parent; its own end there is its tail
-  double length = 0.0;     ///< m
-  bool touch = false;      ///< asks for a touch sensor
+  std::size_t parent = 0;               ///< index of a part before it; of the first part itself
+  bool at_head = false;                 ///< of the parent; its own end there is its tail
+  double length = 0.0;                  ///< m
+  bool touch = false;                   ///< asks for a touch sensor
   Eigen::Vector3d tail{0.0, 0.0, 0.0};  ///< m
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< its x points from tail to head
 
@@ -33,8 +34,8 @@ struct PlacedPart {
   Eigen::Vector3d head() const { return tail + length * direction(); }
 };
 
-/// The parts of a genome of `kGenesPerPart` genes each, all within [0, 1]. The first lies along x with its centre above
-/// the origin.
+/// The parts of a genome of `kGenesPerPart` genes each, within [0, 1] where they are no whole numbers. The first lies
+/// along x with its centre above the origin.
 std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainSettings& settings);
 
 /// Height of a cylinder's lowest point, m.

@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 constexpr double kMeets = 1e-6;  // m
 
 std::optional<std::size_t> index_of(const RobotSpec& robot, const std::string& name) {
-  const auto found = std::find_if(robot.bodies.begin(), robot.bodies.end(),
-                                  [&](const BodySpec& body) { return body.name == name; });
+  const auto found =
+      std::find_if(robot.bodies.begin(), robot.bodies.end(), [&](const BodySpec& body) { return body.name == name; });
   if (found == robot.bodies.end()) return std::nullopt;
   return static_cast<std::size_t>(found - robot.bodies.begin());
 }

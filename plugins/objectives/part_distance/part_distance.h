@@ -9,8 +9,8 @@ namespace lacuna {
 class PartDistance : public ObjectiveMetric {
  public:
   std::string summary() const override;
-  /// `body.<name>.position` of each part, m; their mean `body.*.position`, which is e_o; `topology_wrong`, 0 or 1. Parts
-  /// are matched by index. Throws `Error` where model and target have different numbers of parts.
+  /// `body.<name>.position` of each part, m; their mean `body.*.position`, which is e_o; `topology_wrong`, 0 or 1.
+  /// Parts are matched by index. Throws `Error` where model and target have different numbers of parts.
   std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model, const HiddenTruth& truth,
                                     std::span<const double> parameters) const override;
 };

@@ -134,21 +134,21 @@ std::string FiveCylinders::summary() const {
 }
 
 ParameterDeclarations FiveCylinders::parameters() const {
-  return {
-      {"radius", "m", 0.1, 1e-3, 10.0, Scale::linear, "Radius of each part, and the height of all of them at the start"},
-      {"mass", "kg", 1.0, 1e-6, 1e6, Scale::logarithmic, "Mass of each part"},
-      {"spine_length", "m", 1.0, 1e-3, 100.0, Scale::linear, "Length of each of the three spinal parts"},
-      {"arm_length", "m", 0.8, 1e-3, 100.0, Scale::linear, "Length of each arm"},
-      {"arms_in_middle", "1", 0.0, 0.0, 1.0, Scale::linear,
-       "1: arms on the middle of the front part, as the source's text may be read; 0: at the torso's head, which "
-       "head-or-tail encodings can say"},
-      {"range", "rad", std::numbers::pi / 6.0, 1e-3, 3.0, Scale::linear,
-       "Hinges, commands and angle sensors go from minus to plus this"},
-      {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo wants per radian of position error"},
-      {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
-      {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
-       "Torque of a servo per missing speed, until its limit"},
-      {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"}};
+  return {{"radius", "m", 0.1, 1e-3, 10.0, Scale::linear,
+           "Radius of each part, and the height of all of them at the start"},
+          {"mass", "kg", 1.0, 1e-6, 1e6, Scale::logarithmic, "Mass of each part"},
+          {"spine_length", "m", 1.0, 1e-3, 100.0, Scale::linear, "Length of each of the three spinal parts"},
+          {"arm_length", "m", 0.8, 1e-3, 100.0, Scale::linear, "Length of each arm"},
+          {"arms_in_middle", "1", 0.0, 0.0, 1.0, Scale::linear,
+           "1: arms on the middle of the front part, as the source's text may be read; 0: at the torso's head, which "
+           "head-or-tail encodings can say"},
+          {"range", "rad", std::numbers::pi / 6.0, 1e-3, 3.0, Scale::linear,
+           "Hinges, commands and angle sensors go from minus to plus this"},
+          {"speed_gain", "1/s", 8.0, 0.0, 1e3, Scale::linear, "Speed that a servo wants per radian of position error"},
+          {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
+          {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
+           "Torque of a servo per missing speed, until its limit"},
+          {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"}};
 }
 
 RobotSpec FiveCylinders::build(const RobotRequest& request) const {

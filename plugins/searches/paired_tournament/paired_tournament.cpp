@@ -33,8 +33,7 @@ class PairedTournamentSearch : public GenerationalSearch {
       const std::size_t draw = random.index(population_ - 1);
       const std::size_t other = draw + (draw >= one ? 1 : 0);
       if (waits(one) || waits(other)) break;
-      const auto [winner, loser] =
-          better(kept()[other], kept()[one]) ? std::pair(other, one) : std::pair(one, other);
+      const auto [winner, loser] = better(kept()[other], kept()[one]) ? std::pair(other, one) : std::pair(one, other);
       asked.push_back(child_of(winner, random));
       overwritten_.push_back(loser);
     }
