@@ -53,6 +53,7 @@ struct SimulatedSource {
   std::map<std::string, double> noise;  ///< sensor pattern (`sensor.angle*`) → standard deviation, the channel's unit
   std::uint64_t hidden_seed = 1;
   Redraw redraw = Redraw::never;
+  int substeps = 0;  ///< of the engine, where the target is integrated in finer steps than models; 0: in the same
 };
 
 struct TargetSection {

@@ -1,6 +1,7 @@
 #include "morphology.h"
 
 #include "part_chain.h"
+#include "reshape.h"
 
 #include <lacuna/error.h>
 #include <lacuna/plugin.h>
@@ -16,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift, kWhole };
+enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift };
 
 constexpr std::array<const char*, kGenesPerPart> kGeneNames = {"parent", "end", "length", "roll", "turn", "touch"};
 constexpr double kVertical = 1e-6;  // sine of the angle to the vertical
@@ -39,15 +40,7 @@ void check_robot(const RobotSpec& robot) {
 ChainSettings settings_of(std::span<const double> parameters) {
   if (parameters[kLeastLength] > parameters[kGreatestLength])
     throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
-  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight], parameters[kWhole] >= 0.5};
-}
-
-/// The first part hangs on nothing, so as whole numbers its parent and end are no choice.
-Gene gene_of(const std::string& name, std::size_t part, std::size_t gene, const ChainSettings& settings) {
-  const bool whole = settings.whole && (gene == kParentGene || gene == kEndGene);
-  if (!whole) return {name, "1", GeneKind::real, 0.0, 1.0};
-  const double choices = part == 0 ? 1.0 : gene == kParentGene ? static_cast<double>(part) : 2.0;
-  return {name, "1", GeneKind::integer, 0.0, choices - 1.0};
+  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight]};
 }
 
 /// A solid cylinder along x.
@@ -115,28 +108,23 @@ std::string Morphology::summary() const {
 }
 
 ParameterDeclarations Morphology::parameters() const {
-  return {
-      {"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
-      {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
-      {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
-       "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
-      {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
-       "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
-      {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
-       "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
-       "pushes it out"},
-      {"whole", "1", 0.0, 0.0, 1.0, Scale::linear,
-       "1: parent and end are whole-number genes, so that searches know the tree from its lengths and angles; 0: all "
-       "genes are in [0, 1], as in the source"}};
+  return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
+          {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
+          {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
+           "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
+          {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
+           "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
+          {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
+           "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
+           "pushes it out"}};
 }
 
 GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double> parameters) const {
   check_robot(space.robot);
-  const ChainSettings settings = settings_of(parameters);
+  settings_of(parameters);  // complains
   GenomeLayout layout;
-  for (std::size_t part = 0; part < space.robot.bodies.size(); ++part)
-    for (std::size_t i = 0; i < kGenesPerPart; ++i)
-      layout.genes.push_back(gene_of(space.robot.bodies[part].name + "." + kGeneNames[i], part, i, settings));
+  for (const BodySpec& body : space.robot.bodies)
+    for (const char* gene : kGeneNames) layout.genes.push_back({body.name + "." + gene, "1", GeneKind::real, 0.0, 1.0});
   layout.row = space.free.empty() ? kGenesPerPart : 0;
   for (const FreeParameter& free : space.free) {
     if (!std::isfinite(free.lower) || !std::isfinite(free.upper) || free.lower > free.upper)
@@ -176,4 +164,5 @@ ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double
 
 }  // namespace lacuna
 
-LACUNA_PLUGIN(lacuna::component<lacuna::ModelEncoding, lacuna::Morphology>("morphology"))
+LACUNA_PLUGIN(lacuna::component<lacuna::ModelEncoding, lacuna::Morphology>("morphology"),
+              lacuna::component<lacuna::MutationOperator, lacuna::Reshape>("reshape"))

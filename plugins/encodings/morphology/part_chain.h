@@ -17,7 +17,6 @@ enum PartGene : std::size_t { kParentGene, kEndGene, kLengthGene, kRollGene, kTu
 struct ChainSettings {
   double least_length = 0.0, greatest_length = 0.0;  ///< m
   double root_height = 0.0;                          ///< of the first part's axis above the ground, m
-  bool whole = false;                                ///< parent and end are given as whole numbers
 };
 
 /// One part as its genes place it, world frame.
@@ -34,9 +33,17 @@ struct PlacedPart {
   Eigen::Vector3d head() const { return tail + length * direction(); }
 };
 
-/// The parts of a genome of `kGenesPerPart` genes each, within [0, 1] where they are no whole numbers. The first lies
-/// along x with its centre above the origin.
+/// The parts of a genome of `kGenesPerPart` genes each, all within [0, 1]. The first lies along x with its centre above
+/// the origin.
 std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainSettings& settings);
+
+/// Writes the genes of length, roll and turn of every part but the first so that its centre comes as near as the genes'
+/// bounds allow to the one given; parents, ends and the first part's length stay as the genome has them.
+void aim_at_centres(std::span<double> genome, std::span<const Eigen::Vector3d> centres, const ChainSettings& settings);
+
+/// The gene of a parent, or of an end, in the middle of those that mean it.
+double parent_gene(std::size_t parent, std::size_t part);
+double end_gene(bool at_head);
 
 /// Height of a cylinder's lowest point, m.
 double lowest_point(const PlacedPart& part, double radius);
