@@ -17,8 +17,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kAzimuth = -62.0 * std::numbers::pi / 180.0, kElevation = 38.0 * std::numbers::pi / 180.0;
-constexpr double kCellWidth = 190.0, kCellHeight = 150.0, kLabelWidth = 170.0, kTop = 46.0, kCaption = 22.0;  // px
-constexpr double kPixelsPerMetre = 38.0;
+constexpr double kCellWidth = 196.0, kCellHeight = 150.0, kLabelWidth = 170.0, kTop = 46.0, kCaption = 22.0;  // px
+constexpr double kPixelsPerMetre = 34.0;
 constexpr double kHalfGrid = 2.0;  // m
 /// Okabe and Ito 2008.
 constexpr std::array<const char*, 7> kPartColours = {"#3A3A3A", "#0072B2", "#56B4E9", "#D55E00",
