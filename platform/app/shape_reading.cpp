@@ -1,12 +1,14 @@
 #include "app/shape_reading.h"
 
 #include "app/stored_bench.h"
+#include "foundation/problem.h"
 #include "report/trilateration.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <numeric>
 

@@ -3,6 +3,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/shape_reading.h"
+#include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
