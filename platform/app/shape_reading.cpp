@@ -35,7 +35,7 @@ class ShapeReading {
   ShapeReading(Database& database, const std::vector<EeaRunListing>& runs,
                const std::vector<std::filesystem::path>& plugin_paths)
       : stored_(open_stored(database, runs.front(), plugin_paths)), definition_(stored_.bench->definition()) {
-    if (!definition_.objective || !stored_.bench->target())
+    if (!definition_.objective || definition_.objective->origin.name != "part_distance" || !stored_.bench->target())
       throw_problem({database.file().string()},
                     fmt::format("the runs of {} do not say how far parts are from the target's; give the experiment a "
                                 "simulated target and estimation.objective = \"part_distance\"",
@@ -67,7 +67,7 @@ class ShapeReading {
     for (const ObjectiveScore& score :
          metric->score(definition_.model_space, model, {unknown, target()}, metric.parameters))
       if (score.name == kPartDistance) return score.value;
-    throw Error("the objective metric " + metric.origin.name + " says nothing of " + kPartDistance);
+    throw Error(std::string("the objective metric part_distance says nothing of ") + kPartDistance);
   }
 
   RobotSpec robot_of(const Genome& genome) const {

@@ -1,4 +1,5 @@
 #include "eea/small_run.h"
+#include "support/small_shape.h"
 #include "support/target_genome.h"
 
 #include <gmock/gmock.h>
@@ -10,39 +11,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
-
-const std::string kSmallShape = R"([experiment]
-name = "small_shape"
-passes = 2
-
-[target]
-kind = "simulated"
-robot = "five_cylinders"
-parameters = { beacons = 4 }
-
-[model]
-robot = "five_cylinders"
-parameters = { beacons = 4 }
-encoding = "morphology"
-
-[engine]
-step = 0.01
-
-[test]
-sensors = ["sensor.touch*", "sensor.angle*"]
-duration = 0.2
-
-[estimation]
-sensors = ["sensor.range*"]
-objective = "part_distance"
-search = "paired_tournament"
-parameters = { population = 12, pairs = 9, generations = 4 }
-mutation = [ { operator = "reset_or_nudge" } ]
-seeds = 1
-
-[exploration]
-fitness = "random"
-)";
 
 bool same_digits(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
