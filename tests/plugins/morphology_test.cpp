@@ -124,18 +124,6 @@ TEST_F(MorphologyTest, WhatIsBelowTheGroundStaysOrIsLifted) {
   EXPECT_LT((lifted.joints[2].anchor - Vector3d(0.5, 0.0, 1.0)).norm(), kPlace);
 }
 
-TEST_F(MorphologyTest, ParentsAndEndsMayBeWholeNumbers) {
-  set("whole", 1.0);
-  const GenomeLayout layout = encoding_.layout({target_, {}}, parameters_);
-  EXPECT_EQ(layout.genes[4 * kRow].kind, GeneKind::integer);
-  EXPECT_EQ(layout.genes[4 * kRow].upper, 3.0);
-  EXPECT_EQ(layout.genes[4 * kRow + 1].upper, 1.0);
-  EXPECT_EQ(layout.genes[1].upper, 0.0) << "the first part hangs on nothing";
-  Genome genome = five_cylinders_genome();
-  gene(genome, 4, 0) = 3.0;
-  EXPECT_EQ(decode(genome).joints[3].parent, "left_arm");
-}
-
 TEST_F(MorphologyTest, WantsCylindersOnHinges) {
   RobotSpec robot = target_;
   robot.joints[1].kind = JointKind::slider;
@@ -199,6 +187,88 @@ TEST_F(PartDistanceTest, RobotsOfOtherNumbersOfPartsAreRefused) {
   RobotSpec model = target_;
   model.bodies.pop_back();
   EXPECT_THROW(score(model, "topology_wrong"), Error);
+}
+
+class ReshapeTest : public MorphologyTest {
+ protected:
+  enum What { kHangElsewhere, kStretchFirst, kMove, kLineUp };
+
+  /// A child to which nothing else was done.
+  Genome reshaped(const Genome& genome, What what, std::uint64_t key) const {
+    std::vector<double> parameters = defaults_of(reshape_.parameters());
+    parameters[0] = what == kHangElsewhere ? 1.0 : 0.0;
+    parameters[1] = what == kStretchFirst ? 1.0 : 0.0;
+    parameters[2] = what == kLineUp ? 1.0 : 0.0;
+    RandomStream random(std::vector<std::uint64_t>{key});
+    return reshape_.vary(std::array{genome}, encoding_.layout({target_, {}}, parameters_), parameters, random);
+  }
+  int moved(const Genome& before, const Genome& after) const {
+    const RobotSpec a = decode(before), b = decode(after);
+    int parts = 0;
+    for (std::size_t i = 0; i < 5; ++i) parts += (a.bodies[i].position - b.bodies[i].position).norm() > 1e-9 ? 1 : 0;
+    return parts;
+  }
+  /// The target with its parts off the bounds of roll and turn.
+  static Genome raised() {
+    Genome genome = five_cylinders_genome();
+    for (std::size_t part = 1; part < 5; ++part) gene(genome, part, 3) = 0.4, gene(genome, part, 4) = 0.3;
+    return genome;
+  }
+
+  const MutationOperator& reshape_ = built_catalog().get<MutationOperator>("reshape");
+};
+
+/// A part can hang elsewhere without moving wherever its length and the half of directions that it has allow it.
+TEST_F(ReshapeTest, HangsAPartElsewhereAndLeavesTheCentres) {
+  int other_trees = 0, unmoved = 0;
+  for (std::uint64_t key = 0; key < 200; ++key) {
+    const Genome child = reshaped(five_cylinders_genome(), kHangElsewhere, key);
+    const RobotSpec robot = decode(child);
+    bool other = false;
+    for (std::size_t j = 0; j < 4; ++j)
+      other = other || robot.joints[j].parent != target_.joints[j].parent ||
+              (robot.joints[j].anchor - target_.joints[j].anchor).norm() > kPlace;
+    other_trees += other ? 1 : 0;
+    unmoved += moved(five_cylinders_genome(), child) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(other_trees, 200);
+  EXPECT_GT(unmoved, 40) << "the arms reach the front part's tail, for one";
+}
+
+TEST_F(ReshapeTest, MovesOnePartAndLeavesTheOthers) {
+  int one = 0;
+  for (std::uint64_t key = 0; key < 200; ++key) one += moved(raised(), reshaped(raised(), kMove, key)) == 1 ? 1 : 0;
+  EXPECT_GT(one, 150) << "the others are long moves that a length or a direction stops";
+}
+
+TEST_F(ReshapeTest, StretchesTheFirstPartUnderTheOthers) {
+  int other_length = 0, unmoved = 0;
+  for (std::uint64_t key = 0; key < 200; ++key) {
+    const Genome child = reshaped(raised(), kStretchFirst, key);
+    other_length += child[2] != raised()[2] ? 1 : 0;
+    unmoved += moved(raised(), child) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(other_length, 200);
+  EXPECT_GT(unmoved, 150);
+}
+
+TEST_F(ReshapeTest, LinesPartsUp) {
+  Genome genome = five_cylinders_genome();
+  gene(genome, 1, 3) = 0.5, gene(genome, 1, 4) = 0.1;  // front: a little upwards
+  int flat = 0;
+  for (std::uint64_t key = 0; key < 400; ++key)
+    flat += std::abs(decode(reshaped(genome, kLineUp, key)).bodies[1].position.z() - 0.1) < kPlace ? 1 : 0;
+  // One of four parts, one of three axes, and any other part's height: 33 on average.
+  EXPECT_NEAR(flat, 33.3, 5.0 * std::sqrt(33.3));
+}
+
+TEST_F(ReshapeTest, WantsRowsOfSixGenes) {
+  GenomeLayout layout = encoding_.layout({target_, {}}, parameters_);
+  layout.row = 0;
+  RandomStream random(std::vector<std::uint64_t>{1});
+  EXPECT_THAT(
+      [&] { reshape_.vary(std::array{five_cylinders_genome()}, layout, defaults_of(reshape_.parameters()), random); },
+      ThrowsMessage<Error>(HasSubstr("six genes")));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-enum Parameter : std::size_t { kReattach, kStretch, kCoarsest, kFinest, kShortest, kLongest };
+enum Parameter : std::size_t { kReattach, kStretch, kRegular, kCoarsest, kFinest, kShortest, kLongest };
 
 constexpr std::size_t kAttempts = 20;
 
@@ -57,6 +57,15 @@ void hang_elsewhere(std::span<double> genome, std::size_t part, const PlacedPart
   }
 }
 
+/// Takes one coordinate from another part's centre, or its negative.
+void line_up(std::vector<Vector3d>& centres, std::size_t part, RandomStream& random) {
+  const std::size_t draw = random.index(centres.size() - 1);
+  const std::size_t other = draw + (draw >= part ? 1 : 0);
+  const auto axis = static_cast<Eigen::Index>(random.index(3));
+  const bool mirrored = axis != 2 && random.chance(0.5);  // there is nothing below the ground
+  centres[part][axis] = mirrored ? -centres[other][axis] : centres[other][axis];
+}
+
 void stretch_first(std::span<double> genome, double metres, const ChainSettings& settings) {
   const double range = settings.greatest_length - settings.least_length;
   if (range > 0.0) genome[kLengthGene] = std::clamp(genome[kLengthGene] + metres / range, 0.0, 1.0);
@@ -72,6 +81,8 @@ ParameterDeclarations Reshape::parameters() const {
   return {{"reattach", "1", 0.3, 0.0, 1.0, Scale::linear, "Chance that a part is hung elsewhere"},
           {"stretch", "1", 0.15, 0.0, 1.0, Scale::linear,
            "Chance that otherwise the first part, whose centre is fixed, gets another length"},
+          {"regular", "1", 0.3, 0.0, 1.0, Scale::linear,
+           "Chance that a move takes over a coordinate or length of another part instead of being random"},
           {"coarsest", "1", 0.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the largest move"},
           {"finest", "1", 5.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the smallest move"},
           {"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part, as the encoding has it"},
@@ -89,8 +100,11 @@ Genome Reshape::vary(std::span<const Genome> parents, const GenomeLayout& layout
   if (random.chance(parameters[kReattach])) {
     hang_elsewhere(child, part, parts[part], random);
   } else if (random.chance(parameters[kStretch])) {
-    const double metres = step_size(parameters, random);
-    stretch_first(child, random.chance(0.5) ? metres : -metres, settings);
+    double metres = step_size(parameters, random) * (random.chance(0.5) ? 1.0 : -1.0);
+    if (random.chance(parameters[kRegular])) metres = 0.5 * (parts[part].length - parts[0].length);
+    stretch_first(child, metres, settings);
+  } else if (random.chance(parameters[kRegular])) {
+    line_up(centres, part, random);
   } else {
     centres[part] += step_size(parameters, random) * any_direction(random);
   }
