@@ -25,7 +25,8 @@ enum Parameter : std::size_t {
   kSpeedGain,
   kForceLimit,
   kServoDamping,
-  kBeacons
+  kBeacons,
+  kSink
 };
 
 constexpr const char* kBase = "torso";
@@ -43,7 +44,7 @@ struct Part {
 constexpr std::array<std::array<double, 2>, 4> kBeaconPlaces = {{{-1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}, {1.0, 1.0}}};
 
 std::array<Part, 5> parts_of(std::span<const double> p) {
-  const double spine = p[kSpineLength], arm = p[kArmLength], height = p[kRadius];
+  const double spine = p[kSpineLength], arm = p[kArmLength], height = p[kRadius] - p[kSink];
   const Vector3d head(0.5 * spine, 0.0, height), tail(-0.5 * spine, 0.0, height), middle(spine, 0.0, height);
   const bool in_middle = p[kArmsInMiddle] >= 0.5;
   const Vector3d& shoulder = in_middle ? middle : head;
@@ -148,7 +149,9 @@ ParameterDeclarations FiveCylinders::parameters() const {
           {"force_limit", "N*m", 40.0, 0.0, 1e4, Scale::linear, "Largest torque of a servo"},
           {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
            "Torque of a servo per missing speed, until its limit"},
-          {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"}};
+          {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"},
+          {"sink", "m", 0.0, 0.0, 0.1, Scale::linear,
+           "How deep all parts start in the ground; at 0 rounding decides which of them touch it at first"}};
 }
 
 RobotSpec FiveCylinders::build(const RobotRequest& request) const {
