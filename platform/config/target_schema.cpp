@@ -236,9 +236,10 @@ Table<SimulatedSource> simulated_keys() {
            "simulated: whether each replicate has hidden values of its own")
       .key("noise", &SimulatedSource::noise, map_of("SENSOR", number("").at_least(0.0)),
            "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002")
-      .key("substeps", &SimulatedSource::substeps, whole_number<int>(0, 1000000),
-           "simulated: integration steps in one of engine.step, where they are to be others than those of models, which "
-           "have engine.substeps; 0: the same");
+      .key(
+          "substeps", &SimulatedSource::substeps, whole_number<int>(0, 1000000),
+          "simulated: integration steps in one of engine.step, where they are to be others than those of models, which "
+          "have engine.substeps; 0: the same");
 }
 
 /// Of each kind of target the keys that others do not have.

@@ -31,6 +31,8 @@ std::size_t passes_of(const ShapeStudy& study) {
 }
 
 std::string interval(const Spread& spread) {
+  constexpr double kSmall = 0.01;  // three places would say little
+  if (spread.mean < kSmall) return fmt::format("{:.2g} ± {:.2g}", spread.mean, spread.half_width);
   return std::isfinite(spread.half_width) ? fmt::format("{:.3f} ± {:.3f}", spread.mean, spread.half_width)
                                           : fmt::format("{:.3f}", spread.mean);
 }

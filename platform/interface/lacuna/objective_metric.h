@@ -33,8 +33,7 @@ class ObjectiveMetric {
   virtual ParameterDeclarations parameters() const { return {}; }
   /// Throws `Error` where model or truth do not fit the space, or where the metric has nothing to say about them.
   virtual std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model,
-                                            const HiddenTruth& truth,
-                                            std::span<const double> parameters) const = 0;
+                                            const HiddenTruth& truth, std::span<const double> parameters) const = 0;
 };
 
 }  // namespace lacuna

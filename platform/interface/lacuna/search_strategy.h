@@ -55,8 +55,8 @@ class Search {
   /// A score above this cannot change what the generation leaves behind; fixed when the individuals are asked. Nothing:
   /// every score counts in full.
   virtual std::optional<double> abandon_above() const { return std::nullopt; }
-  /// One score for each individual asked; ends the generation once all of its individuals have one. An evaluation that was abandoned is told as any
-  /// number above the bar.
+  /// One score for each individual asked; ends the generation once all of its individuals have one. An evaluation that
+  /// was abandoned is told as any number above the bar.
   virtual void tell(std::span<const double> scores) = 0;
   /// The best so far, best first, as many as the search keeps; their scores.
   virtual std::vector<ScoredIndividual> best() const = 0;
