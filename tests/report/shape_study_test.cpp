@@ -4,6 +4,8 @@
 #include "report/trilateration.h"
 #include "support/test_folder.h"
 
+#include <lacuna/error.h>
+
 #include <gmock/gmock.h>
 
 #include <array>
