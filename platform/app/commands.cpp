@@ -62,6 +62,7 @@ int run_program(int argc, char** argv) {
   add_run_command(program);
   add_runs_command(program);
   add_plot_command(program);
+  add_shapes_command(program);
   add_replay_command(program);
   add_reproduce_command(program);
   add_hash_command(program);

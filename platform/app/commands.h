@@ -21,6 +21,7 @@ void add_trial_command(CLI::App& program);
 void add_run_command(CLI::App& program);
 void add_runs_command(CLI::App& program);
 void add_plot_command(CLI::App& program);
+void add_shapes_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_reproduce_command(CLI::App& program);
 void add_hash_command(CLI::App& program);

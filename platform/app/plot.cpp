@@ -1,13 +1,12 @@
 #include "app/commands.h"
+#include "app/newest_setting.h"
 #include "app/output.h"
-#include "app/run_inputs.h"
 #include "app/stored_bench.h"
 #include "report/run_pictures.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <mutex>
 
@@ -19,19 +18,6 @@ struct PlotOptions {
   std::optional<std::int64_t> run;
   std::filesystem::path folder;
 };
-
-/// The newest run and the other replicates of its setting: what a mean may be taken over. Of a replicate that was run
-/// several times, the newest.
-std::vector<EeaRunListing> newest_setting(const Database& database, const std::vector<EeaRunListing>& runs) {
-  const StoredRun newest = stored_run(database, runs.back().run);
-  std::map<int, EeaRunListing> replicates;
-  for (const EeaRunListing& run : runs)
-    if (run.experiment == runs.back().experiment && same_setting(stored_run(database, run.run), newest))
-      replicates.insert_or_assign(run.replicate, run);
-  std::vector<EeaRunListing> drawn;
-  for (auto& [number, run] : replicates) drawn.push_back(std::move(run));
-  return drawn;
-}
 
 std::string numbers(const std::vector<EeaRunListing>& runs) {
   std::vector<std::int64_t> numbers;

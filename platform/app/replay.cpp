@@ -29,9 +29,9 @@ struct ReplayOptions {
 
 std::string values_text(const StoredModel& model) {
   std::vector<std::vector<std::string>> table;
-  for (std::size_t i = 0; i < model.values.size(); ++i) {
+  for (std::size_t i = 0; i < model.model.values.size(); ++i) {
     const FreeValue& free = model.definition.model.free[i];
-    table.push_back({free.address, format_quantity(model.values[i], free.unit)});
+    table.push_back({free.address, format_quantity(model.model.values[i], free.unit)});
   }
   return text_table(table);
 }
@@ -73,11 +73,11 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
                                   fmt::join(model.numbers, ", ")));
   const ScoredTrial& scored = model.trials[static_cast<std::size_t>(found - model.numbers.begin())];
   const Eigen::VectorXd& times = scored.trial.measured.times;
-  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1);
+  const TestPredictor predictor(*model.definition.compiled, {times.begin(), times.end()}, 1, &model.definition.model);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
-  if (!predictor.predict(model.values, scored.test, 0, prediction, steps, reason)) throw Error(reason);
+  if (!predictor.predict(model.model, scored.test, 0, prediction, steps, reason)) throw Error(reason);
   write_output(*options.csv, csv_of(scored, prediction.sensors));
 }
 

@@ -110,6 +110,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
               .replicate = planned.replicate,
               .threads = threads,
               .truth = bench_.truth(planned.replicate),
+              .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
               .progress = [&](const EeaProgress& progress) { display.show(index, progress); }},
              target.target(), state);
     store.end(RunEnding::done);

@@ -31,16 +31,17 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
     const Test drive =
         rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
-    model.trials.push_back({drive, with_known_start(definition, std::move(trials[i])), 0});
+    model.trials.push_back(definition.scored(drive, with_known_start(definition, std::move(trials[i]))));
     model.numbers.push_back(rows[i].number);
   }
   return model;
 }
 
 ModelScore score_again(const StoredModel& model) {
-  const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, 1);
+  const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, 1,
+                           &model.definition.model);
   ModelScore score;
-  scorer.score(model.values, std::nullopt, 0, score);
+  scorer.score(model.model, std::nullopt, 0, score);
   return score;
 }
 

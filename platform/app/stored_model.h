@@ -14,7 +14,7 @@ struct StoredModel {
   const EeaDefinition& definition;
   std::uint64_t number;
   ModelRow row;
-  std::vector<double> values;  ///< of the free values, SI
+  ModelProposal model;
   std::vector<ScoredTrial> trials;
   std::vector<int> numbers;  ///< of the trials
 };

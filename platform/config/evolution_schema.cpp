@@ -49,7 +49,9 @@ Table<TestSection> test_keys() {
              Table<TestSection>(), "encoding", "parameters",
              [](TestSection& section) -> ComponentChoice& { return section.encoding; },
              "what a test's genome means: a test encoding plugin")
-      .key("duration", &TestSection::duration, number("s").above(0.0), "how long a test lasts");
+      .key("duration", &TestSection::duration, number("s").above(0.0), "how long a test lasts")
+      .key("sensors", &TestSection::sensors, list_of(text()),
+           "what a controller sees, as in \"sensor.angle*\"; without it all sensors of the robot");
 }
 
 Table<EstimationSection> estimation_keys() {
@@ -60,6 +62,8 @@ Table<EstimationSection> estimation_keys() {
       .key("objective", &EstimationSection::objective, text(0),
            "an objective metric's name: how far the best model is from the hidden truth, after each pass; nothing in "
            "the search sees it")
+      .key("sensors", &EstimationSection::sensors, list_of(text()),
+           "what models are scored by, as in \"sensor.range*\"; without it all sensors that are measured")
       .key("seeds", &EstimationSection::seeds, whole_number<int>(0, 1000000),
            "how many of the last pass's best models start the next one, beside random ones")
       .key("abandon", &EstimationSection::abandon, boolean(),

@@ -54,6 +54,7 @@ struct SimulatedSource {
   std::map<std::string, double> noise;  ///< sensor pattern (`sensor.angle*`) → standard deviation, the channel's unit
   std::uint64_t hidden_seed = 1;
   Redraw redraw = Redraw::never;
+  int substeps = 0;  ///< of the engine, where the target is integrated in finer steps than models; 0: in the same
 };
 
 struct TargetSection {
@@ -66,7 +67,8 @@ struct TargetSection {
 /// What tests are made of.
 struct TestSection {
   ComponentChoice encoding = {"recurrent_network", {}};
-  double duration = 10.0;  ///< s; the seed's 1000 steps of 10 ms
+  double duration = 10.0;            ///< s; the seed's 1000 steps of 10 ms
+  std::vector<std::string> sensors;  ///< patterns: what a controller sees; none: all
 };
 
 /// One of the operators that make a child, in the order in which they are applied.
@@ -84,10 +86,11 @@ struct SearchSection {
 struct EstimationSection {
   SearchSection search;
   ComponentChoice metric = {"mean_absolute_difference", {}};
-  std::string objective;  ///< objective metric; empty: none
-  int seeds = 0;          ///< how many of the last pass's best models start the next; the seed's experiment takes none
-  bool abandon = true;    ///< end an evaluation that cannot get under the generation's bar
-  bool reuse = true;      ///< simulate identical models once
+  std::string objective;             ///< objective metric; empty: none
+  std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
+  int seeds = 0;        ///< how many of the last pass's best models start the next; the seed's experiment takes none
+  bool abandon = true;  ///< end an evaluation that cannot get under the generation's bar
+  bool reuse = true;    ///< simulate identical models once
 };
 
 struct ExplorationSection {

@@ -236,7 +236,11 @@ Table<SimulatedSource> simulated_keys() {
            choice<Redraw>({{"never", Redraw::never}, {"replicate", Redraw::replicate}}),
            "simulated: whether each replicate has hidden values of its own")
       .key("noise", &SimulatedSource::noise, map_of("SENSOR", number("").at_least(0.0)),
-           "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002");
+           "simulated: standard deviation of white measurement noise, as in \"sensor.angle*\" = 0.002")
+      .key(
+          "substeps", &SimulatedSource::substeps, whole_number<int>(0, 1000000),
+          "simulated: integration steps in one of engine.step, where they are to be others than those of models, which "
+          "have engine.substeps; 0: the same");
 }
 
 /// A folder that is there, variables replaced, from the experiment file's.

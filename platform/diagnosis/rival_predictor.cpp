@@ -89,7 +89,7 @@ bool RivalPredictor::readings(std::span<const double> values, const Test& test, 
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
-  if (!predictor_.predict(values, test, worker, prediction, steps, reason)) return false;
+  if (!predictor_.predict({{values.begin(), values.end()}}, test, worker, prediction, steps, reason)) return false;
   const TimeSeries::Samples& samples = prediction.sensors.samples;
   readings.resize(samples.rows() * static_cast<Eigen::Index>(channels_.size()));
   for (std::size_t c = 0; c < channels_.size(); ++c)

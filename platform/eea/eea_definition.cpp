@@ -1,7 +1,10 @@
 #include "eea/eea_definition.h"
 
+#include "evaluation/channel_choice.h"
+#include "evaluation/robot_key.h"
 #include "evaluation/target_simulator.h"
 #include "evaluation/test_space.h"
+#include "foundation/address.h"
 #include "foundation/unit.h"
 
 #include <cmath>
@@ -89,8 +92,6 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
       abandon(experiment.estimation.abandon),
       reuse(experiment.estimation.reuse) {
   Complaints complaints(experiment);
-  if (model.free.empty())
-    complaints.add("model.free", "is empty: there is nothing to estimate; name at least one value with its bounds");
   define_estimation(experiment, catalog, complaints);
   if (takes_tests) define_exploration(experiment, catalog, complaints);
   complaints.throw_if_any();
@@ -109,15 +110,25 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
   estimation.strategy = choose<SearchStrategy>(catalog, estimate.search.search,
                                                {"estimation.search", "estimation.parameters"}, complaints);
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
-  if (model_encoding.component && !model.free.empty())
-    estimation.breeder = breeder_for(model_encoding, model_space, "model.encoding", std::move(mutations), complaints);
+  const std::string nothing_encoded = model.free.empty() ? "model.free" : "model.encoding";
+  if (model_encoding.component)
+    estimation.breeder = breeder_for(model_encoding, model_space, nothing_encoded, std::move(mutations), complaints);
   try_search(estimation, "estimation.parameters", complaints);
+  const std::vector<Channel> channels = sensor_channels(model.structure.robot);
+  for (const std::size_t c : chosen_channels(model.structure.robot, estimate.sensors, "estimation.sensors", complaints))
+    scored_channels.push_back(channels[c].name);
 }
 
 void EeaDefinition::define_exploration(const Experiment& experiment, const PluginCatalog& catalog,
                                        Complaints& complaints) {
   const ExplorationSection& explore = experiment.exploration;
   test_space = limited_space(experiment, model.structure.robot, complaints);
+  seen_channels = chosen_channels(model.structure.robot, experiment.test.sensors, "test.sensors", complaints);
+  if (!seen_channels.empty()) {
+    std::vector<Channel> seen;
+    for (const std::size_t c : seen_channels) seen.push_back(test_space.sensors[c]);
+    test_space.sensors = std::move(seen);
+  }
   const double samples = test_space.duration / test_space.control_period;
   if (samples <= kMostSamples)
     sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
@@ -140,18 +151,30 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
     models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
 }
 
-std::vector<double> EeaDefinition::decode_model(const Genome& genome) const {
-  std::vector<double> values = guarded_call(model_encoding.origin, "decode", [&] {
-    return model_encoding->decode(model_space, model_encoding.parameters, genome).values;
+ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
+  ModelProposal decoded = guarded_call(model_encoding.origin, "decode", [&] {
+    return model_encoding->decode(model_space, model_encoding.parameters, genome);
   });
-  if (values.size() == model.free.size()) return values;
-  throw Error(to_string(model_encoding.origin) + ": it decoded " + std::to_string(values.size()) +
-              " values instead of " + std::to_string(model.free.size()) + "; that is a fault of the plugin: repair it");
+  std::string fault;
+  if (decoded.values.size() != model.free.size())
+    fault = "it decoded " + std::to_string(decoded.values.size()) + " values instead of " +
+            std::to_string(model.free.size());
+  else if (decoded.robot)
+    if (const std::string problem = misfit(*decoded.robot, model.structure.robot); !problem.empty())
+      fault = "the robot that it built " + problem;
+  if (fault.empty()) return decoded;
+  throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
 }
 
 Test EeaDefinition::decode_test(const Genome& genome) const {
-  return guarded_call(test_encoding.origin, "decode",
-                      [&] { return test_encoding->decode(test_space, test_encoding.parameters, genome); });
+  Test test = guarded_call(test_encoding.origin, "decode",
+                           [&] { return test_encoding->decode(test_space, test_encoding.parameters, genome); });
+  return seen_channels.empty() ? test : with_view(std::move(test), seen_channels);
+}
+
+ScoredTrial EeaDefinition::scored(Test drive, Trial trial) const {
+  if (!scored_channels.empty()) trial = with_channels(std::move(trial), scored_channels);
+  return {std::move(drive), std::move(trial), 0};
 }
 
 }  // namespace lacuna

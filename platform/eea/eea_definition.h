@@ -7,6 +7,7 @@
 
 #include "evaluation/component_choice.h"
 #include "evaluation/model_definition.h"
+#include "evaluation/model_scorer.h"
 #include "evolution/operator_breeder.h"
 
 #include <cstdint>
@@ -34,9 +35,11 @@ class EeaDefinition {
   EeaDefinition(const EeaDefinition&) = delete;
   EeaDefinition& operator=(const EeaDefinition&) = delete;
 
-  /// The values of a genome's model. Throws `Error` that names the encoding where it fails.
-  std::vector<double> decode_model(const Genome& genome) const;
+  /// A genome's model. Throws `Error` that names the encoding where it fails.
+  ModelProposal decode_model(const Genome& genome) const;
   Test decode_test(const Genome& genome) const;
+  /// A trial as models are held against it: with the sensors that the experiment scores.
+  ScoredTrial scored(Test drive, Trial trial) const;
 
   ModelDefinition model;
   std::unique_ptr<CompiledModel> compiled;
@@ -47,6 +50,8 @@ class EeaDefinition {
   Chosen<FitnessMetric> metric;
   Chosen<TestFitness> fitness;
   std::optional<Chosen<ObjectiveMetric>> objective;
+  std::vector<std::string> scored_channels;  ///< names; none: all that a trial has measured
+  std::vector<std::size_t> seen_channels;    ///< by a test's controller, of the robot's channels; none: all
   SearchPlan estimation, exploration;
   std::size_t models_for_tests = 0;  ///< how many of the best models judge a test
   std::vector<double> sample_times;  ///< of a test, s

@@ -15,11 +15,11 @@ void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
   if (best.genome.empty()) return;  // the approximate model that came with the experiment
   pass.best_model = best.number;
   pass.best_score = best.score;
-  pass.best_values = best.values;
-  if (!run.definition.objective || run.truth.empty()) return;
+  pass.best_values = best.model.values;
+  if (!run.definition.objective || !run.target) return;
   const Chosen<ObjectiveMetric>& metric = *run.definition.objective;
   const std::vector<ObjectiveScore> scores = guarded_call(metric.origin, "score", [&] {
-    return metric->score(run.definition.model_space, {best.values}, run.truth, metric.parameters);
+    return metric->score(run.definition.model_space, best.model, {run.truth, *run.target}, metric.parameters);
   });
   for (const ObjectiveScore& score : scores) pass.objective.push_back({score.name, score.unit, score.value});
 }
@@ -42,6 +42,12 @@ void go_on_after_trial(Phase phase, const EeaRun& run, const EeaTarget& target, 
   if (target.program) run.journal.checkpoint(state, true);
 }
 
+/// A state that was stored has genomes and values only.
+void decode_again(const EeaDefinition& definition, std::vector<KnownModel>& models) {
+  for (KnownModel& known : models)
+    if (!known.genome.empty()) known.model = definition.decode_model(known.genome);
+}
+
 }  // namespace
 
 EeaState first_state(const EeaDefinition& definition) {
@@ -49,11 +55,12 @@ EeaState first_state(const EeaDefinition& definition) {
   if (!definition.approximate) return state;
   state.pass = 0;
   state.phase = Phase::exploration;
-  state.best.push_back({0, {}, definition.model.start_values(), kNotKnown});
+  state.best.push_back({0, {}, {definition.model.start_values()}, kNotKnown});
   return state;
 }
 
 void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
+  decode_again(run.definition, state.best);
   while (state.phase != Phase::finished) switch (state.phase) {
       case Phase::trial:  // steps 1 and 2: a test, the first one random, is sent to the target
         if (!state.next_test) choose_random_test(run, state, 0);

@@ -25,7 +25,8 @@ struct EeaRun {
   std::uint64_t seed = 1;
   int replicate = 1;  ///< from 1
   int threads = 1;
-  std::vector<double> truth;  ///< of the model's free values; for the objective metric alone
+  std::vector<double> truth;          ///< of the model's free values; for the objective metric alone
+  const RobotSpec* target = nullptr;  ///< of a simulated target; for the objective metric alone
   std::function<void(const EeaProgress&)> progress;
 
   /// The random streams of a search, which adds generation and individual.

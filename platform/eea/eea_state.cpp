@@ -119,7 +119,7 @@ std::vector<double> save(const EeaState& state) {
   for (const KnownModel& model : state.best) {
     writer.number(model.number);
     writer.list(model.genome);
-    writer.list(model.values);
+    writer.list(model.model.values);
     writer.number(model.score);
   }
   return std::move(writer.numbers);
@@ -148,7 +148,7 @@ EeaState load_state(std::span<const double> saved) {
     KnownModel& model = state.best.emplace_back();
     reader.number(model.number);
     reader.list(model.genome);
-    reader.list(model.values);
+    reader.list(model.model.values);
     reader.number(model.score);
   }
   if (!reader.ended()) Reader::fail();

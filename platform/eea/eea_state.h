@@ -1,6 +1,7 @@
 #pragma once
 
 #include <lacuna/genome.h>
+#include <lacuna/model_encoding.h>
 #include <lacuna/trial.h>
 
 #include "storage/eea_records.h"
@@ -20,7 +21,7 @@ const char* to_string(Phase phase);
 struct KnownModel {
   std::uint64_t number = 0;
   Genome genome;
-  std::vector<double> values;  ///< of the free values, SI
+  ModelProposal model;
   double score = 0.0;
 };
 
@@ -53,7 +54,8 @@ struct EeaState {
   std::vector<ModelRow> evaluated;  ///< models of this pass, where a run goes on in the midst of one
 };
 
-/// Everything but `trials` and `evaluated`, which stand in the database as rows.
+/// Everything but `trials` and `evaluated`, which stand in the database as rows, and the models' own robots, which
+/// their genomes stand for.
 std::vector<double> save(const EeaState& state);
 /// The inverse. Throws `Error` for numbers that are no saved state.
 EeaState load_state(std::span<const double> saved);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kWorst = std::numeric_limits<double>::infinity();
 
-std::vector<ScoredTrial> scored_trials(const EeaState& state) {
+std::vector<ScoredTrial> scored_trials(const EeaDefinition& definition, const EeaState& state) {
   std::vector<ScoredTrial> scored;
-  for (const TargetTrial& trial : state.trials) scored.push_back({trial.drive, trial.trial, 0});
+  for (const TargetTrial& trial : state.trials) scored.push_back(definition.scored(trial.drive, trial.trial));
   return scored;
 }
 
@@ -46,8 +46,8 @@ std::array<std::optional<std::uint64_t>, 2> parents_of(const Individual& individ
 }
 
 struct DecodedModel {
-  std::vector<double> values;
-  std::string reason;  ///< why there are none
+  ModelProposal model;
+  std::string reason;  ///< why there is none
 };
 
 /// One estimation phase.
@@ -57,7 +57,8 @@ class Estimation {
       : run_(run),
         definition_(run.definition),
         state_(state),
-        scorer_(*definition_.compiled, scored_trials(state), definition_.metric, run.threads),
+        scorer_(*definition_.compiled, scored_trials(definition_, state), definition_.metric, run.threads,
+                &definition_.model),
         evaluator_(scorer_, definition_.model, {definition_.abandon, definition_.reuse}) {}
 
   void run() {
@@ -84,7 +85,7 @@ class Estimation {
     guarded_call(strategy.origin, "load", [&] { search_->load(state_.search); });
     for (const ModelRow& row : state_.evaluated)
       if (const DecodedModel model = decode_model(row.genome); model.reason.empty())
-        evaluator_.remember(model.values, score_of(row));
+        evaluator_.remember(model.model, score_of(row));
     state_.evaluated.clear();
   }
 
@@ -102,19 +103,19 @@ class Estimation {
   /// What the encoding cannot decode is invalid, and not simulated.
   std::vector<EvaluatedModel> evaluate(const std::vector<Individual>& individuals, std::optional<double> bar) {
     std::vector<EvaluatedModel> evaluated(individuals.size());
-    std::vector<std::vector<double>> values;
+    std::vector<ModelProposal> models;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       DecodedModel model = decode_model(individuals[i].genome);
       if (model.reason.empty()) {
-        values.push_back(std::move(model.values));
+        models.push_back(std::move(model.model));
         places.push_back(i);
       } else {
         evaluated[i].score = {
             .total = kWorst, .trials = {}, .kind = ScoreKind::invalid, .reason = std::move(model.reason)};
       }
     }
-    std::vector<EvaluatedModel> simulated = evaluator_.evaluate(values, bar);
+    std::vector<EvaluatedModel> simulated = evaluator_.evaluate(models, bar);
     for (std::size_t i = 0; i < places.size(); ++i) evaluated[places[i]] = std::move(simulated[i]);
     return evaluated;
   }

@@ -28,7 +28,7 @@ class Exploration {
       : run_(run),
         definition_(run.definition),
         state_(state),
-        predictor_(*definition_.compiled, definition_.sample_times, run.threads),
+        predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model),
         judges_(std::min(definition_.models_for_tests, state.best.size())),
         predictions_(static_cast<std::size_t>(predictor_.workers()), std::vector<TestPrediction>(judges_)) {}
 
@@ -83,7 +83,7 @@ class Exploration {
   void find_fitness(const Test& test, int worker, JudgedTest& judged) {
     std::vector<TestPrediction>& predictions = predictions_[static_cast<std::size_t>(worker)];
     for (std::size_t m = 0; m < judges_; ++m)
-      if (!predictor_.predict(state_.best[m].values, test, worker, predictions[m], judged.steps, judged.reason)) return;
+      if (!predictor_.predict(state_.best[m].model, test, worker, predictions[m], judged.steps, judged.reason)) return;
     const Chosen<TestFitness>& fitness = definition_.fitness;
     judged.fitness =
         guarded_call(fitness.origin, "score", [&] { return fitness->score(test, predictions, fitness.parameters); });

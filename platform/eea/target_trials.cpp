@@ -90,11 +90,11 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
 }
 
 void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive) {
-  const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1);
+  const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1, &run.definition.model);
   TestPrediction prediction;
   std::uint64_t steps = 0;
   std::string reason;
-  if (predictor.predict(state.best.front().values, drive, 0, prediction, steps, reason))
+  if (predictor.predict(state.best.front().model, drive, 0, prediction, steps, reason))
     run.journal.add_prediction(state.best.front().number, trial, prediction.sensors, prediction.centre_of_mass);
 }
 

@@ -68,7 +68,9 @@ ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& 
 ModelDefinition define_target(const Experiment& experiment, const PluginCatalog& catalog) {
   const SystemSource source{experiment.target.simulated.system, "target", "hidden", false};
   Complaints complaints(experiment);
-  ModelDefinition definition = define_system(source, experiment.engine, catalog, complaints);
+  EngineSettings engine = experiment.engine;
+  if (experiment.target.simulated.substeps > 0) engine.substeps = experiment.target.simulated.substeps;
+  ModelDefinition definition = define_system(source, engine, catalog, complaints);
   RobotSpec& robot = definition.structure.robot;
   if (!robot.bodies.empty()) set_sensor_noise(robot, experiment.target.simulated.noise, complaints);
   place_effects(definition, source, catalog, complaints);

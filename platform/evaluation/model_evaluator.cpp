@@ -1,5 +1,6 @@
 #include "evaluation/model_evaluator.h"
 
+#include "evaluation/robot_key.h"
 #include "foundation/address.h"
 #include "foundation/parallel.h"
 
@@ -15,11 +16,13 @@ ModelEvaluator::ModelEvaluator(const ModelScorer& scorer, const ModelDefinition&
                            (matches("sensor.*.delay", value.address) || matches("actuator.*.delay", value.address)));
 }
 
-ModelEvaluator::Phenotype ModelEvaluator::phenotype_of(const std::vector<double>& values) const {
-  std::vector<double> key = values;
+ModelEvaluator::Phenotype ModelEvaluator::phenotype_of(const ModelProposal& model) const {
+  std::vector<double> key = model.values;
   for (std::size_t i = 0; i < key.size(); ++i)
     if (whole_steps_[i]) key[i] = std::round(key[i] / step_);
-  return {reinterpret_cast<const char*>(key.data()), key.size() * sizeof(double)};
+  Phenotype phenotype(reinterpret_cast<const char*>(key.data()), key.size() * sizeof(double));
+  if (model.robot) append_key(*model.robot, phenotype);
+  return phenotype;
 }
 
 const ModelScore* ModelEvaluator::recall(const Phenotype& phenotype, std::optional<double> bar) const {
@@ -29,7 +32,7 @@ const ModelScore* ModelEvaluator::recall(const Phenotype& phenotype, std::option
   return too_little_known ? nullptr : &found->second;
 }
 
-std::vector<EvaluatedModel> ModelEvaluator::evaluate(const std::vector<std::vector<double>>& models,
+std::vector<EvaluatedModel> ModelEvaluator::evaluate(const std::vector<ModelProposal>& models,
                                                      std::optional<double> bar) {
   if (!options_.abandon) bar = std::nullopt;
   std::vector<EvaluatedModel> evaluated(models.size());
@@ -55,8 +58,8 @@ std::vector<EvaluatedModel> ModelEvaluator::evaluate(const std::vector<std::vect
   return evaluated;
 }
 
-void ModelEvaluator::remember(const std::vector<double>& values, const ModelScore& score) {
-  if (options_.reuse) memory_.insert_or_assign(phenotype_of(values), score);
+void ModelEvaluator::remember(const ModelProposal& model, const ModelScore& score) {
+  if (options_.reuse) memory_.insert_or_assign(phenotype_of(model), score);
 }
 
 }  // namespace lacuna

@@ -23,21 +23,21 @@ struct EvaluatedModel {
 };
 
 /// Scores generations of models, in parallel, with the same results for any number of threads. Remembers phenotypes:
-/// models whose simulations cannot differ, because their values are equal, or, where delays are rounded to whole
-/// steps, equal after rounding.
+/// models whose simulations cannot differ, because their robots and values are equal, or, where delays are rounded to
+/// whole steps, equal after rounding.
 class ModelEvaluator {
  public:
   /// The scorer must outlive it; its trials are the same for all that is remembered.
   ModelEvaluator(const ModelScorer& scorer, const ModelDefinition& definition, EvaluationOptions options);
 
-  /// One score for each set of values. Nothing that is above `bar` is known but that.
-  std::vector<EvaluatedModel> evaluate(const std::vector<std::vector<double>>& models, std::optional<double> bar);
+  /// One score for each model. Nothing that is above `bar` is known but that.
+  std::vector<EvaluatedModel> evaluate(const std::vector<ModelProposal>& models, std::optional<double> bar);
   /// As if it had been evaluated, for a run that goes on.
-  void remember(const std::vector<double>& values, const ModelScore& score);
+  void remember(const ModelProposal& model, const ModelScore& score);
 
  private:
-  using Phenotype = std::string;  // the bytes of its values
-  Phenotype phenotype_of(const std::vector<double>& values) const;
+  using Phenotype = std::string;  // the bytes of its values and of its own robot
+  Phenotype phenotype_of(const ModelProposal& model) const;
   const ModelScore* recall(const Phenotype& phenotype, std::optional<double> bar) const;
 
   const ModelScorer& scorer_;

@@ -40,12 +40,12 @@ StartState start_of(const Trial& trial) {
 
 /// What one thread works with.
 struct ModelScorer::Desk {
-  std::unique_ptr<Workspace> workspace;
-  std::vector<SimulationOptions> options;  // per trial
-  SimulationResult result;
-  std::unique_ptr<ScoreAccumulator> total;
-  std::vector<std::unique_ptr<ScoreAccumulator>> trials;
-  std::vector<double> predicted;
+  CandidateDesk candidate;
+  std::vector<SimulationOptions> options = {};  // per trial
+  SimulationResult result = {};
+  std::unique_ptr<ScoreAccumulator> total = {};
+  std::vector<std::unique_ptr<ScoreAccumulator>> trials = {};
+  std::vector<double> predicted = {};
 };
 
 /// Compares samples while they are simulated.
@@ -79,10 +79,10 @@ struct ModelScorer::Tally {
 };
 
 ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
-                         int workers)
-    : model_(model), trials_(std::move(trials)), metric_(std::move(metric)) {
+                         int workers, const ModelDefinition* definition)
+    : trials_(std::move(trials)), metric_(std::move(metric)) {
   for (const ScoredTrial& scored : trials_) {
-    maps_.push_back(match_channels(scored.trial, model_.channels()));
+    maps_.push_back(match_channels(scored.trial, model.channels()));
     if (scored.trial.measured.channels.size() != trials_.front().trial.measured.channels.size())
       throw Error("trial " + scored.trial.name + " measures other channels than trial " + trials_.front().trial.name +
                   "; one score needs the same channels in all of them");
@@ -92,8 +92,7 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
                         [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
   };
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
-    auto desk = std::make_unique<Desk>();
-    desk->workspace = model_.make_workspace();
+    auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition)});
     desk->total = accumulator(trials_);
     for (const ScoredTrial& scored : trials_) {
       desk->trials.push_back(accumulator({&scored, 1}));
@@ -111,7 +110,7 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
 
 ModelScorer::~ModelScorer() = default;
 
-void ModelScorer::score(std::span<const double> values, std::optional<double> bar, int worker,
+void ModelScorer::score(const ModelProposal& candidate, std::optional<double> bar, int worker,
                         ModelScore& result) const {
   Desk& desk = *desks_[static_cast<std::size_t>(worker)];
   result.trials.clear();
@@ -119,8 +118,7 @@ void ModelScorer::score(std::span<const double> values, std::optional<double> ba
   result.reason.clear();
   result.steps = 0;
   desk.total->reset();
-  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t)
-    score_trial(t, values, bar.value_or(kWorst), desk, result);
+  score_trials(candidate, bar.value_or(kWorst), desk, result);
   switch (result.kind) {
     case ScoreKind::full: result.total = desk.total->score(); break;
     case ScoreKind::abandoned: result.total = desk.total->bound(); break;
@@ -132,8 +130,17 @@ void ModelScorer::score(std::span<const double> values, std::optional<double> ba
   result.reason = "the score is not finite: the model reads values that are not, or nothing was measured";
 }
 
-void ModelScorer::score_trial(std::size_t t, std::span<const double> values, double bar, Desk& desk,
-                              ModelScore& result) const {
+void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
+  try {
+    desk.candidate.take(candidate);
+  } catch (const Error& error) {
+    result.kind = ScoreKind::invalid;
+    result.reason = error.what();
+  }
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) score_trial(t, bar, desk, result);
+}
+
+void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore& result) const {
   ScoreAccumulator& of_trial = *desk.trials[t];
   of_trial.reset();
   Tally tally{trials_[t], maps_[t], metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
@@ -141,7 +148,7 @@ void ModelScorer::score_trial(std::size_t t, std::span<const double> values, dou
   options.stop_when = [&tally](std::size_t sample, std::span<const double> readings) {
     return tally.take(sample, readings);
   };
-  model_.simulate(values, trials_[t].test, options, *desk.workspace, desk.result);
+  desk.candidate.simulate(trials_[t].test, options, desk.result);
   result.steps += desk.result.steps;
   if (desk.result.ending == Ending::invalid || !tally.fault.empty()) {
     result.kind = ScoreKind::invalid;

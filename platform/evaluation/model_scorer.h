@@ -3,8 +3,8 @@
 #include <lacuna/fitness_metric.h>
 #include <lacuna/trial.h>
 
+#include "evaluation/candidate_desk.h"
 #include "evaluation/component_choice.h"
-#include "simulation/compiled_model.h"
 
 #include <cstdint>
 #include <memory>
@@ -38,11 +38,12 @@ struct ModelScore {
 };
 
 /// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
-/// compiled model must outlive it.
+/// compiled model, and the definition where models may bring a robot of their own, must outlive it.
 class ModelScorer {
  public:
   /// Makes a workspace for each of `workers` threads. Throws `Error` where a trial measures what the model does not.
-  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers);
+  ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers,
+              const ModelDefinition* definition = nullptr);
   ~ModelScorer();
 
   std::size_t trials() const { return trials_.size(); }
@@ -50,14 +51,14 @@ class ModelScorer {
 
   /// Simulates the trials in their order until `bar` cannot be reached any more: a total that is above the bar is
   /// then certain. Without a bar to the end.
-  void score(std::span<const double> values, std::optional<double> bar, int worker, ModelScore& result) const;
+  void score(const ModelProposal& candidate, std::optional<double> bar, int worker, ModelScore& result) const;
 
  private:
   struct Desk;
   struct Tally;
-  void score_trial(std::size_t trial, std::span<const double> values, double bar, Desk& desk, ModelScore& result) const;
+  void score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
+  void score_trial(std::size_t trial, double bar, Desk& desk, ModelScore& result) const;
 
-  const CompiledModel& model_;
   std::vector<ScoredTrial> trials_;
   std::vector<std::vector<Eigen::Index>> maps_;  ///< per trial: measured channel → model channel
   Chosen<FitnessMetric> metric_;

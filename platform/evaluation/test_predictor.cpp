@@ -1,5 +1,7 @@
 #include "evaluation/test_predictor.h"
 
+#include <lacuna/error.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -7,16 +9,16 @@ namespace lacuna {
 
 /// What one thread works with.
 struct TestPredictor::Desk {
-  std::unique_ptr<Workspace> workspace;
-  SimulationOptions options;
-  SimulationResult result;
+  CandidateDesk candidate;
+  SimulationOptions options = {};
+  SimulationResult result = {};
 };
 
-TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, int workers)
-    : model_(model), times_(std::move(times)) {
+TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
+                             const ModelDefinition* definition)
+    : times_(std::move(times)) {
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
-    auto desk = std::make_unique<Desk>();
-    desk->workspace = model_.make_workspace();
+    auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition)});
     desk->options.end_time = times_.back();
     desk->options.output_times = times_;
     desk->options.record_centre_of_mass = true;
@@ -26,11 +28,17 @@ TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> tim
 
 TestPredictor::~TestPredictor() = default;
 
-bool TestPredictor::predict(std::span<const double> values, const Test& test, int worker, TestPrediction& prediction,
+bool TestPredictor::predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
                             std::uint64_t& steps, std::string& reason) const {
   Desk& desk = *desks_[static_cast<std::size_t>(worker)];
   desk.options.start = test.start;
-  model_.simulate(values, test, desk.options, *desk.workspace, desk.result);
+  try {
+    desk.candidate.take(candidate);
+  } catch (const Error& error) {
+    reason = error.what();
+    return false;
+  }
+  desk.candidate.simulate(test, desk.options, desk.result);
   steps += desk.result.steps;
   std::swap(prediction.sensors, desk.result.readings);
   std::swap(prediction.centre_of_mass, desk.result.centre_of_mass);

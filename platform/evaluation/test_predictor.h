@@ -2,7 +2,7 @@
 
 #include <lacuna/test_fitness.h>
 
-#include "simulation/compiled_model.h"
+#include "evaluation/candidate_desk.h"
 
 #include <cstdint>
 #include <memory>
@@ -12,22 +12,23 @@
 
 namespace lacuna {
 
-/// Says what models would do in tests that nobody has carried out. The compiled model must outlive it.
+/// Says what models would do in tests that nobody has carried out. The compiled model, and the
+/// definition where models may bring a robot of their own, must outlive it.
 class TestPredictor {
  public:
   /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads.
-  TestPredictor(const CompiledModel& model, std::vector<double> times, int workers);
+  TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
+                const ModelDefinition* definition = nullptr);
   ~TestPredictor();
 
   int workers() const { return static_cast<int>(desks_.size()); }
   /// Fills `prediction`, whose memory is reused, and counts the steps taken onto `steps`. False: the model cannot carry
   /// the test out; `reason` says why.
-  bool predict(std::span<const double> values, const Test& test, int worker, TestPrediction& prediction,
+  bool predict(const ModelProposal& candidate, const Test& test, int worker, TestPrediction& prediction,
                std::uint64_t& steps, std::string& reason) const;
 
  private:
   struct Desk;
-  const CompiledModel& model_;
   std::vector<double> times_;
   std::vector<std::unique_ptr<Desk>> desks_;
 };

@@ -107,6 +107,7 @@ double TimedRun::unstored(int threads) const {
               .replicate = 1,
               .threads = threads,
               .truth = bench_.truth(1),
+              .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
               .progress = {}},
              target.target(), state);
   });

@@ -17,11 +17,7 @@ constexpr double kNanOfEncoding = std::numeric_limits<double>::quiet_NaN();
 class EncodingConformance : public testing::Test {
  protected:
   EncodingConformance() {
-    for (const char* name : {"torso", "leg", "arm"}) {
-      BodySpec body;
-      body.name = name;
-      robot_.bodies.push_back(body);
-    }
+    for (const char* name : {"torso", "leg", "arm"}) add_part(name);
     models_.free = {{"body.torso.mass", "kg", 1.0, 7.0, 2.0, Scale::linear},
                     {"joint.knee.damping", "N*m*s/rad", 1e-4, 10.0, 0.1, Scale::logarithmic},
                     {"sensor.t1.delay", "s", 0.0, 0.2, 0.0, Scale::linear}};
@@ -31,6 +27,20 @@ class EncodingConformance : public testing::Test {
     tests_.upper = {1.0, 0.75};
     tests_.control_period = 0.01;
     tests_.duration = 0.5;
+  }
+
+  /// A cylinder, on a hinge on the first one.
+  void add_part(const std::string& name) {
+    BodySpec body;
+    body.name = name;
+    body.shapes = {{.kind = ShapeKind::cylinder, .size = {0.1, 1.0, 0.0}}};
+    robot_.bodies.push_back(body);
+    if (robot_.bodies.size() == 1) return;
+    JointSpec joint;
+    joint.name = name;
+    joint.parent = robot_.bodies.front().name;
+    joint.child = name;
+    robot_.joints.push_back(joint);
   }
 
   RobotSpec robot_;
@@ -100,6 +110,28 @@ TEST_F(EncodingConformance, LayoutsOfTestsAreSound) {
   });
 }
 
+std::vector<std::string> parents_of(const RobotSpec& robot) {
+  std::vector<std::string> parents;
+  for (const JointSpec& joint : robot.joints) parents.push_back(joint.parent);
+  return parents;
+}
+
+/// A robot of an encoding has the elements of the experiment's, and the same genome gives the same one.
+void check_robot(const ModelProposal& model, const ModelProposal& again, const RobotSpec& of_experiment) {
+  ASSERT_EQ(model.robot == nullptr, again.robot == nullptr);
+  if (!model.robot) return;
+  ASSERT_EQ(model.robot->bodies.size(), of_experiment.bodies.size());
+  for (std::size_t i = 0; i < of_experiment.bodies.size(); ++i) {
+    EXPECT_EQ(model.robot->bodies[i].name, of_experiment.bodies[i].name);
+    EXPECT_EQ(model.robot->bodies[i].position, again.robot->bodies[i].position);
+    EXPECT_TRUE(model.robot->bodies[i].position.allFinite());
+  }
+  ASSERT_EQ(model.robot->joints.size(), of_experiment.joints.size());
+  for (std::size_t i = 0; i < of_experiment.joints.size(); ++i)
+    EXPECT_EQ(model.robot->joints[i].name, of_experiment.joints[i].name);
+  EXPECT_EQ(parents_of(*model.robot), parents_of(*again.robot));
+}
+
 TEST_F(EncodingConformance, AGenomeIsOneModelWithinItsBounds) {
   on_every<ModelEncoding>([&](const ModelEncoding& encoding, const std::vector<double>& parameters) {
     const GenomeLayout layout = encoding.layout(models_, parameters);
@@ -107,7 +139,9 @@ TEST_F(EncodingConformance, AGenomeIsOneModelWithinItsBounds) {
       RandomStream random = stream_of(key);
       const Genome genome = encoding.random(layout, random);
       const ModelProposal model = encoding.decode(models_, parameters, genome);
-      EXPECT_EQ(model.values, encoding.decode(models_, parameters, genome).values);
+      const ModelProposal again = encoding.decode(models_, parameters, genome);
+      EXPECT_EQ(model.values, again.values);
+      check_robot(model, again, robot_);
       ASSERT_EQ(model.values.size(), models_.free.size());
       for (std::size_t i = 0; i < model.values.size(); ++i) {
         EXPECT_GE(model.values[i], models_.free[i].lower) << models_.free[i].address;
@@ -150,6 +184,7 @@ TEST_F(EncodingConformance, GenomesOfAnotherLengthAreRefused) {
 
 TEST_F(EncodingConformance, WhereThereIsNothingToEncodeASentenceSaysSo) {
   models_.free.clear();
+  robot_ = {};
   on_every<ModelEncoding>([&](const ModelEncoding& encoding, const std::vector<double>& parameters) {
     EXPECT_THROW(encoding.layout(models_, parameters), Error);
   });

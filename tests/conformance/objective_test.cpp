@@ -19,6 +19,22 @@ class ObjectiveConformance : public testing::Test {
                    {"body.leg.mass", "kg", 1.0, 7.0, 2.0, Scale::linear},
                    {"contact.friction", "1", 0.0, 2.0, 1.0, Scale::linear},
                    {"sensor.t1.delay", "s", 0.0, 0.2, 0.0, Scale::linear}};
+    for (const char* name : {"torso", "leg"}) {
+      BodySpec body;
+      body.name = name;
+      body.shapes = {{.kind = ShapeKind::cylinder, .size = {0.1, 1.0, 0.0}}};
+      robot_.bodies.push_back(body);
+    }
+    robot_.joints.emplace_back().parent = "torso";
+    robot_.joints.back().child = "leg";
+    robot_.joints.back().anchor = {0.0, 0.0, 0.5};
+  }
+  HiddenTruth hidden(const std::vector<double>& values) const { return {values, robot_}; }
+  /// Other values, and a robot whose leg is elsewhere.
+  ModelProposal other() const {
+    RobotSpec robot = robot_;
+    robot.bodies[1].position.x() += 0.2;
+    return {{3.0, 2.0, 1.0, 0.1}, std::make_shared<RobotSpec>(robot)};
   }
 
   RobotSpec robot_;
@@ -28,7 +44,7 @@ class ObjectiveConformance : public testing::Test {
 
 TEST_F(ObjectiveConformance, TheTruthItselfHasNoError) {
   on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
-    const auto scores = metric.score(space_, {truth_}, truth_, parameters);
+    const auto scores = metric.score(space_, {truth_}, hidden(truth_), parameters);
     EXPECT_FALSE(scores.empty());
     for (const ObjectiveScore& score : scores) EXPECT_EQ(score.value, 0.0) << score.name;
   });
@@ -38,7 +54,7 @@ TEST_F(ObjectiveConformance, AnotherModelHasSomeAndNoneBelowZero) {
   on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
     double most = 0.0;
     std::set<std::string> names;
-    for (const ObjectiveScore& score : metric.score(space_, {{3.0, 2.0, 1.0, 0.1}}, truth_, parameters)) {
+    for (const ObjectiveScore& score : metric.score(space_, other(), hidden(truth_), parameters)) {
       EXPECT_GE(score.value, 0.0) << score.name;
       EXPECT_FALSE(score.unit.empty()) << score.name;
       EXPECT_TRUE(names.insert(score.name).second) << score.name << " stands twice";
@@ -51,7 +67,7 @@ TEST_F(ObjectiveConformance, AnotherModelHasSomeAndNoneBelowZero) {
 TEST_F(ObjectiveConformance, WhatTheTargetDoesNotHaveIsNoError) {
   const std::vector<double> partly = {2.5, kNanOfObjective, 0.8, kNanOfObjective};
   on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
-    for (const ObjectiveScore& score : metric.score(space_, {{2.5, 6.0, 0.8, 0.1}}, partly, parameters))
+    for (const ObjectiveScore& score : metric.score(space_, {{2.5, 6.0, 0.8, 0.1}}, hidden(partly), parameters))
       EXPECT_EQ(score.value, 0.0) << score.name;
   });
 }

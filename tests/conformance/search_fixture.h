@@ -56,8 +56,9 @@ inline std::vector<double> scores_of(const std::vector<Individual>& individuals,
   return scores;
 }
 
-/// What a search asked for in one generation, and the state before it.
+/// What a search asked for in one generation, or a part of it, and the state before it.
 struct Generation {
+  int number = 0;
   std::vector<double> state;
   std::vector<Individual> asked;
 };
@@ -73,7 +74,7 @@ inline bool operator==(const ScoredIndividual& a, const ScoredIndividual& b) {
 inline std::vector<Generation> run_to_end(Search& search, const ScoreOf& score) {
   std::vector<Generation> generations;
   while (!search.finished()) {
-    generations.push_back({search.save(), search.ask()});
+    generations.push_back({search.generation(), search.save(), search.ask()});
     search.tell(scores_of(generations.back().asked, score));
   }
   return generations;

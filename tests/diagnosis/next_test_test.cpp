@@ -149,7 +149,7 @@ struct Scan {
     TestPrediction prediction;
     std::uint64_t steps = 0;
     std::string reason;
-    EXPECT_TRUE(predictor.predict(values, test, 0, prediction, steps, reason)) << reason;
+    EXPECT_TRUE(predictor.predict({{values.begin(), values.end()}}, test, 0, prediction, steps, reason)) << reason;
     return prediction.sensors.samples.col(0) / kNoise;
   }
   /// Nats when only `free` of the rival's values can move, with that deviation: by golden section.
@@ -207,7 +207,7 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
     std::string reason;
     lacuna::Test moved = test;
     moved.start = {{start}, {0.0}};
-    EXPECT_TRUE(plain.predict(std::vector{mass, pendulum.values[1]}, moved, 0, seen, steps, reason)) << reason;
+    EXPECT_TRUE(plain.predict({{mass, pendulum.values[1]}}, moved, 0, seen, steps, reason)) << reason;
     return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
   };
   const double mass = pendulum.values[0];

@@ -108,7 +108,7 @@ TEST(EeaLoop, AModelWithTheTruthExplainsEveryTrial) {
   }
   const ModelScorer scorer(*bench->definition().compiled, scored, bench->definition().metric, 1);
   ModelScore score;
-  scorer.score(bench->truth(1), std::nullopt, 0, score);
+  scorer.score({bench->truth(1)}, std::nullopt, 0, score);
   EXPECT_EQ(score.kind, ScoreKind::full);
   EXPECT_EQ(score.total, 0.0);
 }

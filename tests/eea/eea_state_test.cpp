@@ -16,7 +16,7 @@ EeaState some_state() {
   state.models = 4711;
   state.tests = 17;
   state.next_test = NextTest{16, {0.25, -1.0}, 3.5};
-  state.best = {{40, {1.0, 2.0}, {1.0, 2.0}, 0.125}, {41, {3.0, 4.0}, {3.0, 4.0}, 0.25}};
+  state.best = {{40, {1.0, 2.0}, {{1.0, 2.0}}, 0.125}, {41, {3.0, 4.0}, {{3.0, 4.0}}, 0.25}};
   state.search = {1.0, 2.0, 3.0};
   state.search_begin = 5;
   state.counts.steps = 123456789;
@@ -29,7 +29,7 @@ TEST(EeaState, ComesBackAsItWasSaved) {
   EXPECT_EQ(save(loaded), save(state));
   EXPECT_EQ(loaded.phase, Phase::exploration);
   EXPECT_EQ(loaded.next_test->genome, state.next_test->genome);
-  EXPECT_EQ(loaded.best[1].values, state.best[1].values);
+  EXPECT_EQ(loaded.best[1].model.values, state.best[1].model.values);
   EXPECT_EQ(loaded.counts.steps, state.counts.steps);
 }
 

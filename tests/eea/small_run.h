@@ -63,6 +63,7 @@ inline void run(const EeaBench& bench, EeaJournal& journal, EeaState& state, int
             .replicate = 1,
             .threads = threads,
             .truth = bench.truth(1),
+            .target = bench.target() ? &bench.target()->structure.robot : nullptr,
             .progress = {}},
            target.target(), state);
 }

@@ -1,5 +1,6 @@
 #include "end_to_end/program.h"
 #include "end_to_end/small_run.h"
+#include "support/small_shape.h"
 
 #include <gmock/gmock.h>
 
@@ -220,6 +221,32 @@ TEST_F(Run, DrawsItsPictures) {
   ASSERT_EQ(outcome.exit_code, kDone) << outcome.errors;
   for (const char* name : {"error_by_pass", "parameters_mass", "parameters_delay", "transfer", "paths"})
     EXPECT_THAT(program_.read("pictures/" + std::string(name) + ".svg"), HasSubstr("<svg")) << name;
+}
+
+/// Models that bring a robot of their own: run, drawn, simulated again.
+TEST_F(Run, FindsShapesAndDrawsThem) {
+  program_.write("shape.toml", kSmallShape);
+  ASSERT_EQ(program_.run({"run", "shape.toml", "--replicates", "2", "--db", "shape.db"}).exit_code, kDone);
+  const Outcome shapes = program_.run({"shapes", "shape.db", "--out", "pictures"});
+  ASSERT_EQ(shapes.exit_code, kDone) << shapes.errors;
+  EXPECT_THAT(shapes.output, HasSubstr("small_shape     2"));
+  for (const char* name : {"shape_errors", "shape_progress", "shape_models"})
+    EXPECT_THAT(program_.read("pictures/" + std::string(name) + ".svg"), HasSubstr("<svg")) << name;
+  EXPECT_THAT(program_.read("pictures/shape_models.svg"), HasSubstr("target"));
+  const Outcome replay = program_.run({"replay", "shape.db", "--run", "2"});
+  EXPECT_EQ(replay.exit_code, kDone) << replay.errors;
+  const Outcome reproduced = program_.run({"reproduce", "shape.db", "--run", "1", "--threads", "3"});
+  EXPECT_EQ(reproduced.exit_code, kDone) << reproduced.errors;
+  const Outcome other = program_.run({"shapes", "shape.db", "--experiment", "small_shap"});
+  EXPECT_EQ(other.exit_code, kBadInput);
+  EXPECT_THAT(other.errors, HasSubstr("did you mean \"small_shape\"?"));
+}
+
+TEST_F(Run, DrawsNoShapesOfRunsThatHaveNone) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  const Outcome outcome = program_.run({"shapes", "small.db"});
+  EXPECT_EQ(outcome.exit_code, kBadInput);
+  EXPECT_THAT(outcome.errors, HasSubstr("estimation.objective = \"part_distance\""));
 }
 
 }  // namespace

@@ -69,6 +69,13 @@ TEST(HiddenTruth, OfAModelIsHiddenOrSetOrTheRobotsOwn) {
   EXPECT_TRUE(std::isnan(true_values(model, define_target(without, built_catalog()), hidden)[9]));
 }
 
+TEST(HiddenTruth, ATargetMayBeIntegratedInFinerSteps) {
+  const Experiment finer = experiment({"target.substeps=4"});
+  EXPECT_EQ(define_target(finer, built_catalog()).engine.substeps, 4);
+  EXPECT_EQ(define_model(finer, built_catalog()).engine.substeps, 1);
+  EXPECT_EQ(define_target(experiment({"engine.substeps=3"}), built_catalog()).engine.substeps, 3);
+}
+
 TEST(HiddenTruth, PatternsThatMatchNothingAreNamedAtTheirPlace) {
   EXPECT_THAT(
       [] {

@@ -56,7 +56,7 @@ Chosen<FitnessMetric> metric() {
 
 ModelScore score_of(const ModelScorer& scorer, double mass, std::optional<double> bar = {}) {
   ModelScore score;
-  scorer.score(std::vector<double>{mass}, bar, 0, score);
+  scorer.score({{mass}}, bar, 0, score);
   return score;
 }
 
@@ -135,12 +135,12 @@ TEST(ModelEvaluator, SimulatesIdenticalModelsOnce) {
   const Rig rig;
   const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 2);
   ModelEvaluator evaluator(scorer, rig.definition, {});
-  const auto first = evaluator.evaluate({{1.0}, {2.0}, {1.0}}, std::nullopt);
+  const auto first = evaluator.evaluate({{{1.0}}, {{2.0}}, {{1.0}}}, std::nullopt);
   EXPECT_FALSE(first[0].reused);
   EXPECT_TRUE(first[2].reused);
   EXPECT_EQ(first[2].score.total, first[0].score.total);
   EXPECT_EQ(first[2].score.steps, 0U);
-  EXPECT_TRUE(evaluator.evaluate({{2.0}}, std::nullopt)[0].reused);
+  EXPECT_TRUE(evaluator.evaluate({{{2.0}}}, std::nullopt)[0].reused);
 }
 
 TEST(ModelEvaluator, WhatWasAbandonedIsSimulatedAgainWhereTheBarIsHigher) {
@@ -148,9 +148,9 @@ TEST(ModelEvaluator, WhatWasAbandonedIsSimulatedAgainWhereTheBarIsHigher) {
   const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 1);
   ModelEvaluator evaluator(scorer, rig.definition, {});
   const double whole = score_of(scorer, 6.0).total;
-  EXPECT_EQ(evaluator.evaluate({{6.0}}, 0.1 * whole)[0].score.kind, ScoreKind::abandoned);
-  EXPECT_TRUE(evaluator.evaluate({{6.0}}, 0.05 * whole)[0].reused) << "still above the bar";
-  const EvaluatedModel again = evaluator.evaluate({{6.0}}, std::nullopt)[0];
+  EXPECT_EQ(evaluator.evaluate({{{6.0}}}, 0.1 * whole)[0].score.kind, ScoreKind::abandoned);
+  EXPECT_TRUE(evaluator.evaluate({{{6.0}}}, 0.05 * whole)[0].reused) << "still above the bar";
+  const EvaluatedModel again = evaluator.evaluate({{{6.0}}}, std::nullopt)[0];
   EXPECT_FALSE(again.reused);
   EXPECT_EQ(again.score.total, whole);
 }

@@ -128,5 +128,54 @@ TEST(OnePointCrossover, CutsBetweenRows) {
   }
 }
 
+/// Half the children have a new uniform value, the others moved by a distance whose logarithm is uniform.
+TEST(ResetOrNudge, ResetsHalfAndMovesTheOthersByStepsOfAllSizes) {
+  constexpr double kRange = 4.0, kStart = 1.0;
+  const auto& mutation = built_catalog().get<MutationOperator>("reset_or_nudge");
+  const GenomeLayout layout = layout_of(1, kReal);
+  int small = 0, up = 0;
+  double decades = 0.0, resets = 0.0;
+  for (std::uint64_t key = 0; key < kChildren; ++key) {
+    RandomStream random = stream_of(key);
+    const double moved =
+        mutation.vary(std::array{Genome{kStart}}, layout, std::array{0.5, 1.0, 7.0}, random)[0] - kStart;
+    if (std::abs(moved) > 0.1 * kRange) {
+      resets += 1.0;
+      continue;
+    }
+    if (std::abs(moved) > 0.01 * kRange) continue;  // either of them
+    ++small;
+    up += moved > 0.0 ? 1 : 0;
+    decades += -std::log10(std::abs(moved) / kRange);
+  }
+  // A new value is farther than a tenth of the range from the middle with 0.8; of those nearer than a hundredth, all
+  // but a fiftieth of the resets have moved, by 2 to 7 decades.
+  EXPECT_NEAR(resets / kChildren, 0.4, kFiveDeviations * std::sqrt(0.24 / kChildren));
+  EXPECT_NEAR(small, kChildren * (0.5 * 5.0 / 6.0 + 0.01), kFiveDeviations * std::sqrt(0.25 * kChildren));
+  EXPECT_NEAR(decades / small, 4.5, 0.1);
+  EXPECT_NEAR(up, 0.5 * small, kFiveDeviations * std::sqrt(0.25 * small));
+}
+
+TEST(ResetOrNudge, ChangesOneGeneAndStaysWithinItsBounds) {
+  const auto& mutation = built_catalog().get<MutationOperator>("reset_or_nudge");
+  const Genome parent(10, kReal.upper);
+  const GenomeLayout layout = layout_of(10, kReal);
+  int at_bound = 0;
+  for (std::uint64_t key = 0; key < 1000; ++key) {
+    RandomStream random = stream_of(key);
+    const Genome child = mutation.vary(std::array{parent}, layout, std::array{0.0, 1.0, 7.0}, random);
+    int changed = 0;
+    for (std::size_t i = 0; i < child.size(); ++i) {
+      EXPECT_LE(child[i], kReal.upper);
+      changed += child[i] != parent[i] ? 1 : 0;
+    }
+    EXPECT_LE(changed, 1);
+    at_bound += changed == 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(at_bound, 500, kFiveDeviations * std::sqrt(250.0)) << "half of the moves lead out of the bounds";
+  RandomStream random = stream_of(1);
+  EXPECT_THROW(mutation.vary(std::array{parent}, layout, std::array{0.0, 7.0, 1.0}, random), Error);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -17,7 +17,7 @@ class ParameterErrorTest : public testing::Test {
   std::map<std::string, double> scores(const std::vector<double>& model, const std::vector<double>& truth) const {
     std::map<std::string, double> scores;
     for (const ObjectiveScore& score :
-         built_catalog().get<ObjectiveMetric>("parameter_error").score(space_, {model}, truth, {}))
+         built_catalog().get<ObjectiveMetric>("parameter_error").score(space_, {model}, {truth, robot_}, {}))
       scores[score.name + " " + score.unit] = score.value;
     return scores;
   }

@@ -214,5 +214,60 @@ TEST_F(CmaEsTest, NeedsTwo) {
   EXPECT_THAT([&] { begin("cma_es", {1, 2, 0.3}); }, ThrowsMessage<Error>(HasSubstr("population of 1")));
 }
 
+class PairedTournamentTest : public SearchTest {
+ protected:
+  std::unique_ptr<Search> begin(const std::vector<double>& parameters) const {
+    return built_catalog().get<SearchStrategy>("paired_tournament").begin({layout_, halving_, {1}, seeds_}, parameters);
+  }
+  static std::vector<double> spheres(const std::vector<Individual>& individuals) {
+    std::vector<double> scores;
+    for (const Individual& one : individuals) scores.push_back(sphere(one.genome));
+    return scores;
+  }
+  HalvingBreeder halving_{layout_};
+};
+
+/// Two individuals: whichever is drawn first, the better one overwrites the other, one pair after the other.
+TEST_F(PairedTournamentTest, TheFitterOverwritesTheOtherAndIsVaried) {
+  const auto search = begin({2.0, 3.0, 2.0});
+  const std::vector<Individual> first = search->ask();
+  ASSERT_EQ(first.size(), 2U);
+  search->tell(std::vector{5.0, 3.0});
+  Genome halved = first[1].genome;
+  for (double& gene : halved) gene = 0.5 * (gene + 0.5);
+  std::vector<Individual> asked = search->ask();
+  ASSERT_EQ(asked.size(), 1U) << "the next pair waits for this child's score";
+  EXPECT_EQ(asked[0].genome, halved);
+  EXPECT_EQ(asked[0].parents, std::vector<std::uint64_t>{1});
+  search->tell(std::vector{1.0});
+  EXPECT_EQ(search->generation(), 1) << "two pairs of the generation are left";
+  asked = search->ask();
+  EXPECT_EQ(asked[0].parents, std::vector<std::uint64_t>{2}) << "the child has beaten its parent";
+  search->tell(std::vector{4.0});
+  EXPECT_EQ(search->ask()[0].parents, std::vector<std::uint64_t>{2}) << "and now its own child";
+  search->tell(std::vector{9.0});
+  EXPECT_TRUE(search->finished());
+  const std::vector<ScoredIndividual> best = search->best();
+  ASSERT_EQ(best.size(), 2U);
+  EXPECT_EQ(best[0].score, 1.0);
+  EXPECT_EQ(best[1].score, 9.0);
+}
+
+/// The same pairs as if each child were scored before the next pair is drawn.
+TEST_F(PairedTournamentTest, PairsThatDoNotWaitAreAskedTogether) {
+  const auto search = begin({40.0, 30.0, 3.0});
+  search->tell(spheres(search->ask()));
+  std::size_t children = 0, parts = 0;
+  while (search->generation() == 1) {
+    const std::vector<Individual> asked = search->ask();
+    children += asked.size();
+    ++parts;
+    search->tell(spheres(asked));
+  }
+  EXPECT_EQ(children, 30U);
+  EXPECT_GT(parts, 1U);
+  EXPECT_LT(parts, 30U);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -46,7 +46,7 @@ class GenerationalSearch : public Search {
     asked_.clear();
     do_tell(std::move(told));
     numbered_ += scores.size();
-    ++generation_;
+    if (generation_over()) ++generation_;
   }
 
   std::vector<ScoredIndividual> best() const final {
@@ -100,6 +100,9 @@ class GenerationalSearch : public Search {
   virtual std::vector<Individual> do_ask() = 0;
   /// The same individuals with their scores, none of them NaN.
   virtual void do_tell(std::vector<ScoredIndividual> told) = 0;
+  /// Whether `do_tell` has ended the generation; a search whose individuals wait for the scores of others asks for one
+  /// generation in parts.
+  virtual bool generation_over() const { return true; }
   /// What a search remembers besides `kept()`.
   virtual void do_save(SearchStateWriter&) const {}
   virtual void do_load(SearchStateReader&) {}

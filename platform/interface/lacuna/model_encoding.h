@@ -5,6 +5,7 @@
 #include <lacuna/random_stream.h>
 #include <lacuna/robot_spec.h>
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,9 +28,14 @@ struct ModelSpace {
   std::vector<FreeParameter> free;  ///< what the experiment frees, effects' parameters included
 };
 
-/// A model as a genome says it.
+/// A model as a genome says it: values for what the experiment frees and, of an encoding that builds robots, the robot
+/// that takes the place of the experiment's.
 struct ModelProposal {
   std::vector<double> values;  ///< of `ModelSpace::free`, in its order, SI, within their bounds
+  /// None: the experiment's robot. Otherwise one with the same bodies, joints, actuators and sensors, by name and in
+  /// order, so that channels, effects and addresses keep their meaning; where they are and what hangs on what may
+  /// differ. Shared: a model that is handed on outlives the genome it came from.
+  std::shared_ptr<const RobotSpec> robot = nullptr;
 };
 
 /// What a genome of models means. Const and shared by threads; the same genome gives the same model.
@@ -40,7 +46,8 @@ class ModelEncoding {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// Throws `Error` where the space has nothing to encode.
+  /// Throws `Error` where the space has nothing to encode: without free parameters an encoding of values, without
+  /// bodies and joints one of robots.
   virtual GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const = 0;
   /// A genome of a random model; uniform within the genes' bounds unless an encoding knows better.
   virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {

@@ -16,6 +16,12 @@ struct ObjectiveScore {
   double value = 0.0;
 };
 
+/// What a simulated target hides.
+struct HiddenTruth {
+  std::span<const double> values;  ///< for each of `ModelSpace::free`, NaN where the target has no such parameter
+  const RobotSpec& robot;          ///< the target's, before any effect
+};
+
 /// Holds a model against the hidden truth (Eq. 3 of the seed). Nothing else ever sees the truth. Const and shared by
 /// threads.
 class ObjectiveMetric {
@@ -25,10 +31,9 @@ class ObjectiveMetric {
   /// One sentence for `lacuna plugins`.
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
-  /// `truth`: what the target has for each of `space.free`, NaN where it has no such parameter.
+  /// Throws `Error` where model or truth do not fit the space, or where the metric has nothing to say about them.
   virtual std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model,
-                                            std::span<const double> truth,
-                                            std::span<const double> parameters) const = 0;
+                                            const HiddenTruth& truth, std::span<const double> parameters) const = 0;
 };
 
 }  // namespace lacuna

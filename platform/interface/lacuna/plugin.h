@@ -107,6 +107,7 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(ScoredIndividual),
     LACUNA_LAYOUT_(TestPrediction),
     LACUNA_LAYOUT_(ObjectiveScore),
+    LACUNA_LAYOUT_(HiddenTruth),
 };
 #undef LACUNA_LAYOUT_
 

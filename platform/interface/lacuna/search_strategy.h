@@ -49,20 +49,21 @@ class Search {
   virtual ~Search() = default;
 
   virtual bool finished() const = 0;
-  /// The individuals of this generation that have no score yet.
+  /// The next individuals of this generation that have no score yet: all of them, or as many as do not wait for the
+  /// scores of others.
   virtual const std::vector<Individual>& ask() = 0;
-  /// A score above this cannot change what the generation leaves behind; fixed when the generation begins. Nothing:
+  /// A score above this cannot change what the generation leaves behind; fixed when the individuals are asked. Nothing:
   /// every score counts in full.
   virtual std::optional<double> abandon_above() const { return std::nullopt; }
-  /// One score for each individual asked; ends the generation. An evaluation that was abandoned is told as any
-  /// number above the bar.
+  /// One score for each individual asked; ends the generation once all of its individuals have one. An evaluation that
+  /// was abandoned is told as any number above the bar.
   virtual void tell(std::span<const double> scores) = 0;
   /// The best so far, best first, as many as the search keeps; their scores.
   virtual std::vector<ScoredIndividual> best() const = 0;
   /// Generations told so far, and how many there will be at most.
   virtual int generation() const = 0;
   virtual int generations() const = 0;
-  /// The state between two generations as numbers, and back: going on gives the same digits.
+  /// The state between `tell` and `ask` as numbers, and back: going on gives the same digits.
   virtual std::vector<double> save() const = 0;
   virtual void load(std::span<const double> state) = 0;
 };

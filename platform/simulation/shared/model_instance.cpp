@@ -63,6 +63,7 @@ std::string bounds_complaint(const VariableParameter& parameter, const Place& pl
 }  // namespace
 
 ParameterSlots::ParameterSlots(const ModelStructure& structure) : parameters_(structure.parameters) {
+  if (parameters_.empty()) return;  // a robot of its own a simulation: hundreds of addresses that nobody asks for
   std::vector<Place> places;
   add_robot_places(structure, places);
   add_effect_places(structure, places);
@@ -89,7 +90,8 @@ ParameterSlots::ParameterSlots(const ModelStructure& structure) : parameters_(st
 
 ModelInstance::ModelInstance(const ModelStructure& structure, const ParameterSlots& slots)
     : structure_(structure), slots_(slots), robot_(structure.robot) {
-  for (const AddressedValue& value : addressed_values(robot_)) robot_values_.push_back(value.value);
+  if (!slots_.slots().empty())
+    for (const AddressedValue& value : addressed_values(robot_)) robot_values_.push_back(value.value);
   for (const PlacedEffect& effect : structure.effects) effect_values_.push_back(effect.values);
 }
 

@@ -40,7 +40,8 @@ std::string ParameterError::summary() const {
 }
 
 std::vector<ObjectiveScore> ParameterError::score(const ModelSpace& space, const ModelProposal& model,
-                                                  std::span<const double> truth, std::span<const double>) const {
+                                                  const HiddenTruth& hidden, std::span<const double>) const {
+  const std::span<const double> truth = hidden.values;
   if (model.values.size() != space.free.size() || truth.size() != space.free.size())
     throw Error("a model of " + std::to_string(model.values.size()) + " values and a truth of " +
                 std::to_string(truth.size()) + " do not fit " + std::to_string(space.free.size()) + " free parameters");

@@ -11,7 +11,7 @@ class ParameterError : public ObjectiveMetric {
   std::string summary() const override;
   /// Parameters whose truth is NaN are left out, and so are groups whose members have different units. Throws `Error`
   /// where model or truth do not fit the space.
-  std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model, std::span<const double> truth,
+  std::vector<ObjectiveScore> score(const ModelSpace& space, const ModelProposal& model, const HiddenTruth& truth,
                                     std::span<const double> parameters) const override;
 };
 

@@ -1,0 +1,91 @@
+#include "app/commands.h"
+#include "app/newest_setting.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/shape_reading.h"
+#include "foundation/problem.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct ShapesOptions {
+  std::filesystem::path database;
+  std::vector<std::string> experiments;
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> plugin_paths;
+};
+
+/// Experiments with a pass that has ended, in the order in which they were first run, or as asked for.
+std::vector<std::string> experiments_of(const std::vector<EeaRunListing>& runs, const ShapesOptions& options) {
+  std::vector<std::string> names;
+  for (const EeaRunListing& run : runs)
+    if (std::find(names.begin(), names.end(), run.experiment) == names.end()) names.push_back(run.experiment);
+  if (options.experiments.empty()) return names;
+  for (const std::string& wanted : options.experiments)
+    if (std::find(names.begin(), names.end(), wanted) == names.end())
+      throw_problem({options.database.string()}, fmt::format("has no run of \"{}\" with a pass that has ended{}",
+                                                             wanted, did_you_mean(wanted, names)));
+  return options.experiments;
+}
+
+std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& options) {
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
+  if (runs.empty())
+    throw_problem({options.database.string()}, "has no run with a pass that has ended; lacuna run FILE makes one");
+  std::vector<ShapeStudy> studies;
+  for (const std::string& name : experiments_of(runs, options)) {
+    std::vector<EeaRunListing> of_experiment;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
+                 [&](const EeaRunListing& run) { return run.experiment == name; });
+    studies.push_back(read_shape_study(database, newest_setting(database, of_experiment), options.plugin_paths));
+  }
+  return studies;
+}
+
+void shapes(const ShapesOptions& options) {
+  Database database = Database::open_read_only(options.database);
+  const std::vector<ShapeStudy> studies = read_studies(database, options);
+  make_output_folder(options.folder);
+  fmt::print("{}", shape_table(studies));
+  const auto place = [&](const char* name) {
+    const std::filesystem::path file = options.folder / name;
+    if (std::filesystem::is_directory(file))
+      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
+    return file;
+  };
+  const std::filesystem::path errors = place("shape_errors.svg"), progress = place("shape_progress.svg"),
+                              models = place("shape_models.svg");
+  write_svg(shape_errors(studies), errors);
+  write_svg(shape_progress(studies), progress);
+  std::vector<RobotRow> rows;
+  for (const ShapeStudy& study : studies) rows.push_back({study.experiment, study.samples});
+  write_robots_svg("Models of a typical run each, as they start; parts have their colours by index", rows, models);
+  for (const std::filesystem::path& file : {errors, progress, models}) fmt::print("{}\n", file.string());
+}
+
+}  // namespace
+
+void add_shapes_command(CLI::App& program) {
+  auto options = std::make_shared<ShapesOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("shapes", "Table and SVG pictures of what runs found of a robot's shape");
+  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  command
+      ->add_option("--experiment", options->experiments,
+                   "Experiments to put side by side (default: all of the database); may be given several times")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  command->callback([options] { shapes(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,109 @@
+#include "evaluation/robot_key.h"
+
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+void append(std::string& key, const double* values, std::size_t count) {
+  key.append(reinterpret_cast<const char*>(values), count * sizeof(double));
+}
+
+void append(std::string& key, double value) { append(key, &value, 1); }
+void append(std::string& key, const Eigen::Vector3d& value) { append(key, value.data(), 3); }
+void append(std::string& key, const Eigen::Quaterniond& value) { append(key, value.coeffs().data(), 4); }
+
+void append(std::string& key, const std::string& name) {
+  append(key, static_cast<double>(name.size()));
+  key += name;
+}
+
+void append(std::string& key, const BodySpec& body) {
+  append(key, body.mass);
+  append(key, body.com);
+  for (const double moment :
+       {body.inertia.xx, body.inertia.yy, body.inertia.zz, body.inertia.xy, body.inertia.xz, body.inertia.yz})
+    append(key, moment);
+  append(key, body.position);
+  append(key, body.orientation);
+  append(key, body.inertia_scales_with_mass ? 1.0 : 0.0);
+  append(key, static_cast<double>(body.shapes.size()));
+  for (const ShapeSpec& shape : body.shapes) {
+    append(key, static_cast<double>(shape.kind));
+    append(key, shape.size);
+    append(key, shape.position);
+    append(key, shape.orientation);
+  }
+}
+
+void append(std::string& key, const JointSpec& joint) {
+  append(key, static_cast<double>(joint.kind));
+  append(key, joint.parent);
+  append(key, joint.child);
+  append(key, joint.anchor);
+  append(key, joint.axis);
+  append(key, joint.axis2);
+  for (const double law : {joint.lower, joint.upper, joint.damping, joint.dry_friction, joint.stiffness, joint.rest,
+                           joint.armature, joint.force})
+    append(key, law);
+}
+
+void append(std::string& key, const ActuatorSpec& actuator) {
+  const TransmissionSpec& transmission = actuator.transmission;
+  append(key, static_cast<double>(actuator.kind));
+  append(key, actuator.joint);
+  for (const double law : {actuator.gain, actuator.offset, actuator.delay, actuator.kp, actuator.ki, actuator.kd,
+                           actuator.force_limit, actuator.command_lower, actuator.command_upper, transmission.ratio,
+                           transmission.rotor_inertia, transmission.stiffness, transmission.damping, transmission.gap})
+    append(key, law);
+}
+
+void append(std::string& key, const SensorSpec& sensor) {
+  for (const double stage : {sensor.delay, sensor.scale, sensor.offset, sensor.noise, sensor.quantum})
+    append(key, stage);
+  if (sensor.scale == 0.0) return;  // it reads its offset, whatever it is on
+  append(key, static_cast<double>(sensor.kind));
+  append(key, sensor.element);
+  append(key, sensor.beacon);
+}
+
+void append(std::string& key, const ContactSpec& contact) {
+  for (const double law :
+       {contact.ground ? 1.0 : 0.0, contact.stiffness, contact.damping, contact.friction, contact.slope,
+        contact.impact_damping, contact.restitution, contact.rolling_lever, contact.creep})
+    append(key, law);
+}
+
+template <class Element>
+std::string misfit_of(const std::vector<Element>& built, const std::vector<Element>& expected, const char* kind) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (i == built.size()) return std::string("has no ") + kind + " \"" + expected[i].name + "\"";
+    if (built[i].name != expected[i].name)
+      return std::string("has the ") + kind + " \"" + built[i].name + "\" where \"" + expected[i].name + "\" should be";
+  }
+  if (built.size() > expected.size())
+    return std::string("has a ") + kind + " \"" + built[expected.size()].name + "\" too many";
+  return {};
+}
+
+}  // namespace
+
+void append_key(const RobotSpec& robot, std::string& key) {
+  for (const BodySpec& body : robot.bodies) append(key, body);
+  for (const JointSpec& joint : robot.joints) append(key, joint);
+  for (const ActuatorSpec& actuator : robot.actuators) append(key, actuator);
+  for (const SensorSpec& sensor : robot.sensors) append(key, sensor);
+  append(key, robot.contact);
+  append(key, robot.gravity);
+}
+
+std::string misfit(const RobotSpec& built, const RobotSpec& of_experiment) {
+  for (const std::string& complaint :
+       {misfit_of(built.bodies, of_experiment.bodies, "body"), misfit_of(built.joints, of_experiment.joints, "joint"),
+        misfit_of(built.actuators, of_experiment.actuators, "actuator"),
+        misfit_of(built.sensors, of_experiment.sensors, "sensor")})
+    if (!complaint.empty()) return complaint;
+  return {};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+
+#include <string>
+
+namespace lacuna {
+
+/// Adds to `key` every number and name of a robot, so that robots with the same key cannot be told apart by a
+/// simulation.
+void append_key(const RobotSpec& robot, std::string& key);
+
+/// Why a robot that a model encoding built cannot take the place of the experiment's: a body, joint, actuator or sensor
+/// that only one of them has, or in another order. Empty: it can.
+std::string misfit(const RobotSpec& built, const RobotSpec& of_experiment);
+
+}  // namespace lacuna

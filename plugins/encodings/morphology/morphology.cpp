@@ -1,0 +1,168 @@
+#include "morphology.h"
+
+#include "part_chain.h"
+#include "reshape.h"
+
+#include <lacuna/error.h>
+#include <lacuna/plugin.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace lacuna {
+namespace {
+
+using Eigen::Vector3d;
+
+enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift };
+
+constexpr std::array<const char*, kGenesPerPart> kGeneNames = {"parent", "end", "length", "roll", "turn", "touch"};
+constexpr double kVertical = 1e-6;  // sine of the angle to the vertical
+
+void check_robot(const RobotSpec& robot) {
+  const std::string needs = "; the encoding places cylinders, each of them but the first on a hinge of its own";
+  if (robot.bodies.size() < 2) throw Error("the robot has fewer than two parts" + needs);
+  if (robot.joints.size() != robot.bodies.size() - 1)
+    throw Error("the robot has " + std::to_string(robot.joints.size()) + " joints for " +
+                std::to_string(robot.bodies.size()) + " parts" + needs);
+  for (const BodySpec& body : robot.bodies)
+    if (body.shapes.size() != 1 || body.shapes[0].kind != ShapeKind::cylinder)
+      throw Error("the body \"" + body.name + "\" is not one cylinder" + needs);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (robot.joints[i].kind != JointKind::hinge || robot.joints[i].child != robot.bodies[i + 1].name)
+      throw Error("the joint \"" + robot.joints[i].name + "\" is not the hinge that holds \"" +
+                  robot.bodies[i + 1].name + "\"" + needs);
+}
+
+ChainSettings settings_of(std::span<const double> parameters) {
+  if (parameters[kLeastLength] > parameters[kGreatestLength])
+    throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
+  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight]};
+}
+
+/// A solid cylinder along x.
+InertiaSpec solid_cylinder(double mass, double radius, double length) {
+  const double along = 0.5 * mass * radius * radius;
+  const double across = mass * (3.0 * radius * radius + length * length) / 12.0;
+  return {.xx = along, .yy = across, .zz = across};
+}
+
+/// The body keeps its name, mass and radius.
+void place_body(BodySpec& body, const PlacedPart& part) {
+  ShapeSpec& shape = body.shapes[0];
+  const double radius = shape.size.x();
+  shape.size.y() = part.length;
+  shape.position = Vector3d::Zero();
+  shape.orientation = Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitY());  // its z is the body's x
+  body.com = Vector3d::Zero();
+  body.inertia = solid_cylinder(body.mass, radius, part.length);
+  body.position = part.centre();
+  body.orientation = part.orientation;
+}
+
+Vector3d hinge_axis(const Vector3d& direction, bool sagittal_where_vertical) {
+  const Vector3d axis = direction.cross(Vector3d::UnitZ());
+  if (axis.norm() > kVertical) return axis.normalized();
+  return sagittal_where_vertical ? Vector3d::UnitY() : Vector3d::UnitX();
+}
+
+/// Random numbers that the decisions of a genome key, so that moving a length or an angle changes none of them.
+RandomStream stream_of(const std::vector<PlacedPart>& parts) {
+  std::vector<std::uint64_t> key;
+  for (const PlacedPart& part : parts)
+    key.push_back(4 * part.parent + (part.at_head ? 2U : 0U) + (part.touch ? 1U : 0U));
+  return RandomStream(key);
+}
+
+/// Touch sensors go to the first parts that ask for one; those that nobody asks for go anywhere and are dead.
+void place_touch_sensors(RobotSpec& robot, const std::vector<PlacedPart>& parts) {
+  RandomStream random = stream_of(parts);
+  std::size_t next = 0;
+  for (SensorSpec& sensor : robot.sensors) {
+    if (sensor.kind != SensorKind::touch) continue;
+    while (next < parts.size() && !parts[next].touch) ++next;
+    if (next == parts.size()) {
+      sensor.element = robot.bodies[random.index(parts.size())].name;
+      sensor.scale = 0.0;
+      continue;
+    }
+    sensor.element = robot.bodies[next++].name;
+  }
+}
+
+/// How far the robot has to rise so that nothing of it is below the ground, m.
+double missing_height(const RobotSpec& robot, const std::vector<PlacedPart>& parts) {
+  double lowest = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    lowest = std::min(lowest, lowest_point(parts[i], robot.bodies[i].shapes[0].size.x()));
+  return -lowest;
+}
+
+}  // namespace
+
+std::string Morphology::summary() const {
+  return "Six genes a cylinder: parent, head or tail, length, two angles, touch sensor or not; builds the robot";
+}
+
+ParameterDeclarations Morphology::parameters() const {
+  return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
+          {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
+          {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
+           "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
+          {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
+           "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
+          {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
+           "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
+           "pushes it out"}};
+}
+
+GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double> parameters) const {
+  check_robot(space.robot);
+  settings_of(parameters);  // complains
+  GenomeLayout layout;
+  for (const BodySpec& body : space.robot.bodies)
+    for (const char* gene : kGeneNames) layout.genes.push_back({body.name + "." + gene, "1", GeneKind::real, 0.0, 1.0});
+  layout.row = space.free.empty() ? kGenesPerPart : 0;
+  for (const FreeParameter& free : space.free) {
+    if (!std::isfinite(free.lower) || !std::isfinite(free.upper) || free.lower > free.upper)
+      throw Error(free.address + " has no finite search range; give its bounds under [model.free]");
+    layout.genes.push_back({free.address, free.unit, GeneKind::real, free.lower, free.upper});
+  }
+  return layout;
+}
+
+ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double> parameters,
+                                 std::span<const double> genome) const {
+  const std::size_t shape_genes = kGenesPerPart * space.robot.bodies.size();
+  if (genome.size() != shape_genes + space.free.size())
+    throw Error("a genome of " + std::to_string(genome.size()) + " genes does not fit a robot of " +
+                std::to_string(space.robot.bodies.size()) + " parts and " + std::to_string(space.free.size()) +
+                " free parameters");
+  std::vector<PlacedPart> parts = place_parts(genome.first(shape_genes), settings_of(parameters));
+  auto robot = std::make_shared<RobotSpec>(space.robot);
+  if (parameters[kLift] >= 0.5)
+    if (const double height = missing_height(*robot, parts); height > 0.0)
+      for (PlacedPart& part : parts) part.tail.z() += height;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    place_body(robot->bodies[i], parts[i]);
+    if (i == 0) continue;
+    JointSpec& joint = robot->joints[i - 1];
+    joint.parent = robot->bodies[parts[i].parent].name;
+    joint.anchor = parts[i].tail;
+    joint.axis = hinge_axis(parts[i].direction(), parameters[kVerticalAxis] >= 0.5);
+  }
+  place_touch_sensors(*robot, parts);
+  ModelProposal model;
+  for (std::size_t i = 0; i < space.free.size(); ++i)
+    model.values.push_back(std::clamp(genome[shape_genes + i], space.free[i].lower, space.free[i].upper));
+  model.robot = std::move(robot);
+  return model;
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::ModelEncoding, lacuna::Morphology>("morphology"),
+              lacuna::component<lacuna::MutationOperator, lacuna::Reshape>("reshape"))

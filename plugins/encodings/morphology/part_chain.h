@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <span>
+#include <vector>
+
+namespace lacuna {
+
+constexpr std::size_t kGenesPerPart = 6;
+
+/// What the genes of one part are, in their order.
+enum PartGene : std::size_t { kParentGene, kEndGene, kLengthGene, kRollGene, kTurnGene, kTouchGene };
+
+/// Lengths of parts and where the first of them lies.
+struct ChainSettings {
+  double least_length = 0.0, greatest_length = 0.0;  ///< m
+  double root_height = 0.0;                          ///< of the first part's axis above the ground, m
+};
+
+/// One part as its genes place it, world frame.
+struct PlacedPart {
+  std::size_t parent = 0;               ///< index of a part before it; of the first part itself
+  bool at_head = false;                 ///< of the parent; its own end there is its tail
+  double length = 0.0;                  ///< m
+  bool touch = false;                   ///< asks for a touch sensor
+  Eigen::Vector3d tail{0.0, 0.0, 0.0};  ///< m
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< its x points from tail to head
+
+  Eigen::Vector3d direction() const { return orientation * Eigen::Vector3d::UnitX(); }
+  Eigen::Vector3d centre() const { return tail + 0.5 * length * direction(); }
+  Eigen::Vector3d head() const { return tail + length * direction(); }
+};
+
+/// The parts of a genome of `kGenesPerPart` genes each, all within [0, 1]. The first lies along x with its centre above
+/// the origin.
+std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainSettings& settings);
+
+/// Writes the genes of length, roll and turn of every part but the first so that its centre comes as near as the genes'
+/// bounds allow to the one given; parents, ends and the first part's length stay as the genome has them.
+void aim_at_centres(std::span<double> genome, std::span<const Eigen::Vector3d> centres, const ChainSettings& settings);
+
+/// The gene of a parent, or of an end, in the middle of those that mean it.
+double parent_gene(std::size_t parent, std::size_t part);
+double end_gene(bool at_head);
+
+/// Height of a cylinder's lowest point, m.
+double lowest_point(const PlacedPart& part, double radius);
+
+}  // namespace lacuna

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lacuna/mutation_operator.h>
+
+namespace lacuna {
+
+/// Mutates genomes of `morphology` as a robot's shape instead of as numbers: hangs a part elsewhere, moves a part's
+/// centre or changes the first part's length, and turns and stretches the other parts so that their centres stay where
+/// they are, as far as genes allow. What sensors of place say of the other parts then stays as it is.
+class Reshape : public MutationOperator {
+ public:
+  std::string summary() const override;
+  ParameterDeclarations parameters() const override;
+  /// Throws `Error` for a layout without two rows of six genes from 0 to 1, and for limits that are the wrong way
+  /// round.
+  Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
+              RandomStream& random) const override;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,39 @@
+#include "part_distance.h"
+
+#include "junctions.h"
+
+#include <lacuna/error.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+namespace {
+
+Eigen::Vector3d centre_of(const BodySpec& body) { return body.position + body.orientation * body.com; }
+
+}  // namespace
+
+std::string PartDistance::summary() const {
+  return "Distance of each part's centre from the target's at the start, its mean, and whether the topology is wrong";
+}
+
+std::vector<ObjectiveScore> PartDistance::score(const ModelSpace& space, const ModelProposal& model,
+                                                const HiddenTruth& truth, std::span<const double>) const {
+  const RobotSpec& found = model.robot ? *model.robot : space.robot;
+  if (found.bodies.size() != truth.robot.bodies.size() || found.bodies.empty())
+    throw Error("a model of " + std::to_string(found.bodies.size()) + " parts cannot be compared with a target of " +
+                std::to_string(truth.robot.bodies.size()) + "; both are to have the same number");
+  std::vector<ObjectiveScore> scores;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < found.bodies.size(); ++i) {
+    const double distance = (centre_of(found.bodies[i]) - centre_of(truth.robot.bodies[i])).norm();
+    scores.push_back({"body." + truth.robot.bodies[i].name + ".position", "m", distance});
+    sum += distance;
+  }
+  scores.push_back({"body.*.position", "m", sum / static_cast<double>(found.bodies.size())});
+  scores.push_back({"topology_wrong", "1", junctions(found) == junctions(truth.robot) ? 0.0 : 1.0});
+  return scores;
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::ObjectiveMetric, lacuna::PartDistance>("part_distance"))

@@ -1,0 +1,115 @@
+#include "eea/small_run.h"
+#include "support/small_shape.h"
+#include "support/target_genome.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+/// The algorithm with models that bring a robot of their own.
+namespace lacuna {
+namespace {
+
+constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
+
+bool same_digits(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::size_t number) {
+  const EeaDefinition& definition = bench.definition();
+  const Genome& test = journal.tests[*journal.trial_rows[number].test].genome;
+  return definition.scored(definition.decode_test(test), journal.trials[number]);
+}
+
+/// A little in the ground: of parts that just touch it, rounding decides which of them hold.
+TEST(MorphologyRun, AGenomeOfTheTargetExplainsItsTrials) {
+  const auto bench =
+      small_bench({"target.parameters.sink=1e-5", "model.encoding_parameters={root_height=0.09999}"}, kSmallShape);
+  const EeaDefinition& definition = bench->definition();
+  EXPECT_EQ(definition.exploration.layout().size(), 46U) << "6 sensors, 3 hidden neurons, 4 motors";
+  const MemoryJournal journal = run(*bench);
+  const ScoredTrial trial = trial_of(*bench, journal, 0);
+  EXPECT_EQ(trial.trial.measured.channels.size(), 20U) << "the ranges alone";
+  EXPECT_EQ(trial.trial.measured.times.size(), 21);
+  const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, 1, &definition.model);
+  ModelScore exact, random;
+  scorer.score(definition.decode_model(five_cylinders_genome()), std::nullopt, 0, exact);
+  EXPECT_EQ(exact.kind, ScoreKind::full) << exact.reason;
+  EXPECT_LT(exact.total, kRoundedAway);
+  EXPECT_EQ(exact.steps, 20U);
+  scorer.score(definition.decode_model(journal.models.front().genome), std::nullopt, 0, random);
+  EXPECT_GT(random.total, 0.01);
+}
+
+TEST(MorphologyRun, PassesSayHowFarTheShapeIsFromTheTargets) {
+  const auto bench = small_bench({}, kSmallShape);
+  const MemoryJournal journal = run(*bench);
+  ASSERT_EQ(journal.passes.size(), 2U);
+  for (const PassRow& pass : journal.passes) {
+    EXPECT_EQ(pass.evaluations, 12U + 3U * 9U);
+    EXPECT_TRUE(pass.best_values.empty());
+    ASSERT_EQ(pass.objective.size(), 7U);
+    EXPECT_EQ(pass.objective[5].name, "body.*.position");
+    EXPECT_GT(pass.objective[5].value, 0.0);
+  }
+  EXPECT_EQ(journal.models[39].genome, journal.models[*journal.passes[0].best_model].genome) << "the seed";
+}
+
+void expect_same_models(const std::vector<ModelRow>& a, const std::vector<ModelRow>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].number, b[i].number);
+    EXPECT_EQ(a[i].generation, b[i].generation);
+    EXPECT_EQ(a[i].genome, b[i].genome);
+    EXPECT_TRUE(same_digits(a[i].score, b[i].score)) << "model " << a[i].number;
+    EXPECT_EQ(a[i].reused, b[i].reused);
+  }
+}
+
+TEST(MorphologyRun, AnyNumberOfThreadsGivesTheSameRows) {
+  const auto bench = small_bench({}, kSmallShape);
+  const MemoryJournal one = run(*bench, 1), three = run(*bench, 3);
+  expect_same_models(one.models, three.models);
+}
+
+TEST(MorphologyRun, GoesOnFromEveryCheckpointWithTheSameRows) {
+  const auto bench = small_bench({}, kSmallShape);
+  const MemoryJournal whole = run(*bench);
+  for (const std::vector<double>& checkpoint : whole.checkpoints) {
+    EeaState state = load_state(checkpoint);
+    for (const TargetTrialRow& row : whole.trial_rows) {
+      const bool made = row.number < state.pass - 1 || (row.number == state.pass - 1 && state.phase != Phase::trial &&
+                                                        !(state.phase == Phase::transfer && row.for_transfer));
+      if (!made && state.phase != Phase::finished) continue;
+      const auto number = static_cast<std::size_t>(row.number);
+      state.trials.push_back(
+          {*row.test, bench->definition().decode_test(whole.tests[*row.test].genome), whole.trials[number]});
+    }
+    const std::uint64_t before = state.models;
+    if (state.phase == Phase::estimation && !state.search.empty())
+      for (const ModelRow& row : whole.models)
+        if (row.pass == state.pass && row.number < before) state.evaluated.push_back(row);
+    MemoryJournal rest;
+    run(*bench, rest, state);
+    expect_same_models(rest.models, {whole.models.begin() + static_cast<std::ptrdiff_t>(before), whole.models.end()});
+    if (rest.passes.empty()) continue;
+    ASSERT_EQ(rest.passes.back().objective.size(), 7U);
+    EXPECT_EQ(rest.passes.back().objective[5].value, whole.passes.back().objective[5].value);
+  }
+}
+
+TEST(MorphologyRun, ModelsThatCannotDifferAreSimulatedOnce) {
+  const auto bench = small_bench({"estimation.parameters.generations=30"}, kSmallShape);
+  const auto naive = small_bench({"estimation.parameters.generations=30", "estimation.reuse=false"}, kSmallShape);
+  const MemoryJournal a = run(*bench), b = run(*naive);
+  ASSERT_EQ(a.models.size(), b.models.size());
+  for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same_digits(a.models[i].score, b.models[i].score)) << i;
+  EXPECT_GT(a.passes[0].reused, 10U) << "a mutation often leaves the robot what it was";
+}
+
+TEST(MorphologyRun, SensorsThatNobodyHasAreAMistakeOfTheFile) {
+  for (const char* key : {"estimation.sensors=['sensor.rnage*']", "test.sensors=['joint.front']"})
+    EXPECT_THROW(small_bench({key}, kSmallShape), BadInput) << key;
+}
+
+}  // namespace
+}  // namespace lacuna
