@@ -1,0 +1,185 @@
+import { useEffect, useRef } from 'preact/hooks';
+import uPlot from 'uplot';
+import { colourNow, type Colour } from '../kit/colours';
+import { drawn, type Series } from '../kit/decimate';
+import { plain, prefixFor, unitText } from '../kit/format';
+import type { View } from '../kit/view';
+
+export interface Line {
+  name: string;
+  colour: Colour;
+  series: Series;
+  width?: number;
+  dashed?: boolean;
+}
+
+export interface CurvesProps {
+  label: string;
+  unit: string;
+  times: Float64Array;
+  lines: Line[];
+  view: View;
+  height: number;
+  /** Drawn as a band from −floor to floor. */
+  floor?: number | null;
+  /** Stretches of time to light up. */
+  lit?: [number, number][];
+  /** With numbers at the time axis. */
+  withTime?: boolean;
+  /** A moment to mark, for the replay. */
+  moment?: { time: number };
+  hover?: (time: number | null) => void;
+}
+
+const kMotion = uPlot.sync('lacuna');
+
+function band(u: uPlot, floor: number): void {
+  const [top, bottom] = [u.valToPos(floor, 'y', true), u.valToPos(-floor, 'y', true)];
+  u.ctx.fillStyle = colourNow('band');
+  u.ctx.fillRect(u.bbox.left, top, u.bbox.width, bottom - top);
+}
+
+function light(u: uPlot, lit: [number, number][]): void {
+  u.ctx.fillStyle = colourNow('lit');
+  const right = u.bbox.left + u.bbox.width;
+  for (const [from, to] of lit) {
+    const left = Math.max(u.valToPos(from, 'x', true), u.bbox.left), end = Math.min(u.valToPos(to, 'x', true), right);
+    if (end > left) u.ctx.fillRect(left, u.bbox.top, Math.max(end - left, 1), u.bbox.height);
+  }
+}
+
+function mark(u: uPlot, time: number): void {
+  const x = u.valToPos(time, 'x', true);
+  if (x < u.bbox.left || x > u.bbox.left + u.bbox.width) return;
+  u.ctx.fillStyle = colourNow('accent');
+  u.ctx.fillRect(x - 1, u.bbox.top, 2, u.bbox.height);
+}
+
+function magnitude(lines: Line[], floor: number | null | undefined): number {
+  return lines.reduce((most, line) => {
+    const [low, high] = line.series.extremes(0, line.series.values.length);
+    return Math.max(most, Math.abs(low) || 0, Math.abs(high) || 0);
+  }, floor ?? 0);
+}
+
+function options(props: CurvesProps, width: number, now: () => CurvesProps): uPlot.Options {
+  const prefix = prefixFor(magnitude(props.lines, props.floor), props.unit);
+  const unit = prefix.symbol + unitText(props.unit);
+  const axis = { stroke: () => colourNow('muted'), grid: { stroke: () => colourNow('grid'), width: 1 }, ticks: { show: false },
+    font: '11px system-ui, sans-serif', labelFont: '11px system-ui, sans-serif' };
+  return {
+    width, height: props.height, legend: { show: false }, pxAlign: 0,
+    cursor: { sync: { key: kMotion.key, setSeries: false }, drag: { x: true, y: false, setScale: false }, points: { show: false }, y: false },
+    scales: { x: { time: false, auto: false, range: () => now().view.range },
+      y: { range: (_, low, high) => {
+        const floor = now().floor ?? 0;
+        const [a, b] = [Math.min(low ?? 0, -floor), Math.max(high ?? 0, floor)];
+        const margin = 0.06 * (b - a) || 1e-9;
+        return floor > 0 ? [a - margin, b + margin] : [(low ?? 0) - margin, (high ?? 0) + margin];
+      } } },
+    axes: [
+      { ...axis, size: props.withTime ? 36 : 4, label: props.withTime ? 'time / s' : undefined, labelSize: 16, labelGap: 0, gap: 2,
+        values: props.withTime ? (_, ticks) => ticks.map((tick) => plain(tick, 4)) : () => [] },
+      { ...axis, size: 52, label: unit ? `${props.label} / ${unit}` : props.label, labelSize: 18, gap: 3,
+        values: (_, ticks) => ticks.map((tick) => plain(tick * prefix.factor)), space: 26 },
+    ],
+    series: [{}, ...props.lines.map((line) => ({
+      label: line.name, stroke: () => colourNow(line.colour), width: line.width ?? 1.25, points: { show: false },
+      ...(line.dashed ? { dash: [6, 4] } : {}),
+    }))],
+    hooks: {
+      drawClear: [(u) => {
+        const { floor, lit } = now();
+        if (floor) band(u, floor);
+        if (lit) light(u, lit);
+      }],
+      draw: [(u) => { const { moment } = now(); if (moment) mark(u, moment.time); }],
+      setCursor: [(u) => now().hover?.(u.cursor.idx === null || u.cursor.idx === undefined ? null : u.posToVal(u.cursor.left!, 'x'))],
+      setSelect: [(u) => {
+        if (u.select.width < 4) return;
+        now().view.set(u.posToVal(u.select.left, 'x'), u.posToVal(u.select.left + u.select.width, 'x'));
+        u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+      }],
+    },
+  };
+}
+
+/** Wheel zooms, shift and drag pans, a double click shows everything. */
+function listenTo(u: uPlot, view: View): void {
+  u.over.addEventListener('wheel', (event) => {
+    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      view.pan((event.deltaX || event.deltaY) / u.over.clientWidth);
+    } else if (event.ctrlKey || event.altKey) {
+      const left = event.clientX - u.over.getBoundingClientRect().left;
+      view.zoom(event.deltaY > 0 ? 1.25 : 0.8, u.posToVal(left, 'x'));
+    } else {
+      return; // the page scrolls
+    }
+    event.preventDefault();
+  }, { passive: false });
+  u.over.addEventListener('dblclick', () => view.reset());
+  u.over.addEventListener('mousedown', (event) => {
+    if (!event.shiftKey) return;
+    event.stopImmediatePropagation();
+    event.preventDefault();
+    let last = event.clientX;
+    const move = (now: MouseEvent) => {
+      view.pan((last - now.clientX) / u.over.clientWidth);
+      last = now.clientX;
+    };
+    addEventListener('mousemove', move);
+    addEventListener('mouseup', () => removeEventListener('mousemove', move), { once: true });
+  }, { capture: true });
+}
+
+/** Curves over time on a canvas. Several with one view move together. */
+export function Curves(props: CurvesProps) {
+  const box = useRef<HTMLDivElement>(null);
+  const latest = useRef(props);
+  latest.current = props;
+  const plot = useRef<uPlot | null>(null);
+
+  useEffect(() => {
+    const host = box.current!;
+    let visible = true, stale = true;
+    const u = new uPlot(options(props, Math.max(host.clientWidth, 120), () => latest.current), [[]] as never, host);
+    plot.current = u;
+    listenTo(u, props.view);
+    const draw = () => {
+      if (!visible) { stale = true; return; }
+      stale = false;
+      const [from, to] = props.view.range;
+      const data = drawn(props.times, props.lines.map((line) => line.series), from, to, Math.max(u.over.clientWidth, 100));
+      u.batch(() => {
+        u.setData(data as unknown as uPlot.AlignedData, false);
+        u.setScale('x', { min: from, max: to });
+      });
+    };
+    draw();
+    const stop = props.view.listen(draw);
+    const sizes = new ResizeObserver(() => {
+      if (host.clientWidth > 0 && host.clientWidth !== u.width) { u.setSize({ width: host.clientWidth, height: props.height }); draw(); }
+    });
+    sizes.observe(host);
+    const sight = new IntersectionObserver(([entry]) => {
+      visible = entry.isIntersecting;
+      if (visible && stale) draw();
+    }, { rootMargin: '200px' });
+    sight.observe(host);
+    const repaint = () => u.redraw(false);
+    addEventListener('lacuna-theme', repaint);
+    return () => {
+      removeEventListener('lacuna-theme', repaint);
+      stop(); sizes.disconnect(); sight.disconnect(); u.destroy();
+      plot.current = null;
+    };
+  }, [props.times, props.view, props.lines, props.height, props.unit, props.floor]);
+
+  useEffect(() => { plot.current?.redraw(false); }, [props.lit]);
+  useEffect(() => {
+    if (!props.moment) return;
+    return props.view.listen(() => plot.current?.redraw(false));
+  }, [props.moment, props.view]);
+
+  return <div class="curves" ref={box} aria-label={`${props.label} over time`} role="img" />;
+}
