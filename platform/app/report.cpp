@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/replays.h"
 #include "report/pages.h"
 #include "storage/page_database.h"
 
@@ -15,11 +16,13 @@ struct ReportOptions {
   std::filesystem::path database;
   std::string out;
   double megabytes = 50.0;
+  bool no_robots = false;
   bool quiet = false;
   std::vector<std::filesystem::path> plugin_paths;
 };
 
 constexpr double kMegabyte = 1e6;
+constexpr std::size_t kReplayBytes = 12'000'000;
 
 void make_report(const ReportOptions& options) {
   require_pages();
@@ -29,6 +32,7 @@ void make_report(const ReportOptions& options) {
   pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));
   pages.add_about("database", options.database.filename().string());
   pages.add_about("lacuna", LACUNA_VERSION);
+  if (!options.no_robots) Replays(options.database, options.plugin_paths, pages).prepare_for_report(kReplayBytes);
   const std::string page = report_page(pages.bytes());
   write_output(options.out, page);
   if (!options.quiet && !options.out.empty())
@@ -46,6 +50,10 @@ void add_report_command(CLI::App& program) {
   command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));
+  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots again for the page Replay");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
   command->add_flag("--quiet", options->quiet, "Print nothing");
   command->callback([options] { make_report(*options); });
 }

@@ -87,18 +87,18 @@ void describe_views(sqlite3* handle) {
 
 }  // namespace
 
-PageDatabase::PageDatabase(const char* uri) {
-  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_URI;
-  if (sqlite3_open_v2(uri, &handle_, flags, nullptr) != SQLITE_OK) fail(handle_);
+PageDatabase::PageDatabase() { open(":memory:"); }
+
+PageDatabase::PageDatabase(const std::filesystem::path& file) { open(file.c_str()); }
+
+void PageDatabase::open(const char* name) {
+  constexpr int kWait = 5000;  ///< ms, for a reader to end
+  if (sqlite3_open_v2(name, &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK)
+    fail(handle_);
+  sqlite3_busy_timeout(handle_, kWait);
   execute(kTables);
   describe_views(handle_);
 }
-
-PageDatabase::PageDatabase() : PageDatabase(":memory:") {}
-
-PageDatabase PageDatabase::shared(const std::string& uri) { return PageDatabase(uri.c_str()); }
-
-PageDatabase::PageDatabase(PageDatabase&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
 
 PageDatabase::~PageDatabase() { sqlite3_close_v2(handle_); }
 

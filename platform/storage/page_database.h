@@ -29,16 +29,17 @@ struct ReplayRecord {
   std::vector<std::pair<std::string, TimeSeries>> traces;  ///< "model", "target": poses; "predicted", "measured"
 };
 
-/// A database in memory with what the pages of a report or of the server show besides what a user's file has: tables
+/// A database with what the pages of a report or of the server show besides what a user's file has: tables
 /// `page_about`, `page_note`, `page_view`, `page_replay`, `page_replay_trace`. For a report it also gets the content of
 /// the file and is kept as bytes. One thread at a time. Throws `Error`.
 class PageDatabase {
  public:
+  /// In memory.
   PageDatabase();
-  /// One that other connections of this process can attach by that URI while it lives.
-  static PageDatabase shared(const std::string& uri);
-  PageDatabase(PageDatabase&& other) noexcept;
-  PageDatabase& operator=(PageDatabase&&) = delete;
+  /// In a new file, which other connections can attach.
+  explicit PageDatabase(const std::filesystem::path& file);
+  PageDatabase(const PageDatabase&) = delete;
+  PageDatabase& operator=(const PageDatabase&) = delete;
   ~PageDatabase();
 
   /// Copies all tables and views, without the states of checkpoints. If the file has more than `most_bytes`, models and
@@ -55,7 +56,7 @@ class PageDatabase {
   std::vector<std::byte> bytes() const;
 
  private:
-  explicit PageDatabase(const char* uri);
+  void open(const char* name);
   void execute(const std::string& sql) const;
   std::int64_t number(const std::string& sql) const;
   sqlite3* handle_ = nullptr;

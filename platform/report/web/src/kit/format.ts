@@ -76,3 +76,13 @@ export function cellText(cell: unknown): string {
   if (typeof cell === 'number') return Number.isInteger(cell) ? String(cell) : String(Number(cell.toPrecision(8)));
   return String(cell);
 }
+
+/** Numbers of an axis: as many decimals as their step needs, the same for all. */
+export function tickTexts(ticks: (number | null)[], factor = 1): string[] {
+  const known = ticks.filter((one): one is number => one !== null).map((one) => one * factor);
+  const most = Math.max(...known.map(Math.abs), 0);
+  const step = known.length > 1 ? Math.min(...known.slice(1).map((one, i) => Math.abs(one - known[i]))) : most;
+  if (most >= 1e6 || (most > 0 && most < 1e-4)) return ticks.map((one) => (one === null ? '' : plain(one * factor, 2)));
+  const decimals = step > 0 ? Math.min(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), 8) : 0;
+  return ticks.map((one) => (one === null ? '' : minus((one * factor).toFixed(decimals).replace(/^-(0\.?0*)$/, '$1'))));
+}

@@ -6,7 +6,7 @@ import { choose } from '../kit/route';
 import { Empty, Select, Show } from '../ui/parts';
 import { ErrorTable } from '../ui/error_table';
 import { TrialCurvesPanel } from '../ui/trial_curves';
-import { loadCurves, loadFindings, type Finding, type Score } from './compare_data';
+import { loadCurves, loadWhere, pointed, type Finding, type Score } from './compare_data';
 
 interface Props {
   choices: Record<string, string>;
@@ -67,9 +67,9 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
   const own = scores.filter((one) => one.trial === trial);
   const comparison = own[0].comparison;
   const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
-  const fitted = scores.find((one) => !one.held_out)?.comparison ?? comparison;
-  const where = useLoaded((source) => loadFindings(source, fitted), ['findings', fitted]);
-  const findings = where.value?.findings ?? [];
+  const { experiment, revision } = own[0];
+  const where = useLoaded((source) => loadWhere(source, experiment, revision), ['where', experiment, revision]);
+  const findings = useMemo(() => (where.value ? pointed(where.value) : []), [where.value]);
   const chosen: Finding | undefined = findings[finding];
   const lit = useMemo(() => chosen?.stretches?.find((one) => one.trial === trial)?.spans ?? [], [chosen, trial]);
   const [error, setError] = useState<string | null>(null);
@@ -95,7 +95,7 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
             <li key={i} class={i === finding ? 'chosen' : ''}>
               <button class="quiet finding" aria-pressed={i === finding} onClick={() => choose({ finding: i === finding ? null : i })}
                 disabled={!one.stretches}>
-                <span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}
+                {/^\d/.test(one.sentence) ? one.sentence : <><span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}</>}
               </button>
             </li>
           ))}

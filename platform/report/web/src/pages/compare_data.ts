@@ -76,11 +76,28 @@ export interface Finding {
   stretches?: { trial: string; spans: [number, number][] }[];
 }
 
-export async function loadFindings(source: Source, comparison: number): Promise<{ findings: Finding[]; where: WhereDocument | null }> {
-  const rows = objects<{ document: string }>(await source.query('SELECT document FROM where_it_fails WHERE comparison = ?', [comparison]));
-  if (rows.length === 0) return { findings: [], where: null };
-  const document = JSON.parse(rows[0].document) as { findings: Finding[]; where: WhereDocument };
-  return { findings: document.findings, where: document.where };
+export interface Where {
+  findings: Finding[];
+  where: WhereDocument | null;
+}
+
+/** Of the latest comparison of a revision that was asked where it fails. */
+export async function loadWhere(source: Source, experiment: string, revision: number): Promise<Where> {
+  const rows = objects<{ document: string }>(await source.query(`SELECT document FROM where_it_fails
+    JOIN comparison ON comparison.id = where_it_fails.comparison JOIN revision ON revision.id = comparison.revision
+    JOIN experiment ON experiment.id = revision.experiment
+    WHERE experiment.name = ? AND revision.number = ? ORDER BY comparison.id DESC LIMIT 1`, [experiment, revision]));
+  return rows.length === 0 ? { findings: [], where: null } : (JSON.parse(rows[0].document) as Where);
+}
+
+/** What can be pointed at: findings, then the regimes of error that are no finding of their own. */
+export function pointed({ findings, where }: Where): Finding[] {
+  const named = new Set(findings.map((one) => one.sentence));
+  const regimes = (where?.views ?? []).flatMap((view) => view.regimes.map((one): Finding => ({
+    kind: 'regime', view: view.view, share: one.share_of_error, stretches: one.stretches,
+    sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples: ${one.sentence}`,
+  })));
+  return [...findings, ...regimes.filter((one) => one.share > 0.05 && !named.has(one.sentence) && one.stretches && !/in 100 %/.test(one.sentence))];
 }
 
 export interface Bin {

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Colour } from '../kit/colours';
 import { saveCsv, saveSvg } from '../kit/download';
-import { plain, prefixFor, quantity, unitText } from '../kit/format';
+import { plain, prefixFor, quantity, tickTexts, unitText } from '../kit/format';
 import { linearTicks, logTicks } from '../kit/ticks';
 import { Figure } from './figure';
 
@@ -120,6 +120,9 @@ export function Chart(props: ChartProps) {
   const prefix = (axis: Axis, scale: Scale) => prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
   const px = prefix(props.x, x), py = prefix(props.y, y);
 
+  const yTexts = props.y.log ? y.ticks.map((tick) => plain(tick * py.factor, 1)) : tickTexts(y.ticks, py.factor);
+  const xTexts = props.x.names ? x.ticks.map((tick) => props.x.names![tick] ?? '') : tickTexts(x.ticks, px.factor);
+
   const find = (event: MouseEvent) => {
     const place = picture.current!.getBoundingClientRect();
     const at = [event.clientX - place.left, event.clientY - place.top];
@@ -157,8 +160,8 @@ export function Chart(props: ChartProps) {
               {y.ticks.map((tick) => <line key={tick} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />)}
             </g>
             <g class="ticks">
-              {y.ticks.map((tick) => <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">{plain(tick * py.factor)}</text>)}
-              {x.ticks.map((tick) => <text key={tick} x={x.place(tick)} y={height - kMargin.bottom + 16} text-anchor="middle">{props.x.names ? props.x.names[tick] ?? '' : plain(tick * px.factor)}</text>)}
+              {y.ticks.map((tick, i) => <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">{yTexts[i]}</text>)}
+              {x.ticks.map((tick, i) => <text key={tick} x={x.place(tick)} y={height - kMargin.bottom + 16} text-anchor="middle">{xTexts[i]}</text>)}
               {x.ticks.map((tick) => <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - kMargin.bottom} y2={height - kMargin.bottom + 4} />)}
             </g>
             <line class="axis" x1={kMargin.left} x2={wide - kMargin.right} y1={height - kMargin.bottom} y2={height - kMargin.bottom} />

@@ -2,7 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import { colourNow, type Colour } from '../kit/colours';
 import { drawn, type Series } from '../kit/decimate';
-import { plain, prefixFor, unitText } from '../kit/format';
+import { prefixFor, tickTexts, unitText } from '../kit/format';
 import type { View } from '../kit/view';
 
 export interface Line {
@@ -78,10 +78,10 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
         return floor > 0 ? [a - margin, b + margin] : [(low ?? 0) - margin, (high ?? 0) + margin];
       } } },
     axes: [
-      { ...axis, size: props.withTime ? 36 : 4, label: props.withTime ? 'time / s' : undefined, labelSize: 16, labelGap: 0, gap: 2,
-        values: props.withTime ? (_, ticks) => ticks.map((tick) => plain(tick, 4)) : () => [] },
-      { ...axis, size: 52, label: unit ? `${props.label} / ${unit}` : props.label, labelSize: 18, gap: 3,
-        values: (_, ticks) => ticks.map((tick) => plain(tick * prefix.factor)), space: 26 },
+      { ...axis, size: props.withTime ? 16 : 4, label: props.withTime ? 'time / s' : undefined, labelSize: props.withTime ? 16 : 0, labelGap: 0, gap: 2,
+        values: props.withTime ? (_, ticks) => tickTexts(ticks) : () => [] },
+      { ...axis, size: 50, label: unit ? `${props.label} / ${unit}` : props.label, labelSize: 18, gap: 3,
+        values: (_, ticks) => tickTexts(ticks, prefix.factor), space: 22 },
     ],
     series: [{}, ...props.lines.map((line) => ({
       label: line.name, stroke: () => colourNow(line.colour), width: line.width ?? 1.25, points: { show: false },
@@ -149,7 +149,7 @@ export function Curves(props: CurvesProps) {
       if (!visible) { stale = true; return; }
       stale = false;
       const [from, to] = props.view.range;
-      const data = drawn(props.times, props.lines.map((line) => line.series), from, to, Math.max(u.over.clientWidth, 100));
+      const data = drawn(props.times, props.lines.map((line) => line.series), from, to, Math.max(host.clientWidth - 70, 100));
       u.batch(() => {
         u.setData(data as unknown as uPlot.AlignedData, false);
         u.setScale('x', { min: from, max: to });
