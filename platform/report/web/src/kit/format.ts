@@ -83,6 +83,7 @@ export function tickTexts(ticks: (number | null)[], factor = 1): string[] {
   const most = Math.max(...known.map(Math.abs), 0);
   const step = known.length > 1 ? Math.min(...known.slice(1).map((one, i) => Math.abs(one - known[i]))) : most;
   if (most >= 1e6 || (most > 0 && most < 1e-4)) return ticks.map((one) => (one === null ? '' : plain(one * factor, 2)));
-  const decimals = step > 0 ? Math.min(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), 8) : 0;
+  let decimals = 0;
+  while (step > 0 && decimals < 8 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6 * step * 10 ** decimals) ++decimals;
   return ticks.map((one) => (one === null ? '' : minus((one * factor).toFixed(decimals).replace(/^-(0\.?0*)$/, '$1'))));
 }

@@ -2,6 +2,7 @@ import type { ComponentType } from 'preact';
 import { ComparePage } from './compare';
 import { DiagnosePage } from './diagnose';
 import { HistoryPage } from './history';
+import { ReplayPage } from './replay';
 import { RunPage } from './run';
 import { RunsPage } from './runs';
 import { SqlPage } from './sql';
@@ -20,5 +21,6 @@ export const pages: PageEntry[] = [
   { name: 'history', title: 'History', sentence: 'Error by revision', Page: HistoryPage },
   { name: 'run', title: 'Run', sentence: 'One run of the algorithm', Page: RunPage },
   { name: 'runs', title: 'Runs', sentence: 'All runs and their replicates', Page: RunsPage },
+  { name: 'replay', title: 'Replay', sentence: 'Robots in motion', Page: ReplayPage },
   { name: 'sql', title: 'SQL', sentence: 'Any query', Page: SqlPage },
 ];

@@ -64,7 +64,7 @@ function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale 
   const margin = axis.whole ? 0.3 : 0.04 * (high - low);
   const floor = low >= 0 && low - margin < 0 && !axis.whole ? 0 : low - margin;
   [low, high] = [floor, high + margin];
-  let ticks = linearTicks(low, high, Math.abs(to - from) / (axis.whole ? 44 : 62));
+  let ticks = linearTicks(low, high, Math.abs(to - from) / (axis.whole ? 44 : from > to ? 42 : 70));
   if (axis.whole) ticks = ticks.filter(Number.isInteger);
   return { low, high, ticks, place: (value) => from + ((to - from) * (value - low)) / (high - low) };
 }

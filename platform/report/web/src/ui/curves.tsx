@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import { colourNow, type Colour } from '../kit/colours';
 import { drawn, type Series } from '../kit/decimate';
 import { prefixFor, tickTexts, unitText } from '../kit/format';
+import type { Moment } from '../kit/moment';
 import type { View } from '../kit/view';
 
 export interface Line {
@@ -27,7 +28,9 @@ export interface CurvesProps {
   /** With numbers at the time axis. */
   withTime?: boolean;
   /** A moment to mark, for the replay. */
-  moment?: { time: number };
+  moment?: Moment;
+  /** A click goes there. */
+  go?: (time: number) => void;
   hover?: (time: number | null) => void;
 }
 
@@ -48,11 +51,20 @@ function light(u: uPlot, lit: [number, number][]): void {
   }
 }
 
-function mark(u: uPlot, time: number): void {
-  const x = u.valToPos(time, 'x', true);
-  if (x < u.bbox.left || x > u.bbox.left + u.bbox.width) return;
-  u.ctx.fillStyle = colourNow('accent');
-  u.ctx.fillRect(x - 1, u.bbox.top, 2, u.bbox.height);
+/** A line at the moment, above the canvas, so that nothing is drawn again while it moves. */
+function follow(u: uPlot, moment: Moment, view: View): () => void {
+  const line = document.createElement('div');
+  line.className = 'moment';
+  u.over.append(line);
+  const place = () => {
+    const [from, to] = view.range;
+    const share = (moment.time - from) / (to - from);
+    line.hidden = share < 0 || share > 1;
+    line.style.left = `${100 * share}%`;
+  };
+  place();
+  const stops = [moment.listen(place), view.listen(place)];
+  return () => stops.forEach((stop) => stop());
 }
 
 function magnitude(lines: Line[], floor: number | null | undefined): number {
@@ -93,7 +105,6 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
         if (floor) band(u, floor);
         if (lit) light(u, lit);
       }],
-      draw: [(u) => { const { moment } = now(); if (moment) mark(u, moment.time); }],
       setCursor: [(u) => now().hover?.(u.cursor.idx === null || u.cursor.idx === undefined ? null : u.posToVal(u.cursor.left!, 'x'))],
       setSelect: [(u) => {
         if (u.select.width < 4) return;
@@ -105,7 +116,7 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
 }
 
 /** Wheel zooms, shift and drag pans, a double click shows everything. */
-function listenTo(u: uPlot, view: View): void {
+function listenTo(u: uPlot, view: View, now: () => CurvesProps): void {
   u.over.addEventListener('wheel', (event) => {
     if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       view.pan((event.deltaX || event.deltaY) / u.over.clientWidth);
@@ -117,6 +128,7 @@ function listenTo(u: uPlot, view: View): void {
     }
     event.preventDefault();
   }, { passive: false });
+  u.over.addEventListener('click', (event) => now().go?.(u.posToVal(event.clientX - u.over.getBoundingClientRect().left, 'x')));
   u.over.addEventListener('dblclick', () => view.reset());
   u.over.addEventListener('mousedown', (event) => {
     if (!event.shiftKey) return;
@@ -144,7 +156,8 @@ export function Curves(props: CurvesProps) {
     let visible = true, stale = true;
     const u = new uPlot(options(props, Math.max(host.clientWidth, 120), () => latest.current), [[]] as never, host);
     plot.current = u;
-    listenTo(u, props.view);
+    listenTo(u, props.view, () => latest.current);
+    const unfollow = props.moment && follow(u, props.moment, props.view);
     const draw = () => {
       if (!visible) { stale = true; return; }
       stale = false;
@@ -170,16 +183,12 @@ export function Curves(props: CurvesProps) {
     addEventListener('lacuna-theme', repaint);
     return () => {
       removeEventListener('lacuna-theme', repaint);
-      stop(); sizes.disconnect(); sight.disconnect(); u.destroy();
+      unfollow?.(); stop(); sizes.disconnect(); sight.disconnect(); u.destroy();
       plot.current = null;
     };
   }, [props.times, props.view, props.lines, props.height, props.unit, props.floor]);
 
   useEffect(() => { plot.current?.redraw(false); }, [props.lit]);
-  useEffect(() => {
-    if (!props.moment) return;
-    return props.view.listen(() => plot.current?.redraw(false));
-  }, [props.moment, props.view]);
 
   return <div class="curves" ref={box} aria-label={`${props.label} over time`} role="img" />;
 }

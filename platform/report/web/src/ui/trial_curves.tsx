@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { sampleAt } from '../kit/decimate';
 import { quantity } from '../kit/format';
+import type { Moment } from '../kit/moment';
 import { View } from '../kit/view';
 import type { ChannelCurves, TrialCurves } from '../pages/compare_data';
 import { Curves, type Line } from './curves';
@@ -10,19 +11,18 @@ interface Props {
   title: string;
   lit: [number, number][];
   keep: () => void;
-  /** Smaller, with a moment that moves: for the replay. */
-  moment?: { time: number };
-  view?: View;
-  residualOnly?: boolean;
+  /** A moment that moves, and how to move it: for the replay, which has the arrow keys to itself. */
+  moment?: Moment;
+  go?: (time: number) => void;
 }
 
 /** Arrows pan, + and − zoom, 0 shows everything, unless something is being typed. */
-function useKeys(view: View): void {
+function useKeys(view: View, arrows: boolean): void {
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
       if (/^(INPUT|TEXTAREA|SELECT)$/.test((event.target as Element).tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
       const actions: Record<string, () => void> = {
-        ArrowLeft: () => view.pan(-0.2), ArrowRight: () => view.pan(0.2),
+        ...(arrows ? { ArrowLeft: () => view.pan(-0.2), ArrowRight: () => view.pan(0.2) } : {}),
         '+': () => view.zoom(0.5), '=': () => view.zoom(0.5), '-': () => view.zoom(2), '0': () => view.reset(),
       };
       if (!actions[event.key]) return;
@@ -31,7 +31,7 @@ function useKeys(view: View): void {
     };
     addEventListener('keydown', press);
     return () => removeEventListener('keydown', press);
-  }, [view]);
+  }, [view, arrows]);
 }
 
 function Readout({ channel, times, time }: { channel: ChannelCurves; times: Float64Array; time: number | null }) {
@@ -48,29 +48,28 @@ function Channel({ channel, last, props, view, time, hover }: { channel: Channel
     ...(channel.predicted ? [{ name: 'predicted', colour: 'predicted' as const, series: channel.predicted }] : []),
   ], [channel]);
   const rest = useMemo((): Line[] => channel.residual ? [{ name: 'residual', colour: 'residual', series: channel.residual }] : [], [channel]);
-  const common = { times: props.curves.times, view, unit: channel.unit, hover, lit: props.lit, moment: props.moment };
+  const common = { times: props.curves.times, view, unit: channel.unit, hover, lit: props.lit, moment: props.moment, go: props.go };
   return (
     <div class="channel">
       <div class="channel-head"><strong>{channel.name}</strong><span class="readout"><Readout channel={channel} times={props.curves.times} time={time} /></span></div>
-      {!props.residualOnly && <Curves {...common} label={channel.name} lines={both} height={150} withTime={last && rest.length === 0} />}
-      {rest.length > 0 && <Curves {...common} label="residual" lines={rest} height={last ? 122 : 90} floor={channel.floor} withTime={last} />}
+      <Curves {...common} label={channel.name} lines={both} height={150} withTime={last && rest.length === 0} />
+      {rest.length > 0 && <Curves {...common} label="residual" lines={rest} height={last ? 124 : 92} floor={channel.floor} withTime={last} />}
     </div>
   );
 }
 
 export function TrialCurvesPanel(props: Props) {
   const { times, channels, commands } = props.curves;
-  const own = useMemo(() => new View(times[0], times[times.length - 1]), [times]);
-  const view = props.view ?? own;
+  const view = useMemo(() => new View(times[0], times[times.length - 1]), [times]);
   const [time, setTime] = useState<number | null>(null);
-  useKeys(view);
+  useKeys(view, !props.moment);
   return (
     <figure class="figure trial-curves">
       <figcaption>
         <span class="figure-title">{props.title}</span>
         <span class="legend">
           <span class="key ink-measured"><i />measured</span><span class="key ink-predicted"><i />predicted</span>
-          <span class="key ink-residual"><i />residual</span><span class="key swatch-floor"><i />± noise floor</span>
+          <span class="key ink-residual"><i />residual</span>{channels.some((one) => one.floor) && <span class="key swatch-floor"><i />± noise floor</span>}
           {props.lit.length > 0 && <span class="key swatch-lit"><i />chosen finding</span>}
         </span>
         <button class="quiet" title="Zoom in (+)" aria-label="Zoom in" onClick={() => view.zoom(0.5)}>+</button>
@@ -94,7 +93,7 @@ function CommandCurve({ command, last, props, view }: { command: ChannelCurves; 
   return (
     <div class="channel">
       <div class="channel-head"><strong>{command.name}</strong> <span class="muted">command</span></div>
-      <Curves times={props.curves.times} view={view} unit={command.unit} label={command.name} lines={lines} height={last ? 112 : 80} lit={props.lit} moment={props.moment} withTime={last} />
+      <Curves times={props.curves.times} view={view} unit={command.unit} label={command.name} lines={lines} height={last ? 112 : 80} lit={props.lit} moment={props.moment} go={props.go} withTime={last} />
     </div>
   );
 }
