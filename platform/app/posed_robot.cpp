@@ -10,9 +10,9 @@ ModelStructure watched(const ModelDefinition& definition) {
   ModelStructure structure = definition.structure;
   for (const BodySpec& body : definition.structure.robot.bodies) {
     SensorSpec place, turn;
-    place.name = "onlooker position " + body.name;
+    place.name = "onlooker_position_" + body.name;
     place.kind = SensorKind::body_position;
-    turn.name = "onlooker orientation " + body.name;
+    turn.name = "onlooker_orientation_" + body.name;
     turn.kind = SensorKind::body_orientation;
     place.element = turn.element = body.name;
     structure.robot.sensors.push_back(place);

@@ -128,7 +128,9 @@ void Replays::prepare_for_report(std::size_t most_bytes) {
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {
-      pages_.add_note(fmt::format("The robots of run {} are not shown: {}", run.run.value, error.what()));
+      const std::string reason = error.what();
+      pages_.add_note(
+          fmt::format("The robots of run {} are not shown: {}", run.run.value, reason.substr(0, reason.find('\n'))));
       if (newest) return;  // the others would say the same
     }
   }

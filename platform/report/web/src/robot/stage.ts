@@ -63,10 +63,12 @@ function geometriesOf(robot: Robot, body: Body, size: number): BufferGeometry[] 
 
 /** A square of lines to see motion against: the ground where there is one, else a level below the robot. */
 function gridOf(size: number, robot: Robot): LineSegments {
-  const cell = 10 ** Math.round(Math.log10(size / 3)), half = 40 * cell;
+  const cell = 10 ** Math.round(Math.log10(size / 3)), count = 24;
   const points: Vector3[] = [];
-  for (let i = -40; i <= 40; ++i)
-    points.push(new Vector3(i * cell, -half, 0), new Vector3(i * cell, half, 0), new Vector3(-half, i * cell, 0), new Vector3(half, i * cell, 0));
+  const at = (i: number, k: number) => new Vector3(i * cell, k * cell, 0);
+  // Cell by cell: a line that passes behind the camera is not drawn by every browser.
+  for (let i = -count; i <= count; ++i)
+    for (let k = -count; k < count; ++k) points.push(at(i, k), at(i, k + 1), at(k, i), at(k + 1, i));
   const grid = new LineSegments(new BufferGeometry().setFromPoints(points), new LineBasicMaterial());
   if (robot.contact.ground) grid.rotation.y = robot.contact.slope;
   else grid.position.z = Math.min(...robot.bodies.map((one) => one.position[2] + Math.min(one.com[2], 0))) - size;

@@ -86,7 +86,7 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
       y: { range: (_, low, high) => {
         const floor = now().floor ?? 0;
         const [a, b] = [Math.min(low ?? 0, -floor), Math.max(high ?? 0, floor)];
-        const margin = 0.06 * (b - a) || 1e-9;
+        const margin = 0.06 * (b - a) || 0.1 * Math.abs(a) || 1;
         return floor > 0 ? [a - margin, b + margin] : [(low ?? 0) - margin, (high ?? 0) + margin];
       } } },
     axes: [
