@@ -63,8 +63,18 @@ std::string host_name(const std::string& host) {
 
 bool is_this_machine(const std::string& name) { return name == "127.0.0.1" || name == "localhost" || name == "[::1]"; }
 
+/// As it is: set_content would compress it as well as can be, which takes seconds on its way to the same machine.
+void send(httplib::Response& response, std::shared_ptr<const std::string> text, const char* type) {
+  const std::size_t size = text->size();
+  response.set_content_provider(
+      size, type, [text = std::move(text)](std::size_t from, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(text->data() + from, length);
+      });
+}
+
 void reply(httplib::Response& response, const PageJson& answer) {
-  response.set_content(answer.dump(-1, ' ', false, PageJson::error_handler_t::replace), "application/json");
+  send(response, std::make_shared<const std::string>(answer.dump(-1, ' ', false, PageJson::error_handler_t::replace)),
+       "application/json");
 }
 
 }  // namespace
@@ -86,7 +96,7 @@ struct PageServer::Impl {
       return httplib::Server::HandlerResponse::Handled;
     });
     server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
-      response.set_content(page, "text/html; charset=utf-8");
+      send(response, page, "text/html; charset=utf-8");
     });
     on("/sql", [this](const PageJson& question) {
       PageQuery query;
@@ -130,7 +140,8 @@ struct PageServer::Impl {
   }
 
   const PageServerOptions& options;
-  const std::string page = served_page();
+  const std::shared_ptr<const std::string> page =
+      std::make_shared<const std::string>(served_page());  // by answers under way
   httplib::Server server;
 };
 

@@ -92,12 +92,13 @@ export async function loadWhere(source: Source, experiment: string, revision: nu
 
 /** What can be pointed at: findings, then the regimes of error that are no finding of their own. */
 export function pointed({ findings, where }: Where): Finding[] {
-  const named = new Set(findings.map((one) => one.sentence));
-  const regimes = (where?.views ?? []).flatMap((view) => view.regimes.map((one): Finding => ({
+  const regimes = (where?.views ?? []).flatMap((view) => view.regimes
+    .filter((one) => one.share_of_error > 0.05 && one.share_of_samples < 0.99 && one.stretches && !findings.some((finding) => finding.sentence.endsWith(one.sentence)))
+    .map((one): Finding => ({
     kind: 'regime', view: view.view, share: one.share_of_error, stretches: one.stretches,
     sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples: ${one.sentence}`,
   })));
-  return [...findings, ...regimes.filter((one) => one.share > 0.05 && !named.has(one.sentence) && one.stretches && !/in 100 %/.test(one.sentence))];
+  return [...findings, ...regimes];
 }
 
 export interface Bin {

@@ -91,11 +91,11 @@ function Force({ document }: { document: DiagnosisDocument }) {
     <>
       <div class="two"><ForceMap curves={document.residual_force} /></div>
       {document.formulas.length > 0 && (
-        <Figure title={document.formulas_of_rest ? 'A formula for what the answer leaves' : 'A formula for what is missing'}>
+        <Figure note={<>In SI units of the state. As an effect of your own: <code>lacuna plugins new effect NAME --formula "{document.formulas[0].text}"</code></>} title={document.formulas_of_rest ? 'A formula for what the answer leaves' : 'A formula for what is missing'}>
           <div class="scrolls"><table class="grid"><thead><tr><th>joint</th><th>force</th><th class="number">gain</th></tr></thead><tbody>
             {document.formulas.map((one) => (
               <tr key={one.joint + one.text}><td>{one.joint}</td>
-                <td class="wraps"><code>{one.text}</code><span class="small">{one.terms.map((term) => `${term.text}: ${quantity(term.coefficient, term.unit)} ± ${quantity(term.standard_error, term.unit)}`).join(' · ')}</span></td>
+                <td class="wraps"><code>{one.text}</code><span class="small">{one.terms.map((term) => `${term.text}: ${plain(term.coefficient)} ± ${plain(term.standard_error, 2)}`).join(' · ')}</span></td>
                 <td class="number">{plain(one.gain.value)} nats</td></tr>
             ))}
           </tbody></table></div>
