@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <ctime>
 
 namespace lacuna {
 namespace {
@@ -28,6 +29,13 @@ PageJson json_of(const PageCell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* bytes = std::get_if<std::vector<std::byte>>(&cell)) return {{"base64", base64(*bytes)}};
   return nullptr;
+}
+
+/// Of this thread's work, s.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 PageCell cell_of(const PageJson& value) {
@@ -103,7 +111,10 @@ struct PageServer::Impl {
       query.sql = question.at("sql").get<std::string>();
       for (const PageJson& value : question.value("values", PageJson::array())) query.values.push_back(cell_of(value));
       query.most_rows = std::min(question.value("most", kMostRows), kMostRows);
-      return answer_of(ask_for_page(options.database, options.pages, query));
+      const double begin = processor_seconds();
+      PageJson answer = answer_of(ask_for_page(options.database, options.pages, query));
+      answer["seconds"] = processor_seconds() - begin;
+      return answer;
     });
     on("/state", [this](const PageJson&) {
       const std::string stamp = stamp_of(options.database);

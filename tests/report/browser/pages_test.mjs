@@ -134,7 +134,7 @@ function pagesOf(way, open) {
       await page.locator('textarea').fill('SELECT sample, time, value FROM samples WHERE trace = (SELECT min(id) FROM traces) LIMIT 100');
       await page.keyboard.press('Control+Enter');
       await page.waitForFunction(() => document.querySelector('main').textContent.includes('100 rows'));
-      assert.equal(await page.locator('.chart .point').count(), 100);
+      await page.waitForFunction(() => document.querySelectorAll('.chart .point').length === 100);
       const [file] = await Promise.all([page.waitForEvent('download'), page.locator('.figure .download', { hasText: 'CSV' }).first().click()]);
       assert.equal(file.suggestedFilename(), 'query.csv');
       const [svg] = await Promise.all([page.waitForEvent('download'), page.locator('.download', { hasText: 'SVG' }).first().click()]);

@@ -4,20 +4,19 @@ import { kMostRows, type Cell, type Source, type Table } from './source';
 type JsonCell = number | string | null | { base64: string };
 
 const kPoll = 1000; // ms between looks at whether the database has changed
-const kShareOfTime = 50; // looks come no more often than 50 times what they cost, so that a run keeps its processor
+const kShareOfTime = 50; // what looks cost a processor is at most a 50th of the time, so that a run keeps it
 
 /** The server of `lacuna serve`, which is where the page came from. */
 export class ServerSource implements Source {
   readonly live = true;
   private readonly token = new URLSearchParams(location.search).get('token') ?? '';
-  private cost = 0; // ms that the last queries took together
+  private cost = 0; // ms of the server's processor since the last look
 
   async query(sql: string, values: Cell[] = [], mostRows = kMostRows): Promise<Table> {
-    const began = performance.now();
     const response = await this.post('sql', { sql, values, most: mostRows });
-    const answer = (await response.json()) as { error?: string; columns: string[]; rows: JsonCell[][]; cut: boolean };
-    this.cost += performance.now() - began;
+    const answer = (await response.json()) as { error?: string; columns: string[]; rows: JsonCell[][]; cut: boolean; seconds: number };
     if (answer.error !== undefined) throw new Error(answer.error);
+    this.cost += 1000 * answer.seconds;
     const rows = answer.rows.map((row) =>
       row.map((cell) => (cell !== null && typeof cell === 'object' ? fromBase64(cell.base64) : cell)));
     return { columns: answer.columns, rows, cut: answer.cut };

@@ -96,7 +96,7 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
         values: (_, ticks) => tickTexts(ticks, prefix.factor), space: 22 },
     ],
     series: [{}, ...props.lines.map((line) => ({
-      label: line.name, stroke: () => colourNow(line.colour), width: line.width ?? 1.25, points: { show: false },
+      label: line.name, stroke: () => colourNow(line.colour), width: line.width ?? 1, points: { show: false },
       ...(line.dashed ? { dash: [6, 4] } : {}),
     }))],
     hooks: {
@@ -177,7 +177,7 @@ export function Curves(props: CurvesProps) {
     const sight = new IntersectionObserver(([entry]) => {
       visible = entry.isIntersecting;
       if (visible && stale) draw();
-    }, { rootMargin: '200px' });
+    }, { rootMargin: '100px' });
     sight.observe(host);
     const repaint = () => u.redraw(false);
     addEventListener('lacuna-theme', repaint);

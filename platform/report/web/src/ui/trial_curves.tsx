@@ -44,7 +44,7 @@ function Readout({ channel, times, time }: { channel: ChannelCurves; times: Floa
 /** One channel: measured and predicted, and below them their difference with the noise floor. */
 function Channel({ channel, last, props, view, time, hover }: { channel: ChannelCurves; last: boolean; props: Props; view: View; time: number | null; hover: (time: number | null) => void }) {
   const both = useMemo((): Line[] => [
-    { name: 'measured', colour: 'measured', series: channel.measured, width: 1.5 },
+    { name: 'measured', colour: 'measured', series: channel.measured },
     ...(channel.predicted ? [{ name: 'predicted', colour: 'predicted' as const, series: channel.predicted }] : []),
   ], [channel]);
   const rest = useMemo((): Line[] => channel.residual ? [{ name: 'residual', colour: 'residual', series: channel.residual }] : [], [channel]);
