@@ -12,11 +12,15 @@
 
 #include <cmath>
 #include <ctime>
+#include <map>
+#include <mutex>
 
 namespace lacuna {
 namespace {
 
 using PageJson = nlohmann::json;
+
+using Text = std::shared_ptr<const std::string>;  ///< shared: an answer under way outlives the question
 
 constexpr std::size_t kMostRows = 200'000;
 constexpr int kThreads = 8;
@@ -72,7 +76,7 @@ std::string host_name(const std::string& host) {
 bool is_this_machine(const std::string& name) { return name == "127.0.0.1" || name == "localhost" || name == "[::1]"; }
 
 /// As it is: set_content would compress it as well as can be, which takes seconds on its way to the same machine.
-void send(httplib::Response& response, std::shared_ptr<const std::string> text, const char* type) {
+void send(httplib::Response& response, Text text, const char* type) {
   const std::size_t size = text->size();
   response.set_content_provider(
       size, type, [text = std::move(text)](std::size_t from, std::size_t length, httplib::DataSink& sink) {
@@ -80,12 +84,43 @@ void send(httplib::Response& response, std::shared_ptr<const std::string> text, 
       });
 }
 
-void reply(httplib::Response& response, const PageJson& answer) {
-  send(response, std::make_shared<const std::string>(answer.dump(-1, ' ', false, PageJson::error_handler_t::replace)),
-       "application/json");
+Text text_of(const PageJson& answer) {
+  return std::make_shared<const std::string>(answer.dump(-1, ' ', false, PageJson::error_handler_t::replace));
 }
 
+/// The pages' own tables change without the database.
+bool is_cacheable(const std::string& sql) { return sql.find("page_replay") == std::string::npos; }
+
 }  // namespace
+
+/// What was answered since the database last changed, so that several viewers cost little more than one.
+class PageAnswers {
+ public:
+  /// Null: not yet.
+  Text find(const std::string& stamp, const std::string& question) {
+    const std::lock_guard lock(mutex_);
+    if (stamp != stamp_ || bytes_ > kMostBytes) {
+      answers_.clear();
+      bytes_ = 0;
+      stamp_ = stamp;
+    }
+    const auto known = answers_.find(question);
+    return known == answers_.end() ? nullptr : known->second;
+  }
+  void keep(const std::string& stamp, const std::string& question, const Text& answer) {
+    const std::lock_guard lock(mutex_);
+    if (stamp != stamp_ || answer->size() > kMostBytes / 4) return;
+    bytes_ += answer->size();
+    answers_.insert_or_assign(question, answer);
+  }
+
+ private:
+  static constexpr std::size_t kMostBytes = 32'000'000;
+  std::mutex mutex_;
+  std::string stamp_;
+  std::map<std::string, Text> answers_;
+  std::size_t bytes_ = 0;
+};
 
 struct PageServer::Impl {
   explicit Impl(const PageServerOptions& of) : options(of) {
@@ -106,25 +141,21 @@ struct PageServer::Impl {
     server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
       send(response, page, "text/html; charset=utf-8");
     });
-    on("/sql", [this](const PageJson& question) {
-      PageQuery query;
-      query.sql = question.at("sql").get<std::string>();
-      for (const PageJson& value : question.value("values", PageJson::array())) query.values.push_back(cell_of(value));
-      query.most_rows = std::min(question.value("most", kMostRows), kMostRows);
+    on("/sql", [this](const PageJson& question, httplib::Response& response) {
       const double begin = processor_seconds();
-      PageJson answer = answer_of(ask_for_page(options.database, options.pages, query));
-      answer["seconds"] = processor_seconds() - begin;
-      return answer;
+      const Text text = answer(question);
+      response.set_header("X-Lacuna-Seconds", fmt::format("{:.6f}", processor_seconds() - begin));
+      return text;
     });
-    on("/state", [this](const PageJson&) {
+    on("/state", [this](const PageJson&, httplib::Response&) {
       const std::string stamp = stamp_of(options.database);
       if (stamp.empty())
         throw Error(fmt::format("{}: is gone; this page goes on when it is back", options.database.string()));
-      return PageJson{{"stamp", stamp}};
+      return text_of({{"stamp", stamp}});
     });
-    on("/replay", [this](const PageJson& question) {
+    on("/replay", [this](const PageJson& question, httplib::Response&) {
       options.prepare_replay(question.at("run").get<std::int64_t>(), question.at("trial").get<std::int64_t>());
-      return PageJson::object();
+      return text_of(PageJson::object());
     });
   }
 
@@ -138,19 +169,32 @@ struct PageServer::Impl {
 
   /// Questions are JSON, and answers too, whatever goes wrong. Another site's page cannot send this content type
   /// unasked.
-  void on(const char* path, std::function<PageJson(const PageJson&)> answer) {
+  void on(const char* path, std::function<Text(const PageJson&, httplib::Response&)> answer) {
     server.Post(path, [answer = std::move(answer)](const httplib::Request& request, httplib::Response& response) {
       try {
         if (!request.get_header_value("Content-Type").starts_with("application/json"))
           throw Error("a question is application/json");
-        reply(response, answer(PageJson::parse(request.body)));
+        send(response, answer(PageJson::parse(request.body), response), "application/json");
       } catch (const std::exception& error) {
-        reply(response, {{"error", error.what()}});
+        send(response, text_of({{"error", error.what()}}), "application/json");
       }
     });
   }
 
+  Text answer(const PageJson& question) {
+    PageQuery query;
+    query.sql = question.at("sql").get<std::string>();
+    for (const PageJson& value : question.value("values", PageJson::array())) query.values.push_back(cell_of(value));
+    query.most_rows = std::min(question.value("most", kMostRows), kMostRows);
+    const std::string stamp = stamp_of(options.database), asked = question.dump();
+    if (Text known = answers.find(stamp, asked)) return known;
+    Text found = text_of(answer_of(ask_for_page(options.database, options.pages, query)));
+    if (is_cacheable(query.sql)) answers.keep(stamp, asked, found);
+    return found;
+  }
+
   const PageServerOptions& options;
+  PageAnswers answers;
   const std::shared_ptr<const std::string> page =
       std::make_shared<const std::string>(served_page());  // by answers under way
   httplib::Server server;

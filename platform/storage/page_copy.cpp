@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -162,6 +163,8 @@ std::vector<std::string> copy_for_pages(sqlite3* from, sqlite3* to, std::size_t 
   }
   for (const char* type : {"index", "view"})
     for (const SchemaItem& item : items(from, type)) run_on(to, item.sql);
+  for (const char* header : {"application_id", "user_version"})
+    run_on(to, fmt::format("PRAGMA {} = {}", header, number_of(from, fmt::format("PRAGMA {}", header))));
   run_on(to, "COMMIT");
   run_on(from, "COMMIT");
   return notes;

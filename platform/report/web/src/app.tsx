@@ -3,6 +3,7 @@ import type { Source } from './data/source';
 import { SharedContext, useRows } from './data/use';
 import { linkTo, useRoute } from './kit/route';
 import { pages } from './pages';
+import { Guard } from './ui/guard';
 import { useTheme } from './ui/theme';
 
 /** 1 to 7 open pages, / goes to the page's search field. */
@@ -52,7 +53,7 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
       </header>
       {trouble && <p class="error" role="status">{trouble}</p>}
       <Notes />
-      <main>{page && <page.Page key={page.name} choices={route.choices} />}</main>
+      <main>{page && <Guard key={page.name}><page.Page choices={route.choices} /></Guard>}</main>
       <Foot />
     </>
   );

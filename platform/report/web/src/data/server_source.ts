@@ -14,9 +14,9 @@ export class ServerSource implements Source {
 
   async query(sql: string, values: Cell[] = [], mostRows = kMostRows): Promise<Table> {
     const response = await this.post('sql', { sql, values, most: mostRows });
-    const answer = (await response.json()) as { error?: string; columns: string[]; rows: JsonCell[][]; cut: boolean; seconds: number };
+    const answer = (await response.json()) as { error?: string; columns: string[]; rows: JsonCell[][]; cut: boolean };
     if (answer.error !== undefined) throw new Error(answer.error);
-    this.cost += 1000 * answer.seconds;
+    this.cost += 1000 * Number(response.headers.get('X-Lacuna-Seconds') ?? 0);
     const rows = answer.rows.map((row) =>
       row.map((cell) => (cell !== null && typeof cell === 'object' ? fromBase64(cell.base64) : cell)));
     return { columns: answer.columns, rows, cut: answer.cut };

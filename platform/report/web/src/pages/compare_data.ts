@@ -1,4 +1,5 @@
 import { Series } from '../kit/decimate';
+import { times } from '../kit/format';
 import { objects, type Source } from '../data/source';
 import { decodeTrace, kTraceColumns } from '../data/trace';
 
@@ -96,7 +97,7 @@ export function pointed({ findings, where }: Where): Finding[] {
     .filter((one) => one.share_of_error > 0.05 && one.share_of_samples < 0.99 && one.stretches && !findings.some((finding) => finding.sentence.endsWith(one.sentence)))
     .map((one): Finding => ({
     kind: 'regime', view: view.view, share: one.share_of_error, stretches: one.stretches,
-    sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples: ${one.sentence}`,
+    sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples, ${times(one.times_floor)} the floor: ${one.sentence}`,
   })));
   return [...findings, ...regimes];
 }

@@ -7,7 +7,7 @@ import { Forest } from '../ui/forest';
 import { ForceMap } from '../ui/force_map';
 import { Empty, Select, Show } from '../ui/parts';
 import { loadWhere, type FeatureTest } from './compare_data';
-import { modelName, verdictSentence, type DiagnosisDocument, type DiagnosisRow, type Ranked } from './diagnose_data';
+import { modelName, readDocument, verdictSentence, type DiagnosisDocument, type DiagnosisRow, type Ranked } from './diagnose_data';
 
 const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision.number AS revision, diagnosis.document
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
@@ -23,11 +23,11 @@ export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
 
 function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string, string> }) {
   // The last one that found something says more than the one after it that found nothing.
-  const found = all.filter((one) => (JSON.parse(one.document) as DiagnosisDocument).verdict !== 'nothing_missing');
+  const found = all.filter((one) => readDocument(one.document).verdict !== 'nothing_missing');
   const row = all.find((one) => String(one.id) === choices.diagnosis) ?? found[found.length - 1] ?? all[all.length - 1];
-  const document = JSON.parse(row.document) as DiagnosisDocument;
+  const document = readDocument(row.document);
   const label = (one: DiagnosisRow) => {
-    const { verdict } = JSON.parse(one.document) as DiagnosisDocument;
+    const { verdict } = readDocument(one.document);
     return `${one.experiment} · revision ${one.revision} · ${verdict.replace(/_/g, ' ')}`;
   };
   return (

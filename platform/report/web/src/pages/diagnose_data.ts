@@ -79,3 +79,13 @@ export function verdictSentence(document: DiagnosisDocument): string {
     default: return 'These data do not tell whether something is missing.';
   }
 }
+
+/** With nothing where a document of another version has nothing. */
+export function readDocument(text: string): DiagnosisDocument {
+  const empty: DiagnosisDocument = {
+    verdict: 'cannot_tell', probability: null, calibrated: false, units: {}, noise_floor: {}, base: { cv_rmse: {}, ratio_to_floor: null },
+    ranking: [], p_by_chance: null, chance_95: null, free_force: { p: null, gain: { value: null, ci95: [null, null] } }, formulas: [], formulas_of_rest: false,
+    residual_force: [], hypotheses: 0, findings: [], next_test: '', next_test_worth: '', not_testable: [],
+  };
+  return { ...empty, ...(JSON.parse(text) as Partial<DiagnosisDocument>) };
+}
