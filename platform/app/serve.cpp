@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -93,9 +94,16 @@ void serve(const ServeOptions& options) {
   std::fflush(stdout);
   fmt::print(stderr, "serves {}, which it only reads; Ctrl-C ends it\n", options.database.string());
   if (options.open) open_browser(server.address());
-  std::thread answering([&] { server.run(); });
-  while (!interrupt_requested()) std::this_thread::sleep_for(kLook);
-  server.stop();
+  std::atomic<bool> ended = false;
+  std::thread answering([&] {
+    server.run();
+    ended = true;
+  });
+  while (!interrupt_requested() && !ended) std::this_thread::sleep_for(kLook);
+  while (!ended) {  // a server that has not begun yet does not hear it
+    server.stop();
+    std::this_thread::sleep_for(kLook / 10);
+  }
   answering.join();
 }
 

@@ -22,7 +22,8 @@ const std::set<std::string> kNotContent = {
     "revision_use",     "fit_stage",       "fitted_value",    "holdout_look",
     "comparison",       "noise_floor",     "numerical_error", "work_time",
     "comparison_score", "checkpoint",      "robot_file",      "carried_out",
-    "diagnosis",        "candidate_model", "candidate_value", "unfinished_diagnosis"};
+    "diagnosis",        "candidate_model", "candidate_value", "unfinished_diagnosis",
+    "where_it_fails"};
 
 /// Columns of content tables that are a row's address in its file, or a name that carries the run's number.
 const std::set<std::string> kNotContentColumns = {
