@@ -93,8 +93,7 @@ PageDatabase::PageDatabase(const std::filesystem::path& file) { open(file.c_str(
 
 void PageDatabase::open(const char* name) {
   constexpr int kWait = 5000;  ///< ms, for a reader to end
-  if (sqlite3_open_v2(name, &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK)
-    fail(handle_);
+  if (sqlite3_open_v2(name, &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) fail(handle_);
   sqlite3_busy_timeout(handle_, kWait);
   execute(kTables);
   describe_views(handle_);

@@ -9,7 +9,7 @@ for (const experiment of ['damped-flap.toml', 'first-steps.toml']) {
 }
 lacuna('add', 'first-steps.toml', 'coulomb_friction', '--where', 'joint.hinge', '--db', 'rig.db', '--quiet');
 lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
-lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '3', '--set', 'estimation.parameters.generations=10', '--quiet');
+lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', '--set', 'estimation.parameters.generations=6', '--quiet');
 for (const name of ['rig', 'walk']) lacuna('report', `${name}.db`, '--out', `${name}.html`, '--quiet');
 
 const browser = await startBrowser();
