@@ -143,7 +143,7 @@ struct PageServer::Impl {
     });
     on("/sql", [this](const PageJson& question, httplib::Response& response) {
       const double begin = processor_seconds();
-      const Text text = answer(question);
+      Text text = answer(question);
       response.set_header("X-Lacuna-Seconds", fmt::format("{:.6f}", processor_seconds() - begin));
       return text;
     });

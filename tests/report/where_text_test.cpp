@@ -28,7 +28,7 @@ Condition condition(std::size_t feature, double lower, double upper) { return {f
 
 TEST(ConditionsText, SaysARegimeInTheUsersWords) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  const auto text = [](std::vector<Condition> conditions) { return conditions_text(conditions, table()); };
+  const auto text = [](const std::vector<Condition>& conditions) { return conditions_text(conditions, table()); };
   EXPECT_EQ(text({condition(1, -kNone, 0.05), condition(3, -kNone, 0.21)}),
             "|velocity| < 50 mrad/s, within 0.21 s after a reversal");
   EXPECT_EQ(text({condition(3, 0.5, kNone)}), "more than 0.50 s after a reversal");

@@ -53,7 +53,7 @@ export function DataTable(props: Props) {
       Object.fromEntries([['index', index], ...row.map((cell, i) => [`c${i}`, cell])]));
     const table = new Tabulator(box.current!, {
       data: rows, columns: columnsOf(props), layout: 'fitDataFill', index: 'index',
-      ...(rows.length > 16 ? { height: 420 } : {}), renderVerticalBuffer: 200,
+      ...(rows.length > 12 ? { height: 320 } : {}), renderVerticalBuffer: 200,
     });
     table.on('rowClick', (_, row) => latest.current.pick?.(row.getData().index as number));
     table.on('tableBuilt', () => {
