@@ -81,7 +81,6 @@ void Replays::simulate(const Database& database, const EeaRunListing& run, std::
                       .trial = trial,
                       .pass = best->number,
                       .model = number,
-                      .target_shown = false,
                       .robot = canonical_text(definition.model.structure.robot),
                       .traces = {}};
   PosedRobot::Motion motion = PosedRobot(definition.model).move(model.values, scored.test, times);
@@ -93,7 +92,7 @@ void Replays::simulate(const Database& database, const EeaRunListing& run, std::
     const Test received{scored.trial.commands, scored.test.duration, scored.test.start};
     const std::vector<double> hidden = stored.bench->hidden_values(run.replicate);
     replay.traces.emplace_back("target", every(PosedRobot(*target).move(hidden, received, times).poses, stride));
-    replay.target_shown = true;
+    replay.target_robot = canonical_text(target->structure.robot);
   }
   pages_.add(replay);
 }

@@ -24,7 +24,7 @@ CREATE TABLE page_view (position INTEGER PRIMARY KEY, name TEXT NOT NULL, senten
   STRICT;
 CREATE TABLE page_replay (
   id INTEGER PRIMARY KEY, experiment TEXT NOT NULL, run INTEGER NOT NULL, trial INTEGER NOT NULL, pass INTEGER NOT NULL,
-  model INTEGER NOT NULL, target_shown INTEGER NOT NULL, robot TEXT NOT NULL, UNIQUE (run, trial, model)) STRICT;
+  model INTEGER NOT NULL, robot TEXT NOT NULL, target_robot TEXT NOT NULL, UNIQUE (run, trial, model)) STRICT;
 CREATE TABLE page_replay_trace (
   replay INTEGER NOT NULL REFERENCES page_replay (id), kind TEXT NOT NULL, channels TEXT NOT NULL,
   sample_count INTEGER NOT NULL, precision TEXT NOT NULL, times BLOB NOT NULL, samples BLOB NOT NULL,
@@ -127,15 +127,15 @@ void PageDatabase::add(const ReplayRecord& replay) {
   execute("BEGIN");
   PageStatement(
       handle_,
-      "INSERT INTO page_replay (experiment, run, trial, pass, model, target_shown, robot) VALUES (?, ?, ?, ?, "
+      "INSERT INTO page_replay (experiment, run, trial, pass, model, robot, target_robot) VALUES (?, ?, ?, ?, "
       "?, ?, ?)")
       .bind(replay.experiment)
       .bind(replay.run)
       .bind(replay.trial)
       .bind(replay.pass)
       .bind(replay.model)
-      .bind(std::int64_t{replay.target_shown})
       .bind(replay.robot)
+      .bind(replay.target_robot)
       .step();
   const std::int64_t id = sqlite3_last_insert_rowid(handle_);
   for (const auto& [kind, series] : replay.traces) {

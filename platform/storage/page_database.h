@@ -24,8 +24,8 @@ struct ReplayRecord {
   std::int64_t trial = 0;  ///< number within the run
   std::int64_t pass = 0;   ///< whose best model it is
   std::int64_t model = 0;
-  bool target_shown = false;
-  std::string robot;                                       ///< `canonical_text` of the model
+  std::string robot;                                       ///< `canonical_text` of the model's
+  std::string target_robot = {};                           ///< of the target's; empty: it is not shown
   std::vector<std::pair<std::string, TimeSeries>> traces;  ///< "model", "target": poses; "predicted", "measured"
 };
 

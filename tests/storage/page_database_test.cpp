@@ -76,7 +76,14 @@ TEST_F(PageDatabaseTest, OfALargeDatabaseTakesWhatPassesNeedAndSaysSo) {
 TEST_F(PageDatabaseTest, KeepsRobotsInMotion) {
   PageDatabase pages;
   EXPECT_FALSE(pages.has_replay(2, 0, 7));
-  ReplayRecord replay{.experiment = "rig", .run = 2, .trial = 0, .pass = 1, .model = 7, .robot = "{}", .traces = {}};
+  ReplayRecord replay{.experiment = "rig",
+                      .run = 2,
+                      .trial = 0,
+                      .pass = 1,
+                      .model = 7,
+                      .robot = "{}",
+                      .target_robot = "",
+                      .traces = {}};
   replay.traces.emplace_back("model", test::sine(100));
   pages.add(replay);
   EXPECT_TRUE(pages.has_replay(2, 0, 7));

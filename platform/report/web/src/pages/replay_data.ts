@@ -64,17 +64,18 @@ function curvesOf(measured: Trace, predicted: Trace | undefined): TrialCurves {
 
 async function playRun(source: Source, piece: Piece): Promise<Play> {
   await source.prepareReplay(piece.run!, piece.trial!);
-  const [replay] = objects<{ id: number; robot: string; pass: number; model: number; target_shown: number }>(
-    await source.query('SELECT id, robot, pass, model, target_shown FROM page_replay WHERE run = ? AND trial = ? ORDER BY pass DESC LIMIT 1', [piece.run!, piece.trial!]));
+  const [replay] = objects<{ id: number; robot: string; pass: number; model: number; target_robot: string }>(
+    await source.query('SELECT id, robot, pass, model, target_robot FROM page_replay WHERE run = ? AND trial = ? ORDER BY pass DESC LIMIT 1', [piece.run!, piece.trial!]));
   if (!replay) throw new Error('the robots of this trial are not in this report');
   const found = await source.query(`SELECT trace.kind, ${kTraceColumns} FROM page_replay_trace AS trace WHERE replay = ?`, [replay.id]);
   const traces = new Map(found.rows.map(([kind, ...rest]) => [kind as string, decodeTrace(rest)]));
   const robot = JSON.parse(replay.robot) as Robot;
   const measured = traces.get('measured')!, predicted = traces.get('predicted');
   const target = traces.get('target');
+  const targetRobot = target && (JSON.parse(replay.target_robot) as Robot);
   const model: Actor = { robot, motion: motionOf(traces.get('model')!), colour: 'predicted', opacity: target ? 0.6 : 0.9, touching: touchOf(robot, predicted) };
   return {
-    actors: target ? [model, { robot, motion: motionOf(target), colour: 'measured', opacity: 0.3, touching: touchOf(robot, measured) }] : [model],
+    actors: target ? [model, { robot: targetRobot!, motion: motionOf(target), colour: 'measured', opacity: 0.3, touching: touchOf(targetRobot!, measured) }] : [model],
     curves: curvesOf(measured, predicted),
     note: `Model ${replay.model}, the best of pass ${replay.pass}, ${target ? 'over the target (translucent), both simulated again' : 'simulated again'}.`,
   };
