@@ -74,6 +74,8 @@ int run_program(int argc, char** argv) {
   add_history_command(program);
   add_plugins_command(program);
   add_sql_command(program);
+  add_report_command(program);
+  add_serve_command(program);
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);

@@ -6,6 +6,7 @@
 #include "report/comparison_json.h"
 #include "report/comparison_pictures.h"
 #include "report/comparison_text.h"
+#include "report/where_json.h"
 #include "report/where_pictures.h"
 #include "report/where_text.h"
 
@@ -31,6 +32,7 @@ void run_compare(const CompareOptions& options) {
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
   const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true);
   const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
+  bench.ledger().keep_where_it_fails(compared.id, where_document(where, compared.result));
   const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
                                   fitted.result.seconds};
 

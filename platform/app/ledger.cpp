@@ -103,8 +103,8 @@ std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials) {
   return ids;
 }
 
-void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
-                  const Comparison& comparison, bool refitted, std::optional<int> look, double step) {
+ComparisonId Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
+                          const Comparison& comparison, bool refitted, std::optional<int> look, double step) {
   Transaction transaction(database_);
   const std::vector<TrialId> ids = ids_of(trials);
   ComparisonRecord record = comparison_record(comparison, ids);
@@ -122,6 +122,7 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vec
                         TracePrecision::float32, id);
   }
   transaction.commit();
+  return id;
 }
 
 int Ledger::count_look(const StoredRevision& revision) {

@@ -33,8 +33,12 @@ class Ledger {
   std::optional<FitResult> known_fit(const StoredRevision& revision, const Rig& rig) const;
   void keep(const StoredRevision& revision, const Rig& rig, const FitResult& fit);
   /// Stores scores, floors, measured and predicted series of the trials compared.
-  void keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
-            const Comparison& comparison, bool refitted, std::optional<int> look, double step);
+  ComparisonId keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
+                    const Comparison& comparison, bool refitted, std::optional<int> look, double step);
+  /// Stores where the model fails in that comparison, JSON.
+  void keep_where_it_fails(ComparisonId comparison, const std::string& document) {
+    store_.record_where_it_fails(comparison, document);
+  }
 
   /// The document of the diagnosis of that revision with these settings, among these effects, where it was made before.
   std::optional<std::string> known_diagnosis(const StoredRevision& revision, const Rig& rig,

@@ -52,9 +52,10 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
                       .seed = seed_,
                       .threads = threads_,
                       .progress = line.callback()};
-  Compared compared{compare(task), look};
-  ledger_.keep(revision_, rig_, trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
-               rig_.definition.engine.step / rig_.definition.engine.substeps);
+  Compared compared{compare(task), look, {}};
+  compared.id =
+      ledger_.keep(revision_, rig_, trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
+                   rig_.definition.engine.step / rig_.definition.engine.substeps);
   return compared;
 }
 

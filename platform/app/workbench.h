@@ -28,6 +28,7 @@ class Workbench {
   struct Compared {
     Comparison result;
     int look = 0;
+    ComparisonId id;
   };
   Compared compare_model(const FitResult& fit, bool refitted, bool with_held_out);
   /// Where the model fails on the fit trials of a comparison with all of the rig's.

@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -152,6 +154,45 @@ ordered_json document(const ChannelWhiteness& whiteness) {
           {"degrees_of_freedom", one.freedom},  {"p", one.p}};
 }
 
+bool holds(const std::vector<Condition>& conditions, const FeatureTable& table, Eigen::Index row) {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& one) {
+    const double value = table.values(row, static_cast<Eigen::Index>(one.feature));
+    return value >= one.lower && value < one.upper;
+  });
+}
+
+/// Where the conditions hold: trials with [from, to] in s. A row of the table stands for the time until the next one.
+ordered_json stretches(const std::vector<Condition>& conditions, const FeatureTable& table,
+                       const Comparison& comparison) {
+  ordered_json all = ordered_json::array();
+  std::optional<std::size_t> trial;
+  bool inside = false;
+  for (std::size_t row = 0; row < table.trial.size(); ++row) {
+    const TrialComparison& of = comparison.trials[table.trial[row]];
+    const bool last = row + 1 == table.trial.size() || table.trial[row + 1] != table.trial[row];
+    const bool here = holds(conditions, table, static_cast<Eigen::Index>(row));
+    const double begin = of.times[table.sample[row]], end = last ? begin : of.times[table.sample[row + 1]];
+    if (here && trial != table.trial[row]) {
+      trial = table.trial[row];
+      all.push_back({{"trial", of.trial}, {"spans", ordered_json::array()}});
+      inside = false;
+    }
+    if (here && !inside) all.back()["spans"].push_back({begin, end});
+    if (here) all.back()["spans"].back()[1] = end;
+    inside = here && !last;
+  }
+  return all;
+}
+
+/// The whole of a trial that has more than its part.
+ordered_json whole_trial(const std::string& name, const Comparison& comparison) {
+  ordered_json all = ordered_json::array();
+  for (const TrialComparison& trial : comparison.trials)
+    if (trial.trial == name && trial.times.size() > 0)
+      all.push_back({{"trial", name}, {"spans", {{trial.times[0], trial.times[trial.times.size() - 1]}}}});
+  return all;
+}
+
 }  // namespace
 
 ordered_json findings_json(const WhereItFails& where) {
@@ -166,6 +207,21 @@ ordered_json where_json(const WhereItFails& where) {
   for (const ResidualView& view : where.views) views.push_back(document(view, where.table));
   for (const ChannelWhiteness& one : where.whiteness) whiteness.push_back(document(one));
   return {{"samples", where.table.trial.size()}, {"features", features}, {"whiteness", whiteness}, {"views", views}};
+}
+
+std::string where_document(const WhereItFails& where, const Comparison& comparison) {
+  ordered_json findings = findings_json(where), details = where_json(where);
+  for (std::size_t i = 0; i < where.findings.size(); ++i) {
+    const Finding& finding = where.findings[i];
+    if (finding.kind == FindingKind::regime)
+      findings[i]["stretches"] = stretches(finding.conditions, where.table, comparison);
+    if (finding.kind == FindingKind::trial) findings[i]["stretches"] = whole_trial(finding.trial, comparison);
+  }
+  for (std::size_t v = 0; v < where.views.size(); ++v)
+    for (std::size_t r = 0; r < where.views[v].regimes.size(); ++r)
+      details["views"][v]["regimes"][r]["stretches"] =
+          stretches(where.views[v].regimes[r].conditions, where.table, comparison);
+  return ordered_json{{"findings", findings}, {"where", details}}.dump();
 }
 
 }  // namespace lacuna

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <string>
+
 namespace lacuna {
 
 /// The findings: an array, the largest share first, each with a sentence.
@@ -11,5 +13,8 @@ nlohmann::ordered_json findings_json(const WhereItFails& where);
 
 /// Features, whiteness, and for each view its tests with statistics, bands and bins, the tree and its regimes.
 nlohmann::ordered_json where_json(const WhereItFails& where);
+
+/// Both, JSON, with the stretches of time that findings and regimes speak of: for the database.
+std::string where_document(const WhereItFails& where, const Comparison& comparison);
 
 }  // namespace lacuna

@@ -62,6 +62,8 @@ class ResultStore {
   int holdout_looks(ExperimentId experiment) const;
 
   ComparisonId record_comparison(RevisionId revision, const ComparisonRecord& comparison);
+  /// Where the model fails in that comparison, JSON.
+  void record_where_it_fails(ComparisonId comparison, const std::string& document);
   /// The latest comparison of that kind; with `held_out` the latest that scored held-out trials.
   std::optional<StoredComparison> latest_comparison(RevisionId revision, ComparisonKind kind,
                                                     bool held_out = false) const;

@@ -124,6 +124,13 @@ ComparisonId ResultStore::record_comparison(RevisionId revision, const Compariso
   return id;
 }
 
+void ResultStore::record_where_it_fails(ComparisonId comparison, const std::string& document) {
+  Transaction transaction(database_);
+  Statement(database_, "INSERT OR REPLACE INTO where_it_fails (comparison, document) VALUES (?, ?)")
+      .run_with(comparison, document);
+  transaction.commit();
+}
+
 std::optional<StoredComparison> ResultStore::latest_comparison(RevisionId revision, ComparisonKind kind,
                                                                bool held_out) const {
   Statement row(database_,

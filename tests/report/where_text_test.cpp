@@ -28,7 +28,7 @@ Condition condition(std::size_t feature, double lower, double upper) { return {f
 
 TEST(ConditionsText, SaysARegimeInTheUsersWords) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  const auto text = [](std::vector<Condition> conditions) { return conditions_text(conditions, table()); };
+  const auto text = [](const std::vector<Condition>& conditions) { return conditions_text(conditions, table()); };
   EXPECT_EQ(text({condition(1, -kNone, 0.05), condition(3, -kNone, 0.21)}),
             "|velocity| < 50 mrad/s, within 0.21 s after a reversal");
   EXPECT_EQ(text({condition(3, 0.5, kNone)}), "more than 0.50 s after a reversal");
@@ -107,6 +107,34 @@ TEST(WhereJson, HasFindingsTestsAndTree) {
   EXPECT_EQ(independence[1]["depends"], true);
   EXPECT_EQ(independence[0]["depends"], false);
   EXPECT_EQ(all["views"][0]["tree"].size(), 1u);
+}
+
+TEST(WhereDocument, HasTheStretchesOfTimeThatARegimeSpeaksOf) {
+  WhereItFails where = one_view();
+  Comparison comparison;
+  for (const char* name : {"sine.csv", "chirp.csv"}) {
+    TrialComparison& trial = comparison.trials.emplace_back();
+    trial.trial = name;
+    trial.times = Eigen::VectorXd::LinSpaced(101, 0.0, 1.0);
+  }
+  // Rows 0.1 s apart; slow from 0.2 s to 0.4 s of the first trial and in the last row before the second one's first.
+  where.table.trial = {0, 0, 0, 0, 0, 0, 1, 1};
+  where.table.sample = {0, 10, 20, 30, 40, 50, 0, 10};
+  where.table.values = Eigen::MatrixXd::Ones(8, 7);
+  for (const Eigen::Index slow : {2, 3, 5, 6}) where.table.values(slow, 1) = 0.01;
+  where.findings = {{.kind = FindingKind::regime, .share = 0.6, .conditions = {condition(1, -INFINITY, 0.05)}},
+                    {.kind = FindingKind::trial, .share = 0.3, .trial = "chirp.csv"}};
+  const nlohmann::json document = nlohmann::json::parse(where_document(where, comparison));
+  const nlohmann::json& stretches = document["findings"][0]["stretches"];
+  ASSERT_EQ(stretches.size(), 2U);
+  EXPECT_EQ(stretches[0]["trial"], "sine.csv");
+  ASSERT_EQ(stretches[0]["spans"].size(), 2U);
+  EXPECT_NEAR(stretches[0]["spans"][0][0], 0.2, 1e-12);
+  EXPECT_NEAR(stretches[0]["spans"][0][1], 0.4, 1e-12);
+  EXPECT_NEAR(stretches[0]["spans"][1][0], 0.5, 1e-12);
+  EXPECT_EQ(stretches[1]["trial"], "chirp.csv");
+  EXPECT_NEAR(stretches[1]["spans"][0][1], 0.1, 1e-12);
+  EXPECT_NEAR(document["findings"][1]["stretches"][0]["spans"][0][1], 1.0, 1e-12);
 }
 
 }  // namespace

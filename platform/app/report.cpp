@@ -1,0 +1,61 @@
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/replays.h"
+#include "report/pages.h"
+#include "storage/page_database.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct ReportOptions {
+  std::filesystem::path database;
+  std::string out;
+  double megabytes = 50.0;
+  bool no_robots = false;
+  bool quiet = false;
+  std::vector<std::filesystem::path> plugin_paths;
+};
+
+constexpr double kMegabyte = 1e6;
+constexpr std::size_t kReplayBytes = 12'000'000;
+
+void make_report(const ReportOptions& options) {
+  require_pages();
+  check_output(options.out);
+  const Database database = Database::open_read_only(options.database);
+  PageDatabase pages;
+  pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));
+  pages.add_about("database", options.database.filename().string());
+  pages.add_about("lacuna", LACUNA_VERSION);
+  if (!options.no_robots) Replays(options.database, options.plugin_paths, pages).prepare_for_report(kReplayBytes);
+  const std::string page = report_page(pages.bytes());
+  write_output(options.out, page);
+  if (!options.quiet && !options.out.empty())
+    fmt::print("{}: {:.1f} MB; opens in a browser, without a network\n", options.out,
+               static_cast<double>(page.size()) / kMegabyte);
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program) {
+  auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("report", "Write a database as a page that any browser opens");
+  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  command->add_option("--out", options->out, "The page, one HTML file (default: standard output)")->option_text("FILE");
+  command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
+      ->option_text("MB")
+      ->check(CLI::Range(1.0, 2000.0));
+  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots again for the page Replay");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  command->add_flag("--quiet", options->quiet, "Print nothing");
+  command->callback([options] { make_report(*options); });
+}
+
+}  // namespace lacuna

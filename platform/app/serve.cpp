@@ -1,0 +1,131 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/replays.h"
+#include "foundation/interrupt.h"
+#include "report/page_server.h"
+#include "report/pages.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+struct ServeOptions {
+  std::filesystem::path database;
+  std::string host = "127.0.0.1";
+  int port = 0;
+  bool open = false;
+  std::vector<std::filesystem::path> plugin_paths;
+};
+
+constexpr auto kLook = std::chrono::milliseconds(100);
+
+/// A folder of this process's own that ends with it.
+class ScratchFolder {
+ public:
+  ScratchFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("lacuna-serve-{}", getpid())) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+bool is_loopback(const std::string& host) { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
+
+/// 128 bits from the system.
+std::string random_token() {
+  std::random_device device;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
+  return token;
+}
+
+void open_browser(const std::string& address) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (fork() == 0) execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+    _exit(0);
+  }
+  if (child > 0) waitpid(child, nullptr, 0);
+}
+
+void serve(const ServeOptions& options) {
+  require_pages();
+  Database::open_read_only(options.database);  // says what is wrong with it before anything else
+  const ScratchFolder scratch;
+  PageDatabase pages(scratch / "pages.db");
+  pages.add_about("database", options.database.filename().string());
+  pages.add_about("lacuna", LACUNA_VERSION);
+  Replays replays(options.database, options.plugin_paths, pages);
+  const std::string token = is_loopback(options.host) ? "" : random_token();
+  PageServer server({.database = options.database,
+                     .pages = scratch / "pages.db",
+                     .host = options.host,
+                     .port = options.port,
+                     .token = token,
+                     .prepare_replay = [&](std::int64_t run, std::int64_t trial) { replays.prepare(run, trial); }});
+  if (!token.empty())
+    std::fprintf(stderr,
+                 "warning: whoever can reach %s and has this address, token included, can read the whole database; "
+                 "nothing is encrypted on the way\n",
+                 options.host.c_str());
+  fmt::print("{}\n", server.address());
+  std::fflush(stdout);
+  fmt::print(stderr, "serves {}, which it only reads; Ctrl-C ends it\n", options.database.string());
+  if (options.open) open_browser(server.address());
+  std::atomic<bool> ended = false;
+  std::thread answering([&] {
+    server.run();
+    ended = true;
+  });
+  while (!interrupt_requested() && !ended) std::this_thread::sleep_for(kLook);
+  while (!ended) {  // a server that has not begun yet does not hear it
+    server.stop();
+    std::this_thread::sleep_for(kLook / 10);
+  }
+  answering.join();
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& program) {
+  auto options = std::make_shared<ServeOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("serve", "Show a database as live pages in a browser on this machine");
+  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  command->add_option("--port", options->port, "Port (default: a free one)")
+      ->option_text("N")
+      ->check(CLI::Range(0, 65535));
+  command
+      ->add_option(
+          "--host", options->host,
+          "Address to listen at (default: 127.0.0.1, this machine alone); others need the token in the address")
+      ->option_text("ADDRESS");
+  command->add_flag("--open", options->open, "Open a browser");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  command->callback([options] { serve(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,108 @@
+import { useMemo, useState } from 'preact/hooks';
+import { useLoaded, useRows } from '../data/use';
+import { savePng } from '../kit/download';
+import { quantity, times } from '../kit/format';
+import { choose } from '../kit/route';
+import { Empty, Select, Show } from '../ui/parts';
+import { ErrorTable } from '../ui/error_table';
+import { TrialCurvesPanel } from '../ui/trial_curves';
+import { loadCurves, loadWhere, pointed, type Finding, type Score } from './compare_data';
+
+interface Props {
+  choices: Record<string, string>;
+}
+
+const kScores = 'SELECT * FROM latest_comparison ORDER BY experiment, revision, held_out, trial, channel';
+
+const unique = <Value,>(values: Value[]) => [...new Set(values)];
+
+/** Measured and predicted, channel by channel, and where they part. */
+export function ComparePage({ choices }: Props) {
+  const scores = useRows<Score>(kScores);
+  return <Show of={scores}>{(all) => all.length === 0
+    ? <Empty>The database has no comparison. <code>lacuna compare FILE</code> makes one.</Empty>
+    : <Chosen all={all} choices={choices} />}</Show>;
+}
+
+function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string> }) {
+  const experiments = unique(all.map((one) => one.experiment));
+  const experiment = experiments.includes(choices.experiment) ? choices.experiment : experiments[experiments.length - 1];
+  const ofExperiment = all.filter((one) => one.experiment === experiment);
+  const revisions = unique(ofExperiment.map((one) => one.revision));
+  const revision = revisions.includes(Number(choices.revision)) ? Number(choices.revision) : revisions[revisions.length - 1];
+  const scores = ofExperiment.filter((one) => one.revision === revision);
+  const trials = unique(scores.map((one) => one.trial));
+  const trial = trials.includes(choices.trial) ? choices.trial : trials[0];
+  return (
+    <>
+      <div class="choices">
+        {experiments.length > 1 && <Select label="Experiment" value={experiment} options={experiments.map((one) => ({ value: one, label: one }))}
+          change={(value) => choose({ experiment: value, revision: null, trial: null })} />}
+        <Select label="Revision" value={String(revision)} options={revisions.map((one) => ({ value: String(one), label: String(one) }))}
+          change={(value) => choose({ revision: value })} />
+        <Select label="Trial" value={trial} change={(value) => choose({ trial: value })}
+          options={trials.map((one) => ({ value: one, label: scores.some((s) => s.trial === one && s.held_out) ? `${one} (held out)` : one }))} />
+      </div>
+      <Summary scores={scores} />
+      <Trial scores={scores} trial={trial} finding={Number(choices.finding ?? -1)} />
+      <ErrorTable scores={scores} trial={trial} choose={(name) => choose({ trial: name })} />
+    </>
+  );
+}
+
+function Summary({ scores }: { scores: Score[] }) {
+  const worst = scores.reduce<Score | null>((a, b) => ((b.times_floor ?? 0) > (a?.times_floor ?? 0) ? b : a), null);
+  if (!worst) return <p class="lead">No noise floor is known, so errors stand without a measure.</p>;
+  const atFloor = (worst.times_floor ?? 0) <= 1.2;
+  return (
+    <p class="lead">
+      {atFloor ? 'The model is at the noise floor in every trial: ' : 'The model is farthest off in '}
+      <strong>{atFloor ? `at most ${times(worst.times_floor)}` : `${worst.channel} of ${worst.trial}`}</strong>
+      {atFloor ? ' the floor.' : `: RMSE ${quantity(worst.rmse, worst.unit)}, ${times(worst.times_floor)} the floor.`}
+    </p>
+  );
+}
+
+function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: number }) {
+  const own = scores.filter((one) => one.trial === trial);
+  const comparison = own[0].comparison;
+  const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
+  const { experiment, revision } = own[0];
+  const where = useLoaded((source) => loadWhere(source, experiment, revision), ['where', experiment, revision]);
+  const findings = useMemo(() => (where.value ? pointed(where.value) : []), [where.value]);
+  const chosen: Finding | undefined = findings[finding];
+  const lit = useMemo(() => chosen?.stretches?.find((one) => one.trial === trial)?.spans ?? [], [chosen, trial]);
+  const [error, setError] = useState<string | null>(null);
+  const keep = () => {
+    const canvases = [...document.querySelectorAll<HTMLCanvasElement>('.trial-curves canvas')];
+    if (canvases.length === 0) setError('there is nothing to keep');
+    else savePng(canvases, `compare ${trial}`);
+  };
+  return (
+    <div class="with-side">
+      <section class="main-column">
+        <Show of={curves}>{(value) => value === null
+          ? <Empty>The samples of this trial are not in {`the ${comparison ? 'report' : 'database'}`}.</Empty>
+          : <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} lit={lit} keep={keep} />}</Show>
+        {error && <p class="error">{error}</p>}
+      </section>
+      <aside class="side">
+        <h2>Where it fails</h2>
+        {where.error && <p class="error">{where.error}</p>}
+        {where.value && findings.length === 0 && <Empty>Nowhere in particular, or never asked: <code>lacuna compare</code> looks on the fit trials.</Empty>}
+        <ol class="findings">
+          {findings.map((one, i) => (
+            <li key={i} class={i === finding ? 'chosen' : ''}>
+              <button class="quiet finding" aria-pressed={i === finding} onClick={() => choose({ finding: i === finding ? null : i })}
+                disabled={!one.stretches}>
+                {/^\d/.test(one.sentence) ? one.sentence : <><span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}</>}
+              </button>
+            </li>
+          ))}
+        </ol>
+        {chosen && lit.length === 0 && <p class="note">None of its samples are in {trial}; those of other trials are.</p>}
+        {findings.some((one) => one.stretches) && <p class="note">A click lights up the samples that a finding speaks of.</p>}
+      </aside>
+    </div>
+  );
+}

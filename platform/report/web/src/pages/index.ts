@@ -1,0 +1,26 @@
+import type { ComponentType } from 'preact';
+import { ComparePage } from './compare';
+import { DiagnosePage } from './diagnose';
+import { HistoryPage } from './history';
+import { ReplayPage } from './replay';
+import { RunPage } from './run';
+import { RunsPage } from './runs';
+import { SqlPage } from './sql';
+
+export interface PageEntry {
+  name: string;
+  title: string;
+  sentence: string;
+  Page: ComponentType<{ choices: Record<string, string> }>;
+}
+
+/** In the order of their keys, 1 to 7. */
+export const pages: PageEntry[] = [
+  { name: 'compare', title: 'Compare', sentence: 'Measured and predicted, and where they part', Page: ComparePage },
+  { name: 'diagnose', title: 'Diagnose', sentence: 'What the model lacks', Page: DiagnosePage },
+  { name: 'history', title: 'History', sentence: 'Error by revision', Page: HistoryPage },
+  { name: 'run', title: 'Run', sentence: 'One run of the algorithm', Page: RunPage },
+  { name: 'runs', title: 'Runs', sentence: 'All runs and their replicates', Page: RunsPage },
+  { name: 'replay', title: 'Replay', sentence: 'Robots in motion', Page: ReplayPage },
+  { name: 'sql', title: 'SQL', sentence: 'Any query', Page: SqlPage },
+];

@@ -1,0 +1,192 @@
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import type { Colour } from '../kit/colours';
+import { saveCsv, saveSvg } from '../kit/download';
+import { plain, prefixFor, quantity, tickTexts, unitText } from '../kit/format';
+import { linearTicks, logTicks } from '../kit/ticks';
+import { Figure } from './figure';
+
+export interface ChartSeries {
+  name: string;
+  kind: 'line' | 'points' | 'band' | 'both';
+  x: number[];
+  /** NaN: a gap. */
+  y: number[];
+  lower?: number[];
+  upper?: number[];
+  colour: Colour;
+  dashed?: boolean;
+  faint?: boolean;
+}
+
+export interface Axis {
+  label: string;
+  unit: string;
+  log?: boolean;
+  /** Always within the picture. */
+  include?: number[];
+  whole?: boolean;
+  names?: string[];
+}
+
+export interface ChartProps {
+  title: string;
+  x: Axis;
+  y: Axis;
+  series: ChartSeries[];
+  /** Horizontal lines. */
+  levels?: { name: string; at: number; colour: Colour }[];
+  height?: number;
+  note?: string;
+  pick?: (series: number, index: number) => void;
+  chosen?: { series: number; index: number };
+}
+
+const kMargin = { left: 62, right: 14, top: 8, bottom: 40 };
+
+interface Scale {
+  low: number;
+  high: number;
+  ticks: number[];
+  place: (value: number) => number;
+}
+
+function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale {
+  const finite = values.concat(axis.include ?? []).filter((one) => Number.isFinite(one) && (!axis.log || one > 0));
+  let low = finite.reduce((a, b) => Math.min(a, b), Infinity), high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
+  if (low > high) [low, high] = axis.log ? [0.1, 1] : [0, 1];
+  if (axis.log) {
+    if (high / low < 1.5) [low, high] = [low / 1.5, high * 1.5];
+    [low, high] = [low / (high / low) ** 0.04, high * (high / low) ** 0.04];
+    const place = (value: number) => from + ((to - from) * Math.log(value / low)) / Math.log(high / low);
+    return { low, high, ticks: logTicks(low, high), place };
+  }
+  if (high - low < 1e-12 * Math.max(Math.abs(low), Math.abs(high), 1e-300)) [low, high] = [low - 0.5, high + 0.5];
+  const margin = axis.whole ? 0.3 : 0.04 * (high - low);
+  const floor = low >= 0 && low - margin < 0 && !axis.whole ? 0 : low - margin;
+  [low, high] = [floor, high + margin];
+  let ticks = linearTicks(low, high, Math.abs(to - from) / (axis.whole ? 44 : from > to ? 42 : 70));
+  if (axis.whole) ticks = ticks.filter(Number.isInteger);
+  return { low, high, ticks, place: (value) => from + ((to - from) * (value - low)) / (high - low) };
+}
+
+const path = (x: number[], y: number[]) => {
+  let text = '', pen = false;
+  for (let i = 0; i < x.length; ++i) {
+    if (!Number.isFinite(x[i]) || !Number.isFinite(y[i])) { pen = false; continue; }
+    text += `${pen ? 'L' : 'M'}${x[i].toFixed(1)} ${y[i].toFixed(1)}`;
+    pen = true;
+  }
+  return text;
+};
+
+const bandPath = (x: number[], lower: number[], upper: number[]) => {
+  const known = x.map((_, i) => i).filter((i) => Number.isFinite(lower[i]) && Number.isFinite(upper[i]));
+  if (known.length === 0) return '';
+  const there = known.map((i) => `${x[i].toFixed(1)} ${upper[i].toFixed(1)}`);
+  const back = known.reverse().map((i) => `${x[i].toFixed(1)} ${lower[i].toFixed(1)}`);
+  return `M${there.join('L')}L${back.join('L')}Z`;
+};
+
+export function useWidth(): [preact.RefObject<HTMLDivElement>, number] {
+  const box = useRef<HTMLDivElement>(null);
+  const [width, setWidth] = useState(0);
+  useEffect(() => {
+    const observer = new ResizeObserver(([entry]) => setWidth(Math.floor(entry.contentRect.width)));
+    observer.observe(box.current!);
+    return () => observer.disconnect();
+  }, []);
+  return [box, width];
+}
+
+const axisTitle = (axis: Axis, symbol: string) => {
+  const unit = symbol + unitText(axis.unit);
+  return unit ? `${axis.label} / ${unit}` : axis.label;
+};
+
+/** A small picture of lines, points and bands, drawn as SVG. */
+export function Chart(props: ChartProps) {
+  const { title, series, levels = [], height = 240 } = props;
+  const [box, width] = useWidth();
+  const picture = useRef<SVGSVGElement>(null);
+  const [near, setNear] = useState<{ series: number; index: number } | null>(null);
+  const wide = Math.max(width, 200);
+  const scales = useMemo(() => {
+    const x = scaleOf(series.flatMap((one) => one.x), props.x, kMargin.left, wide - kMargin.right);
+    const values = series.flatMap((one) => [...(one.kind === 'band' ? [] : one.y), ...(one.lower ?? []), ...(one.upper ?? [])]);
+    const y = scaleOf([...values, ...levels.map((one) => one.at)], props.y, height - kMargin.bottom, kMargin.top);
+    return { x, y };
+  }, [series, props.x, props.y, wide, height]);
+  const { x, y } = scales;
+  const prefix = (axis: Axis, scale: Scale) => prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
+  const px = prefix(props.x, x), py = prefix(props.y, y);
+
+  const yTexts = props.y.log ? y.ticks.map((tick) => plain(tick * py.factor, 1)) : tickTexts(y.ticks, py.factor);
+  const xTexts = props.x.names ? x.ticks.map((tick) => props.x.names![tick] ?? '') : tickTexts(x.ticks, px.factor);
+
+  const find = (event: MouseEvent) => {
+    const place = picture.current!.getBoundingClientRect();
+    const at = [event.clientX - place.left, event.clientY - place.top];
+    let best = 30 * 30, found: typeof near = null;
+    series.forEach((one, s) => one.kind !== 'band' && one.x.forEach((value, i) => {
+      const away = (x.place(value) - at[0]) ** 2 + (y.place(one.y[i]) - at[1]) ** 2;
+      if (away < best) { best = away; found = { series: s, index: i }; }
+    }));
+    setNear(found);
+  };
+  const shown = near && series[near.series] && near.index < series[near.series].x.length ? near : null;
+  const tell = shown && series[shown.series];
+
+  const downloads = [
+    { label: 'SVG', run: () => saveSvg(picture.current!, title) },
+    { label: 'CSV', run: () => saveCsv(['series', axisTitle(props.x, ''), axisTitle(props.y, ''), 'lower', 'upper'],
+      series.flatMap((one) => one.x.map((value, i) => [one.name, value, one.y[i], one.lower?.[i], one.upper?.[i]])), title) },
+  ];
+  return (
+    <Figure title={title} note={props.note} downloads={downloads}>
+      <div class="legend">
+        {series.filter((one) => one.name !== '').map((one) => (
+          <span key={one.name} class={`key ink-${one.colour} ${one.kind} ${one.dashed ? 'dashed' : ''}`}><i />{one.name}</span>
+        ))}
+        {levels.map((one) => <span key={one.name} class={`key ink-${one.colour} dashed`}><i />{one.name}</span>)}
+        <span class="readout">{tell && shown && `${tell.name}${tell.name ? ': ' : ''}${props.x.names ? props.x.names[tell.x[shown.index]] ?? '' : quantity(tell.x[shown.index], props.x.unit)} → ${quantity(tell.y[shown.index], props.y.unit)}`}</span>
+      </div>
+      <div class="chart" ref={box}>
+        {width > 0 && (
+          <svg ref={picture} width={wide} height={height} role="img" aria-label={title}
+            onMouseMove={find} onMouseLeave={() => setNear(null)}
+            onClick={() => shown && props.pick?.(shown.series, shown.index)}
+            class={props.pick ? 'pickable' : ''}>
+            <g class="grid">
+              {y.ticks.map((tick) => <line key={tick} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />)}
+            </g>
+            <g class="ticks">
+              {y.ticks.map((tick, i) => <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">{yTexts[i]}</text>)}
+              {x.ticks.map((tick, i) => <text key={tick} x={x.place(tick)} y={height - kMargin.bottom + 16} text-anchor="middle">{xTexts[i]}</text>)}
+              {x.ticks.map((tick) => <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - kMargin.bottom} y2={height - kMargin.bottom + 4} />)}
+            </g>
+            <line class="axis" x1={kMargin.left} x2={wide - kMargin.right} y1={height - kMargin.bottom} y2={height - kMargin.bottom} />
+            <text class="axis-title" x={(kMargin.left + wide - kMargin.right) / 2} y={height - 6} text-anchor="middle">{axisTitle(props.x, px.symbol)}</text>
+            <text class="axis-title" text-anchor="middle" transform={`translate(12 ${(height - kMargin.bottom + kMargin.top) / 2}) rotate(-90)`}>{axisTitle(props.y, py.symbol)}</text>
+            {levels.map((one) => <line key={one.name} class={`line dashed ink-${one.colour}`} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(one.at)} y2={y.place(one.at)} />)}
+            {series.map((one, s) => {
+              const xs = one.x.map(x.place), ys = one.y.map(y.place);
+              return (
+                <g key={s} class={`ink-${one.colour} ${one.faint ? 'faint' : ''}`}>
+                  {one.lower && one.upper && one.kind !== 'points' && one.kind !== 'both' && <path class="band" d={bandPath(xs, one.lower.map(y.place), one.upper.map(y.place))} />}
+                  {one.lower && one.upper && (one.kind === 'points' || one.kind === 'both') && xs.map((at, i) => Number.isFinite(one.lower![i]) && Number.isFinite(one.upper![i]) &&
+                    <line key={i} class="whisker" x1={at} x2={at} y1={y.place(one.lower![i])} y2={y.place(one.upper![i])} />)}
+                  {(one.kind === 'line' || one.kind === 'both') && <path class={`line ${one.dashed ? 'dashed' : ''}`} d={path(xs, ys)} />}
+                  {(one.kind === 'points' || one.kind === 'both') && xs.map((at, i) => Number.isFinite(ys[i]) &&
+                    <circle key={i} class="point" cx={at} cy={ys[i]} r={one.x.length > 300 ? 1.6 : 3.2} />)}
+                </g>
+              );
+            })}
+            {[shown, props.chosen].map((one, i) => one && series[one.series] && (
+              <circle key={i} class="ring" cx={x.place(series[one.series].x[one.index])} cy={y.place(series[one.series].y[one.index])} r={6} />
+            ))}
+          </svg>
+        )}
+      </div>
+    </Figure>
+  );
+}

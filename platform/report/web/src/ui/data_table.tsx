@@ -1,0 +1,71 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { FilterModule, FormatModule, InteractionModule, ResizeColumnsModule, SortModule, Tabulator, type CellComponent, type ColumnDefinition } from 'tabulator-tables';
+import type { Cell, Table } from '../data/source';
+import { cellText } from '../kit/format';
+
+Tabulator.registerModule([SortModule, FormatModule, FilterModule, ResizeColumnsModule, InteractionModule]);
+
+interface Props {
+  table: Table;
+  /** How a column's cells are written; every digit where it is not said. */
+  formats?: Record<string, (cell: Cell) => string>;
+  pick?: (row: number) => void;
+  /** Rows that are shown; all where there is none. */
+  accept?: (row: Cell[]) => boolean;
+}
+
+/** Text and nothing else: what stands in a database must never become markup. */
+const textNode = (text: string) => {
+  const node = document.createElement('span');
+  node.textContent = text.length > 2000 ? `${text.slice(0, 2000)} …` : text;
+  node.title = text.length > 40 ? text.slice(0, 4000) : '';
+  node.dir = 'auto';
+  return node;
+};
+
+const compare = (a: unknown, b: unknown) => {
+  if (a === b) return 0;
+  if (a === null || a === undefined) return -1;
+  if (b === null || b === undefined) return 1;
+  if (typeof a === 'number' && typeof b === 'number') return a - b;
+  return cellText(a) < cellText(b) ? -1 : 1;
+};
+
+function columnsOf({ table, formats }: Props): ColumnDefinition[] {
+  return table.columns.map((name, i) => {
+    const numeric = table.rows.some((row) => typeof row[i] === 'number');
+    return {
+      title: ' ', field: `c${i}`, hozAlign: numeric ? 'right' : 'left', headerHozAlign: numeric ? 'right' : 'left', sorter: compare, maxInitialWidth: 360,
+      titleFormatter: () => textNode(name),
+      formatter: (cell: CellComponent) => textNode((formats?.[name] ?? cellText)(cell.getValue() as Cell)),
+    };
+  });
+}
+
+/** A table of any size: only the rows that are seen are in the page. */
+export function DataTable(props: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const latest = useRef(props);
+  latest.current = props;
+  const shown = useRef<Tabulator | null>(null);
+  useEffect(() => {
+    const rows = props.table.rows.map((row, index) =>
+      Object.fromEntries([['index', index], ...row.map((cell, i) => [`c${i}`, cell])]));
+    const table = new Tabulator(box.current!, {
+      data: rows, columns: columnsOf(props), layout: 'fitDataFill', index: 'index',
+      ...(rows.length > 12 ? { height: 320 } : {}), renderVerticalBuffer: 200,
+    });
+    table.on('rowClick', (_, row) => latest.current.pick?.(row.getData().index as number));
+    table.on('tableBuilt', () => {
+      shown.current = table;
+      const { accept, table: { rows: cells } } = latest.current;
+      if (accept) table.setFilter((row) => accept(cells[row.index as number]));
+    });
+    return () => { shown.current = null; table.destroy(); };
+  }, [props.table]);
+  useEffect(() => {
+    const { accept, table } = props;
+    if (accept) shown.current?.setFilter((row) => accept(table.rows[row.index as number]));
+  }, [props.accept]);
+  return <div class={`data-table ${props.pick ? 'pickable' : ''}`} ref={box} />;
+}

@@ -1,0 +1,303 @@
+// Every page, from the file and from the server, on a diagnosis and on a quadruped's run; names that would be markup; a
+// run that goes on while it is watched.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { existsSync, renameSync, rmSync, statSync } from 'node:fs';
+import { after, before, describe, it } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { at, copyExperiments, edit, folder, go, lacuna, newPage, noFaults, program, serve, shortRun, shots, startBrowser } from './support.mjs';
+
+const url = (name) => pathToFileURL(at(name)).href;
+let browser;
+const servers = [];
+
+before(async () => {
+  copyExperiments();
+  lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
+  lacuna('add', 'first-steps.toml', 'coulomb_friction', '--where', 'joint.hinge', '--db', 'rig.db', '--quiet');
+  lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
+  lacuna('compare', 'damped-flap.toml', '--db', 'rig.db', '--quiet');
+  lacuna('diagnose', 'damped-flap.toml', '--db', 'rig.db', '--quiet');
+  lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', ...shortRun, '--quiet');
+  lacuna('report', 'rig.db', '--out', 'rig.html', '--quiet');
+  lacuna('report', 'walk.db', '--out', 'walk.html', '--quiet');
+  browser = await startBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  for (const server of servers) await server.stop();
+});
+
+async function started(...words) {
+  const server = await serve(...words);
+  servers.push(server);
+  return server;
+}
+
+const picture = (page, selector) => page.$eval(selector, (canvas) => canvas.toDataURL());
+const shot = (page, name) => page.screenshot({ path: `${shots}/${name}.png`, fullPage: true });
+
+/** The same looks at a file and at a server. */
+function pagesOf(way, open) {
+  describe(`pages of ${way}`, () => {
+    let rig, walk, page;
+    before(async () => {
+      [rig, walk] = await open();
+      page = await newPage(browser);
+    });
+    after(async () => {
+      noFaults(page);
+      await page.close();
+    });
+
+    it('compare shows curves, zooms, and lights up what a finding speaks of', async () => {
+      await go(page, rig, '#/compare?experiment=damped-flap&revision=1');
+      await page.waitForSelector('.trial-curves canvas');
+      assert.equal(await page.locator('.errors tbody tr').count(), 3);
+      const whole = await picture(page, '.trial-curves canvas');
+      await page.keyboard.press('+');
+      await page.waitForFunction((before) => document.querySelector('.trial-curves canvas').toDataURL() !== before, whole);
+      await page.keyboard.press('0');
+      const box = await page.locator('.u-over').first().boundingBox();
+      await page.mouse.move(box.x + 0.4 * box.width, box.y + 20);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 0.6 * box.width, box.y + 30, { steps: 4 });
+      await page.mouse.up();
+      await page.waitForFunction((before) => document.querySelector('.trial-curves canvas').toDataURL() !== before, whole);
+      assert.equal(await page.locator('.swatch-lit').count(), 0);
+      await page.locator('.finding:not(:disabled)').first().click();
+      await page.waitForSelector('.swatch-lit');
+      assert.match(page.url(), /finding=0/);
+      await page.locator('.errors .link', { hasText: 'swings' }).click();
+      await page.waitForFunction(() => document.querySelector('.trial-curves .figure-title')?.textContent.includes('swings'));
+      await shot(page, `compare-${way}`);
+    });
+
+    it('diagnose says the verdict, ranks, maps the force and tests features', async () => {
+      await go(page, rig, '#/diagnose');
+      assert.match(await page.textContent('.lead'), /lacks something that no effect of the library explains/);
+      assert.ok(await page.locator('.chart .whisker.thick').count() >= 3);
+      assert.ok(await page.locator('rect title').count() > 10, 'a map of the force');
+      assert.match(await page.textContent('main'), /q\^2\*v/);
+      await page.locator('button.link', { hasText: 'position' }).first().click();
+      await page.waitForFunction(() => document.body.textContent.includes('over position'));
+      await shot(page, `diagnose-${way}`);
+    });
+
+    it('history puts two revisions side by side', async () => {
+      await go(page, rig, '#/history?experiment=first-steps');
+      assert.match(await page.textContent('.lead'), /in 2 revisions/);
+      await page.waitForSelector('.side-by-side td');
+      assert.match(await page.textContent('.side-by-side'), /effect\.coulomb_friction\.torque/);
+      await page.getByLabel('b: revision 1').click();
+      await page.waitForFunction(() => !document.querySelector('.side-by-side')?.textContent.includes('coulomb_friction.torque'));
+      await shot(page, `history-${way}`);
+    });
+
+    it('a run shows errors, transfer, objective errors and values; runs show replicates', async () => {
+      await go(page, walk, '#/run?run=2');
+      for (const title of ['Error of the best model', 'Objective error: mass', 'Transfer', 'Spread', 'Parameters towards the truth: delay'])
+        await page.waitForSelector(`.figure-title:has-text("${title}")`);
+      assert.match(await page.textContent('.facts'), /2 of 2/);
+      await shot(page, `run-${way}`);
+      await go(page, walk, '#/runs');
+      await page.waitForSelector('.tabulator-row');
+      assert.match(await page.textContent('main'), /mean of 2 runs/);
+      await page.keyboard.press('/');
+      await page.keyboard.type('no such run');
+      await page.waitForFunction(() => document.querySelector('main').textContent.includes('0 of 2 runs'));
+      await shot(page, `runs-${way}`);
+    });
+
+    it('replay plays, scrubs and steps', async () => {
+      await go(page, walk, '#/replay?run=2&trial=0');
+      await page.waitForSelector('.stage canvas');
+      await page.waitForSelector('.trial-curves canvas');
+      const start = await picture(page, '.stage canvas');
+      await page.locator('input[type=range]').fill('0.5');
+      await page.waitForFunction((before) => document.querySelector('.stage canvas').toDataURL() !== before, start);
+      assert.match(await page.textContent('.clock'), /0\.50 s/);
+      await shot(page, `replay-${way}`);
+      await page.locator('.figure-title').first().click();
+      await page.keyboard.press(' ');
+      await page.waitForFunction(() => document.querySelector('.clock').textContent !== '0.50 s');
+      await page.keyboard.press(' ');
+      await go(page, rig, '#/replay');
+      await page.waitForSelector('.stage canvas');
+      assert.match(await page.textContent('main'), /as its joints were measured/);
+    });
+
+    it('SQL answers, plots, saves, and says what is wrong', async () => {
+      await go(page, rig, '#/sql');
+      await page.waitForSelector('.tabulator-row');
+      await page.locator('textarea').fill('SELECT sample, time, value FROM samples WHERE trace = (SELECT min(id) FROM traces) LIMIT 100');
+      await page.keyboard.press('Control+Enter');
+      await page.waitForFunction(() => document.querySelector('main').textContent.includes('100 rows'));
+      await page.waitForFunction(() => document.querySelectorAll('.chart .point').length === 100);
+      const [file] = await Promise.all([page.waitForEvent('download'), page.locator('.figure .download', { hasText: 'CSV' }).first().click()]);
+      assert.equal(file.suggestedFilename(), 'query.csv');
+      const [svg] = await Promise.all([page.waitForEvent('download'), page.locator('.download', { hasText: 'SVG' }).first().click()]);
+      assert.match(svg.suggestedFilename(), /\.svg$/);
+      await shot(page, `sql-${way}`);
+      for (const bad of ['SELECT nothing FROM nowhere', 'DELETE FROM run', "ATTACH 'x' AS y", 'CREATE TABLE x (y)', '']) {
+        await page.locator('textarea').fill(bad);
+        await page.locator('button[type=submit]').click();
+        await page.waitForSelector(bad === '' ? '.tabulator-row' : '[role=alert]');
+      }
+      await page.locator('.views button', { hasText: 'revisions' }).first().click();
+      await page.waitForSelector('.tabulator-row');
+    });
+
+    it('is led by keys and fits a phone, the dark and paper', async () => {
+      await go(page, rig, '#/compare');
+      for (const [key, title] of [['2', 'Diagnose'], ['3', 'History'], ['7', 'SQL'], ['1', 'Compare']]) {
+        await page.keyboard.press(key);
+        await page.waitForFunction((wanted) => document.title.startsWith(wanted), title);
+      }
+      await page.setViewportSize({ width: 390, height: 800 });
+      for (const one of ['compare', 'diagnose', 'history', 'sql']) {
+        await go(page, rig, `#/${one}`);
+        const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert.ok(over <= 0, `${one} is ${over} px wider than a phone`);
+      }
+      await page.emulateMedia({ colorScheme: 'dark' });
+      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 26)');
+      await shot(page, `phone-${way}`);
+      await page.emulateMedia({ colorScheme: 'light', media: 'print' });
+      assert.ok(await page.locator('header.top').isHidden());
+      await page.emulateMedia({ media: 'screen' });
+      await page.setViewportSize({ width: 1280, height: 900 });
+    });
+  });
+}
+
+pagesOf('file', async () => [url('rig.html'), url('walk.html')]);
+pagesOf('server', async () => [(await started('rig.db')).address, (await started('walk.db')).address]);
+
+describe('a report', () => {
+  it('is small, and the same each time', () => {
+    lacuna('report', 'rig.db', '--out', 'again.html', '--quiet');
+    assert.ok(statSync(at('rig.html')).size < 3e6 + statSync(at('rig.db')).size);
+    assert.equal(statSync(at('again.html')).size, statSync(at('rig.html')).size);
+  });
+
+  it('of a large database is a selection that says so', async () => {
+    await edit('walk.db', 'large.db', (database) => database.run(`
+      WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 20000)
+      INSERT INTO model SELECT (SELECT max(id) FROM model WHERE id >> 40 = 1) + i, (SELECT min(pass) FROM model), 0, NULL, NULL, zeroblob(800), 'full', 0, 1.0 FROM n`));
+    lacuna('report', 'large.db', '--out', 'large.html', '--most-megabytes', '5', '--no-robots', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('large.html'), '#/run?run=1');
+    assert.match(await page.textContent('.notes'), /selection of at most 5 MB/);
+    assert.match(await page.textContent('.notes'), /no pass's best/);
+    await page.waitForSelector('.figure-title:has-text("Error of the best model")');
+    noFaults(page);
+    await page.close();
+  });
+});
+
+describe('hostile names', () => {
+  const kNames = {
+    experiment: '<script>window.bad = 1</script>',
+    change: `"><img src=x onerror="window.bad = 2">`,
+    trial: '\u202Eevil \u05D0\u05D1\u05D2 ' + 'long '.repeat(800),
+    channel: `an'gle"</script><script>window.bad = 3</script>`,
+    sentence: '<iframe srcdoc="<script>parent.bad = 4</script>"></iframe>',
+  };
+  it('are shown as what they are', async () => {
+    await edit('rig.db', 'hostile.db', (database) => {
+      const run = (sql, ...values) => database.run(sql, values);
+      run('UPDATE experiment SET name = ? WHERE name = ?', kNames.experiment, 'damped-flap');
+      run('UPDATE revision SET change = ?', kNames.change);
+      run('UPDATE trial SET name = ? || id', kNames.trial);
+      run('UPDATE comparison_score SET channel = ?', kNames.channel);
+      run("UPDATE trace SET channels = json_array(json_object('name', ?, 'unit', '<b>rad</b>')) WHERE kind <> 'commands'", kNames.channel);
+      run('UPDATE noise_floor SET channel = ?', kNames.channel);
+      run("UPDATE where_it_fails SET document = json_set(document, '$.findings[0].sentence', ?)", kNames.sentence);
+      run("UPDATE diagnosis SET document = json_set(document, '$.formulas[0].text', ?, '$.findings[0]', ?)", kNames.sentence, kNames.change);
+      run('UPDATE run SET command = ?', kNames.sentence);
+    });
+    lacuna('report', 'hostile.db', '--out', 'hostile.html', '--quiet');
+    const server = await started('hostile.db');
+    for (const base of [url('hostile.html'), server.address]) {
+      const page = await newPage(browser);
+      for (const one of ['compare', 'diagnose', 'history', 'run', 'runs', 'replay', 'sql']) {
+        await go(page, base, `#/${one}`);
+        await page.waitForTimeout(100);
+        assert.equal(await page.evaluate(() => window.bad), undefined, one);
+        assert.equal(await page.locator('main script, main img, main iframe').count(), 0, one);
+        const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert.ok(over <= 0, `${one} is ${over} px too wide`);
+      }
+      await go(page, base, `#/compare?experiment=${encodeURIComponent(kNames.experiment)}`);
+      assert.ok((await page.textContent('main')).includes(kNames.channel));
+      await shot(page, 'hostile');
+      await go(page, base, `#/sql?q=${encodeURIComponent("SELECT 'a' || char(0) || '<b>b</b>' AS \"<i>x</i>\", '" + '<script>'.repeat(3) + "' AS y")}`);
+      await page.waitForSelector('.tabulator-row');
+      assert.equal(await page.locator('.tabulator b, .tabulator i').count(), 0);
+      assert.ok((await page.textContent('.tabulator')).includes('<i>x</i>'));
+      noFaults(page);
+      await page.close();
+    }
+  });
+});
+
+describe('the server', () => {
+  it('refuses other names, other sites and anything but reading', async () => {
+    const { address } = await started('rig.db');
+    const ask = (path, body, headers = {}) => fetch(address + path, { method: 'POST', body: JSON.stringify(body), headers: { 'Content-Type': 'application/json', ...headers } });
+    const { request } = await import('node:http');
+    const status = await new Promise((resolve) => request(address, { headers: { Host: 'evil.example' } }, (answer) => resolve(answer.statusCode)).end());
+    assert.equal(status, 403);
+    assert.match((await (await ask('sql', { sql: 'SELECT 1' }, { 'Content-Type': 'text/plain' })).json()).error, /application\/json/);
+    assert.match((await (await ask('sql', { sql: "SELECT load_extension('x')" })).json()).error, /not authorized/);
+    assert.equal((await (await ask('sql', { sql: 'SELECT * FROM run', most: 1 })).json()).cut, true);
+  });
+
+  it('elsewhere needs its token, and warns', async () => {
+    const server = await started('rig.db', '--host', '0.0.0.0');
+    assert.match(server.messages(), /warning: whoever can reach/);
+    const { origin, searchParams } = new URL(server.address);
+    assert.equal((await fetch(`${origin}/`)).status, 403);
+    assert.equal((await fetch(`${origin}/?token=${'0'.repeat(32)}`)).status, 403);
+    assert.equal((await fetch(`${origin}/?token=${searchParams.get('token')}`)).status, 200);
+    const page = await newPage(browser);
+    await go(page, server.address, '#/history');
+    noFaults(page);
+    await page.close();
+  });
+
+  it('follows a run to its end, and a database that is replaced', async () => {
+    lacuna('run', 'walk.toml', '--db', 'live.db', ...shortRun, '--set', 'experiment.passes=1', '--quiet');
+    const server = await started('live.db');
+    const pages = [await newPage(browser), await newPage(browser)];
+    for (const page of pages) {
+      await go(page, server.address, '#/run');
+      assert.match(await page.textContent('.facts'), /1 of 1/);
+    }
+    const run = spawn(program, ['run', 'walk.toml', '--db', 'live.db', ...shortRun, '--seed', '2', '--quiet'], { cwd: folder });
+    const ended = new Promise((resolve) => run.on('exit', resolve));
+    for (const page of pages) await page.waitForFunction(() => /Run 2 .*running/.test(document.querySelector('.lead')?.textContent ?? ''));
+    assert.equal(await ended, 0);
+    for (const page of pages) {
+      await page.waitForFunction(() => /Run 2 .*done/.test(document.querySelector('.lead').textContent));
+      assert.match(await page.textContent('.facts'), /2 of 2/);
+    }
+    rmSync(at('live.db'));
+    for (const tail of ['-wal', '-shm']) if (existsSync(at(`live.db${tail}`))) rmSync(at(`live.db${tail}`));
+    await pages[0].waitForSelector('.live.broken');
+    lacuna('run', 'walk.toml', '--db', 'other.db', ...shortRun, '--set', 'experiment.passes=3', '--quiet');
+    renameSync(at('other.db'), at('live.db'));
+    await pages[0].waitForFunction(() => document.querySelector('.facts')?.textContent.includes('3 of 3'));
+    await pages[1].close();
+    await go(pages[0], server.address, '#/runs');
+    noFaults(pages[0]);
+    await pages[0].close();
+  });
+
+  it('ends with Ctrl-C', async () => {
+    const server = await serve('rig.db');
+    assert.equal((await server.stop()).code, 0);
+  });
+});
