@@ -22,8 +22,7 @@ ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::s
 
 /// A little in the ground: of parts that just touch it, rounding decides which of them hold.
 TEST(MorphologyRun, AGenomeOfTheTargetExplainsItsTrials) {
-  const auto bench =
-      small_bench({"target.parameters.sink=1e-5", "model.encoding_parameters={root_height=0.09999}"}, kSmallShape);
+  const auto bench = small_bench({}, kSmallShape);
   const EeaDefinition& definition = bench->definition();
   EXPECT_EQ(definition.exploration.layout().size(), 46U) << "6 sensors, 3 hidden neurons, 4 motors";
   const MemoryJournal journal = run(*bench);

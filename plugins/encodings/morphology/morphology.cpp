@@ -110,8 +110,8 @@ std::string Morphology::summary() const {
 ParameterDeclarations Morphology::parameters() const {
   return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
           {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
-          {"root_height", "m", 0.1, 0.0, 100.0, Scale::linear,
-           "Height of the first part's axis, which lies along x; its radius lays it on the ground"},
+          {"root_height", "m", 0.09999, 0.0, 100.0, Scale::linear,
+           "Height of the first part's axis, which lies along x; as much as its radius less the target's sink"},
           {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
            "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
           {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,

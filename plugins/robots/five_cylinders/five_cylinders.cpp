@@ -136,7 +136,7 @@ std::string FiveCylinders::summary() const {
 
 ParameterDeclarations FiveCylinders::parameters() const {
   return {{"radius", "m", 0.1, 1e-3, 10.0, Scale::linear,
-           "Radius of each part, and the height of all of them at the start"},
+           "Radius of each part; less the sink it is the height of all of them at the start"},
           {"mass", "kg", 1.0, 1e-6, 1e6, Scale::logarithmic, "Mass of each part"},
           {"spine_length", "m", 1.0, 1e-3, 100.0, Scale::linear, "Length of each of the three spinal parts"},
           {"arm_length", "m", 0.8, 1e-3, 100.0, Scale::linear, "Length of each arm"},
@@ -150,7 +150,7 @@ ParameterDeclarations FiveCylinders::parameters() const {
           {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
            "Torque of a servo per missing speed, until its limit"},
           {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"},
-          {"sink", "m", 0.0, 0.0, 0.1, Scale::linear,
+          {"sink", "m", 1e-5, 0.0, 0.1, Scale::linear,
            "How deep all parts start in the ground; at 0 rounding decides which of them touch it at first"}};
 }
 
