@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstring>
 #include <thread>
@@ -24,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr off_t kMostText = 1 << 16;
 constexpr off_t kMostWritten = 1 << 24;
+constexpr std::chrono::milliseconds kBetweenTrims{100};
+constexpr double kLongestWait = 1e9;  // s, which a clock that counts nanoseconds can tell
 constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
 
 /// What `posix_spawn` is told.
@@ -97,9 +100,18 @@ bool is_over(pid_t process) {
 CapturedOutput::CapturedOutput(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
   if (file_ < 0) throw Error(fmt::format("no room for a program's output: {}", strerror(errno)));
   fcntl(file_, F_SETFL, O_APPEND);  // a child goes on at the end, also after `trim`
+  keeper_ = std::jthread([this](const std::stop_token& stop) {
+    std::mutex unused;
+    std::unique_lock lock(unused);
+    for (std::condition_variable_any pause; !stop.stop_requested(); trim())
+      pause.wait_for(lock, stop, kBetweenTrims, [] { return false; });
+  });
 }
 
-CapturedOutput::~CapturedOutput() { close(file_); }
+CapturedOutput::~CapturedOutput() {
+  keeper_ = {};  // has ended when the file is closed
+  close(file_);
+}
 
 std::string CapturedOutput::tail() const {
   const off_t size = lseek(file_, 0, SEEK_END), from = std::max<off_t>(0, size - kMostText);
@@ -110,15 +122,17 @@ std::string CapturedOutput::tail() const {
 }
 
 std::string CapturedOutput::end() const {
+  const std::lock_guard lock(reading_);
   std::string text = kept_ + tail();
   constexpr auto kMost = static_cast<std::size_t>(kMostText);
   return text.size() > kMost ? text.substr(text.size() - kMost) : text;
 }
 
 void CapturedOutput::trim() {
+  const std::lock_guard lock(reading_);
   if (lseek(file_, 0, SEEK_END) < kMostWritten) return;
-  kept_ = tail();
-  if (ftruncate(file_, 0) != 0) throw Error(fmt::format("a program's output cannot be trimmed: {}", strerror(errno)));
+  std::string end = tail();
+  if (ftruncate(file_, 0) == 0) kept_ = std::move(end);
 }
 
 int ChildEnding::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
@@ -149,8 +163,8 @@ std::optional<ChildEnding> ChildProgram::ended() {
 }
 
 std::optional<ChildEnding> ChildProgram::ended_within(double seconds) {
-  const Clock::time_point until =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                     std::chrono::duration<double>(std::min(seconds, kLongestWait)));
   for (auto pause = kShortestPause; !ended() && Clock::now() < until; pause = std::min(2 * pause, kLongestPause))
     std::this_thread::sleep_for(pause);
   return ended();

@@ -4,13 +4,16 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace lacuna {
 
-/// A file in memory that a child writes to. One thread.
+/// A file in memory that a child writes to. All but the end of what it wrote is forgotten again and again, so that one
+/// that is never silent fills no memory, whatever this program does meanwhile.
 class CapturedOutput {
  public:
   /// Throws `Error` where there is no room for it.
@@ -22,14 +25,15 @@ class CapturedOutput {
   int file() const { return file_; }
   /// The last 64 KiB of what was written.
   std::string end() const;
-  /// Forgets all but these as soon as there are 16 MiB, so that a child that is never silent fills no memory.
-  void trim();
 
  private:
   std::string tail() const;
+  void trim();
 
   int file_;
+  mutable std::mutex reading_;
   std::string kept_;  ///< from before the file was emptied
+  std::jthread keeper_;
 };
 
 /// How a child is begun.

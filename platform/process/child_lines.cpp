@@ -20,13 +20,15 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kLongestLine = 64U << 20U;  // bytes
+constexpr std::size_t kMostUnread = 64U << 20U;  // bytes
 constexpr std::size_t kBlock = 1U << 16U;
+constexpr int kMostBlocks = 64;                 // of blank lines that nobody asked for, at a time
 constexpr std::chrono::milliseconds kLook{50};  // how often an interrupt and the program's end are looked for
 constexpr double kGoodbye = 1.0;                // s, for a program that has seen the end of its input
 constexpr double kGrace = 1.0;                  // s, between SIGTERM and SIGKILL
 constexpr double kLastBreath = 0.5;             // s, between the end of a program's output and its own
 constexpr std::size_t kLastWords = 5;           // lines
+constexpr double kLongest = 1e9;                // s, which a clock that counts nanoseconds can tell
 
 /// Two ends of a pipe that no other child inherits.
 std::array<int, 2> make_pipe() {
@@ -62,7 +64,8 @@ bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t\r
 }  // namespace
 
 ChildLines::Clock::time_point ChildLines::in(double seconds) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  return Clock::now() +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, kLongest)));
 }
 
 ChildLines::ChildLines(const ProcessSource& source) : errors_("standard error") {
@@ -114,8 +117,8 @@ std::string ChildLines::receive(Clock::time_point until) {
 std::string ChildLines::unasked() {
   std::string line;
   pollfd reading{from_child_, POLLIN, 0};
-  while (!closed_ && poll(&reading, 1, 0) > 0) read_some();
-  take_line(line);
+  for (int block = 0; block < kMostBlocks && !take_line(line) && !closed_ && poll(&reading, 1, 0) > 0; ++block)
+    read_some();
   return line;
 }
 
@@ -131,13 +134,19 @@ void ChildLines::wait(Clock::time_point until, std::string_view& unsent) {
   std::array<pollfd, 2> ends = {pollfd{from_child_, POLLIN, 0}, pollfd{to_child_, POLLOUT, 0}};
   const int found = poll(ends.data(), unsent.empty() ? 1 : 2,
                          static_cast<int>(std::min(left + std::chrono::milliseconds(1), kLook).count()));
-  errors_.trim();
+  if (found == 0) look_for_end();
   if (found <= 0) return;
   if (ends[0].revents != 0) read_some();
   if (unsent.empty() || ends[1].revents == 0) return;
   const ssize_t written = write_quietly(to_child_, unsent.substr(0, kBlock));
   if (written > 0) unsent.remove_prefix(static_cast<std::size_t>(written));
   if (written < 0 && errno == EPIPE) throw_ending();
+}
+
+/// Its own end is the end also where something else, such as a helper that it has started, holds its output open.
+void ChildLines::look_for_end() {
+  pollfd reading{from_child_, POLLIN, 0};
+  if (child_->ended() && poll(&reading, 1, 0) == 0) closed_ = true;
 }
 
 void ChildLines::read_some() {
@@ -148,24 +157,26 @@ void ChildLines::read_some() {
     closed_ = true;
   else
     received_.append(block.data(), static_cast<std::size_t>(got));
+  if (received_.size() > kMostUnread)
+    throw Error(fmt::format("sends {} of more than {} MiB, which begins with {}",
+                            received_.find('\n') == std::string::npos ? "a line" : "an answer", kMostUnread >> 20U,
+                            quoted_text(received_)));
 }
 
 /// Blank lines are none.
 bool ChildLines::take_line(std::string& line) {
-  for (;;) {
-    const std::size_t end = received_.find('\n', searched_);
-    if (end == std::string::npos) {
-      searched_ = received_.size();
-      if (received_.size() > kLongestLine)
-        throw Error(fmt::format("sends a line of more than {} MiB, which begins with {}", kLongestLine >> 20U,
-                                quoted_text(received_)));
-      return false;
-    }
-    line = received_.substr(0, end);
-    received_.erase(0, end + 1);
-    searched_ = 0;
-    if (!is_blank_line(line)) return true;
+  std::size_t begin = 0;
+  line.clear();
+  for (std::size_t end; is_blank_line(line); begin = end + 1) {
+    end = received_.find('\n', std::max(begin, searched_));
+    if (end == std::string::npos) break;
+    line.assign(received_, begin, end - begin);
   }
+  received_.erase(0, begin);
+  const bool found = !is_blank_line(line);
+  searched_ = found ? 0 : received_.size();
+  if (!found) line.clear();
+  return found;
 }
 
 void ChildLines::throw_lateness(bool reads_nothing) const {

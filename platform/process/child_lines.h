@@ -26,7 +26,7 @@ class ChildLines {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// A moment `seconds` from now.
+  /// A moment `seconds` from now, at most some thirty years.
   static Clock::time_point in(double seconds);
 
   explicit ChildLines(const ProcessSource& source);
@@ -40,7 +40,7 @@ class ChildLines {
   void send(std::string_view line, Clock::time_point until);
   /// The next line, without its newline.
   std::string receive(Clock::time_point until);
-  /// A line that came without being asked for; empty where there is none.
+  /// A line that has come without being asked for; empty where there is none.
   std::string unasked();
   bool has_ended();
   /// The last lines that it wrote to standard error; empty where it wrote none.
@@ -48,6 +48,7 @@ class ChildLines {
 
  private:
   void wait(Clock::time_point until, std::string_view& unsent);
+  void look_for_end();
   void read_some();
   bool take_line(std::string& line);
   [[noreturn]] void throw_lateness(bool reads_nothing) const;

@@ -45,11 +45,11 @@ Trial Conversation::carry_out(const Test& test) {
   if (!is_at_rest(test.start))
     throw RefusedTest("starts where it stands, and the test asks for another start; leave the start out of the test");
   if (const auto* series = std::get_if<CommandSeries>(&test.drive)) {
-    const CommandSeries ordered = order_.of_target(*series);
+    const CommandSeries ordered = until(order_.of_target(*series), heading_.duration);
     check_limits(ordered, hello_);
     if (hello_.takes_series) return whole(ordered);
     return period_by_period(
-        [&](double time, auto, std::span<double> commands) { commands_at(ordered, time, commands); });
+        [&](const Readings&, double due, std::span<double> commands) { commands_at(ordered, due, commands); });
   }
   if (!hello_.exchanges)
     throw RefusedTest(
@@ -57,9 +57,12 @@ Trial Conversation::carry_out(const Test& test) {
   const Controller& controller = *std::get<std::shared_ptr<const Controller>>(test.drive);
   std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0);
   std::vector<double> seen(space_.sensors.size()), wanted(space_.actuators.size());
-  return period_by_period([&](double time, std::span<const double> readings, std::span<double> commands) {
-    order_.readings_of_model(readings, seen);
-    controller.act(time, seen, state, wanted);
+  return period_by_period([&](const Readings& now, double, std::span<double> commands) {
+    order_.readings_of_model(now.sensors, seen);
+    for (std::size_t c = 0; c < seen.size(); ++c)
+      if (std::isnan(seen[c]))
+        throw Error(fmt::format("sends null for \"{}\", which the test's controller reads", space_.sensors[c].name));
+    controller.act(now.time, seen, state, wanted);
     order_.commands_of_target(wanted, commands);
   });
 }
@@ -67,11 +70,12 @@ Trial Conversation::carry_out(const Test& test) {
 Trial Conversation::whole(const CommandSeries& commands) {
   lines_.send(series_message(heading_, hello_, commands), until_);
   Samples samples = read_samples(lines_.receive(until_), hello_);
-  check_extent(samples, heading_, hello_);
+  check_extent(samples, heading_);
   start_ = samples.start;
   Trial trial;
   trial.commands = {order_.applied(commands.series.times, commands.series.samples), commands.hold};
   trial.measured = order_.measured(samples.times, samples.values);
+  check_measured(trial.measured);
   trial.sensor_noise = order_.sensor_noise();
   return trial;
 }
@@ -93,7 +97,7 @@ Trial Conversation::period_by_period(Drive&& drive) {
     for (std::size_t c = 0; c < readings.sensors.size(); ++c)
       values(k, static_cast<Eigen::Index>(c)) = readings.sensors[c];
     if (k == periods) break;
-    drive(readings.time, std::span<const double>(readings.sensors), std::span<double>(commands));
+    drive(readings, static_cast<double>(k) * heading_.period, std::span<double>(commands));
     clip(commands);
     for (std::size_t a = 0; a < commands.size(); ++a) applied(k, static_cast<Eigen::Index>(a)) = commands[a];
     lines_.send(commands_message(hello_, commands), until_);
@@ -101,6 +105,7 @@ Trial Conversation::period_by_period(Drive&& drive) {
   Trial trial;
   trial.commands = {order_.applied(times.head(periods), applied), Hold::zero_order};
   trial.measured = order_.measured(times, values);
+  check_measured(trial.measured);
   trial.sensor_noise = order_.sensor_noise();
   return trial;
 }

@@ -28,7 +28,7 @@ class Part {
   std::string text(const char* name) {
     const auto found = json_.is_object() ? json_.find(name) : json_.end();
     if (found != json_.end() && found->is_string() && !found->get<std::string>().empty())
-      return found->get<std::string>();
+      return plain_text(found->get<std::string>());
     if (json_.is_object()) fault(fmt::format("has no text \"{}\"", name));
     return {};
   }
@@ -66,8 +66,10 @@ TargetSensor read_sensor(Part part) {
 TargetActuator read_actuator(Part part) {
   TargetActuator actuator{part.text("name"), part.text("unit")};
   actuator.to_si = part.factor_of(actuator.unit);
-  actuator.lower = part.number("lower", true) * actuator.to_si;
-  actuator.upper = part.number("upper", true) * actuator.to_si;
+  actuator.sent_lower = part.number("lower", true);
+  actuator.sent_upper = part.number("upper", true);
+  actuator.lower = actuator.sent_lower * actuator.to_si;
+  actuator.upper = actuator.sent_upper * actuator.to_si;
   if (actuator.lower >= actuator.upper) part.fault("has a \"lower\" limit that is not below the \"upper\" one");
   return actuator;
 }

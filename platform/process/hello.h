@@ -21,9 +21,10 @@ struct TargetSensor {
 
 struct TargetActuator {
   std::string name;
-  std::string unit;             ///< that it takes
-  double to_si = 1.0;           ///< SI = taken × this
-  double lower = 0, upper = 0;  ///< of its commands, SI
+  std::string unit;                       ///< that it takes
+  double to_si = 1.0;                     ///< SI = taken × this
+  double lower = 0, upper = 0;            ///< of its commands, SI
+  double sent_lower = 0, sent_upper = 0;  ///< the same in its unit, as it stated them
 };
 
 /// What a target outside says of itself.

@@ -10,6 +10,8 @@
 namespace lacuna {
 namespace {
 
+constexpr std::size_t kLongestReason = 500;  // bytes, of what a program says in an error
+
 constexpr const char* kOnlyMessages =
     "; its standard output is for messages alone, each a JSON object on a line of its own, all else belongs on "
     "standard error";
@@ -36,7 +38,8 @@ JsonMessage::JsonMessage(const std::string& line, const std::string& type) : typ
   const std::string given = own->get<std::string>();
   if (given == "error") {
     const nlohmann::json* message = find("message");
-    throw RefusedTest("says: " + (message && message->is_string() ? message->get<std::string>() : line));
+    const std::string reason = message && message->is_string() ? message->get<std::string>() : line;
+    throw RefusedTest("says: " + plain_text(reason, kLongestReason));
   }
   if (given != type)
     throw Error(fmt::format("sends a message of type {} where one of type \"{}\" is due", quoted_text(given), type));
@@ -56,7 +59,7 @@ const nlohmann::json* JsonMessage::need(const std::string& name, const std::stri
 std::string JsonMessage::text(const std::string& name, const std::string& meaning) {
   const nlohmann::json* found = need(name, meaning);
   if (found == nullptr) return {};
-  if (found->is_string() && !found->get<std::string>().empty()) return found->get<std::string>();
+  if (found->is_string() && !found->get<std::string>().empty()) return plain_text(found->get<std::string>());
   add_fault(fmt::format("\"{}\" is not {}", name, meaning));
   return {};
 }

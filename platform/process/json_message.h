@@ -19,8 +19,7 @@ class RefusedTest : public Error {
 
 /// A message of the protocol "lacuna-process/1" (docs/reference/process-target.md) as it came: an object a line. Faults
 /// are collected while its members are read, so that all of them are told at once. What is thrown continues "the
-/// program
-/// ...".
+/// program ...".
 class JsonMessage {
  public:
   /// Throws `Error` where the line is no JSON object or no message of this type, `RefusedTest` where it is one of
@@ -31,6 +30,7 @@ class JsonMessage {
   const nlohmann::json* find(const std::string& name) const;
   /// The same; a fault where there is none.
   const nlohmann::json* need(const std::string& name, const std::string& meaning);
+  /// Fit to be printed (`plain_text`).
   std::string text(const std::string& name, const std::string& meaning);
   double number(const std::string& name, const std::string& meaning);
 

@@ -102,6 +102,22 @@ void commands_at(const CommandSeries& commands, double time, std::span<double> v
   }
 }
 
+CommandSeries until(CommandSeries commands, double duration) {
+  TimeSeries& series = commands.series;
+  const auto within = std::upper_bound(series.times.begin(), series.times.end(), duration) - series.times.begin();
+  if (within == series.times.size()) return commands;
+  const bool on_its_way = commands.hold == Hold::first_order && within > 0 && series.times[within - 1] < duration;
+  const Eigen::Index rows = std::max<Eigen::Index>(within + (on_its_way ? 1 : 0), 1);
+  std::vector<double> last(static_cast<std::size_t>(series.samples.cols()));
+  commands_at(commands, duration, last);
+  series.times.conservativeResize(rows);
+  series.samples.conservativeResize(rows, Eigen::NoChange);
+  if (!on_its_way && within > 0) return commands;
+  series.times[rows - 1] = duration;
+  for (std::size_t a = 0; a < last.size(); ++a) series.samples(rows - 1, static_cast<Eigen::Index>(a)) = last[a];
+  return commands;
+}
+
 void check_limits(const CommandSeries& commands, const Hello& hello) {
   for (std::size_t a = 0; a < hello.actuators.size(); ++a) {
     const TargetActuator& actuator = hello.actuators[a];
@@ -118,7 +134,7 @@ void check_limits(const CommandSeries& commands, const Hello& hello) {
   }
 }
 
-void check_extent(Samples& samples, const TestHeading& heading, const Hello& hello) {
+void check_extent(Samples& samples, const TestHeading& heading) {
   const double end = heading.duration * (1.0 + kRounding);
   Eigen::Index rows = samples.times.size();
   while (rows > 0 && samples.times[rows - 1] > end) --rows;
@@ -132,9 +148,12 @@ void check_extent(Samples& samples, const TestHeading& heading, const Hello& hel
   if (first < -kRounding || first > gap || last < heading.duration - gap)
     throw Error(fmt::format("sends too few samples: they go from {:.4g} s to {:.4g} s, the test from 0 to {:.4g} s",
                             first, last, heading.duration));
-  for (std::size_t c = 0; c < hello.sensors.size(); ++c)
-    if (samples.values.col(static_cast<Eigen::Index>(c)).array().isNaN().all())
-      throw Error(fmt::format("sends no reading of \"{}\", null in every row", hello.sensors[c].name));
+}
+
+void check_measured(const TimeSeries& measured) {
+  for (std::size_t c = 0; c < measured.channels.size(); ++c)
+    if (measured.samples.col(static_cast<Eigen::Index>(c)).array().isNaN().all())
+      throw Error(fmt::format("sends no reading of \"{}\", null in every row", measured.channels[c].name));
 }
 
 std::vector<InitialValue> initial_values(const JointStarts& start, const std::vector<std::string>& coordinates) {
@@ -152,6 +171,24 @@ std::vector<InitialValue> initial_values(const JointStarts& start, const std::ve
                          : InitialValue{InitialKnowledge::given, known->second.position, known->second.velocity});
   }
   return values;
+}
+
+void begin_at_start(TimeSeries& measured) {
+  const double first = measured.times[0];
+  if (first < -kRounding)
+    throw Error(fmt::format(
+        "states its start, which is that at 0 s, and sends readings of {:.4g} s; let times begin with the test, or "
+        "leave the start out",
+        first));
+  if (first <= kRounding) return;
+  const Eigen::Index rows = measured.times.size();
+  Eigen::VectorXd times(rows + 1);
+  times << 0.0, measured.times;
+  TimeSeries::Samples samples(rows + 1, measured.samples.cols());
+  samples.row(0).setConstant(std::numeric_limits<double>::quiet_NaN());
+  samples.bottomRows(rows) = measured.samples;
+  measured.times = std::move(times);
+  measured.samples = std::move(samples);
 }
 
 }  // namespace lacuna

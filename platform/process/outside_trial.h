@@ -35,16 +35,27 @@ class ChannelOrder {
 /// The command of each channel at a time.
 void commands_at(const CommandSeries& commands, double time, std::span<double> values);
 
+/// Without what comes after the end of a test of that duration (s); what is on its way to a later row gets one at the
+/// end.
+CommandSeries until(CommandSeries commands, double duration);
+
 /// Throws `RefusedTest`, which continues "the program ...", where a series, in the order of the hello's actuators,
 /// leaves what the target takes.
 void check_limits(const CommandSeries& commands, const Hello& hello);
 
 /// Throws `Error`, which continues "the program ...", where samples do not reach from the beginning of a test to its
-/// end or a sensor has measured nothing; drops those behind the end.
-void check_extent(Samples& samples, const TestHeading& heading, const Hello& hello);
+/// end; drops those behind the end.
+void check_extent(Samples& samples, const TestHeading& heading);
+/// Throws the same where a sensor has measured nothing.
+void check_measured(const TimeSeries& measured);
 
 /// What is known of each coordinate at the start; empty where the target says nothing. Throws `Error`, which continues
 /// "the program ...", where it names a joint that the model has not.
 std::vector<InitialValue> initial_values(const JointStarts& start, const std::vector<std::string>& coordinates);
+
+/// A start that is stated is that at 0 s, and models are simulated from the first row on: where that comes later, one
+/// at 0 s goes before it, in which nothing is measured. Throws `Error`, which continues "the program ...", where it
+/// comes before.
+void begin_at_start(TimeSeries& measured);
 
 }  // namespace lacuna

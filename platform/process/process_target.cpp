@@ -77,6 +77,16 @@ void ProcessTarget::start() {
   }
   if (lines_) return;
   try {
+    start_afresh();
+  } catch (const BadInput& bad) {
+    if (!was_fit_) throw;
+    throw Error(program_ + " was started again, and is not as it was: " + bad.what());
+  }
+  was_fit_ = true;
+}
+
+void ProcessTarget::start_afresh() {
+  try {
     lines_ = std::make_unique<ChildLines>(setting_.source);
   } catch (const Error& error) {
     throw_problem(setting_.location, fmt::format("target.command: {}; name a program, with its path from target.folder "
@@ -113,6 +123,7 @@ Trial ProcessTarget::try_test(const Test& test) {
                             ChildLines::in(test.duration + setting_.source.trial_limit));
   Trial trial = conversation.carry_out(test);
   trial.initial = initial_values(conversation.start(), setting_.coordinates);
+  if (!trial.initial.empty()) begin_at_start(trial.measured);
   if (setting_.note)
     for (const std::string& note : conversation.notes()) setting_.note(note);
   return trial;

@@ -41,7 +41,8 @@ class ProcessTarget : public ExternalProgram {
   /// The next trial is the `number`th, which keys its seed.
   void begin_trial(std::uint64_t number) { number_ = number; }
   /// Throws `Error` with a sentence that says how the program failed, and the last words that it wrote to standard
-  /// error; `BadInput` where it does not fit the model; `Interrupted` where the user ends the command.
+  /// error; `BadInput` where it cannot be started or does not fit the model, though one that once did fails with an
+  /// `Error`; `Interrupted` where the user ends the command.
   Trial carry_out(const Test& test) override;
 
  private:
@@ -49,6 +50,7 @@ class ProcessTarget : public ExternalProgram {
   decltype(auto) guarded(const std::string& limit, Call&& call);
   [[noreturn]] void fail(const std::string& what);
   void start();
+  void start_afresh();
   void greet();
   Trial try_test(const Test& test);
 
@@ -57,6 +59,7 @@ class ProcessTarget : public ExternalProgram {
   Hello hello_;
   std::unique_ptr<ChildLines> lines_;
   std::uint64_t number_ = 0;
+  bool was_fit_ = false;  ///< it has said what it is, and fitted the model
 };
 
 }  // namespace lacuna

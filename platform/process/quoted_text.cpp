@@ -1,5 +1,6 @@
 #include "process/quoted_text.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace lacuna {
@@ -17,6 +18,21 @@ std::string printable(std::string_view text, std::size_t most) {
 }  // namespace
 
 std::string quoted_text(std::string_view text) { return "\"" + printable(text, kQuoted) + "\""; }
+
+std::string plain_text(std::string_view text, std::size_t most) {
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
+  std::size_t end = std::min(most, text.size());
+  while (end > 0 && end < text.size() && continues(end)) --end;
+  std::string result;
+  for (std::size_t i = 0; i < end; ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // U+0080 to U+009F are the control characters of terminals with eight bits
+    const bool second_half = byte == 0xC2U && i + 1 < end && static_cast<unsigned char>(text[i + 1]) < 0xA0U;
+    result += byte < ' ' || byte == 0x7FU || second_half ? '.' : text[i];
+    if (second_half) ++i;
+  }
+  return end < text.size() ? result + "..." : result;
+}
 
 std::string last_lines(std::string_view text, std::size_t most) {
   std::vector<std::string_view> lines;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +29,10 @@ Json heading_json(const TestHeading& heading, const char* mode) {
 
 Json commands_json(const Hello& hello, std::span<const double> commands) {
   Json list = Json::array();
-  for (std::size_t a = 0; a < commands.size(); ++a) list.push_back(commands[a] / hello.actuators[a].to_si);
+  for (std::size_t a = 0; a < commands.size(); ++a) {
+    const TargetActuator& actuator = hello.actuators[a];  // a limit there and back may have gained a digit
+    list.push_back(std::clamp(commands[a] / actuator.to_si, actuator.sent_lower, actuator.sent_upper));
+  }
   return list;
 }
 
@@ -129,7 +133,7 @@ Readings read_readings(const std::string& line, const Hello& hello) {
   readings.time = message.number("time", "a number, s");
   const std::string meaning = fmt::format("a list of {} numbers, one a sensor", hello.sensors.size());
   const Json* sensors = message.need("sensors", meaning);
-  if (sensors != nullptr && is_list_of_numbers(*sensors, hello.sensors.size(), false))
+  if (sensors != nullptr && is_list_of_numbers(*sensors, hello.sensors.size(), true))
     readings.sensors = si_of(*sensors, hello);
   else if (sensors != nullptr)
     message.add_fault(fmt::format("\"sensors\" is not {}", meaning));

@@ -31,8 +31,8 @@ using JointStarts = std::map<std::string, JointStart>;
 /// A reading at the start of a control period, SI, in the order of the hello's sensors.
 struct Readings {
   double time = 0.0;
-  std::vector<double> sensors;
-  JointStarts start;  ///< only the first of a trial has any
+  std::vector<double> sensors;  ///< NaN: not measured
+  JointStarts start;            ///< only the first of a trial has any
 };
 
 /// What was measured, SI, in the order of the hello's sensors; NaN: not measured.
@@ -46,7 +46,8 @@ struct Samples {
 std::string series_message(const TestHeading& heading, const Hello& hello, const CommandSeries& commands);
 /// A test whose commands follow, one message a control period.
 std::string exchange_message(const TestHeading& heading);
-/// The commands of a control period, SI, in the order of the hello's actuators.
+/// The commands of a control period, SI, in the order of the hello's actuators; within what it takes where rounding
+/// would leave that.
 std::string commands_message(const Hello& hello, std::span<const double> commands);
 
 /// Both throw `Error` with all that is wrong with the message, which continues "the program ...", and

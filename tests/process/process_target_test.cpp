@@ -8,6 +8,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -40,13 +43,14 @@ class OutsideTarget : public testing::Test {
     setting_.source.command = {"python3", kRig, fault};
     setting_.source.folder = folder_.path();
     setting_.location = {"rig.toml", 3, 1};
-    setting_.space = {{{"angle", "rad"}}, {{"motor", "N*m"}}, {-0.6}, {0.6}, 0.01, 0.0};
+    setting_.space = space_of_rig();
     setting_.coordinates = {"hinge"};
     setting_.note = [this](const std::string& note) { notes_ += note + "\n"; };
     target_ = std::make_unique<ProcessTarget>(setting_);
     return *target_;
   }
 
+  static TestSpace space_of_rig() { return {{{"angle", "rad"}}, {{"motor", "N*m"}}, {-0.6}, {0.6}, 0.01, 0.0}; }
   /// A constant torque for 0.1 s.
   static lacuna::Test series(double torque) {
     lacuna::Test test;
@@ -54,6 +58,14 @@ class OutsideTarget : public testing::Test {
     CommandSeries commands;
     commands.series = {{{"motor", "N*m"}}, Eigen::Vector2d(0.0, 0.05), TimeSeries::Samples::Constant(2, 1, torque)};
     test.drive = commands;
+    return test;
+  }
+  /// One whose message is longer than a pipe takes at once.
+  static lacuna::Test long_series() {
+    lacuna::Test test = series(0.2);
+    std::get<CommandSeries>(test.drive).series = {{{"motor", "N*m"}},
+                                                  Eigen::VectorXd::LinSpaced(20'000, 0.0, test.duration),
+                                                  TimeSeries::Samples::Constant(20'000, 1, 0.2)};
     return test;
   }
   static lacuna::Test controlled() {
@@ -109,6 +121,18 @@ TEST_F(OutsideTarget, GetsASeriesPeriodByPeriodWhereItTakesItSo) {
   EXPECT_EQ(pieces.measured.samples(10, 0), whole.measured.samples(10, 0));
 }
 
+TEST_F(OutsideTarget, GetsTheCommandsThatAreDueThoughItsClockWavers) {
+  lacuna::Test test = series(0.0);
+  CommandSeries& commands = std::get<CommandSeries>(test.drive);
+  commands.series.times = Eigen::VectorXd::LinSpaced(10, 0.0, 0.09);
+  commands.series.samples = Eigen::VectorXd::LinSpaced(10, 0.0, 0.45);
+  const Trial trial = rig("wavers").carry_out(test);
+  ASSERT_EQ(trial.commands.series.samples.rows(), 10);
+  for (Eigen::Index k = 0; k < 10; ++k)
+    EXPECT_NEAR(trial.commands.series.samples(k, 0), 0.05 * static_cast<double>(k), 1e-12) << "period " << k;
+  EXPECT_NEAR(trial.commands.series.times[1], 0.006, 1e-12) << "as it was applied";
+}
+
 TEST_F(OutsideTarget, IsToldTheTrialAndASeedThatDependsOnItAlone) {
   const auto told = [this](std::uint64_t number) {
     rig("echoes").begin_trial(number);
@@ -133,6 +157,15 @@ TEST_F(OutsideTarget, StatesItsStartWhereItKnowsIt) {
   EXPECT_EQ(trial.initial[0].knowledge, InitialKnowledge::given);
   EXPECT_EQ(trial.initial[0].position, 0.25);
   EXPECT_THAT(complaint("other joint"), HasSubstr("\"knee\", which is no joint of the model"));
+  const Trial late = rig("measures late").carry_out(series(0.2));
+  EXPECT_EQ(late.initial[0].position, 0.25);
+  ASSERT_EQ(late.measured.times.size(), 11);
+  EXPECT_EQ(late.measured.times[0], 0.0) << "the start is that at 0 s";
+  EXPECT_TRUE(std::isnan(late.measured.samples(0, 0)));
+  EXPECT_DOUBLE_EQ(late.measured.times[1], 0.01);
+  EXPECT_FALSE(std::isnan(late.measured.samples(1, 0)));
+  EXPECT_THAT(complaint("begins early", controlled()),
+              HasSubstr("states its start, which is that at 0 s, and sends readings of -0.004 s"));
 }
 
 TEST_F(OutsideTarget, ThatDoesNotFitTheModelIsWrongInputWithAllOfIt) {
@@ -169,8 +202,10 @@ TEST_F(OutsideTarget, SaysHowAHelloFails) {
 
 TEST_F(OutsideTarget, SaysHowATrialFails) {
   EXPECT_THAT(complaint("dies"), AllOf(HasSubstr("ended with exit code 3"), HasSubstr("over-current")));
+  EXPECT_THAT(complaint("leaves a helper"), AllOf(HasSubstr("ended with exit code 3"), HasSubstr("over-current")));
   EXPECT_THAT(complaint("is killed"), HasSubstr("was ended by signal 11 (Segmentation fault)"));
   EXPECT_THAT(complaint("refuses"), HasSubstr("says: the arm is not at rest"));
+  EXPECT_THAT(complaint("refuses in colour"), AllOf(HasSubstr("says: .[31mzu heiß.[0m!!"), testing::EndsWith("!!...")));
   EXPECT_THAT(complaint("half an answer"), HasSubstr("ended with exit code 0 in the middle of a line"));
   EXPECT_THAT(complaint("other type"), HasSubstr("of type \"banana\" where one of type \"samples\" is due"));
   EXPECT_THAT(complaint("nan"), HasSubstr("NaN or Infinity"));
@@ -194,6 +229,23 @@ TEST_F(OutsideTarget, HasTimeLimits) {
   EXPECT_THAT(complaint("reads nothing"), HasSubstr("has not answered in time"));
 }
 
+TEST_F(OutsideTarget, TakesASeriesLongerThanAPipeWhileItWritesItself) {
+  EXPECT_EQ(rig("none").carry_out(long_series()).measured.times.size(), 11);
+  EXPECT_EQ(rig("writes while it is sent").carry_out(long_series()).measured.times.size(), 11);
+}
+
+TEST_F(OutsideTarget, ThatReadsNoMoreFailsTheTrial) {
+  setting_.source.trial_limit = 2.0;  // s; the program runs by then
+  EXPECT_THAT(complaint("reads no more", long_series()), HasSubstr("does not read what it is sent"));
+  EXPECT_THAT(complaint("closes its input", long_series()), HasSubstr("closed its standard input"));
+}
+
+TEST_F(OutsideTarget, ThatTalksWithoutEndIsStopped) {
+  EXPECT_THAT(complaint("talks without end", long_series()),
+              testing::AnyOf(HasSubstr("an answer of more than 64 MiB, which begins with \"I am well."),
+                             HasSubstr("a line that nobody asked for, \"I am well\"")));
+}
+
 TEST_F(OutsideTarget, IsSentNothingBeyondItsLimits) {
   const std::string refused = complaint("none", series(0.7));
   EXPECT_THAT(refused, AllOf(HasSubstr("takes -600 to 600 mN*m of \"motor\""), HasSubstr("nothing was sent")));
@@ -204,12 +256,37 @@ TEST_F(OutsideTarget, AReadingThatIsMissingIsNone) {
   const Trial trial = rig("a gap").carry_out(series(0.2));
   EXPECT_TRUE(std::isnan(trial.measured.samples(1, 0)));
   EXPECT_FALSE(std::isnan(trial.measured.samples(2, 0)));
+  EXPECT_THAT(complaint("a gap", controlled()), HasSubstr("sends null for \"angle\", which the test's controller"));
+}
+
+TEST_F(OutsideTarget, SensorsThatTheModelHasNotNeedNotMeasure) {
+  EXPECT_EQ(rig("no heat").carry_out(series(0.2)).measured.times.size(), 11);
+  EXPECT_EQ(rig("no heat").carry_out(controlled()).measured.times.size(), 11);
 }
 
 TEST_F(OutsideTarget, IsStartedAgainAfterItFailed) {
   ProcessTarget& target = rig("dies once");
   EXPECT_THROW(target.carry_out(series(0.2)), Error);
   EXPECT_EQ(target.carry_out(series(0.2)).measured.times.size(), 11);
+}
+
+TEST_F(OutsideTarget, ThatCannotBeStartedAgainFailsATrialAndIsNoWrongInput) {
+  setting_.source.folder = folder_.path() / "rig";
+  std::filesystem::create_directory(setting_.source.folder);
+  setting_.source.command = {"python3", kRig, "dies once"};
+  setting_.space = space_of_rig();
+  ProcessTarget target(setting_);
+  EXPECT_THROW(target.carry_out(series(0.2)), Error);
+  std::filesystem::remove_all(setting_.source.folder);
+  try {
+    target.carry_out(series(0.2));
+    FAIL() << "it has no folder to work in";
+  } catch (const BadInput&) {
+    FAIL() << "a run would not try again";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("was started again, and is not as it was"), HasSubstr("cannot be started")));
+  }
 }
 
 TEST_F(OutsideTarget, ThatEndsBetweenTwoTrialsIsStartedAgain) {
@@ -242,9 +319,14 @@ TEST_F(OutsideTarget, MayWriteAnythingToStandardError) {
 
 TEST_F(OutsideTarget, IsEndedWithThisObjectThoughItWouldStay) {
   rig("stays").hello();
+  pid_t process = 0;
+  std::ifstream(folder_.path() / "pid") >> process;
+  ASSERT_GT(process, 0);
+  EXPECT_EQ(kill(process, 0), 0) << "it runs";
   const auto begin = std::chrono::steady_clock::now();
   target_.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_NE(kill(process, 0), 0) << "it is gone";
 }
 
 TEST_F(OutsideTarget, AnswersToATestThatStartsElsewhereWithANo) {

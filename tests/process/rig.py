@@ -3,19 +3,22 @@
 import json
 import os
 import signal
+import subprocess
 import sys
 import time
 
 FAULT = sys.argv[1] if len(sys.argv) > 1 else "none"
+EXCHANGES = ("only exchange", "wavers", "begins early")
 
 HELLO = {
     "type": "hello",
     "protocol": "lacuna-process/1",
     "name": "test rig",
-    "modes": {"only series": ["series"], "only exchange": ["exchange"]}.get(FAULT, ["series", "exchange"]),
+    "modes": ["series"] * (FAULT not in EXCHANGES) + ["exchange"] * (FAULT != "only series"),
     "sensors": [{"name": "heat", "unit": "1"}, {"name": "angle", "unit": "deg", "noise": 0.1}],
     "actuators": [{"name": "motor", "unit": "mN*m", "lower": -600, "upper": 600}],
 }
+KNOWN_START = {"hinge": {"position": 0.25, "velocity": 0.0}}
 
 
 def say(message):
@@ -23,7 +26,11 @@ def say(message):
 
 
 def listen():
-    line = sys.stdin.readline()
+    begin = ""
+    if FAULT == "writes while it is sent":
+        begin = sys.stdin.read(1)
+        sys.stdout.write("\n" * (1 << 20))
+    line = begin + sys.stdin.readline()
     if not line:
         leave()
     return json.loads(line)
@@ -79,12 +86,22 @@ def greet():
     if FAULT == "narrow":
         hello["actuators"][0].update(lower=-100, upper=100)
     say(hello)
+    if FAULT == "reads no more":
+        time.sleep(1000)
+    if FAULT == "closes its input":
+        os.close(0)
+        time.sleep(1000)
+    while FAULT == "talks without end":
+        sys.stdout.write("I am well\n" * (1 << 16))
 
 
 def fault_in_trial(test):
     if FAULT == "dies" or (FAULT == "dies once" and once("died")) or (
         FAULT == "waits for repair" and not os.path.exists("repaired")
     ):
+        crash("motor driver: over-current")
+    if FAULT == "leaves a helper":
+        subprocess.Popen(["sleep", "1000"])  # which has this program's input and output
         crash("motor driver: over-current")
     if FAULT == "is killed":
         os.kill(os.getpid(), signal.SIGSEGV)
@@ -101,6 +118,9 @@ def fault_in_trial(test):
         time.sleep(1000)
     if FAULT == "refuses":
         say({"type": "error", "message": "the arm is not at rest"})
+        return True
+    if FAULT == "refuses in colour":
+        say({"type": "error", "message": "\x1b[31mzu heiß\x1b[0m" + "!" * 1000})
         return True
     if FAULT == "half an answer":
         sys.stdout.write('{"type": "samples", "times": [0, ')
@@ -125,6 +145,8 @@ def run_series(test):
         answer["samples"][1][1] = float("nan")
     if FAULT == "a gap":
         answer["samples"][1][1] = None
+    if FAULT == "no heat":
+        answer["samples"] = [[None, row[1]] for row in answer["samples"]]
     if FAULT == "nothing measured":
         answer["samples"] = [[20.0, None] for _ in answer["times"]]
     if FAULT == "too few":
@@ -136,7 +158,9 @@ def run_series(test):
     if FAULT == "other joint":
         answer["start"] = {"knee": {"position": 0, "velocity": 0}}
     if FAULT == "knows its start":
-        answer["start"] = {"hinge": {"position": 0.25, "velocity": 0.0}}
+        answer["start"] = KNOWN_START
+    if FAULT == "measures late":
+        answer.update(times=answer["times"][1:], samples=answer["samples"][1:], start=KNOWN_START)
     say(answer)
     if FAULT == "talks on":
         say({"type": "by the way"})
@@ -147,8 +171,15 @@ def run_series(test):
 def run_exchange(test):
     angle = 0.0
     for k in range(test["periods"] + 1):
-        late = 0.8 * test["period"] if FAULT == "out of step" and k == 2 else 0.0
-        say({"type": "readings", "time": k * test["period"] + late, "sensors": [20.0, angle]})
+        late = {"out of step": 0.8 * (k == 2), "wavers": 0.4 * (-1) ** k, "begins early": -0.4}.get(FAULT, 0.0)
+        readings = {"type": "readings", "time": (k + late) * test["period"], "sensors": [20.0, angle]}
+        if FAULT == "no heat":
+            readings["sensors"][0] = None
+        if FAULT == "a gap" and k == 1:
+            readings["sensors"][1] = None
+        if FAULT in ("wavers", "begins early") and k == 0:
+            readings["start"] = KNOWN_START
+        say(readings)
         if k < test["periods"]:
             angle = 0.5 * listen()["commands"][0]
 
