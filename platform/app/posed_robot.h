@@ -17,13 +17,14 @@ class PosedRobot {
 
   struct Motion {
     TimeSeries poses;     ///< channels as `ReplayRecord` says
+    TimeSeries contacts;  ///< likewise; without channels where there is no ground
     TimeSeries readings;  ///< of the robot's own sensors
   };
   /// Reads at `times` (s, ascending). Throws `Error` with the reason where the robot cannot carry the test out.
   Motion move(std::span<const double> values, const Test& test, const std::vector<double>& times) const;
 
  private:
-  std::vector<Channel> channels_;  ///< of the poses
+  std::vector<Channel> poses_, contacts_;
   std::unique_ptr<CompiledModel> model_;
 };
 

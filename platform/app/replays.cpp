@@ -1,13 +1,14 @@
 #include "app/replays.h"
 
 #include "app/posed_robot.h"
-#include "app/stored_model.h"
 #include "foundation/interrupt.h"
 #include "storage/canonical_text.h"
+#include "storage/without_folders.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace lacuna {
 namespace {
@@ -38,105 +39,130 @@ std::vector<std::int64_t> by_interest(std::vector<std::int64_t> trials) {
   return trials;
 }
 
+const ScoredTrial& trial_of(const StoredModel& model, std::int64_t trial, RunId run) {
+  const auto at = std::find(model.numbers.begin(), model.numbers.end(), static_cast<int>(trial));
+  if (at == model.numbers.end())
+    throw Error(fmt::format("model {} of run {} was held against the trials {} only", model.number, run.value,
+                            fmt::join(model.numbers, ", ")));
+  return model.trials[static_cast<std::size_t>(at - model.numbers.begin())];
+}
+
+void add_motion(ReplayRecord& replay, const std::string& whose, const PosedRobot::Motion& motion, Eigen::Index stride) {
+  replay.traces.emplace_back(whose, every(motion.poses, stride));
+  if (!motion.contacts.channels.empty())
+    replay.traces.emplace_back(whose + " contacts", every(motion.contacts, stride));
+}
+
+/// The first line of a fault, for whoever is sent a report.
+std::string in_a_note(const std::string& fault) { return without_folders(fault.substr(0, fault.find('\n'))); }
+
 }  // namespace
 
 Replays::Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages)
     : database_(std::move(database)), plugin_paths_(std::move(plugin_paths)), pages_(pages) {}
 
 const StoredBench& Replays::bench_of(const Database& database, const EeaRunListing& run) {
-  const auto known = benches_.find(run.run.value);
-  if (known != benches_.end() && known->second.listing.experiment == run.experiment) return known->second;
-  return benches_.insert_or_assign(run.run.value, open_stored(database, run, plugin_paths_)).first->second;
+  const auto known = benches_.find(run.identity);
+  if (known != benches_.end()) return known->second;
+  return benches_.insert_or_assign(run.identity, open_stored(database, run, plugin_paths_)).first->second;
 }
 
-void Replays::prepare(std::int64_t run, std::int64_t trial) {
-  const std::lock_guard lock(working_);
-  const Database database = Database::open_read_only(database_);
-  simulate(database, choose_run(database, run), trial);
-}
-
-void Replays::simulate(const Database& database, const EeaRunListing& run, std::int64_t trial) {
+Replays::Subject Replays::subject_of(Database& database, const EeaRunListing& run) {
   const StoredBench& stored = bench_of(database, run);
   std::mutex unused;
-  const EeaStore store(const_cast<Database&>(database), unused, run.run, {});
+  const EeaStore store(database, unused, run.run, {});
   const std::vector<PassRow> passes = store.passes();
   const auto best = std::find_if(passes.rbegin(), passes.rend(), [](const PassRow& pass) { return pass.best_model; });
   if (best == passes.rend()) throw Error(fmt::format("no pass of run {} has ended", run.run.value));
-  const auto number = static_cast<std::int64_t>(*best->best_model);
-  if (pages_.has_replay(run.run.value, trial, number)) return;
+  return {stored, run, best->number, stored_model(store, stored.bench->definition(), *best->best_model)};
+}
 
-  const EeaDefinition& definition = stored.bench->definition();
-  const StoredModel model = stored_model(store, definition, *best->best_model);
-  const auto at = std::find(model.numbers.begin(), model.numbers.end(), static_cast<int>(trial));
-  if (at == model.numbers.end())
-    throw Error(fmt::format("model {} of run {} was held against the trials {} only", number, run.run.value,
-                            fmt::join(model.numbers, ", ")));
-  const ScoredTrial& scored = model.trials[static_cast<std::size_t>(at - model.numbers.begin())];
-  const Eigen::VectorXd& sampled = scored.trial.measured.times;
-  const std::vector<double> times(sampled.begin(), sampled.end());
-  const Eigen::Index stride = frame_stride(sampled);
+std::int64_t Replays::prepare(std::int64_t run, std::int64_t trial) {
+  const std::lock_guard lock(working_);
+  Database database = Database::open_read_only(database_);
+  return find_or_simulate(subject_of(database, choose_run(database, run)), trial);
+}
 
-  ModelStructure structure = definition.model.structure;
+std::int64_t Replays::find_or_simulate(const Subject& subject, std::int64_t trial) {
+  const auto model = static_cast<std::int64_t>(subject.model.number);
+  const std::optional<std::int64_t> known = pages_.find_replay(subject.run.identity, trial, model);
+  return known ? *known : pages_.add(simulate(subject, trial));
+}
+
+ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const {
+  const StoredModel& model = subject.model;
+  const ScoredTrial& scored = trial_of(model, trial, subject.run.run);
+  const std::vector<double> times(scored.trial.measured.times.begin(), scored.trial.measured.times.end());
+  const Eigen::Index stride = frame_stride(scored.trial.measured.times);
+
+  const EeaBench& bench = *subject.stored.bench;
+  ModelStructure structure = bench.definition().model.structure;
   if (model.model.robot) structure.robot = *model.model.robot;
-  ReplayRecord replay{.experiment = run.experiment,
-                      .run = run.run.value,
+  ReplayRecord replay{.experiment = subject.run.experiment,
+                      .identity = subject.run.identity,
+                      .run = subject.run.run.value,
                       .trial = trial,
-                      .pass = best->number,
-                      .model = number,
+                      .pass = subject.pass,
+                      .model = static_cast<std::int64_t>(model.number),
                       .robot = canonical_text(structure.robot),
                       .traces = {}};
   PosedRobot::Motion motion =
-      PosedRobot(structure, definition.model.engine).move(model.model.values, scored.test, times);
-  replay.traces.emplace_back("model", every(motion.poses, stride));
+      PosedRobot(structure, bench.definition().model.engine).move(model.model.values, scored.test, times);
+  add_motion(replay, "model", motion, stride);
   replay.traces.emplace_back("predicted", std::move(motion.readings));
   replay.traces.emplace_back("measured", scored.trial.measured);
-  if (const ModelDefinition* target = stored.bench->target()) {
+  if (const ModelDefinition* target = bench.target()) {
     // The commands that it received, so that noise in its sensors moves it as it did then.
     const Test received{scored.trial.commands, scored.test.duration, scored.test.start};
-    const std::vector<double> hidden = stored.bench->hidden_values(run.replicate);
-    const PosedRobot watched(target->structure, target->engine);
-    replay.traces.emplace_back("target", every(watched.move(hidden, received, times).poses, stride));
+    const std::vector<double> hidden = bench.hidden_values(subject.run.replicate);
+    add_motion(replay, "target", PosedRobot(target->structure, target->engine).move(hidden, received, times), stride);
     replay.target_robot = canonical_text(target->structure.robot);
   }
-  pages_.add(replay);
+  return replay;
+}
+
+std::size_t Replays::prepare_run(const Subject& subject, std::size_t most_trials, std::size_t most_bytes) {
+  std::vector<std::int64_t> trials(subject.model.numbers.begin(), subject.model.numbers.end());
+  trials = by_interest(std::move(trials));
+  std::size_t made = 0;
+  std::string fault;
+  for (const std::int64_t trial : trials) {
+    throw_if_interrupted();
+    if (made == most_trials || pages_.size() > most_bytes) break;
+    try {
+      find_or_simulate(subject, trial);
+      ++made;
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {
+      if (fault.empty()) fault = fmt::format("trial {} of run {}: {}", trial, subject.run.run.value, error.what());
+    }
+  }
+  if (!fault.empty()) pages_.add_note("Robots in motion are missing: " + in_a_note(fault));
+  return made;
 }
 
 void Replays::prepare_for_report(std::size_t most_bytes) {
   const std::lock_guard lock(working_);
-  const Database database = Database::open_read_only(database_);
+  Database database = Database::open_read_only(database_);
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::reverse(runs.begin(), runs.end());
-  const std::size_t begin = pages_.size();
+  most_bytes += pages_.size();
   std::size_t made = 0;
-  bool newest = true;
+  const auto is_full = [&] { return made >= kMostReplays || pages_.size() > most_bytes; };
+  std::set<std::string> failed;  // experiments, whose other runs would say the same
   for (const EeaRunListing& run : runs) {
-    if (run.passes_done == 0) continue;
+    if (run.passes_done == 0 || failed.contains(run.experiment) || is_full()) continue;
     try {
-      std::mutex unused;
-      std::vector<std::int64_t> trials;
-      for (const TargetTrialRow& row : EeaStore(const_cast<Database&>(database), unused, run.run, {}).trial_rows())
-        if (!row.for_transfer && row.number < run.passes_done) trials.push_back(row.number);
-      trials = by_interest(std::move(trials));
-      if (!newest) trials.resize(std::min<std::size_t>(trials.size(), 1));
-      for (const std::int64_t trial : trials) {
-        throw_if_interrupted();
-        if (made == kMostReplays || pages_.size() - begin > most_bytes) {
-          pages_.add_note(fmt::format("Robots in motion are shown for {} trials of the newest runs.", made));
-          return;
-        }
-        simulate(database, run, trial);
-        ++made;
-      }
-      newest = false;
+      made += prepare_run(subject_of(database, run), made == 0 ? kMostReplays : 1, most_bytes);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {
-      const std::string reason = error.what();
-      pages_.add_note(
-          fmt::format("The robots of run {} are not shown: {}", run.run.value, reason.substr(0, reason.find('\n'))));
-      if (newest) return;  // the others would say the same
+      failed.insert(run.experiment);
+      pages_.add_note(fmt::format("The robots of run {} are not shown: {}", run.run.value, in_a_note(error.what())));
     }
   }
+  if (is_full()) pages_.add_note(fmt::format("Robots in motion are shown for {} trials of the newest runs.", made));
 }
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/stored_bench.h"
+#include "app/stored_model.h"
 #include "storage/page_database.h"
 
 #include <cstdint>
@@ -19,22 +20,33 @@ class Replays {
   /// `pages` must live as long.
   Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages);
 
-  /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there. Throws `Error`,
-  /// `BadInput` where it cannot be simulated.
-  void prepare(std::int64_t run, std::int64_t trial);
+  /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there. Returns its key
+  /// in the pages. Throws `Error`, `BadInput` where it cannot be simulated.
+  std::int64_t prepare(std::int64_t run, std::int64_t trial);
 
   /// Trials of all runs, the newest first, as many as a report has room for; notes say which robots are missing.
   void prepare_for_report(std::size_t most_bytes);
 
  private:
+  /// The best model of a run so far, and what it is simulated with.
+  struct Subject {
+    const StoredBench& stored;
+    EeaRunListing run;
+    int pass = 0;
+    StoredModel model;
+  };
   const StoredBench& bench_of(const Database& database, const EeaRunListing& run);
-  void simulate(const Database& database, const EeaRunListing& run, std::int64_t trial);
+  Subject subject_of(Database& database, const EeaRunListing& run);
+  std::int64_t find_or_simulate(const Subject& subject, std::int64_t trial);
+  ReplayRecord simulate(const Subject& subject, std::int64_t trial) const;
+  /// Returns how many trials, of those that could be simulated.
+  std::size_t prepare_run(const Subject& subject, std::size_t most_trials, std::size_t most_bytes);
 
   std::filesystem::path database_;
   std::vector<std::filesystem::path> plugin_paths_;
   PageDatabase& pages_;
   std::mutex working_;
-  std::map<std::int64_t, StoredBench> benches_;  ///< by run
+  std::map<std::string, StoredBench> benches_;  ///< by the identities of runs
 };
 
 }  // namespace lacuna

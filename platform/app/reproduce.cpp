@@ -1,14 +1,13 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/replicates.h"
+#include "app/scratch_folder.h"
 #include "app/stored_bench.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -23,24 +22,6 @@ struct ReproduceOptions {
   int threads = 0;
   bool quiet = false;
   std::vector<std::filesystem::path> plugin_paths;
-};
-
-/// A database that is gone when it goes out of scope.
-class TemporaryDatabase {
- public:
-  TemporaryDatabase() : folder_(std::filesystem::temp_directory_path() / fmt::format("lacuna-reproduce-{}", getpid())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~TemporaryDatabase() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  TemporaryDatabase(const TemporaryDatabase&) = delete;
-  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
-  std::filesystem::path file() const { return folder_ / "again.db"; }
-
- private:
-  std::filesystem::path folder_;
 };
 
 bool differ(const PassRow& a, const PassRow& b) {
@@ -65,8 +46,8 @@ void reproduce(const ReproduceOptions& options) {
   const StoredBench stored = open_stored(database, listing, options.plugin_paths);
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
 
-  const TemporaryDatabase temporary;
-  Database again = Database::open(temporary.file());
+  const ScratchFolder scratch;
+  Database again = Database::open(scratch / "again.db");
   ResultStore store(again);
   const int threads = options.threads > 0 ? options.threads : default_threads();
   const RunId run = store.begin_run({command_line(), stored.run.seed, threads}, provenance_of_this_program());

@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/replays.h"
+#include "app/scratch_folder.h"
 #include "foundation/interrupt.h"
 #include "report/page_server.h"
 #include "report/pages.h"
@@ -14,6 +15,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <random>
 #include <thread>
@@ -31,26 +33,6 @@ struct ServeOptions {
 
 constexpr auto kLook = std::chrono::milliseconds(100);
 
-/// A folder of this process's own that ends with it.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("lacuna-serve-{}", getpid())) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
 bool is_loopback(const std::string& host) { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
 
 /// 128 bits from the system.
@@ -61,10 +43,18 @@ std::string random_token() {
   return token;
 }
 
-void open_browser(const std::string& address) {
+/// Everybody can see what programs are called with, so that a token is handed over in a file of our own.
+std::string page_to_open(const std::string& address, const std::string& token, const ScratchFolder& scratch) {
+  if (token.empty()) return address;
+  const std::filesystem::path page = scratch / "open.html";
+  std::ofstream(page) << fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={}\">\n", address);
+  return page.string();
+}
+
+void open_browser(const std::string& page) {
   const pid_t child = fork();
   if (child == 0) {
-    if (fork() == 0) execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+    if (fork() == 0) execlp("xdg-open", "xdg-open", page.c_str(), static_cast<char*>(nullptr));
     _exit(0);
   }
   if (child > 0) waitpid(child, nullptr, 0);
@@ -79,12 +69,13 @@ void serve(const ServeOptions& options) {
   pages.add_about("lacuna", LACUNA_VERSION);
   Replays replays(options.database, options.plugin_paths, pages);
   const std::string token = is_loopback(options.host) ? "" : random_token();
-  PageServer server({.database = options.database,
-                     .pages = scratch / "pages.db",
-                     .host = options.host,
-                     .port = options.port,
-                     .token = token,
-                     .prepare_replay = [&](std::int64_t run, std::int64_t trial) { replays.prepare(run, trial); }});
+  PageServer server(
+      {.database = options.database,
+       .pages = scratch / "pages.db",
+       .host = options.host,
+       .port = options.port,
+       .token = token,
+       .prepare_replay = [&](std::int64_t run, std::int64_t trial) { return replays.prepare(run, trial); }});
   if (!token.empty())
     std::fprintf(stderr,
                  "warning: whoever can reach %s and has this address, token included, can read the whole database; "
@@ -93,7 +84,7 @@ void serve(const ServeOptions& options) {
   fmt::print("{}\n", server.address());
   std::fflush(stdout);
   fmt::print(stderr, "serves {}, which it only reads; Ctrl-C ends it\n", options.database.string());
-  if (options.open) open_browser(server.address());
+  if (options.open) open_browser(page_to_open(server.address(), token, scratch));
   std::atomic<bool> ended = false;
   std::thread answering([&] {
     server.run();

@@ -2,13 +2,17 @@
 
 #include "report/base64.h"
 #include "report/pages.h"
+#include "report/processor_share.h"
 #include "storage/page_query.h"
+#include "storage/readable_database.h"
 
 #include <lacuna/error.h>
 
 #include <fmt/format.h>
 #include <httplib.h>
 #include <nlohmann/json.hpp>
+
+#include <sys/socket.h>
 
 #include <cmath>
 #include <ctime>
@@ -22,12 +26,17 @@ using PageJson = nlohmann::json;
 
 using Text = std::shared_ptr<const std::string>;  ///< shared: an answer under way outlives the question
 
-constexpr std::size_t kMostRows = 200'000;
+constexpr std::size_t kMostRows = 1'000'000;
 constexpr int kThreads = 8;
 constexpr std::size_t kLongestQuestion = 1'000'000;  ///< bytes
 
+constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;  ///< a page's numbers are double
+
 PageJson json_of(const PageCell& cell) {
-  if (const auto* integer = std::get_if<std::int64_t>(&cell)) return *integer;
+  if (const auto* integer = std::get_if<std::int64_t>(&cell)) {
+    const bool exact = *integer <= kLargestExact && *integer >= -kLargestExact;
+    return exact ? PageJson(*integer) : PageJson(std::to_string(*integer));
+  }
   if (const auto* number = std::get_if<double>(&cell))
     return std::isfinite(*number) ? PageJson(*number) : PageJson(nullptr);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
@@ -71,6 +80,19 @@ bool same_token(const std::string& a, const std::string& b) {
 std::string host_name(const std::string& host) {
   if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
   return host.substr(0, host.find(':'));
+}
+
+/// As it stands in an address.
+std::string address_name(const std::string& host) {
+  if (host == "0.0.0.0") return "127.0.0.1";
+  if (host == "::") return "[::1]";
+  return host.find(':') == std::string::npos ? host : "[" + host + "]";
+}
+
+/// A port that another program listens at is taken: the library would share it.
+void take_alone(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
 bool is_this_machine(const std::string& name) { return name == "127.0.0.1" || name == "localhost" || name == "[::1]"; }
@@ -123,7 +145,9 @@ class PageAnswers {
 };
 
 struct PageServer::Impl {
-  explicit Impl(const PageServerOptions& of) : options(of) {
+  explicit Impl(const PageServerOptions& of)
+      : options(of), readable(of.database, of.pages.parent_path()), share(of.processor_share) {
+    server.set_socket_options(take_alone);
     // A connection ends with its answer, so that no viewer keeps a thread.
     server.set_keep_alive_max_count(1);
     server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
@@ -141,21 +165,17 @@ struct PageServer::Impl {
     server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
       send(response, page, "text/html; charset=utf-8");
     });
-    on("/sql", [this](const PageJson& question, httplib::Response& response) {
-      const double begin = processor_seconds();
-      Text text = answer(question);
-      response.set_header("X-Lacuna-Seconds", fmt::format("{:.6f}", processor_seconds() - begin));
-      return text;
+    on("/sql", [this](const PageJson& question) {
+      const Spending spending(share);
+      return answer(question);
     });
-    on("/state", [this](const PageJson&, httplib::Response&) {
-      const std::string stamp = stamp_of(options.database);
-      if (stamp.empty())
-        throw Error(fmt::format("{}: is gone; this page goes on when it is back", options.database.string()));
-      return text_of({{"stamp", stamp}});
+    on("/state", [this](const PageJson&) {
+      const Spending spending(share);
+      return text_of({{"stamp", stamp_to_tell()}});
     });
-    on("/replay", [this](const PageJson& question, httplib::Response&) {
-      options.prepare_replay(question.at("run").get<std::int64_t>(), question.at("trial").get<std::int64_t>());
-      return text_of(PageJson::object());
+    on("/replay", [this](const PageJson& question) {
+      const std::int64_t run = question.at("run"), trial = question.at("trial");
+      return text_of({{"replay", options.prepare_replay(run, trial)}});
     });
   }
 
@@ -169,16 +189,28 @@ struct PageServer::Impl {
 
   /// Questions are JSON, and answers too, whatever goes wrong. Another site's page cannot send this content type
   /// unasked.
-  void on(const char* path, std::function<Text(const PageJson&, httplib::Response&)> answer) {
+  void on(const char* path, std::function<Text(const PageJson&)> answer) {
     server.Post(path, [answer = std::move(answer)](const httplib::Request& request, httplib::Response& response) {
       try {
         if (!request.get_header_value("Content-Type").starts_with("application/json"))
           throw Error("a question is application/json");
-        send(response, answer(PageJson::parse(request.body), response), "application/json");
+        send(response, answer(PageJson::parse(request.body)), "application/json");
       } catch (const std::exception& error) {
         send(response, text_of({{"error", error.what()}}), "application/json");
       }
     });
+  }
+
+  /// A change is told when what the last one made viewers ask is within the share, and to all of them at once.
+  std::string stamp_to_tell() {
+    const std::lock_guard lock(telling);
+    const std::string stamp = stamp_of(options.database);
+    if (stamp.empty()) {
+      told.clear();
+      throw Error(fmt::format("{}: is gone; this page goes on when it is back", options.database.string()));
+    }
+    if (told.empty() || share.is_paid_off()) told = stamp;
+    return told;
   }
 
   Text answer(const PageJson& question) {
@@ -186,14 +218,20 @@ struct PageServer::Impl {
     query.sql = question.at("sql").get<std::string>();
     for (const PageJson& value : question.value("values", PageJson::array())) query.values.push_back(cell_of(value));
     query.most_rows = std::min(question.value("most", kMostRows), kMostRows);
+    query.sizes = question.value("sizes", false);
     const std::string stamp = stamp_of(options.database), asked = question.dump();
     if (Text known = answers.find(stamp, asked)) return known;
-    Text found = text_of(answer_of(ask_for_page(options.database, options.pages, query)));
+    const std::shared_ptr<const std::filesystem::path> file = readable.file();  // shared: read until this is answered
+    Text found = text_of(answer_of(ask_for_page(*file, options.pages, query)));
     if (is_cacheable(query.sql)) answers.keep(stamp, asked, found);
     return found;
   }
 
   const PageServerOptions& options;
+  ReadableDatabase readable;
+  ProcessorShare share;
+  std::mutex telling;
+  std::string told;  ///< the stamp that viewers know
   PageAnswers answers;
   const std::shared_ptr<const std::string> page =
       std::make_shared<const std::string>(served_page());  // by answers under way
@@ -213,8 +251,8 @@ PageServer::PageServer(PageServerOptions options)
 PageServer::~PageServer() = default;
 
 std::string PageServer::address() const {
-  const std::string host = options_.host == "0.0.0.0" ? "127.0.0.1" : options_.host;
-  return fmt::format("http://{}:{}/{}", host, port_, options_.token.empty() ? "" : "?token=" + options_.token);
+  return fmt::format("http://{}:{}/{}", address_name(options_.host), port_,
+                     options_.token.empty() ? "" : "?token=" + options_.token);
 }
 
 void PageServer::run() { impl_->server.listen_after_bind(); }

@@ -2,6 +2,8 @@
 
 #include "report/not_written.h"
 
+#include <lacuna/cylinder.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,9 +93,7 @@ std::vector<Stick> sticks_of(const RobotSpec& robot) {
     const BodySpec& body = robot.bodies[i];
     if (body.shapes.empty()) continue;
     const ShapeSpec& shape = body.shapes.front();
-    const Vector3d centre = body.position + body.orientation * shape.position;
-    const Vector3d half = body.orientation * (shape.orientation * Vector3d(0.0, 0.0, 0.5 * shape.size.y()));
-    const Vector3d tail = centre - half, head = centre + half;
+    const auto [tail, head] = cylinder_ends(body, shape);
     const double width = 2.0 * kPixelsPerMetre * shape.size.x();
     const char* colour = kPartColours[i % kPartColours.size()];
     if (tail.z() * head.z() >= 0.0) {

@@ -145,6 +145,13 @@ Database Database::open_copy(const std::filesystem::path& file) {
   return database;
 }
 
+Database Database::open_blank(const std::filesystem::path& file) {
+  Database database(file.empty() ? "a database in memory" : file);
+  database.connection_ =
+      connect(file, file.empty() ? ":memory:" : file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  return database;
+}
+
 bool is_writable(const std::filesystem::path& database) {
   const std::filesystem::path folder = database.has_parent_path() ? database.parent_path() : ".";
   const bool exists = ::access(database.c_str(), F_OK) == 0;

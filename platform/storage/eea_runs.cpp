@@ -15,7 +15,7 @@ std::vector<EeaRunListing> eea_runs(const Database& database) {
   if (!has_runs(database)) return {};
   Statement row(database,
                 "SELECT run, replicate, experiment, ending, passes_done, passes, best_score, models, evaluations,"
-                " seconds FROM eea_runs ORDER BY run");
+                " seconds, (SELECT identity FROM run WHERE run.number = eea_runs.run) FROM eea_runs ORDER BY run");
   std::vector<EeaRunListing> runs;
   while (row.step()) {
     runs.push_back({.run = {row.integer(0)},
@@ -27,7 +27,8 @@ std::vector<EeaRunListing> eea_runs(const Database& database) {
                     .best_score = row.null(6) ? std::nullopt : std::optional(row.real(6)),
                     .models = static_cast<std::uint64_t>(row.integer(7)),
                     .evaluations = static_cast<std::uint64_t>(row.integer(8)),
-                    .seconds = row.real(9)});
+                    .seconds = row.real(9),
+                    .identity = row.text(10)});
   }
   return runs;
 }

@@ -1,60 +1,58 @@
 #include "storage/page_copy.h"
 
-#include <lacuna/error.h>
+#include "storage/statement.h"
+#include "storage/storage_error.h"
+#include "storage/without_folders.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
+#include <set>
+#include <string_view>
 
 namespace lacuna {
 namespace {
 
-using Prepared = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+/// Of SQLite itself: rows are handed on as they are, whatever their types.
+using RowStatement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-[[noreturn]] void fail_to_copy(sqlite3* handle) {
-  throw Error(fmt::format("the database cannot be copied into the report: {}", sqlite3_errmsg(handle)));
+[[noreturn]] void fail_to_copy(const Database& database) {
+  throw_storage_error(database.file(), sqlite3_extended_errcode(database.handle()), sqlite3_errmsg(database.handle()));
 }
 
-Prepared prepared(sqlite3* handle, const std::string& sql) {
+RowStatement row_statement(const Database& database, const std::string& sql) {
   sqlite3_stmt* made = nullptr;
-  if (sqlite3_prepare_v2(handle, sql.c_str(), -1, &made, nullptr) != SQLITE_OK) fail_to_copy(handle);
+  if (sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &made, nullptr) != SQLITE_OK) fail_to_copy(database);
   return {made, &sqlite3_finalize};
 }
 
-void run_on(sqlite3* handle, const std::string& sql) {
-  if (sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail_to_copy(handle);
-}
-
-bool next_row(sqlite3* handle, const Prepared& statement) {
+bool next_row(const Database& database, const RowStatement& statement) {
   const int result = sqlite3_step(statement.get());
-  if (result != SQLITE_ROW && result != SQLITE_DONE) fail_to_copy(handle);
+  if (result != SQLITE_ROW && result != SQLITE_DONE) fail_to_copy(database);
   return result == SQLITE_ROW;
 }
 
-std::string text_at(const Prepared& statement, int column) {
-  return reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), column));
-}
-
-std::int64_t number_of(sqlite3* handle, const std::string& sql) {
-  const Prepared statement = prepared(handle, sql);
-  return next_row(handle, statement) ? sqlite3_column_int64(statement.get(), 0) : 0;
+std::int64_t number_of(const Database& database, const std::string& sql) {
+  Statement statement(database, sql.c_str());
+  return statement.step() ? statement.integer(0) : 0;
 }
 
 struct SchemaItem {
   std::string name, sql;
 };
 
-std::vector<SchemaItem> items(sqlite3* handle, const char* type) {
-  const Prepared statement = prepared(
-      handle, fmt::format("SELECT name, sql FROM sqlite_master WHERE type = '{}' AND sql IS NOT NULL AND name NOT LIKE "
-                          "'sqlite_%' ORDER BY rowid",
-                          type));
+std::vector<SchemaItem> items(const Database& database, const char* type) {
+  Statement statement(database,
+                      "SELECT name, sql FROM sqlite_master WHERE type = ? AND sql IS NOT NULL AND name NOT LIKE "
+                      "'sqlite_%' ORDER BY rowid");
+  statement.with(type);
   std::vector<SchemaItem> found;
-  while (next_row(handle, statement)) found.push_back({text_at(statement, 0), text_at(statement, 1)});
+  while (statement.step()) found.push_back({statement.text(0), statement.text(1)});
   return found;
 }
 
@@ -77,96 +75,168 @@ void leave_out_candidates(Choices& choices) {
   choices["invalid_test"] = "SELECT * FROM invalid_test WHERE test IN " + tests;
 }
 
-std::int64_t row_count(sqlite3* from, const std::string& table) {
-  return number_of(from, "SELECT count(*) FROM " + table);
+/// The one column of a table that names files of this machine, if there is one.
+std::string_view column_with_paths(std::string_view table) {
+  static constexpr std::pair<std::string_view, std::string_view> kColumns[] = {{"experiment_text", "file"},
+                                                                               {"failed_trial", "reason"},
+                                                                               {"holdout_look", "command"},
+                                                                               {"plugin_file", "file"},
+                                                                               {"robot_file", "file"},
+                                                                               {"run", "command"},
+                                                                               {"trial", "file"}};
+  for (const auto& [name, column] : kColumns)
+    if (name == table) return column;
+  return {};
 }
 
-/// Series of the latest comparisons first, then newer before older, until they take `most_bytes`; returns how many are
-/// left out.
-std::int64_t leave_out_series(sqlite3* from, std::int64_t most_bytes, Choices& choices) {
-  const std::string kept = fmt::format(
-      "SELECT id FROM (SELECT id, sum(length(times) + length(samples)) OVER (ORDER BY rank, -id) AS so_far FROM "
-      "(SELECT "
-      "*, iif(comparison IN (SELECT comparison FROM latest_comparison) OR comparison IS NULL AND trial IN (SELECT "
-      "trial "
-      "FROM comparison_score), 0, 1) AS rank FROM trace)) WHERE so_far <= {}",
-      most_bytes);
-  const std::int64_t left = number_of(from, "SELECT count(*) FROM trace WHERE id NOT IN (" + kept + ")");
-  if (left > 0) choices["trace"] = "SELECT * FROM trace WHERE id IN (" + kept + ")";
-  return left;
+void bind_without_folders(sqlite3_stmt* into, int index, sqlite3_stmt* from, int column) {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(from, column));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(from, column));
+  const std::string kept = without_folders({text, size});
+  sqlite3_bind_text(into, index, kept.data(), static_cast<int>(kept.size()), SQLITE_TRANSIENT);
 }
 
-std::int64_t bytes_of_series(sqlite3* from) {
-  return number_of(from, "SELECT coalesce(sum(length(times) + length(samples)), 0) FROM trace");
+/// Rows of a table from one database to another. Files of one name in several folders become one.
+class RowCopy {
+ public:
+  RowCopy(const Database& from, const Database& to, const std::string& table, const std::string& choice)
+      : from_(from), to_(to), source_(row_statement(from, choice)), into_(nullptr, &sqlite3_finalize) {
+    const int columns = sqlite3_column_count(source_.get());
+    std::string marks = "?";
+    for (int i = 1; i < columns; ++i) marks += ", ?";
+    const std::string_view paths = column_with_paths(table);
+    for (int i = 0; i < columns; ++i)
+      if (sqlite3_column_name(source_.get(), i) == paths) with_path_ = i;
+    into_ = row_statement(
+        to, fmt::format("INSERT {}INTO \"{}\" VALUES ({})", with_path_ < 0 ? "" : "OR IGNORE ", table, marks));
+  }
+
+  void copy_all() {
+    while (next_row(from_, source_)) copy_row();
+    sqlite3_reset(source_.get());
+  }
+
+  /// The rows for which the choice's one parameter has this value.
+  void copy_for(std::int64_t value) {
+    sqlite3_bind_int64(source_.get(), 1, value);
+    copy_all();
+  }
+
+ private:
+  void copy_row() {
+    for (int i = 0; i < sqlite3_column_count(source_.get()); ++i) {
+      if (i == with_path_)
+        bind_without_folders(into_.get(), i + 1, source_.get(), i);
+      else
+        sqlite3_bind_value(into_.get(), i + 1, sqlite3_column_value(source_.get(), i));
+    }
+    next_row(to_, into_);
+    sqlite3_reset(into_.get());
+  }
+
+  const Database& from_;
+  const Database& to_;
+  RowStatement source_, into_;
+  int with_path_ = -1;
+};
+
+std::int64_t bytes_of(const Database& database) {
+  return (number_of(database, "PRAGMA page_count") - number_of(database, "PRAGMA freelist_count")) *
+         number_of(database, "PRAGMA page_size");
 }
 
-/// Sizes are estimates from what schema/database.md says of the tables.
-std::int64_t bytes_of_candidates(sqlite3* from) {
-  constexpr std::int64_t kScoreBytes = 40, kRowBytes = 60;
-  const auto genomes = [&](const char* table) {
-    return number_of(from, fmt::format("SELECT coalesce(sum(length(genome) + {}), 0) FROM {}", kRowBytes, table));
-  };
-  return kScoreBytes * (row_count(from, "model_score") + row_count(from, "test_score")) + genomes("model") +
-         genomes("test");
+void copy_tables(const Database& from, Database& to, const Choices& choices) {
+  for (const SchemaItem& table : items(from, "table")) {
+    to.execute(table.sql);
+    if (table.name == "trace") continue;
+    const auto choice = choices.find(table.name);
+    const std::string all = fmt::format("SELECT * FROM \"{}\"", table.name);
+    RowCopy(from, to, table.name, choice == choices.end() ? all : choice->second).copy_all();
+  }
+  for (const SchemaItem& index : items(from, "index")) to.execute(index.sql);
 }
 
-std::vector<std::string> choose_what_fits(sqlite3* from, std::int64_t most_bytes, Choices& choices) {
-  constexpr double kMegabyte = 1e6;
-  const std::int64_t pages = number_of(from, "PRAGMA page_count") - number_of(from, "PRAGMA freelist_count");
-  std::int64_t size = pages * number_of(from, "PRAGMA page_size");
-  if (size <= most_bytes) return {};
-  std::vector<std::string> notes = {
-      fmt::format("The database has {:.0f} MB and this report shows a selection of at most {:.0f} MB; lacuna serve "
-                  "shows all of it.",
-                  static_cast<double>(size) / kMegabyte, static_cast<double>(most_bytes) / kMegabyte)};
-  const std::int64_t candidates = bytes_of_candidates(from);
-  if (candidates > 0) {
+/// Series of the latest comparisons first, then newer before older, as long as there is room for them. Returns how many
+/// are left out.
+std::int64_t copy_series(const Database& from, Database& to, std::int64_t room) {
+  constexpr const char* kByWorth =
+      "SELECT id, length(times) + length(samples) + length(channels) FROM trace "
+      "ORDER BY iif(comparison IN (SELECT comparison FROM latest_comparison) OR comparison IS NULL AND trial IN "
+      "(SELECT trial FROM comparison_score), 0, 1), id DESC";
+  constexpr std::int64_t kRowBytes = 5000;  ///< what a row takes besides: its last page is not full
+  std::set<std::int64_t> kept;
+  std::int64_t left_out = 0;
+  for (Statement series(from, kByWorth); series.step();) {
+    room -= series.integer(1) + kRowBytes;
+    if (room >= 0)
+      kept.insert(series.integer(0));
+    else
+      ++left_out;
+  }
+  RowCopy rows(from, to, "trace", "SELECT * FROM trace WHERE id = ?");
+  for (const std::int64_t id : kept) rows.copy_for(id);
+  return left_out;
+}
+
+void keep_counts(const Database& from, const Database& to) {
+  Statement insert(to, "INSERT INTO page_run VALUES (?, ?, ?)");
+  for (Statement run(from, "SELECT run, models, tests FROM eea_runs"); run.step();)
+    insert.run_with(run.integer(0), run.integer(1), run.integer(2));
+}
+
+double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) / 1e6; }
+
+std::string selection_note(std::int64_t whole, std::int64_t taken, std::int64_t most) {
+  return fmt::format(
+      "The database has {:.1f} MB and this report shows a selection of it, {:.1f} MB{}; lacuna serve "
+      "shows all of it.",
+      megabytes(whole), megabytes(taken),
+      taken > most ? fmt::format(", more than the {:.1f} MB it may have, because nothing else can be "
+                                 "left out",
+                                 megabytes(most))
+                   : "");
+}
+
+/// What is copied where not everything has room.
+std::vector<std::string> copy_selection(const Database& from, Database& to, std::int64_t whole, std::int64_t most) {
+  std::vector<std::string> notes;
+  const auto rows = [&](const char* table) { return number_of(from, fmt::format("SELECT count(*) FROM {}", table)); };
+  Choices choices = everything();
+  const std::int64_t models = rows("model"), tests = rows("test");
+  if (models + tests > 0) {
     leave_out_candidates(choices);
-    size -= candidates;
+    keep_counts(from, to);
     notes.push_back(fmt::format("Left out: of {} models and {} tests all that are no pass's best, with their scores.",
-                                row_count(from, "model"), row_count(from, "test")));
+                                models, tests));
   }
-  if (size > most_bytes) {
-    const std::int64_t series = bytes_of_series(from);
-    const std::int64_t room = std::max<std::int64_t>(most_bytes - (size - series), most_bytes / 4);
-    const std::int64_t left = leave_out_series(from, room, choices);
-    if (left > 0) notes.push_back(fmt::format("Left out: {} of {} time series.", left, row_count(from, "trace")));
-  }
+  copy_tables(from, to, choices);
+  const std::int64_t left_out = copy_series(from, to, most - bytes_of(to));
+  if (left_out > 0) notes.push_back(fmt::format("Left out: {} of {} time series.", left_out, rows("trace")));
+  notes.insert(notes.begin(), selection_note(whole, bytes_of(to), most));
   return notes;
 }
 
-void copy_rows(sqlite3* from, sqlite3* to, const std::string& table, const std::string& choice) {
-  const Prepared source = prepared(from, choice);
-  const int columns = sqlite3_column_count(source.get());
-  std::string marks = "?";
-  for (int i = 1; i < columns; ++i) marks += ", ?";
-  const Prepared into = prepared(to, fmt::format("INSERT INTO \"{}\" VALUES ({})", table, marks));
-  while (next_row(from, source)) {
-    for (int i = 0; i < columns; ++i) sqlite3_bind_value(into.get(), i + 1, sqlite3_column_value(source.get(), i));
-    next_row(to, into);
-    sqlite3_reset(into.get());
-  }
+std::vector<std::string> copy_what_fits(const Database& from, Database& to, std::int64_t most) {
+  const std::int64_t whole = bytes_of(from);
+  const std::int64_t states = number_of(from, "SELECT coalesce(sum(length(state)), 0) FROM checkpoint");
+  if (whole - states > most) return copy_selection(from, to, whole, most);
+  copy_tables(from, to, everything());
+  copy_series(from, to, std::numeric_limits<std::int64_t>::max());
+  return {};
 }
 
 }  // namespace
 
-std::vector<std::string> copy_for_pages(sqlite3* from, sqlite3* to, std::size_t most_bytes) {
-  run_on(from, "BEGIN");  // one state of the file, whoever writes to it meanwhile
-  Choices choices = everything();
-  std::vector<std::string> notes = choose_what_fits(from, static_cast<std::int64_t>(most_bytes), choices);
-  run_on(to, "PRAGMA foreign_keys = OFF; BEGIN");
-  for (const SchemaItem& table : items(from, "table")) {
-    run_on(to, table.sql);
-    const auto choice = choices.find(table.name);
-    copy_rows(from, to, table.name,
-              choice == choices.end() ? fmt::format("SELECT * FROM \"{}\"", table.name) : choice->second);
-  }
-  for (const char* type : {"index", "view"})
-    for (const SchemaItem& item : items(from, type)) run_on(to, item.sql);
+std::vector<std::string> copy_for_pages(const Database& from, Database& to, std::size_t most_bytes) {
+  to.execute("PRAGMA foreign_keys = OFF");
+  Transaction writing(to);
+  Statement(from, "BEGIN").run();  // one state of the file, whoever writes to it meanwhile
+  std::vector<std::string> notes = copy_what_fits(from, to, static_cast<std::int64_t>(most_bytes));
+  for (const SchemaItem& view : items(from, "view")) to.execute(view.sql);
   for (const char* header : {"application_id", "user_version"})
-    run_on(to, fmt::format("PRAGMA {} = {}", header, number_of(from, fmt::format("PRAGMA {}", header))));
-  run_on(to, "COMMIT");
-  run_on(from, "COMMIT");
+    to.execute(fmt::format("PRAGMA {} = {}", header, number_of(from, fmt::format("PRAGMA {}", header))));
+  writing.commit();
+  Statement(from, "COMMIT").run();
   return notes;
 }
 

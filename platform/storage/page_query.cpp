@@ -1,22 +1,19 @@
 #include "storage/page_query.h"
 
-#include "foundation/problem.h"
 #include "storage/reading_only.h"
-#include "storage/storage_error.h"
 #include "storage/trace_samples.h"
-
-#include <lacuna/error.h>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
 
-#include <memory>
+#include <algorithm>
 
 namespace lacuna {
 namespace {
 
-using PagePrepared = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+constexpr int kLongestValue = 128 << 20;  ///< bytes of a row: what a query makes up must fit into memory many times
+constexpr int kLongestPattern = 200;      ///< of LIKE and GLOB, which nothing can interrupt
 
 std::string quoted(const std::string& text) {
   std::string quoted = "'";
@@ -31,13 +28,6 @@ void add_pages(Database& database, const std::filesystem::path& pages) {
                    "sample.value FROM trace, trace_samples(trace.id) AS sample; PRAGMA query_only = ON");
 }
 
-[[noreturn]] void refuse(const Database& database, const ReadingOnly& reading, std::chrono::milliseconds longest) {
-  sqlite3* const handle = database.handle();
-  if (reading.out_of_time())
-    throw_problem({}, fmt::format("the query takes longer than {} s and was ended", longest.count() / 1000));
-  throw_problem({}, sqlite3_errmsg(handle));
-}
-
 int bind_value(sqlite3_stmt* statement, int index, const PageCell& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return sqlite3_bind_int64(statement, index, *integer);
   if (const auto* number = std::get_if<double>(&value)) return sqlite3_bind_double(statement, index, *number);
@@ -46,13 +36,14 @@ int bind_value(sqlite3_stmt* statement, int index, const PageCell& value) {
   return sqlite3_bind_null(statement, index);
 }
 
-PageCell page_cell(sqlite3_stmt* statement, int column) {
+PageCell page_cell(sqlite3_stmt* statement, int column, bool sizes) {
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement, column));
   switch (sqlite3_column_type(statement, column)) {
     case SQLITE_INTEGER: return std::int64_t{sqlite3_column_int64(statement, column)};
     case SQLITE_FLOAT: return sqlite3_column_double(statement, column);
     case SQLITE_TEXT: return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)), size);
     case SQLITE_BLOB: {
+      if (sizes) return Blob{size};
       const auto* first = static_cast<const std::byte*>(sqlite3_column_blob(statement, column));
       return size == 0 ? std::vector<std::byte>{} : std::vector<std::byte>(first, first + size);
     }
@@ -60,19 +51,27 @@ PageCell page_cell(sqlite3_stmt* statement, int column) {
   }
 }
 
+std::size_t bytes_of(const PageCell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return sizeof cell + text->size();
+  if (const auto* bytes = std::get_if<std::vector<std::byte>>(&cell)) return sizeof cell + bytes->size();
+  return sizeof cell;
+}
+
 /// False at a fault, whose description the connection holds.
-bool fill(sqlite3_stmt* statement, std::size_t most_rows, PageTable& table) {
+bool fill(sqlite3_stmt* statement, const PageQuery& query, PageTable& table) {
   const int count = sqlite3_column_count(statement);
   table = {};
   for (int column = 0; column < count; ++column) table.columns.emplace_back(sqlite3_column_name(statement, column));
+  std::size_t bytes = 0;
   for (int result = sqlite3_step(statement);; result = sqlite3_step(statement)) {
     if (result != SQLITE_ROW) return result == SQLITE_DONE;
-    if (table.rows.size() == most_rows) {
+    if (table.rows.size() == query.most_rows || bytes > query.most_bytes) {
       table.cut = true;
       return true;
     }
     std::vector<PageCell>& row = table.rows.emplace_back();
-    for (int column = 0; column < count; ++column) row.push_back(page_cell(statement, column));
+    for (int column = 0; column < count; ++column)
+      bytes += bytes_of(row.emplace_back(page_cell(statement, column, query.sizes)));
   }
 }
 
@@ -83,22 +82,15 @@ PageTable ask_for_page(const std::filesystem::path& database_file, const std::fi
   Database database = Database::open_read_only(database_file);
   const TraceSamples traces(database);
   add_pages(database, pages);
+  sqlite3_limit(database.handle(), SQLITE_LIMIT_LENGTH, kLongestValue);
+  sqlite3_limit(database.handle(), SQLITE_LIMIT_LIKE_PATTERN_LENGTH, kLongestPattern);
   const ReadingOnly reading(database.handle(), query.longest);
   PageTable table;
-  bool any = false;
-  for (const char* rest = query.sql.c_str(); *rest != '\0';) {
-    sqlite3_stmt* made = nullptr;
-    if (sqlite3_prepare_v2(database.handle(), rest, -1, &made, &rest) != SQLITE_OK)
-      refuse(database, reading, query.longest);
-    const PagePrepared statement(made, &sqlite3_finalize);
-    if (!statement) continue;
-    any = true;
-    const int wanted = sqlite3_bind_parameter_count(made);
-    for (int i = 0; i < std::min(wanted, static_cast<int>(query.values.size())); ++i)
-      bind_value(made, i + 1, query.values[static_cast<std::size_t>(i)]);
-    if (!fill(made, query.most_rows, table)) refuse(database, reading, query.longest);
-  }
-  if (!any) throw_problem({}, "there is no statement; try SELECT * FROM error_by_revision");
+  for_each_statement(database, query.sql, reading, [&](sqlite3_stmt* statement) {
+    const int wanted = std::min(sqlite3_bind_parameter_count(statement), static_cast<int>(query.values.size()));
+    for (int i = 0; i < wanted; ++i) bind_value(statement, i + 1, query.values[static_cast<std::size_t>(i)]);
+    return fill(statement, query, table);
+  });
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include "storage/storage_error.h"
 #include "storage/trace_samples.h"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -50,17 +51,22 @@ bool is_fault_of_sql(int primary_code) {
     case SQLITE_AUTH:
     case SQLITE_SCHEMA:  // how a refusal ends when the tables had not been looked at before
     case SQLITE_READONLY:
+    case SQLITE_TOOBIG:
     case SQLITE_MISMATCH: return true;
     default: return false;
   }
 }
 
 /// `start`: where in the text the failing statement begins.
-[[noreturn]] void fail(const Database& database, const std::string& sql, std::size_t start) {
+[[noreturn]] void fail(const Database& database, const std::string& sql, std::size_t start,
+                       const ReadingOnly& reading) {
   sqlite3* handle = database.handle();
   const int code = sqlite3_extended_errcode(handle);
   const int offset = sqlite3_error_offset(handle);
   const std::string message = sqlite3_errmsg(handle);
+  if (reading.out_of_time())
+    throw_problem({}, fmt::format("the query takes longer than {} s and was ended",
+                                  std::chrono::duration<double>(reading.longest()).count()));
   if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted("interrupted; the query was ended");
   if (!is_fault_of_sql(code & 0xff)) throw_storage_error(database.file(), code, message);
   const std::size_t place = start + (offset > 0 ? static_cast<std::size_t>(offset) : 0);
@@ -103,23 +109,29 @@ bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
 
 }  // namespace
 
-void run_queries(const Database& database, const std::string& sql, QueryOutput& output) {
-  const TraceSamples traces(database);
-  const ReadingOnly reading(database.handle());
+void for_each_statement(const Database& database, const std::string& sql, const ReadingOnly& reading,
+                        const std::function<bool(sqlite3_stmt*)>& run) {
   const char* const text = sql.c_str();
   bool any = false;
   for (const char* rest = text; *rest != '\0';) {
     throw_if_interrupted();
     const auto start = static_cast<std::size_t>(rest - text);
     sqlite3_stmt* prepared = nullptr;
-    if (sqlite3_prepare_v2(database.handle(), rest, -1, &prepared, &rest) != SQLITE_OK) fail(database, sql, start);
+    if (sqlite3_prepare_v2(database.handle(), rest, -1, &prepared, &rest) != SQLITE_OK)
+      fail(database, sql, start, reading);
     const StatementHandle statement(prepared, &sqlite3_finalize);
     if (!statement) continue;  // a comment or nothing between two semicolons
     any = true;
-    if (!run_one(statement.get(), output)) fail(database, sql, start);
+    if (!run(statement.get())) fail(database, sql, start, reading);
   }
   if (!any)
     throw BadInput({Problem{place_in(sql, 0), "there is no statement; try \"SELECT * FROM error_by_revision\""}});
+}
+
+void run_queries(const Database& database, const std::string& sql, QueryOutput& output) {
+  const TraceSamples traces(database);
+  const ReadingOnly reading(database.handle());
+  for_each_statement(database, sql, reading, [&](sqlite3_stmt* statement) { return run_one(statement, output); });
 }
 
 std::vector<ViewDescription> view_descriptions() {

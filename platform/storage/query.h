@@ -4,11 +4,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+struct sqlite3_stmt;
+
 namespace lacuna {
+
+class ReadingOnly;
 
 struct Blob {
   std::size_t bytes = 0;  ///< its content is not for reading
@@ -31,6 +36,12 @@ class QueryOutput {
 /// that would change anything, here or in another file, are refused. Throws `BadInput` with the place in
 /// the text for faults of the SQL, `Interrupted` when the user does not want to wait, else `Error`.
 void run_queries(const Database& database, const std::string& sql, QueryOutput& output);
+
+/// Prepares the statements of a text one after the other and hands each to `run`, which returns false at a fault, whose
+/// description the connection holds. Throws as `run_queries` does, and `BadInput` when the time of `reading` is over.
+/// For storage/ alone.
+void for_each_statement(const Database& database, const std::string& sql, const ReadingOnly& reading,
+                        const std::function<bool(sqlite3_stmt*)>& run);
 
 /// What the comments in schema/views.sql say about a view.
 struct ViewDescription {

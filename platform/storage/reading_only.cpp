@@ -43,7 +43,8 @@ int allow_reading_only(void*, int action, const char* first, const char* second,
 
 }  // namespace
 
-ReadingOnly::ReadingOnly(sqlite3* handle, std::optional<std::chrono::milliseconds> longest) : handle_(handle) {
+ReadingOnly::ReadingOnly(sqlite3* handle, std::optional<std::chrono::milliseconds> longest)
+    : handle_(handle), longest_(longest) {
   if (longest) end_ = std::chrono::steady_clock::now() + *longest;
   sqlite3_set_authorizer(handle_, allow_reading_only, nullptr);
   sqlite3_progress_handler(handle_, kOperationsBetweenLooks, stop_if_due, this);

@@ -18,9 +18,11 @@ class ReadingOnly {
   ReadingOnly& operator=(const ReadingOnly&) = delete;
 
   bool out_of_time() const;
+  std::chrono::milliseconds longest() const { return longest_.value_or(std::chrono::milliseconds::max()); }
 
  private:
   sqlite3* handle_;
+  std::optional<std::chrono::milliseconds> longest_;
   std::optional<std::chrono::steady_clock::time_point> end_;
 };
 

@@ -3,8 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace lacuna {
@@ -14,8 +16,9 @@ using Eigen::Vector3d;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double kPlace = 1e-12;                  // m, rounding of a few products of order one
-constexpr double kMetreGene = (1.0 - 0.1) / 1.9;  // a length of 1 m
+constexpr double kPlace = 1e-12;         // m, rounding of a few products of order one
+constexpr double kSink = 1e-5;           // m, how deep the target's parts start in the ground
+constexpr double kHeight = 0.1 - kSink;  // m, of a part that lies
 constexpr std::size_t kRow = 6;
 
 std::vector<double> defaults_of(const ParameterDeclarations& declarations) {
@@ -37,6 +40,13 @@ class MorphologyTest : public testing::Test {
     parameters_[static_cast<std::size_t>(parameter_index(name))] = value;
   }
   static double& gene(Genome& genome, std::size_t part, std::size_t which) { return genome[part * kRow + which]; }
+  RobotSpec five_with(const std::map<std::string, double>& given) const {
+    const ParameterDeclarations declared = five_.parameters();
+    std::vector<double> parameters = defaults_of(declared);
+    for (std::size_t i = 0; i < declared.size(); ++i)
+      if (const auto found = given.find(declared[i].name); found != given.end()) parameters[i] = found->second;
+    return five_.build({parameters, nullptr});
+  }
 
   const ModelEncoding& encoding_ = built_catalog().get<ModelEncoding>("morphology");
   std::vector<double> parameters_ = defaults_of(encoding_.parameters());
@@ -69,6 +79,15 @@ TEST_F(MorphologyTest, HasSixGenesAPart) {
   ASSERT_EQ(layout.size(), 30U);
   EXPECT_EQ(layout.row, 6U);
   EXPECT_EQ(layout.genes[6 + 2].name, "front.length");
+  EXPECT_EQ(layout.genes[6 + 2].unit, "m");
+  EXPECT_EQ(layout.genes[6 + 2].lower, 0.1);
+  EXPECT_EQ(layout.genes[6 + 2].upper, 2.0);
+}
+
+/// The first part is known to lie, wherever the experiment's robot has it.
+TEST_F(MorphologyTest, TheFirstPartIsAsHighAsTheRobots) {
+  target_ = five_with({{"radius", 0.3}, {"sink", 0.02}});
+  EXPECT_NEAR(decode(five_cylinders_genome()).bodies[0].position.z(), 0.28, kPlace);
 }
 
 TEST_F(MorphologyTest, AParentIsAnyPartBefore) {
@@ -89,8 +108,8 @@ TEST_F(MorphologyTest, AnglesAddUpAlongTheChain) {
   gene(genome, 2, 0) = 1.0, gene(genome, 2, 1) = 1.0;  // rear: on the front part's head
   gene(genome, 2, 3) = 0.5, gene(genome, 2, 4) = 0.5;  // rolled by π/2, so that its left is up
   const RobotSpec model = decode(genome);
-  EXPECT_LT((model.bodies[1].position - Vector3d(0.5, 0.5, 0.1)).norm(), kPlace);
-  EXPECT_LT((model.bodies[2].position - Vector3d(0.5, 1.0, 0.6)).norm(), kPlace);
+  EXPECT_LT((model.bodies[1].position - Vector3d(0.5, 0.5, kHeight)).norm(), kPlace);
+  EXPECT_LT((model.bodies[2].position - Vector3d(0.5, 1.0, kHeight + 0.5)).norm(), kPlace);
   EXPECT_EQ(model.joints[1].axis, Vector3d::UnitY()) << "a part that points up swings fore and aft";
   set("vertical_axis", 0.0);
   EXPECT_EQ(decode(genome).joints[1].axis, Vector3d::UnitX());
@@ -107,21 +126,22 @@ TEST_F(MorphologyTest, TheFirstTwoTouchSensorsCountAndMissingOnesReadNothing) {
   model = decode(genome);
   EXPECT_EQ(model.sensors[0].element, "left_arm");
   EXPECT_EQ(model.sensors[1].scale, 0.0);
-  gene(genome, 1, 2) = 0.9;
+  gene(genome, 1, 2) = 1.8;
   EXPECT_EQ(decode(genome).sensors[1].element, model.sensors[1].element) << "a length moves no sensor";
 }
 
 TEST_F(MorphologyTest, WhatIsBelowTheGroundStaysOrIsLifted) {
   Genome genome = five_cylinders_genome();
-  gene(genome, 1, 3) = 0.5, gene(genome, 1, 4) = 0.5;  // front: up, from the torso's head
-  gene(genome, 3, 0) = 0.4, gene(genome, 3, 1) = 0.0;  // left arm: on the front part's tail
-  gene(genome, 3, 3) = 0.0, gene(genome, 3, 4) = 1.0, gene(genome, 3, 2) = kMetreGene;  // and turned by π: down
-  EXPECT_LT((decode(genome).bodies[3].position - Vector3d(0.5, 0.0, -0.4)).norm(), kPlace);
+  gene(genome, 1, 3) = 0.5, gene(genome, 1, 4) = 0.5;                            // front: up, from the torso's head
+  gene(genome, 3, 0) = 0.4, gene(genome, 3, 1) = 0.0;                            // left arm: on the front part's tail
+  gene(genome, 3, 3) = 0.0, gene(genome, 3, 4) = 1.0, gene(genome, 3, 2) = 1.0;  // and turned by π: down
+  EXPECT_LT((decode(genome).bodies[3].position - Vector3d(0.5, 0.0, kHeight - 0.5)).norm(), kPlace);
   set("lift", 1.0);
   const RobotSpec lifted = decode(genome);
-  EXPECT_LT((lifted.bodies[3].position - Vector3d(0.5, 0.0, 0.5)).norm(), kPlace) << "its end is on the ground";
-  EXPECT_LT((lifted.bodies[0].position - Vector3d(0.0, 0.0, 1.0)).norm(), kPlace);
-  EXPECT_LT((lifted.joints[2].anchor - Vector3d(0.5, 0.0, 1.0)).norm(), kPlace);
+  EXPECT_LT((lifted.bodies[3].position - Vector3d(0.5, 0.0, 0.5 - kSink)).norm(), kPlace) << "its end is on the ground";
+  EXPECT_LT((lifted.bodies[0].position - Vector3d(0.0, 0.0, 1.0 - kSink)).norm(), kPlace);
+  EXPECT_LT((lifted.joints[2].anchor - Vector3d(0.5, 0.0, 1.0 - kSink)).norm(), kPlace);
+  EXPECT_NEAR(decode(five_cylinders_genome()).bodies[3].position.z(), kHeight, kPlace) << "the target is where it was";
 }
 
 TEST_F(MorphologyTest, WantsCylindersOnHinges) {
@@ -133,6 +153,15 @@ TEST_F(MorphologyTest, WantsCylindersOnHinges) {
   EXPECT_THAT([&] { encoding_.layout({robot, {}}, parameters_); }, ThrowsMessage<Error>(HasSubstr("cylinder")));
   set("l_min", 3.0);
   EXPECT_THAT([&] { encoding_.layout({target_, {}}, parameters_); }, ThrowsMessage<Error>(HasSubstr("l_min")));
+}
+
+/// A scale that a dead sensor would get back.
+TEST_F(MorphologyTest, TheScaleOfATouchSensorIsNotFree) {
+  const auto layout_with = [&](const std::string& address) {
+    return encoding_.layout({target_, {{address, "1", 0.0, 2.0, 1.0, Scale::linear}}}, parameters_);
+  };
+  EXPECT_EQ(layout_with("sensor.angle_front.scale").size(), 31U);
+  EXPECT_THAT([&] { layout_with("sensor.touch_2.scale"); }, ThrowsMessage<Error>(HasSubstr("sensor.touch_2.scale")));
 }
 
 class PartDistanceTest : public MorphologyTest {
@@ -160,7 +189,7 @@ TEST_F(PartDistanceTest, IsTheMeanOverTheParts) {
 TEST_F(PartDistanceTest, TheTopologyIsWhichEndsMeet) {
   Genome genome = five_cylinders_genome();
   EXPECT_EQ(topology_wrong(genome), 0.0);
-  gene(genome, 4, 2) = 0.1, gene(genome, 4, 4) = 0.3;
+  gene(genome, 4, 2) = 0.3, gene(genome, 4, 4) = 0.3;
   EXPECT_EQ(topology_wrong(genome), 0.0) << "lengths and angles are not topology";
   gene(genome, 3, 0) = 0.4, gene(genome, 3, 1) = 0.0;
   EXPECT_EQ(decode(genome).joints[2].parent, "front");
@@ -173,12 +202,8 @@ TEST_F(PartDistanceTest, TheTopologyIsWhichEndsMeet) {
 }
 
 TEST_F(PartDistanceTest, AnArmOnTheMiddleOfAPartIsOnNoEnd) {
-  std::vector<double> parameters = defaults_of(five_.parameters());
-  const ParameterDeclarations declared = five_.parameters();
-  for (std::size_t i = 0; i < declared.size(); ++i)
-    if (declared[i].name == "arms_in_middle") parameters[i] = 1.0;
-  const RobotSpec literal = five_.build({parameters, nullptr});
-  EXPECT_LT((literal.bodies[3].position - Vector3d(1.0, 0.4, 0.1)).norm(), kPlace);
+  const RobotSpec literal = five_with({{"arms_in_middle", 1.0}});
+  EXPECT_LT((literal.bodies[3].position - Vector3d(1.0, 0.4, kHeight)).norm(), kPlace);
   EXPECT_EQ(score(literal, "topology_wrong"), 1.0);
   EXPECT_NEAR(score(literal, "body.*.position"), 2.0 * 0.5 / 5.0, kPlace);
 }
@@ -257,9 +282,45 @@ TEST_F(ReshapeTest, LinesPartsUp) {
   gene(genome, 1, 3) = 0.5, gene(genome, 1, 4) = 0.1;  // front: a little upwards
   int flat = 0;
   for (std::uint64_t key = 0; key < 400; ++key)
-    flat += std::abs(decode(reshaped(genome, kLineUp, key)).bodies[1].position.z() - 0.1) < kPlace ? 1 : 0;
+    flat += std::abs(decode(reshaped(genome, kLineUp, key)).bodies[1].position.z() - kHeight) < kPlace ? 1 : 0;
   // One of four parts, one of three axes, and any other part's height: 33 on average.
   EXPECT_NEAR(flat, 33.3, 5.0 * std::sqrt(33.3));
+}
+
+/// Where a part cannot reach its old place, no length and no direction would have come nearer.
+TEST_F(ReshapeTest, TakesTheNearestPlaceThereIs) {
+  const RobotSpec before = decode(five_cylinders_genome());
+  for (std::uint64_t key = 0; key < 100; ++key) {
+    const Genome child = reshaped(five_cylinders_genome(), kHangElsewhere, key);
+    const RobotSpec robot = decode(child);
+    RandomStream random(std::vector<std::uint64_t>{key});
+    for (std::size_t part = 1; part < 5; ++part) {
+      const double distance = (robot.bodies[part].position - before.bodies[part].position).norm();
+      for (int i = 0; i < 200; ++i) {
+        Genome other = child;
+        if (i % 2 == 1) gene(other, part, 2) = random.uniform(0.1, 2.0);
+        for (const std::size_t angle : {3U, 4U})
+          gene(other, part, angle) = std::clamp(gene(other, part, angle) + random.uniform(-0.1, 0.1), 0.0, 1.0);
+        ASSERT_GE((decode(other).bodies[part].position - before.bodies[part].position).norm(), distance - kPlace);
+      }
+    }
+  }
+}
+
+/// The genes' bounds are what the encoding was told, and nothing need be said twice.
+TEST_F(ReshapeTest, LengthsKeepToTheLayout) {
+  set("l_min", 0.5), set("l_max", 1.2);
+  bool shortest = false, longest = false;
+  for (std::uint64_t key = 0; key < 400; ++key) {
+    const Genome child = reshaped(raised(), key % 2 == 0 ? kStretchFirst : kMove, key);
+    for (std::size_t part = 0; part < 5; ++part) {
+      ASSERT_GE(child[part * kRow + 2], 0.5);
+      ASSERT_LE(child[part * kRow + 2], 1.2);
+      shortest = shortest || child[part * kRow + 2] == 0.5;
+      longest = longest || child[part * kRow + 2] == 1.2;
+    }
+  }
+  EXPECT_TRUE(shortest && longest);
 }
 
 TEST_F(ReshapeTest, WantsRowsOfSixGenes) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -253,20 +254,73 @@ TEST_F(PairedTournamentTest, TheFitterOverwritesTheOtherAndIsVaried) {
   EXPECT_EQ(best[1].score, 9.0);
 }
 
+/// Gives one gene a new value, so that a child says which random numbers it had.
+class ResettingBreeder : public RandomBreeder {
+ public:
+  using RandomBreeder::RandomBreeder;
+  Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const override {
+    used = {random.index(parents.size())};
+    Genome child = parents[used[0]];
+    child[random.index(child.size())] = random.uniform();
+    return child;
+  }
+};
+
+/// Pairs one after the other, each child scored before the next pair is drawn: the children, in their order.
+std::vector<Individual> one_by_one(std::vector<ScoredIndividual> population, const Breeder& breeder, std::size_t pairs,
+                                   std::uint64_t generations) {
+  std::vector<Individual> children;
+  std::uint64_t number = population.size();
+  for (std::uint64_t generation = 1; generation < generations; ++generation)
+    for (std::uint64_t pair = 0; pair < pairs; ++pair) {
+      RandomStream random(std::array<std::uint64_t, 3>{1, generation, pair});
+      const std::size_t one = random.index(population.size());
+      std::size_t other = random.index(population.size() - 1);
+      other += other >= one ? 1 : 0;
+      const auto rank = [&](std::size_t i) { return std::pair(population[i].score, population[i].individual.number); };
+      const std::size_t winner = rank(one) < rank(other) ? one : other, loser = one + other - winner;
+      const Individual& parent = population[winner].individual;
+      std::vector<std::size_t> used;
+      children.push_back({number++, breeder.child({&parent.genome, 1}, random, used), {parent.number}});
+      population[loser] = {children.back(), sphere(children.back().genome)};
+    }
+  return children;
+}
+
 /// The same pairs as if each child were scored before the next pair is drawn.
 TEST_F(PairedTournamentTest, PairsThatDoNotWaitAreAskedTogether) {
-  const auto search = begin({40.0, 30.0, 3.0});
+  const ResettingBreeder breeder(layout_);
+  const auto search = built_catalog()
+                          .get<SearchStrategy>("paired_tournament")
+                          .begin({layout_, breeder, {1}, seeds_}, std::vector{40.0, 30.0, 3.0});
+  std::vector<ScoredIndividual> first;
+  for (const Individual& one : search->ask()) first.push_back({one, sphere(one.genome)});
   search->tell(spheres(search->ask()));
-  std::size_t children = 0, parts = 0;
-  while (search->generation() == 1) {
+  std::vector<Individual> children;
+  std::size_t parts = 0;
+  for (; !search->finished(); ++parts) {
     const std::vector<Individual> asked = search->ask();
-    children += asked.size();
-    ++parts;
+    children.insert(children.end(), asked.begin(), asked.end());
     search->tell(spheres(asked));
   }
-  EXPECT_EQ(children, 30U);
-  EXPECT_GT(parts, 1U);
-  EXPECT_LT(parts, 30U);
+  EXPECT_GT(parts, 2U);
+  EXPECT_LT(parts, 60U);
+  const std::vector<Individual> expected = one_by_one(first, breeder, 30, 3);
+  ASSERT_EQ(children.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(children[i].number, expected[i].number);
+    EXPECT_EQ(children[i].genome, expected[i].genome) << "child " << i;
+    EXPECT_EQ(children[i].parents, expected[i].parents) << "child " << i;
+  }
+}
+
+TEST_F(PairedTournamentTest, RefusesAnothersState) {
+  const auto search = begin({4.0, 3.0, 2.0});
+  search->tell(spheres(search->ask()));
+  const std::vector<double> state = search->save();
+  begin({4.0, 3.0, 2.0})->load(state);
+  EXPECT_THAT([&] { begin({5.0, 3.0, 2.0})->load(state); }, ThrowsMessage<Error>(HasSubstr("5 individuals")));
+  EXPECT_THAT([&] { begin({4.0, 2.0, 2.0})->load(state); }, ThrowsMessage<Error>(HasSubstr("2 pairs")));
 }
 
 }  // namespace

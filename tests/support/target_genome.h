@@ -4,10 +4,10 @@
 
 namespace lacuna {
 
-/// The genome of `morphology` (lengths from 0.1 m to 2 m) that says exactly what the robot `five_cylinders` is: rows of
-/// parent, end, length, roll, turn, touch. The front part and both arms on the torso's head, the rear part on its tail.
+/// The genome of `morphology` that says exactly what the robot `five_cylinders` is: rows of parent, end, length in m,
+/// roll, turn, touch. The front part and both arms on the torso's head, the rear part on its tail.
 inline Genome five_cylinders_genome() {
-  constexpr double kMetre = (1.0 - 0.1) / 1.9, kArm = (0.8 - 0.1) / 1.9;
+  constexpr double kMetre = 1.0, kArm = 0.8;
   constexpr double kHead = 1.0, kTail = 0.0, kTouch = 1.0, kNone = 0.0, kTorso = 0.0;
   return {
       kTorso, kTail, kMetre, 0.0, 0.0, kNone,   //

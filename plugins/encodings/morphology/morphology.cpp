@@ -3,6 +3,7 @@
 #include "part_chain.h"
 #include "reshape.h"
 
+#include <lacuna/cylinder.h>
 #include <lacuna/error.h>
 #include <lacuna/plugin.h>
 
@@ -17,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-enum Parameter : std::size_t { kLeastLength, kGreatestLength, kRootHeight, kVerticalAxis, kLift };
+enum Parameter : std::size_t { kLeastLength, kGreatestLength, kVerticalAxis, kLift };
 
 constexpr std::array<const char*, kGenesPerPart> kGeneNames = {"parent", "end", "length", "roll", "turn", "touch"};
 constexpr double kVertical = 1e-6;  // sine of the angle to the vertical
@@ -37,17 +38,19 @@ void check_robot(const RobotSpec& robot) {
                   robot.bodies[i + 1].name + "\"" + needs);
 }
 
-ChainSettings settings_of(std::span<const double> parameters) {
-  if (parameters[kLeastLength] > parameters[kGreatestLength])
-    throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
-  return {parameters[kLeastLength], parameters[kGreatestLength], parameters[kRootHeight]};
+/// A touch sensor that no part asks for reads 0 by its scale, which is the genome's then.
+void check_free(const RobotSpec& robot, const std::vector<FreeParameter>& free) {
+  for (const SensorSpec& sensor : robot.sensors)
+    for (const FreeParameter& parameter : free)
+      if (sensor.kind == SensorKind::touch && parameter.address == "sensor." + sensor.name + ".scale")
+        throw Error("model.free names " + parameter.address +
+                    ", by which the encoding makes a touch sensor dead that no part asks for; leave it out");
 }
 
-/// A solid cylinder along x.
-InertiaSpec solid_cylinder(double mass, double radius, double length) {
-  const double along = 0.5 * mass * radius * radius;
-  const double across = mass * (3.0 * radius * radius + length * length) / 12.0;
-  return {.xx = along, .yy = across, .zz = across};
+Gene gene_of(const BodySpec& body, std::size_t which, std::span<const double> parameters) {
+  const std::string name = body.name + "." + kGeneNames[which];
+  if (which == kLengthGene) return {name, "m", GeneKind::real, parameters[kLeastLength], parameters[kGreatestLength]};
+  return {name, "1", GeneKind::real, 0.0, 1.0};
 }
 
 /// The body keeps its name, mass and radius.
@@ -93,12 +96,14 @@ void place_touch_sensors(RobotSpec& robot, const std::vector<PlacedPart>& parts)
   }
 }
 
-/// How far the robot has to rise so that nothing of it is below the ground, m.
-double missing_height(const RobotSpec& robot, const std::vector<PlacedPart>& parts) {
-  double lowest = 0.0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    lowest = std::min(lowest, lowest_point(parts[i], robot.bodies[i].shapes[0].size.x()));
-  return -lowest;
+/// Raises the robot until nothing of it is lower than a first part that lies: on the ground, or as deep in it as that.
+void lift(RobotSpec& robot) {
+  const BodySpec& root = robot.bodies[0];
+  const double floor = std::min(0.0, root.position.z() - root.shapes[0].size.x());
+  double height = 0.0;
+  for (const BodySpec& body : robot.bodies) height = std::max(height, floor - lowest_point(body, body.shapes[0]));
+  for (BodySpec& body : robot.bodies) body.position.z() += height;
+  for (JointSpec& joint : robot.joints) joint.anchor.z() += height;
 }
 
 }  // namespace
@@ -110,21 +115,22 @@ std::string Morphology::summary() const {
 ParameterDeclarations Morphology::parameters() const {
   return {{"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part"},
           {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part"},
-          {"root_height", "m", 0.09999, 0.0, 100.0, Scale::linear,
-           "Height of the first part's axis, which lies along x; as much as its radius less the target's sink"},
           {"vertical_axis", "1", 1.0, 0.0, 1.0, Scale::linear,
            "Axis of the hinge of a part that points up or down: 1 y, moving it in the sagittal plane; 0 x"},
           {"lift", "1", 0.0, 0.0, 1.0, Scale::linear,
-           "1: a robot of which something is below the ground is raised until nothing is; 0: it stays, and the contact "
-           "pushes it out"}};
+           "1: a robot of which something is below the ground is raised until nothing is lower than a first part that "
+           "lies; 0: it stays, and the contact pushes it out"}};
 }
 
 GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double> parameters) const {
   check_robot(space.robot);
-  settings_of(parameters);  // complains
+  check_free(space.robot, space.free);
+  if (parameters[kLeastLength] > parameters[kGreatestLength])
+    throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
   GenomeLayout layout;
   for (const BodySpec& body : space.robot.bodies)
-    for (const char* gene : kGeneNames) layout.genes.push_back({body.name + "." + gene, "1", GeneKind::real, 0.0, 1.0});
+    for (std::size_t which = 0; which < kGenesPerPart; ++which)
+      layout.genes.push_back(gene_of(body, which, parameters));
   layout.row = space.free.empty() ? kGenesPerPart : 0;
   for (const FreeParameter& free : space.free) {
     if (!std::isfinite(free.lower) || !std::isfinite(free.upper) || free.lower > free.upper)
@@ -141,11 +147,8 @@ ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double
     throw Error("a genome of " + std::to_string(genome.size()) + " genes does not fit a robot of " +
                 std::to_string(space.robot.bodies.size()) + " parts and " + std::to_string(space.free.size()) +
                 " free parameters");
-  std::vector<PlacedPart> parts = place_parts(genome.first(shape_genes), settings_of(parameters));
+  const std::vector<PlacedPart> parts = place_parts(genome.first(shape_genes), space.robot.bodies[0].position.z());
   auto robot = std::make_shared<RobotSpec>(space.robot);
-  if (parameters[kLift] >= 0.5)
-    if (const double height = missing_height(*robot, parts); height > 0.0)
-      for (PlacedPart& part : parts) part.tail.z() += height;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     place_body(robot->bodies[i], parts[i]);
     if (i == 0) continue;
@@ -154,6 +157,7 @@ ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double
     joint.anchor = parts[i].tail;
     joint.axis = hinge_axis(parts[i].direction(), parameters[kVerticalAxis] >= 0.5);
   }
+  if (parameters[kLift] >= 0.5) lift(*robot);
   place_touch_sensors(*robot, parts);
   ModelProposal model;
   for (std::size_t i = 0; i < space.free.size(); ++i)

@@ -10,8 +10,8 @@ class Morphology : public ModelEncoding {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` where the robot is not made of cylinders each of which hangs on a hinge, or lengths are the wrong
-  /// way round.
+  /// Throws `Error` where the robot is not made of cylinders each of which hangs on a hinge, lengths are the wrong way
+  /// round, or the scale of a touch sensor is free.
   GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const override;
   ModelProposal decode(const ModelSpace& space, std::span<const double> parameters,
                        std::span<const double> genome) const override;

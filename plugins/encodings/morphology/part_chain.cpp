@@ -20,12 +20,12 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& parent, double roll, double 
 
 /// A part as its row says it, where those before it lie.
 PlacedPart placed(std::size_t i, std::span<const double> genes, const std::vector<PlacedPart>& parts,
-                  const ChainSettings& settings) {
+                  double root_height) {
   PlacedPart part;
-  part.length = settings.least_length + genes[kLengthGene] * (settings.greatest_length - settings.least_length);
+  part.length = genes[kLengthGene];
   part.touch = genes[kTouchGene] >= 0.5;
   if (i == 0) {
-    part.tail = {-0.5 * part.length, 0.0, settings.root_height};
+    part.tail = {-0.5 * part.length, 0.0, root_height};
     return part;
   }
   part.parent = scaled_index(genes[kParentGene], i);
@@ -37,36 +37,37 @@ PlacedPart placed(std::size_t i, std::span<const double> genes, const std::vecto
   return part;
 }
 
-/// What the row of a part that hangs where it does would have to be for its centre to be there.
-void aim(const PlacedPart& part, const PlacedPart& parent, const Vector3d& centre, const ChainSettings& settings,
+/// What the row of a part that hangs where it does would have to be for its centre to be there. Of a centre in the half
+/// of all directions that genes do not have, the foot on the plane between the halves is the nearest they can say.
+void aim(const PlacedPart& part, const PlacedPart& parent, const Vector3d& centre, const Gene& length,
          std::span<double> genes) {
-  const Vector3d way = parent.orientation.conjugate() * (centre - part.tail);  // in the parent's frame
-  const double distance = way.norm(), range = settings.greatest_length - settings.least_length;
-  if (!(distance > 0.0)) return;
-  if (range > 0.0) genes[kLengthGene] = std::clamp((2.0 * distance - settings.least_length) / range, 0.0, 1.0);
-  genes[kTurnGene] = std::acos(std::clamp(way.x() / distance, -1.0, 1.0)) / std::numbers::pi;
-  if (way.y() == 0.0 && way.z() == 0.0) return;  // any roll does
-  // What lies in the other half of all directions comes as near as the plane between the two halves.
-  genes[kRollGene] = way.z() >= 0.0 ? std::atan2(way.z(), way.y()) / std::numbers::pi : way.y() >= 0.0 ? 0.0 : 1.0;
+  Vector3d way = parent.orientation.conjugate() * (centre - part.tail);  // in the parent's frame
+  if (!(way.z() > 0.0)) way.z() = 0.0;
+  genes[kLengthGene] = std::clamp(2.0 * way.norm(), length.lower, length.upper);
+  const double aside = std::hypot(way.y(), way.z());
+  genes[kTurnGene] = std::atan2(aside, way.x()) / std::numbers::pi;
+  if (aside > 0.0) genes[kRollGene] = std::atan2(way.z(), way.y()) / std::numbers::pi;  // otherwise any does
 }
 
 }  // namespace
 
-std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainSettings& settings) {
+std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_height) {
   std::vector<PlacedPart> parts(genome.size() / kGenesPerPart);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i] = placed(i, genome.subspan(i * kGenesPerPart, kGenesPerPart), parts, settings);
+    parts[i] = placed(i, genome.subspan(i * kGenesPerPart, kGenesPerPart), parts, root_height);
   return parts;
 }
 
-void aim_at_centres(std::span<double> genome, std::span<const Vector3d> centres, const ChainSettings& settings) {
+void aim_at_centres(std::span<double> genome, std::span<const Gene> genes, std::span<const Vector3d> centres,
+                    double root_height) {
   std::vector<PlacedPart> parts(genome.size() / kGenesPerPart);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::span<double> genes = genome.subspan(i * kGenesPerPart, kGenesPerPart);
-    parts[i] = placed(i, genes, parts, settings);
+    const std::size_t first = i * kGenesPerPart;
+    const std::span<double> row = genome.subspan(first, kGenesPerPart);
+    parts[i] = placed(i, row, parts, root_height);
     if (i == 0) continue;
-    aim(parts[i], parts[parts[i].parent], centres[i], settings, genes);
-    parts[i] = placed(i, genes, parts, settings);
+    aim(parts[i], parts[parts[i].parent], centres[i], genes[first + kLengthGene], row);
+    parts[i] = placed(i, row, parts, root_height);
   }
 }
 
@@ -75,11 +76,5 @@ double parent_gene(std::size_t parent, std::size_t part) {
 }
 
 double end_gene(bool at_head) { return at_head ? 0.75 : 0.25; }
-
-double lowest_point(const PlacedPart& part, double radius) {
-  const double slope = part.direction().z();
-  return part.centre().z() - 0.5 * part.length * std::abs(slope) -
-         radius * std::sqrt(std::max(0.0, 1.0 - slope * slope));
-}
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <lacuna/genome.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -12,12 +14,6 @@ constexpr std::size_t kGenesPerPart = 6;
 
 /// What the genes of one part are, in their order.
 enum PartGene : std::size_t { kParentGene, kEndGene, kLengthGene, kRollGene, kTurnGene, kTouchGene };
-
-/// Lengths of parts and where the first of them lies.
-struct ChainSettings {
-  double least_length = 0.0, greatest_length = 0.0;  ///< m
-  double root_height = 0.0;                          ///< of the first part's axis above the ground, m
-};
 
 /// One part as its genes place it, world frame.
 struct PlacedPart {
@@ -33,19 +29,18 @@ struct PlacedPart {
   Eigen::Vector3d head() const { return tail + length * direction(); }
 };
 
-/// The parts of a genome of `kGenesPerPart` genes each, all within [0, 1]. The first lies along x with its centre above
-/// the origin.
-std::vector<PlacedPart> place_parts(std::span<const double> genome, const ChainSettings& settings);
+/// The parts of a genome of `kGenesPerPart` genes each: lengths in m, all others within [0, 1]. The first lies along x
+/// with its centre at `root_height` above the origin, m.
+std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_height);
 
 /// Writes the genes of length, roll and turn of every part but the first so that its centre comes as near as the genes'
-/// bounds allow to the one given; parents, ends and the first part's length stay as the genome has them.
-void aim_at_centres(std::span<double> genome, std::span<const Eigen::Vector3d> centres, const ChainSettings& settings);
+/// bounds allow to the one given, where the parts before it lie; parents, ends and the first part's length stay as the
+/// genome has them. `genes` are the layout's, whose lengths have their bounds there.
+void aim_at_centres(std::span<double> genome, std::span<const Gene> genes, std::span<const Eigen::Vector3d> centres,
+                    double root_height);
 
 /// The gene of a parent, or of an end, in the middle of those that mean it.
 double parent_gene(std::size_t parent, std::size_t part);
 double end_gene(bool at_head);
-
-/// Height of a cylinder's lowest point, m.
-double lowest_point(const PlacedPart& part, double radius);
 
 }  // namespace lacuna

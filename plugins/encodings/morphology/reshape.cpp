@@ -12,20 +12,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-enum Parameter : std::size_t { kReattach, kStretch, kRegular, kCoarsest, kFinest, kShortest, kLongest };
+enum Parameter : std::size_t { kReattach, kStretch, kRegular, kCoarsest, kFinest };
 
 constexpr std::size_t kAttempts = 20;
+constexpr double kRootHeight = 0.0;  // m; where the robot is counts for nothing here
 
-ChainSettings checked(const GenomeLayout& layout, std::span<const double> parameters) {
+void check(const GenomeLayout& layout, std::span<const double> parameters) {
   if (layout.row != kGenesPerPart || layout.size() < 2 * kGenesPerPart)
     throw Error("reshape varies rows of six genes, as the encoding morphology has them where model.free is empty");
-  for (const Gene& gene : layout.genes)
-    if (gene.lower != 0.0 || gene.upper != 1.0)
-      throw Error("reshape varies genes from 0 to 1, as the encoding morphology has them");
+  for (std::size_t i = 0; i < layout.size(); ++i)
+    if (i % kGenesPerPart != kLengthGene && (layout.genes[i].lower != 0.0 || layout.genes[i].upper != 1.0))
+      throw Error("reshape varies lengths and genes from 0 to 1, as the encoding morphology has them");
   if (parameters[kCoarsest] > parameters[kFinest])
     throw Error("coarsest is to be at most finest: both count decades below a metre");
-  if (parameters[kShortest] > parameters[kLongest]) throw Error("l_min is to be at most l_max");
-  return {parameters[kShortest], parameters[kLongest], 0.0};
 }
 
 /// From 10^-finest to 10^-coarsest m, each decade with the same chance.
@@ -66,11 +65,6 @@ void line_up(std::vector<Vector3d>& centres, std::size_t part, RandomStream& ran
   centres[part][axis] = mirrored ? -centres[other][axis] : centres[other][axis];
 }
 
-void stretch_first(std::span<double> genome, double metres, const ChainSettings& settings) {
-  const double range = settings.greatest_length - settings.least_length;
-  if (range > 0.0) genome[kLengthGene] = std::clamp(genome[kLengthGene] + metres / range, 0.0, 1.0);
-}
-
 }  // namespace
 
 std::string Reshape::summary() const {
@@ -84,16 +78,14 @@ ParameterDeclarations Reshape::parameters() const {
           {"regular", "1", 0.3, 0.0, 1.0, Scale::linear,
            "Chance that a move takes over a coordinate or length of another part instead of being random"},
           {"coarsest", "1", 0.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the largest move"},
-          {"finest", "1", 5.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the smallest move"},
-          {"l_min", "m", 0.1, 1e-3, 100.0, Scale::linear, "Length of the shortest part, as the encoding has it"},
-          {"l_max", "m", 2.0, 1e-3, 100.0, Scale::linear, "Length of the longest part, as the encoding has it"}};
+          {"finest", "1", 5.0, -3.0, 15.0, Scale::linear, "Decades below a metre of the smallest move"}};
 }
 
 Genome Reshape::vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
                      RandomStream& random) const {
-  const ChainSettings settings = checked(layout, parameters);
+  check(layout, parameters);
   Genome child = parents.front();
-  const std::vector<PlacedPart> parts = place_parts(child, settings);
+  const std::vector<PlacedPart> parts = place_parts(child, kRootHeight);
   std::vector<Vector3d> centres;
   for (const PlacedPart& part : parts) centres.push_back(part.centre());
   const std::size_t part = 1 + random.index(parts.size() - 1);
@@ -102,13 +94,14 @@ Genome Reshape::vary(std::span<const Genome> parents, const GenomeLayout& layout
   } else if (random.chance(parameters[kStretch])) {
     double metres = step_size(parameters, random) * (random.chance(0.5) ? 1.0 : -1.0);
     if (random.chance(parameters[kRegular])) metres = 0.5 * (parts[part].length - parts[0].length);
-    stretch_first(child, metres, settings);
+    const Gene& length = layout.genes[kLengthGene];
+    child[kLengthGene] = std::clamp(child[kLengthGene] + metres, length.lower, length.upper);
   } else if (random.chance(parameters[kRegular])) {
     line_up(centres, part, random);
   } else {
     centres[part] += step_size(parameters, random) * any_direction(random);
   }
-  aim_at_centres(child, centres, settings);
+  aim_at_centres(child, layout.genes, centres, kRootHeight);
   return child;
 }
 

@@ -11,8 +11,8 @@ class Reshape : public MutationOperator {
  public:
   std::string summary() const override;
   ParameterDeclarations parameters() const override;
-  /// Throws `Error` for a layout without two rows of six genes from 0 to 1, and for limits that are the wrong way
-  /// round.
+  /// Throws `Error` for a layout without two rows of a length and five genes from 0 to 1, and for decades that are the
+  /// wrong way round. Lengths keep to their genes' bounds.
   Genome vary(std::span<const Genome> parents, const GenomeLayout& layout, std::span<const double> parameters,
               RandomStream& random) const override;
 };

@@ -5,7 +5,7 @@
 namespace lacuna {
 
 /// The mutation of the seed's experiment 2 (Eq. 2): one gene gets a new uniform value, or moves by ±range·10^−δ with δ
-/// uniform in [`finest`, `coarsest`] decades.
+/// uniform in [`coarsest`, `finest`] decades.
 class ResetOrNudge : public MutationOperator {
  public:
   std::string summary() const override;

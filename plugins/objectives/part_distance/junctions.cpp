@@ -1,5 +1,7 @@
 #include "junctions.h"
 
+#include <lacuna/cylinder.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -20,11 +22,9 @@ std::optional<std::size_t> index_of(const RobotSpec& robot, const std::string& n
 /// The end of the body that lies at a place in the world: 0 its tail, 1 its head; none: neither.
 std::optional<std::size_t> end_at(const BodySpec& body, const Vector3d& place) {
   if (body.shapes.empty()) return std::nullopt;
-  const ShapeSpec& shape = body.shapes.front();
-  const Vector3d centre = body.position + body.orientation * shape.position;
-  const Vector3d half = body.orientation * (shape.orientation * Vector3d(0.0, 0.0, 0.5 * shape.size.y()));
-  if ((place - (centre - half)).norm() < kMeets) return 0;
-  if ((place - (centre + half)).norm() < kMeets) return 1;
+  const CylinderEnds ends = cylinder_ends(body, body.shapes.front());
+  if ((place - ends.tail).norm() < kMeets) return 0;
+  if ((place - ends.head).norm() < kMeets) return 1;
   return std::nullopt;
 }
 

@@ -6,12 +6,6 @@
 #include <lacuna/plugin.h>
 
 namespace lacuna {
-namespace {
-
-Eigen::Vector3d centre_of(const BodySpec& body) { return body.position + body.orientation * body.com; }
-
-}  // namespace
-
 std::string PartDistance::summary() const {
   return "Distance of each part's centre from the target's at the start, its mean, and whether the topology is wrong";
 }
@@ -25,7 +19,7 @@ std::vector<ObjectiveScore> PartDistance::score(const ModelSpace& space, const M
   std::vector<ObjectiveScore> scores;
   double sum = 0.0;
   for (std::size_t i = 0; i < found.bodies.size(); ++i) {
-    const double distance = (centre_of(found.bodies[i]) - centre_of(truth.robot.bodies[i])).norm();
+    const double distance = (found.bodies[i].position - truth.robot.bodies[i].position).norm();
     scores.push_back({"body." + truth.robot.bodies[i].name + ".position", "m", distance});
     sum += distance;
   }

@@ -1,5 +1,6 @@
 #include "five_cylinders.h"
 
+#include <lacuna/cylinder.h>
 #include <lacuna/error.h>
 #include <lacuna/plugin.h>
 
@@ -54,13 +55,6 @@ std::array<Part, 5> parts_of(std::span<const double> p) {
            {"rear", tail, 2.0 * kHalfPi, spine, kBase},
            {"left_arm", shoulder, kHalfPi, arm, arms_on},
            {"right_arm", shoulder, -kHalfPi, arm, arms_on}}};
-}
-
-/// A solid cylinder along the body's x.
-InertiaSpec solid_cylinder(double mass, double radius, double length) {
-  const double along = 0.5 * mass * radius * radius;
-  const double across = mass * (3.0 * radius * radius + length * length) / 12.0;
-  return {.xx = along, .yy = across, .zz = across};
 }
 
 Vector3d direction_of(const Part& part) { return {std::cos(part.yaw), std::sin(part.yaw), 0.0}; }

@@ -1,10 +1,12 @@
 #include "paired_tournament.h"
 
 #include <lacuna/count_parameter.h>
+#include <lacuna/error.h>
 #include <lacuna/generational_search.h>
 #include <lacuna/plugin.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace lacuna {
@@ -64,7 +66,12 @@ class PairedTournamentSearch : public GenerationalSearch {
 
   bool generation_over() const override { return done_ == pairs_; }
   void do_save(SearchStateWriter& state) const override { state.add_count(done_); }
-  void do_load(SearchStateReader& state) override { done_ = state.next_count(); }
+  void do_load(SearchStateReader& state) override {
+    done_ = state.next_count();
+    if (kept().size() != (generation() == 0 ? 0 : population_) || done_ > pairs_)
+      throw Error("the stored state is not one of a search of " + std::to_string(population_) + " individuals and " +
+                  std::to_string(pairs_) + " pairs");
+  }
 
   std::size_t population_, pairs_;
   std::size_t done_ = 0;                  // pairs that have been told, of this generation or, if all, of the last
