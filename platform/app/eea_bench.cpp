@@ -1,7 +1,9 @@
 #include "app/eea_bench.h"
 
 #include "eea/recorded_trials.h"
+#include "evaluation/complaints.h"
 #include "evaluation/hidden_truth.h"
+#include "foundation/address.h"
 
 #include <lacuna/random_stream.h>
 
@@ -13,6 +15,35 @@ namespace {
 
 bool is_simulated(const Rig& rig) { return rig.experiment.target.kind == "simulated"; }
 
+/// Whether tests answer to sensors. One that cannot be made says nothing against it.
+bool makes_controllers(const EeaDefinition& definition) {
+  RandomStream any(std::array<std::uint64_t, 1>{1});
+  try {
+    const Test test = definition.decode_test(definition.exploration.breeder->random(any));
+    return !std::holds_alternative<CommandSeries>(test.drive);
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+/// Why a controller that was made for the model's channels cannot drive the target: it reads and writes them by their
+/// places. `seen`: which of the model's sensor channels; none: all. Empty: it can.
+std::string other_channels(const RobotSpec& model, const RobotSpec& target, std::vector<std::size_t> seen) {
+  const std::vector<Channel> wanted = sensor_channels(model), there = sensor_channels(target);
+  if (seen.empty())
+    for (std::size_t c = 0; c < wanted.size(); ++c) seen.push_back(c);
+  for (const std::size_t c : seen)
+    if (c >= there.size() || there[c].name != wanted[c].name)
+      return "the controller sees \"" + wanted[c].name + "\", reading " + std::to_string(c + 1) +
+             " of the model's robot; the target's has " +
+             (c < there.size() ? "\"" + there[c].name + "\" there" : std::to_string(there.size()) + " readings") +
+             "; give both the same sensors in the same order, or name those that they share";
+  if (command_channels(model) != command_channels(target))
+    return "the actuators of the target's robot are not those of the model's in the same order, which the controller "
+           "drives";
+  return {};
+}
+
 }  // namespace
 
 EeaBench::EeaBench(Rig rig)
@@ -20,7 +51,15 @@ EeaBench::EeaBench(Rig rig)
       target_(is_simulated(rig_) ? std::make_unique<ModelDefinition>(define_target(rig_.experiment, *rig_.catalog))
                                  : nullptr),
       takes_tests_(rig_.catalog->make<TargetSystem>(rig_.experiment.target.kind)->takes_tests()),
-      definition_(std::make_unique<EeaDefinition>(rig_.experiment, *rig_.catalog, rig_.definition, takes_tests_)) {}
+      definition_(std::make_unique<EeaDefinition>(rig_.experiment, *rig_.catalog, rig_.definition, takes_tests_)) {
+  if (!takes_tests_ || !target_ || !makes_controllers(*definition_)) return;
+  const std::string key = rig_.experiment.test.sensors.empty() ? "target.robot" : "test.sensors";
+  Complaints complaints(rig_.experiment);
+  const std::string problem =
+      other_channels(rig_.definition.structure.robot, target_->structure.robot, definition_->seen_channels);
+  if (!problem.empty()) complaints.add(key, problem);
+  complaints.throw_if_any();
+}
 
 std::vector<double> EeaBench::hidden_values(int replicate) const {
   if (!target_) return {};

@@ -7,6 +7,7 @@
 #include "foundation/address.h"
 #include "foundation/unit.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -67,15 +68,30 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
   }
 }
 
-/// Parameters that make no search are found before a run begins.
-void try_search(const SearchPlan& plan, const std::string& key, Complaints& complaints) {
+/// Operators that refuse the genomes, or their own parameters, are found before a run begins.
+void try_operators(const OperatorBreeder& breeder, const std::string& section, Complaints& complaints) {
+  for (std::size_t i = 0; i < breeder.mutations().size(); ++i) {
+    if (!breeder.mutations()[i].mutation) continue;  // a complaint of its own
+    try {
+      RandomStream any(std::array<std::uint64_t, 1>{i});
+      breeder.trial_child(i, any);
+    } catch (const Error& error) {
+      complaints.add(section + ".mutation[" + std::to_string(i) + "]", error.what());
+    }
+  }
+}
+
+/// And so are parameters that make no search. `section`: of the experiment.
+void try_search(const SearchPlan& plan, const std::string& section, Complaints& complaints) {
+  if (!plan.breeder) return;
+  try_operators(*plan.breeder, section, complaints);
   const Chosen<SearchStrategy>& strategy = plan.strategy;
-  if (!strategy.component || !plan.breeder) return;
+  if (!strategy.component) return;
   try {
     const SearchTask task{plan.layout(), *plan.breeder, {0}, {}};
     guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
   } catch (const Error& error) {
-    complaints.add(key, error.what());
+    complaints.add(section + ".parameters", error.what());
   }
 }
 
@@ -110,10 +126,12 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
   estimation.strategy = choose<SearchStrategy>(catalog, estimate.search.search,
                                                {"estimation.search", "estimation.parameters"}, complaints);
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
-  const std::string nothing_encoded = model.free.empty() ? "model.free" : "model.encoding";
+  // Where the file leaves the encoding of values as it is, what is missing is something to encode.
+  const bool only_free = model.free.empty() && experiment.model.encoding.name == ModelSection{}.encoding.name;
   if (model_encoding.component)
-    estimation.breeder = breeder_for(model_encoding, model_space, nothing_encoded, std::move(mutations), complaints);
-  try_search(estimation, "estimation.parameters", complaints);
+    estimation.breeder = breeder_for(model_encoding, model_space, only_free ? "model.free" : "model.encoding",
+                                     std::move(mutations), complaints);
+  try_search(estimation, "estimation", complaints);
   const std::vector<Channel> channels = sensor_channels(model.structure.robot);
   for (const std::size_t c : chosen_channels(model.structure.robot, estimate.sensors, "estimation.sensors", complaints))
     scored_channels.push_back(channels[c].name);
@@ -146,7 +164,7 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
   std::vector<AppliedMutation> of_tests = mutations_of(explore.search.mutation, "exploration", catalog, complaints);
   if (test_encoding.component)
     exploration.breeder = breeder_for(test_encoding, test_space, "test.encoding", std::move(of_tests), complaints);
-  try_search(exploration, "exploration.parameters", complaints);
+  try_search(exploration, "exploration", complaints);
   if (fitness.component)
     models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
 }

@@ -28,8 +28,8 @@ class Exploration {
       : run_(run),
         definition_(run.definition),
         state_(state),
-        predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model),
         judges_(std::min(definition_.models_for_tests, state.best.size())),
+        predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model, judges_),
         predictions_(static_cast<std::size_t>(predictor_.workers()), std::vector<TestPrediction>(judges_)) {}
 
   void run() {
@@ -136,8 +136,8 @@ class Exploration {
   const EeaRun& run_;
   const EeaDefinition& definition_;
   EeaState& state_;
-  TestPredictor predictor_;
   std::size_t judges_;
+  TestPredictor predictor_;
   std::vector<std::vector<TestPrediction>> predictions_;  // per worker, one a judge
   std::unique_ptr<Search> search_;
 };

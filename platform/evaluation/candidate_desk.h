@@ -4,32 +4,38 @@
 
 #include "evaluation/model_definition.h"
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace lacuna {
 
 /// Where one thread simulates one candidate after another: with values alone on the compiled model that all share, with
-/// a robot of its own on one that is compiled for it and kept until another robot comes. One thread at a time; the same
+/// a robot of its own on one that is compiled for it, of which the last few are kept. One thread at a time; the same
 /// candidate gives the same bits whatever came before.
 class CandidateDesk {
  public:
   /// `shared` must outlive the desk. `definition` is what a candidate's own robot is compiled with, and must outlive
-  /// it, too; without one no candidate may bring a robot.
-  CandidateDesk(const CompiledModel& shared, const ModelDefinition* definition);
+  /// it, too; without one no candidate may bring a robot. `kept`: how many of the last own robots stay compiled, at
+  /// least one; as many as candidates take turns.
+  CandidateDesk(const CompiledModel& shared, const ModelDefinition* definition, std::size_t kept = 1);
   ~CandidateDesk();
   CandidateDesk(CandidateDesk&&) noexcept;
 
   /// Makes ready for a candidate, which must live until the last simulation. Throws `Error` for a robot that cannot be
-  /// compiled.
+  /// compiled; the desk is as it was before, then.
   void take(const ModelProposal& candidate);
   /// Simulates what was taken (simulation/compiled_model.h).
   void simulate(const Test& test, const SimulationOptions& options, SimulationResult& result);
 
  private:
   struct Bench;
+  const Bench& bench_of(const std::shared_ptr<const RobotSpec>& robot);
+
   const ModelDefinition* definition_;
-  std::unique_ptr<Bench> shared_, own_;
-  std::shared_ptr<const RobotSpec> robot_;  ///< shared with whoever proposed it: what `own_` is compiled from
+  std::size_t kept_;
+  std::unique_ptr<Bench> shared_;
+  std::vector<std::unique_ptr<Bench>> own_;  ///< the newest last
   const Bench* taken_ = nullptr;
   const std::vector<double>* values_ = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "evaluation/robot_key.h"
 
+#include <optional>
 #include <vector>
 
 namespace lacuna {
@@ -61,7 +62,6 @@ void append(std::string& key, const ActuatorSpec& actuator) {
 void append(std::string& key, const SensorSpec& sensor) {
   for (const double stage : {sensor.delay, sensor.scale, sensor.offset, sensor.noise, sensor.quantum})
     append(key, stage);
-  if (sensor.scale == 0.0) return;  // it reads its offset, whatever it is on
   append(key, static_cast<double>(sensor.kind));
   append(key, sensor.element);
   append(key, sensor.beacon);
@@ -74,15 +74,48 @@ void append(std::string& key, const ContactSpec& contact) {
     append(key, law);
 }
 
+constexpr bool same_kind(const BodySpec&, const BodySpec&) { return true; }
+template <class Element>
+bool same_kind(const Element& built, const Element& expected) {
+  return built.kind == expected.kind;
+}
+
 template <class Element>
 std::string misfit_of(const std::vector<Element>& built, const std::vector<Element>& expected, const char* kind) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (i == built.size()) return std::string("has no ") + kind + " \"" + expected[i].name + "\"";
-    if (built[i].name != expected[i].name)
-      return std::string("has the ") + kind + " \"" + built[i].name + "\" where \"" + expected[i].name + "\" should be";
+    const std::string& name = expected[i].name;
+    if (i == built.size()) return std::string("has no ") + kind + " \"" + name + "\"";
+    if (built[i].name != name)
+      return std::string("has the ") + kind + " \"" + built[i].name + "\" where \"" + name + "\" should be";
+    if (!same_kind(built[i], expected[i])) return std::string("has the ") + kind + " \"" + name + "\" of another kind";
   }
   if (built.size() > expected.size())
     return std::string("has a ") + kind + " \"" + built[expected.size()].name + "\" too many";
+  return {};
+}
+
+bool reads_joint(SensorKind kind) {
+  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
+}
+
+std::optional<JointKind> kind_of_joint(const RobotSpec& robot, const std::string& name) {
+  for (const JointSpec& joint : robot.joints)
+    if (joint.name == name) return joint.kind;
+  return std::nullopt;
+}
+
+/// Sensors and actuators of joints have their channels and units by the kind of joint that they are on. Both robots
+/// have as many of them.
+std::string misplaced(const RobotSpec& built, const RobotSpec& expected) {
+  const auto differ = [&](const std::string& one, const std::string& other) {
+    return kind_of_joint(built, one) != kind_of_joint(expected, other);
+  };
+  for (std::size_t i = 0; i < built.sensors.size(); ++i)
+    if (reads_joint(built.sensors[i].kind) && differ(built.sensors[i].element, expected.sensors[i].element))
+      return "has the sensor \"" + built.sensors[i].name + "\" on a joint of another kind";
+  for (std::size_t i = 0; i < built.actuators.size(); ++i)
+    if (differ(built.actuators[i].joint, expected.actuators[i].joint))
+      return "has the actuator \"" + built.actuators[i].name + "\" on a joint of another kind";
   return {};
 }
 
@@ -103,7 +136,7 @@ std::string misfit(const RobotSpec& built, const RobotSpec& of_experiment) {
         misfit_of(built.actuators, of_experiment.actuators, "actuator"),
         misfit_of(built.sensors, of_experiment.sensors, "sensor")})
     if (!complaint.empty()) return complaint;
-  return {};
+  return misplaced(built, of_experiment);
 }
 
 }  // namespace lacuna

@@ -11,7 +11,8 @@ namespace lacuna {
 void append_key(const RobotSpec& robot, std::string& key);
 
 /// Why a robot that a model encoding built cannot take the place of the experiment's: a body, joint, actuator or sensor
-/// that only one of them has, or in another order. Empty: it can.
+/// that only one of them has, in another order or of another kind, or a sensor or actuator on a joint of another kind,
+/// which would have other channels. Empty: it can.
 std::string misfit(const RobotSpec& built, const RobotSpec& of_experiment);
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 
 #include "evaluation/candidate_desk.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,9 +17,10 @@ namespace lacuna {
 /// definition where models may bring a robot of their own, must outlive it.
 class TestPredictor {
  public:
-  /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads.
+  /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,
+  /// whose own robots stay compiled.
   TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
-                const ModelDefinition* definition = nullptr);
+                const ModelDefinition* definition = nullptr, std::size_t models = 1);
   ~TestPredictor();
 
   int workers() const { return static_cast<int>(desks_.size()); }

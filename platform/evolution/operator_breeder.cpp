@@ -1,5 +1,6 @@
 #include "evolution/operator_breeder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -56,12 +57,24 @@ Genome OperatorBreeder::child(std::span<const Genome> parents, RandomStream& ran
   Genome child = parents[first];
   for (const AppliedMutation& applied : mutations_) {
     if (!random.chance(applied.chance)) continue;
-    child = guarded_call(applied.origin, "vary", [&] {
-      const std::vector<Genome> group = group_of(child, first, parents, applied.mutation->parents(), random, used);
-      return applied.mutation->vary(group, layout_, applied.parameters, random);
-    });
-    check(child, layout_, applied.origin);
+    const auto group = [&] { return group_of(child, first, parents, applied.mutation->parents(), random, used); };
+    child = varied(applied, group, random);
   }
+  return child;
+}
+
+Genome OperatorBreeder::trial_child(std::size_t index, RandomStream& random) const {
+  const AppliedMutation& applied = mutations_[index];
+  const Genome parent = random_(random);
+  const auto group = [&] { return std::vector<Genome>(std::max<std::size_t>(applied.mutation->parents(), 1), parent); };
+  return varied(applied, group, random);
+}
+
+Genome OperatorBreeder::varied(const AppliedMutation& applied, const std::function<std::vector<Genome>()>& group,
+                               RandomStream& random) const {
+  Genome child = guarded_call(applied.origin, "vary",
+                              [&] { return applied.mutation->vary(group(), layout_, applied.parameters, random); });
+  check(child, layout_, applied.origin);
   return child;
 }
 

@@ -27,11 +27,17 @@ class OperatorBreeder : public Breeder {
                   std::vector<AppliedMutation> mutations);
 
   const GenomeLayout& layout() const { return layout_; }
+  const std::vector<AppliedMutation>& mutations() const { return mutations_; }
+  /// A child of a random genome by one of the mutations alone, whatever its chance. Throws `Error` as `child` does.
+  Genome trial_child(std::size_t index, RandomStream& random) const;
   Genome random(RandomStream& random) const override;
   /// Throws `Error` where an operator throws, or makes a genome that does not fit the layout.
   Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const override;
 
  private:
+  Genome varied(const AppliedMutation& applied, const std::function<std::vector<Genome>()>& group,
+                RandomStream& random) const;
+
   GenomeLayout layout_;
   std::function<Genome(RandomStream&)> random_;
   std::vector<AppliedMutation> mutations_;

@@ -5,30 +5,41 @@
 #include <lacuna/error.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kSmallest = 1e-12;  // of quantities that must be positive
 
-/// Lists the values of one element under its address.
+constexpr bool kMayBeInfinite = true;  // "no limit", or rigid
+
+/// Lists values under their addresses.
 class Collector {
  public:
   explicit Collector(std::vector<AddressedValue>& values) : values_(values) {}
-  void element(const std::string& prefix) { prefix_ = prefix + "."; }
-  void add(const std::string& name, const std::string& unit, double& value, double lower = -kInfinity,
-           double upper = kInfinity) {
-    values_.push_back({prefix_ + name, unit, &value, lower, upper});
+  void element(const char* kind, const std::string& name) {
+    prefix_ = std::string(kind) + "." + name + (name.empty() ? "" : ".");
   }
-  void add_vector(const std::string& name, const std::string& unit, Eigen::Vector3d& vector) {
-    add(name + ".x", unit, vector.x());
-    add(name + ".y", unit, vector.y());
-    add(name + ".z", unit, vector.z());
+  void add(const char* name, const std::string& unit, double& value, double lower = -kInfinity,
+           double upper = kInfinity, bool may_be_infinite = false) {
+    values_.push_back({prefix_ + name, unit, &value, lower, upper, may_be_infinite});
   }
 
  private:
   std::vector<AddressedValue>& values_;
   std::string prefix_;
+};
+
+/// Looks at them without saying their names.
+struct BoundsCheck {
+  void element(const char*, const std::string&) {}
+  void add(const char*, const std::string&, double value, double lower = -kInfinity, double upper = kInfinity,
+           bool may_be_infinite = false) {
+    inside = inside && value >= lower && value <= upper && (may_be_infinite || std::isfinite(value));
+  }
+
+  bool inside = true;
 };
 
 struct JointUnits {
@@ -47,9 +58,12 @@ std::string command_unit(ActuatorKind kind, const JointUnits& units) {
   return kind == ActuatorKind::velocity_servo ? units.position + "/s" : units.position;
 }
 
-void collect_body(Collector& collector, BodySpec& body) {
+template <class Collector, class Body>
+void collect_body(Collector& collector, Body& body) {
   collector.add("mass", "kg", body.mass, kSmallest);
-  collector.add_vector("com", "m", body.com);
+  collector.add("com.x", "m", body.com.x());
+  collector.add("com.y", "m", body.com.y());
+  collector.add("com.z", "m", body.com.z());
   collector.add("inertia.xx", "kg*m^2", body.inertia.xx, kSmallest);
   collector.add("inertia.yy", "kg*m^2", body.inertia.yy, kSmallest);
   collector.add("inertia.zz", "kg*m^2", body.inertia.zz, kSmallest);
@@ -58,7 +72,8 @@ void collect_body(Collector& collector, BodySpec& body) {
   collector.add("inertia.yz", "kg*m^2", body.inertia.yz);
 }
 
-void collect_joint(Collector& collector, JointSpec& joint) {
+template <class Collector, class Joint>
+void collect_joint(Collector& collector, Joint& joint) {
   const JointUnits units = units_of(joint.kind);
   collector.add("damping", units.per_velocity(), joint.damping, 0.0);
   collector.add("dry_friction", units.force, joint.dry_friction, 0.0);
@@ -66,11 +81,12 @@ void collect_joint(Collector& collector, JointSpec& joint) {
   collector.add("rest", units.position, joint.rest);
   collector.add("armature", units.inertia(), joint.armature, 0.0);
   collector.add("force", units.force, joint.force);
-  collector.add("lower", units.position, joint.lower);
-  collector.add("upper", units.position, joint.upper);
+  collector.add("lower", units.position, joint.lower, -kInfinity, kInfinity, kMayBeInfinite);
+  collector.add("upper", units.position, joint.upper, -kInfinity, kInfinity, kMayBeInfinite);
 }
 
-void collect_actuator(Collector& collector, ActuatorSpec& actuator, const JointUnits& units) {
+template <class Collector, class Actuator>
+void collect_actuator(Collector& collector, Actuator& actuator, const JointUnits& units) {
   const std::string command = command_unit(actuator.kind, units);
   collector.add("gain", "1", actuator.gain);
   collector.add("offset", command, actuator.offset);
@@ -78,29 +94,35 @@ void collect_actuator(Collector& collector, ActuatorSpec& actuator, const JointU
   collector.add("kp", units.per_position(), actuator.kp, 0.0);
   collector.add("ki", units.position == "m" ? "N/(m*s)" : "N*m/(rad*s)", actuator.ki, 0.0);
   collector.add("kd", units.per_velocity(), actuator.kd, 0.0);
-  collector.add("force_limit", units.force, actuator.force_limit, 0.0);
-  collector.add("command_lower", command, actuator.command_lower);
-  collector.add("command_upper", command, actuator.command_upper);
+  collector.add("force_limit", units.force, actuator.force_limit, 0.0, kInfinity, kMayBeInfinite);
+  collector.add("command_lower", command, actuator.command_lower, -kInfinity, kInfinity, kMayBeInfinite);
+  collector.add("command_upper", command, actuator.command_upper, -kInfinity, kInfinity, kMayBeInfinite);
   collector.add("transmission.ratio", "1", actuator.transmission.ratio);
   collector.add("transmission.rotor_inertia", units.inertia(), actuator.transmission.rotor_inertia, 0.0);
-  collector.add("transmission.stiffness", units.per_position(), actuator.transmission.stiffness, kSmallest);
+  collector.add("transmission.stiffness", units.per_position(), actuator.transmission.stiffness, kSmallest, kInfinity,
+                kMayBeInfinite);
   collector.add("transmission.damping", units.per_velocity(), actuator.transmission.damping, 0.0);
   collector.add("transmission.gap", units.position, actuator.transmission.gap, 0.0);
 }
 
-void collect_sensor(Collector& collector, SensorSpec& sensor, const std::string& unit) {
+template <class Collector, class Sensor>
+void collect_sensor(Collector& collector, Sensor& sensor, const std::string& unit) {
   collector.add("delay", "s", sensor.delay, 0.0);
   collector.add("scale", "1", sensor.scale);
   collector.add("offset", unit, sensor.offset);
   collector.add("noise", unit, sensor.noise, 0.0);
   collector.add("quantum", unit, sensor.quantum, 0.0);
-  if (sensor.kind == SensorKind::beacon_range) collector.add_vector("beacon", "m", sensor.beacon);
+  if (sensor.kind != SensorKind::beacon_range) return;
+  collector.add("beacon.x", "m", sensor.beacon.x());
+  collector.add("beacon.y", "m", sensor.beacon.y());
+  collector.add("beacon.z", "m", sensor.beacon.z());
 }
 
-const JointSpec* find_joint(const RobotSpec& robot, const std::string& name) {
+/// A hinge where there is no joint of that name.
+JointKind joint_kind(const RobotSpec& robot, const std::string& name) {
   const auto found =
       std::find_if(robot.joints.begin(), robot.joints.end(), [&](const JointSpec& j) { return j.name == name; });
-  return found == robot.joints.end() ? nullptr : &*found;
+  return found == robot.joints.end() ? JointKind::hinge : found->kind;
 }
 
 std::string channel_unit(SensorKind kind, JointKind joint) {
@@ -118,6 +140,35 @@ std::string channel_unit(SensorKind kind, JointKind joint) {
     case SensorKind::contact_force: return "N";
   }
   return "1";
+}
+
+template <class Collector, class Robot>
+void collect(Collector& collector, Robot& robot) {
+  for (auto& body : robot.bodies) {
+    collector.element("body", body.name);
+    collect_body(collector, body);
+  }
+  for (auto& joint : robot.joints) {
+    collector.element("joint", joint.name);
+    collect_joint(collector, joint);
+  }
+  for (auto& actuator : robot.actuators) {
+    collector.element("actuator", actuator.name);
+    collect_actuator(collector, actuator, units_of(joint_kind(robot, actuator.joint)));
+  }
+  for (auto& sensor : robot.sensors) {
+    collector.element("sensor", sensor.name);
+    collect_sensor(collector, sensor, channel_unit(sensor.kind, joint_kind(robot, sensor.element)));
+  }
+  collector.element("contact", {});
+  collector.add("stiffness", "N/m", robot.contact.stiffness, kSmallest, kInfinity, kMayBeInfinite);
+  collector.add("damping", "N*s/m", robot.contact.damping, 0.0);
+  collector.add("friction", "1", robot.contact.friction, 0.0, kInfinity, kMayBeInfinite);
+  collector.add("slope", "rad", robot.contact.slope, -1.5, 1.5);
+  collector.element("world", {});
+  collector.add("gravity.x", "m/s^2", robot.gravity.x());
+  collector.add("gravity.y", "m/s^2", robot.gravity.y());
+  collector.add("gravity.z", "m/s^2", robot.gravity.z());
 }
 
 struct NamedElement {
@@ -153,9 +204,8 @@ std::string nothing_matches(const std::string& pattern, const std::vector<NamedE
 }  // namespace
 
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor) {
-  const JointSpec* joint = find_joint(robot, sensor.element);
-  const JointKind joint_kind = joint ? joint->kind : JointKind::hinge;
-  const std::string unit = channel_unit(sensor.kind, joint_kind);
+  const JointKind joint = joint_kind(robot, sensor.element);
+  const std::string unit = channel_unit(sensor.kind, joint);
   std::vector<std::string> suffixes;
   switch (sensor.kind) {
     case SensorKind::body_position:
@@ -166,9 +216,9 @@ std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& s
     case SensorKind::joint_position:
     case SensorKind::joint_velocity:
     case SensorKind::joint_force:
-      if (joint_kind == JointKind::universal)
+      if (joint == JointKind::universal)
         suffixes = {".1", ".2"};
-      else if (joint_kind == JointKind::ball)
+      else if (joint == JointKind::ball)
         suffixes = {".1", ".2", ".3"};
       else
         suffixes = {""};
@@ -190,41 +240,22 @@ std::vector<Channel> sensor_channels(const RobotSpec& robot) {
 
 std::vector<Channel> command_channels(const RobotSpec& robot) {
   std::vector<Channel> channels;
-  for (const ActuatorSpec& actuator : robot.actuators) {
-    const JointSpec* joint = find_joint(robot, actuator.joint);
-    channels.push_back({actuator.name, command_unit(actuator.kind, units_of(joint ? joint->kind : JointKind::hinge))});
-  }
+  for (const ActuatorSpec& actuator : robot.actuators)
+    channels.push_back({actuator.name, command_unit(actuator.kind, units_of(joint_kind(robot, actuator.joint)))});
   return channels;
 }
 
 std::vector<AddressedValue> addressed_values(RobotSpec& robot) {
   std::vector<AddressedValue> values;
   Collector collector(values);
-  for (BodySpec& body : robot.bodies) {
-    collector.element("body." + body.name);
-    collect_body(collector, body);
-  }
-  for (JointSpec& joint : robot.joints) {
-    collector.element("joint." + joint.name);
-    collect_joint(collector, joint);
-  }
-  for (ActuatorSpec& actuator : robot.actuators) {
-    const JointSpec* joint = find_joint(robot, actuator.joint);
-    collector.element("actuator." + actuator.name);
-    collect_actuator(collector, actuator, units_of(joint ? joint->kind : JointKind::hinge));
-  }
-  for (SensorSpec& sensor : robot.sensors) {
-    collector.element("sensor." + sensor.name);
-    collect_sensor(collector, sensor, sensor_channels(robot, sensor).front().unit);
-  }
-  collector.element("contact");
-  collector.add("stiffness", "N/m", robot.contact.stiffness, kSmallest);
-  collector.add("damping", "N*s/m", robot.contact.damping, 0.0);
-  collector.add("friction", "1", robot.contact.friction, 0.0);
-  collector.add("slope", "rad", robot.contact.slope, -1.5, 1.5);
-  collector.element("world");
-  collector.add_vector("gravity", "m/s^2", robot.gravity);
+  collect(collector, robot);
   return values;
+}
+
+bool values_in_bounds(const RobotSpec& robot) {
+  BoundsCheck check;
+  collect(check, robot);
+  return check.inside;
 }
 
 bool matches(std::string_view pattern, std::string_view address) {

@@ -18,10 +18,14 @@ struct AddressedValue {
   double* value;     ///< into the spec that was asked
   double lower;      ///< physical bounds, inclusive
   double upper;
+  bool may_be_infinite = false;  ///< "no limit", or rigid
 };
 
 /// Every addressed value of a spec, in a fixed order that depends on its structure alone.
 std::vector<AddressedValue> addressed_values(RobotSpec& robot);
+
+/// Whether all of them are within their bounds and, but where they may be infinite, finite. Makes no list.
+bool values_in_bounds(const RobotSpec& robot);
 
 /// Whether `address` is meant by `pattern`, in which `*` stands for any run of characters
 /// other than a dot.

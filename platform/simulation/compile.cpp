@@ -3,10 +3,12 @@
 #include "foundation/problem.h"
 #include "simulation/ode/ode_engine.h"
 
+#include <utility>
+
 namespace lacuna {
 
-std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings) {
-  if (settings.engine == "ode") return ode::compile(structure, settings);
+std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings) {
+  if (settings.engine == "ode") return ode::compile(std::move(structure), settings);
   throw Error("there is no engine \"" + settings.engine + "\"" + did_you_mean(settings.engine, {"ode"}) +
               "; engines are: ode");
 }

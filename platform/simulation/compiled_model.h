@@ -103,6 +103,6 @@ class CompiledModel {
 
 /// Compiles for the engine that the settings name. Throws `Error`: unknown engine, addresses that
 /// match nothing, a robot that is not a forest, values out of bounds.
-std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings);
+std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings);
 
 }  // namespace lacuna

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace lacuna {
 namespace {
 
@@ -34,6 +36,25 @@ TEST(AddressedValues, PointIntoTheRobot) {
     EXPECT_EQ(value.unit, "N*s/m");
   }
   EXPECT_EQ(robot.joints[1].damping, 3.0);
+}
+
+TEST(AddressedValues, AreInBoundsAndFiniteWhereTheyMustBe) {
+  const auto in_bounds_with = [](double& (*place)(RobotSpec&), double value) {
+    RobotSpec robot = two_joints();
+    place(robot) = value;
+    return values_in_bounds(robot);
+  };
+  const auto damping = [](RobotSpec& robot) -> double& { return robot.joints[0].damping; };
+  const auto rest = [](RobotSpec& robot) -> double& { return robot.joints[0].rest; };
+  const auto stop = [](RobotSpec& robot) -> double& { return robot.joints[0].upper; };
+  const auto gravity = [](RobotSpec& robot) -> double& { return robot.gravity.z(); };
+  EXPECT_TRUE(values_in_bounds(two_joints()));
+  EXPECT_FALSE(in_bounds_with(damping, -1.0));
+  EXPECT_FALSE(in_bounds_with(damping, kInfinity));
+  EXPECT_FALSE(in_bounds_with(rest, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(in_bounds_with(stop, 1.0));
+  EXPECT_TRUE(in_bounds_with(stop, kInfinity)) << "no stop";
+  EXPECT_FALSE(in_bounds_with(gravity, -kInfinity));
 }
 
 TEST(MatchElements, ListsEachElementOnceInSpecOrder) {

@@ -5,6 +5,6 @@
 namespace lacuna::ode {
 
 /// Compiles a structure for ODE 0.16 in maximal coordinates. Throws `Error` as `lacuna::compile` does.
-std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings);
+std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings);
 
 }  // namespace lacuna::ode

@@ -11,18 +11,18 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace lacuna::ode {
 namespace {
 
 using simulation::Delay;
 
-ModelStructure checked(const ModelStructure& structure, const EngineSettings& settings) {
+ModelStructure checked(ModelStructure structure, const EngineSettings& settings) {
   simulation::check_settings(settings);
   simulation::check_robot(structure.robot);
-  ModelStructure copy = structure;
-  copy.effects = simulation::canonical(std::move(copy.effects));
-  return copy;
+  structure.effects = simulation::canonical(std::move(structure.effects));
+  return structure;
 }
 
 bool shorter(const Delay& a, const Delay& b) {
@@ -38,8 +38,8 @@ void lengthen(Delay& longest, double seconds, const EngineSettings& settings) {
 
 }  // namespace
 
-OdeModel::OdeModel(const ModelStructure& structure, const EngineSettings& settings)
-    : structure_(checked(structure, settings)),
+OdeModel::OdeModel(ModelStructure structure, const EngineSettings& settings)
+    : structure_(checked(std::move(structure), settings)),
       settings_(settings),
       tree_(simulation::make_joint_tree(structure_.robot)),
       effects_(structure_.effects, structure_.robot, step()),
@@ -102,8 +102,8 @@ void OdeModel::simulate(std::span<const double> parameters, const Test& test, co
   Run(*this, *own, options, result).carry_out(parameters, test);
 }
 
-std::unique_ptr<CompiledModel> compile(const ModelStructure& structure, const EngineSettings& settings) {
-  return std::make_unique<OdeModel>(structure, settings);
+std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings) {
+  return std::make_unique<OdeModel>(std::move(structure), settings);
 }
 
 }  // namespace lacuna::ode

@@ -13,7 +13,7 @@ namespace lacuna::ode {
 /// A model structure compiled for ODE: everything that does not depend on parameter values.
 class OdeModel : public CompiledModel {
  public:
-  OdeModel(const ModelStructure& structure, const EngineSettings& settings);
+  OdeModel(ModelStructure structure, const EngineSettings& settings);
 
   const std::vector<Channel>& channels() const override { return channels_; }
   const std::vector<Coordinate>& coordinates() const override { return coordinates_; }

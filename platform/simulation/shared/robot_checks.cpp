@@ -9,22 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 namespace lacuna::simulation {
 namespace {
 
 constexpr double kAxisTolerance = 1e-6;  // of unit length and of a right angle
 constexpr double kLargest = 1e12;        // of masses and inertias, SI
-
-/// Values that mean "no limit" or "rigid" where they are infinite.
-bool may_be_infinite(std::string_view address) {
-  static constexpr std::string_view kEndings[] = {".lower",           ".upper",           ".force_limit",
-                                                  ".command_lower",   ".command_upper",   "transmission.stiffness",
-                                                  "contact.friction", "contact.stiffness"};
-  return std::any_of(std::begin(kEndings), std::end(kEndings),
-                     [&](std::string_view end) { return address.ends_with(end); });
-}
 
 bool positive_definite(const InertiaSpec& inertia) {
   Eigen::Matrix3d matrix;
@@ -143,11 +133,12 @@ void check_sensors(const RobotSpec& robot, ProblemList& problems) {
 }
 
 void check_values(const RobotSpec& robot, ProblemList& problems) {
-  RobotSpec copy = robot;
+  if (values_in_bounds(robot)) return;
+  RobotSpec copy = robot;  // addresses are of values that may be written
   for (const AddressedValue& value : addressed_values(copy)) {
     if (value.address.starts_with("body.")) continue;  // check_bodies has seen to them
     const bool inside = *value.value >= value.lower && *value.value <= value.upper;
-    if (inside && (std::isfinite(*value.value) || may_be_infinite(value.address))) continue;
+    if (inside && (value.may_be_infinite || std::isfinite(*value.value))) continue;
     problems.add({}, value.address + " is " + std::to_string(*value.value) + " " + value.unit + ", outside of " +
                          std::to_string(value.lower) + " to " + std::to_string(value.upper));
   }
