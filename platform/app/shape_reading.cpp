@@ -1,7 +1,6 @@
 #include "app/shape_reading.h"
 
 #include "app/stored_bench.h"
-#include "foundation/problem.h"
 #include "report/trilateration.h"
 
 #include <fmt/format.h>
@@ -10,36 +9,21 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <numeric>
+#include <utility>
 
 namespace lacuna {
 namespace {
 
-/// A part reaches below the ground where the lowest point of its cylinder does, by more than rounding.
-bool starts_below_ground(const RobotSpec& robot) {
-  constexpr double kRounding = 1e-9;  // m
-  return std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const BodySpec& body) {
-    if (body.shapes.empty()) return false;
-    const ShapeSpec& shape = body.shapes.front();
-    const double slope = (body.orientation * (shape.orientation * Eigen::Vector3d::UnitZ())).z();
-    const double centre = (body.position + body.orientation * shape.position).z();
-    return centre - 0.5 * shape.size.y() * std::abs(slope) -
-               shape.size.x() * std::sqrt(std::max(0.0, 1.0 - slope * slope)) <
-           -kRounding;
-  });
+bool speaks_of_parts(const EeaBench& bench) {
+  const std::optional<Chosen<ObjectiveMetric>>& objective = bench.definition().objective;
+  return objective && objective->origin.name == "part_distance" && bench.target();
 }
 
 /// The runs of one experiment, and the experiment itself.
 class ShapeReading {
  public:
-  ShapeReading(Database& database, const std::vector<EeaRunListing>& runs,
-               const std::vector<std::filesystem::path>& plugin_paths)
-      : stored_(open_stored(database, runs.front(), plugin_paths)), definition_(stored_.bench->definition()) {
-    if (!definition_.objective || definition_.objective->origin.name != "part_distance" || !stored_.bench->target())
-      throw_problem({database.file().string()},
-                    fmt::format("the runs of {} do not say how far parts are from the target's; give the experiment a "
-                                "simulated target and estimation.objective = \"part_distance\"",
-                                runs.front().experiment));
+  ShapeReading(Database& database, const std::vector<EeaRunListing>& runs, StoredBench stored)
+      : runs_(runs), stored_(std::move(stored)), definition_(stored_.bench->definition()) {
     for (const EeaRunListing& run : runs) {
       stores_.push_back(std::make_unique<EeaStore>(database, unused_, run.run, ExperimentId{}));
       study_.runs.push_back(stores_.back()->passes());
@@ -50,8 +34,8 @@ class ShapeReading {
 
   ShapeStudy read() {
     read_random_models();
-    const std::size_t typical = typical_run();
-    study_.typical = static_cast<int>(typical) + 1;
+    const std::size_t typical = typical_run(study_.runs);
+    study_.typical = runs_[typical].run.value;
     read_progress(*stores_[typical]);
     read_samples(*stores_[typical], study_.runs[typical]);
     trilaterate();
@@ -83,21 +67,11 @@ class ShapeReading {
         if (row.generation > 0) break;
         const ModelProposal model = definition_.decode_model(row.genome);
         sum += distance_of(model);
-        below += model.robot && starts_below_ground(*model.robot) ? 1.0 : 0.0;
+        below += model.robot && starts_below(*model.robot, target()) ? 1.0 : 0.0;
         ++study_.random_models;
       }
     study_.random_distance = sum / static_cast<double>(study_.random_models);
     study_.below_ground = below / static_cast<double>(study_.random_models);
-  }
-
-  std::size_t typical_run() const {
-    std::vector<std::size_t> order(study_.runs.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto last = [&](std::size_t run) {
-      return study_.runs[run].empty() ? kInfinity : objective_of(study_.runs[run].back(), kPartDistance);
-    };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return last(a) < last(b); });
-    return order[(order.size() - 1) / 2];
   }
 
   /// Scores of different passes are means over different trials, so each pass begins anew.
@@ -142,6 +116,7 @@ class ShapeReading {
     study_.trilaterated = sum / static_cast<double>(stores_.size());
   }
 
+  const std::vector<EeaRunListing>& runs_;
   StoredBench stored_;
   const EeaDefinition& definition_;
   std::mutex unused_;
@@ -151,9 +126,11 @@ class ShapeReading {
 
 }  // namespace
 
-ShapeStudy read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
-                            const std::vector<std::filesystem::path>& plugin_paths) {
-  return ShapeReading(database, runs, plugin_paths).read();
+std::optional<ShapeStudy> read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
+                                           const std::vector<std::filesystem::path>& plugin_paths) {
+  StoredBench stored = open_stored(database, runs.front(), plugin_paths);
+  if (!speaks_of_parts(*stored.bench)) return std::nullopt;
+  return ShapeReading(database, runs, std::move(stored)).read();
 }
 
 }  // namespace lacuna

@@ -10,9 +10,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace lacuna {
 namespace {
+
+constexpr const char* kNoShapes =
+    "do not say how far parts are from the target's; give the experiment a simulated target and "
+    "estimation.objective = \"part_distance\"";
 
 struct ShapesOptions {
   std::filesystem::path database;
@@ -34,6 +40,7 @@ std::vector<std::string> experiments_of(const std::vector<EeaRunListing>& runs, 
   return options.experiments;
 }
 
+/// Experiments that do not speak of shapes are passed over, but one that was asked for is not.
 std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& options) {
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
@@ -44,8 +51,13 @@ std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& op
     std::vector<EeaRunListing> of_experiment;
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
                  [&](const EeaRunListing& run) { return run.experiment == name; });
-    studies.push_back(read_shape_study(database, newest_setting(database, of_experiment), options.plugin_paths));
+    auto study = read_shape_study(database, newest_setting(database, of_experiment), options.plugin_paths);
+    if (study) studies.push_back(std::move(*study));
+    if (!study && !options.experiments.empty())
+      throw_problem({options.database.string()}, fmt::format("the runs of {} {}", name, kNoShapes));
   }
+  if (studies.empty())
+    throw_problem({options.database.string()}, fmt::format("the runs of all of its experiments {}", kNoShapes));
   return studies;
 }
 
@@ -78,7 +90,8 @@ void add_shapes_command(CLI::App& program) {
   command->add_option("database", options->database, "Database file")->required()->option_text("DB");
   command
       ->add_option("--experiment", options->experiments,
-                   "Experiments to put side by side (default: all of the database); may be given several times")
+                   "Experiments to put side by side (default: all of the database); may be given "
+                   "several times")
       ->allow_extra_args(false)
       ->option_text("NAME");
   command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");

@@ -3,11 +3,14 @@
 #include "report/spread.h"
 #include "report/text_table.h"
 
+#include <lacuna/cylinder.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -32,9 +35,19 @@ std::size_t passes_of(const ShapeStudy& study) {
 
 std::string interval(const Spread& spread) {
   constexpr double kSmall = 0.01;  // three places would say little
-  if (spread.mean < kSmall) return fmt::format("{:.2g} ± {:.2g}", spread.mean, spread.half_width);
-  return std::isfinite(spread.half_width) ? fmt::format("{:.3f} ± {:.3f}", spread.mean, spread.half_width)
-                                          : fmt::format("{:.3f}", spread.mean);
+  const auto number = [small = spread.mean < kSmall](double value) {
+    return small ? fmt::format("{:.2g}", value) : fmt::format("{:.3f}", value);
+  };
+  return std::isfinite(spread.half_width) ? number(spread.mean) + " ± " + number(spread.half_width)
+                                          : number(spread.mean);
+}
+
+/// Height of the lowest point of all, m.
+double deepest(const RobotSpec& robot) {
+  double lowest = kInfinity;
+  for (const BodySpec& body : robot.bodies)
+    for (const ShapeSpec& shape : body.shapes) lowest = std::min(lowest, lowest_point(body, shape));
+  return lowest;
 }
 
 std::string right_of(const std::vector<double>& wrong) {
@@ -90,6 +103,21 @@ double objective_of(const PassRow& pass, const std::string& name) {
   for (const ObjectiveRow& row : pass.objective)
     if (row.name == name) return row.value;
   return kNotKnown;
+}
+
+std::size_t typical_run(const std::vector<std::vector<PassRow>>& runs) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const double distance = runs[run].empty() ? kInfinity : objective_of(runs[run].back(), kPartDistance);
+    order.emplace_back(std::isnan(distance) ? kInfinity : distance, run);
+  }
+  std::sort(order.begin(), order.end());
+  return order[(order.size() - 1) / 2].second;
+}
+
+bool starts_below(const RobotSpec& robot, const RobotSpec& reference) {
+  constexpr double kRounding = 1e-9;  // m
+  return deepest(robot) < std::min(0.0, deepest(reference)) - kRounding;
 }
 
 std::string shape_table(const std::vector<ShapeStudy>& studies) {

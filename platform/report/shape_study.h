@@ -4,6 +4,8 @@
 #include "report/robot_drawing.h"
 #include "storage/eea_records.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +20,14 @@ inline constexpr const char* kTopologyWrong = "topology_wrong";
 /// A row's value of that name; NaN without one.
 double objective_of(const PassRow& pass, const std::string& name);
 
+/// Which of these runs is the one to show: that whose last e_o is the median's, of an even number the smaller of the
+/// two in the middle. Runs without a pass count as the worst. There must be at least one.
+std::size_t typical_run(const std::vector<std::vector<PassRow>>& runs);
+
+/// Whether some part of a robot of cylinders starts deeper in the ground than all of another robot, by more than
+/// rounding; no robot need start on the ground.
+bool starts_below(const RobotSpec& robot, const RobotSpec& reference);
+
 /// The best model so far after a generation.
 struct ProgressPoint {
   double generations = 0.0;  ///< since the run began
@@ -31,8 +41,8 @@ struct ShapeStudy {
   std::vector<std::vector<PassRow>> runs;
   double random_distance = 0.0;  ///< e_o of random models, mean over those that the runs began with
   std::size_t random_models = 0;
-  double below_ground = 0.0;            ///< share of these with a part that starts below the ground
-  int typical = 1;                      ///< the run whose last e_o is the median's
+  double below_ground = 0.0;            ///< share of these with a part that starts deeper than the target
+  std::int64_t typical = 1;             ///< number, in the database, of the run that is shown
   std::vector<ProgressPoint> progress;  ///< of the typical run
   std::vector<DrawnRobot> samples;      ///< of the typical run: random, best after passes, the target
   std::optional<double> trilaterated;   ///< e_o of centres from ranges alone, m, mean over runs

@@ -1,4 +1,5 @@
 #include "eea/small_run.h"
+#include "report/shape_study.h"
 #include "support/small_shape.h"
 #include "support/target_genome.h"
 
@@ -10,7 +11,12 @@
 namespace lacuna {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
+
 constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
+
+constexpr std::size_t kFrontRow = 6, kArmRow = 18, kRoll = 3, kTurn = 4;
 
 bool same_digits(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
@@ -103,6 +109,52 @@ TEST(MorphologyRun, ModelsThatCannotDifferAreSimulatedOnce) {
   ASSERT_EQ(a.models.size(), b.models.size());
   for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same_digits(a.models[i].score, b.models[i].score)) << i;
   EXPECT_GT(a.passes[0].reused, 10U) << "a mutation often leaves the robot what it was";
+}
+
+TEST(MorphologyRun, TheTargetStartsNoDeeperThanItself) {
+  const auto bench = small_bench({}, kSmallShape);
+  const RobotSpec& target = bench->target()->structure.robot;
+  Genome genome = five_cylinders_genome();
+  EXPECT_FALSE(starts_below(*bench->definition().decode_model(genome).robot, target));
+  genome[kFrontRow + kRoll] = 0.5, genome[kFrontRow + kTurn] = 0.5;  // up, and the arm down from its tail
+  genome[kArmRow] = 0.4, genome[kArmRow + 1] = 0.0, genome[kArmRow + kRoll] = 0.0, genome[kArmRow + kTurn] = 1.0;
+  EXPECT_TRUE(starts_below(*bench->definition().decode_model(genome).robot, target));
+}
+
+/// What a bench says of an experiment that cannot be run.
+std::string complaint_about(const std::vector<std::string>& overrides, const std::string& text = kSmallShape) {
+  try {
+    small_bench(overrides, text);
+  } catch (const BadInput& problem) {
+    return problem.what();
+  }
+  return "none";
+}
+
+/// Before anything is simulated.
+TEST(MorphologyRun, OperatorsThatCannotVaryAreAMistakeOfTheFile) {
+  const std::string key = "estimation.mutation=[{operator='reset_or_nudge'},{operator='reshape',parameters=";
+  EXPECT_EQ(complaint_about({key + "{coarsest=1,finest=3}}]"}), "none");
+  EXPECT_THAT(complaint_about({key + "{coarsest=3,finest=1}}]"}),
+              AllOf(HasSubstr("estimation.mutation[1]"), HasSubstr("coarsest")));
+  EXPECT_THAT(complaint_about({key + "{}}]", "model.free={'body.torso.mass'=[0.5,2]}"}),
+              AllOf(HasSubstr("estimation.mutation[1]"), HasSubstr("six genes")));
+}
+
+TEST(MorphologyRun, WhatTheEncodingRefusesStandsAtItsName) {
+  EXPECT_THAT(complaint_about({"model.encoding_parameters={l_min=3}"}),
+              AllOf(HasSubstr("model.encoding:"), HasSubstr("l_min")));
+  EXPECT_THAT(complaint_about({"model.encoding='parameters'"}), HasSubstr("model.free:"));
+}
+
+/// Otherwise a controller would read past the target's readings.
+TEST(MorphologyRun, AControllerSeesWhatTheTargetHas) {
+  EXPECT_EQ(complaint_about({"target.parameters.beacons=1"}), "none") << "angles and touch are where they are";
+  EXPECT_THAT(complaint_about({"target.parameters.beacons=1", "test.sensors=['sensor.range*']"}),
+              AllOf(HasSubstr("test.sensors:"), HasSubstr("\"range_torso_2\""), HasSubstr("11 readings")));
+  EXPECT_THAT(complaint_about({"target.parameters.beacons=1", "test.sensors=[]"}),
+              AllOf(HasSubstr("target.robot:"), HasSubstr("\"range_torso_2\"")));
+  EXPECT_EQ(complaint_about({"target.parameters.beacons=4", "test.sensors=[]"}), "none");
 }
 
 TEST(MorphologyRun, SensorsThatNobodyHasAreAMistakeOfTheFile) {

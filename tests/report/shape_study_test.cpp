@@ -10,11 +10,14 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace lacuna {
 namespace {
 
 using Eigen::Vector3d;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -95,6 +98,45 @@ TEST(ShapeStudy, TheTableHasMeansAndHowOftenTheTopologyIsRight) {
   EXPECT_THAT(table, HasSubstr("0.250"));
   EXPECT_THAT(table, HasSubstr("1 of 2"));
   EXPECT_THAT(table, HasSubstr("25 %"));
+}
+
+TEST(ShapeStudy, OneRunHasNoIntervalHoweverSmall) {
+  ShapeStudy study;
+  study.random_distance = 0.8;
+  study.runs = {{pass_with(0.3, 1.0), pass_with(0.0012, 0.0)}};
+  EXPECT_THAT(shape_table({study}), AllOf(HasSubstr("0.0012"), Not(HasSubstr("±"))));
+}
+
+TEST(ShapeStudy, TheTypicalRunHasTheMedianAtItsEnd) {
+  const auto run_of = [](double first, double last) {
+    return std::vector{pass_with(first, 1.0), pass_with(last, 1.0)};
+  };
+  EXPECT_EQ(typical_run({run_of(0.1, 0.9), run_of(0.9, 0.1), run_of(0.5, 0.4)}), 2U);
+  EXPECT_EQ(typical_run({run_of(0.1, 0.9), run_of(0.1, 0.2)}), 1U) << "of two the better";
+  EXPECT_EQ(typical_run({{}, {pass_with(kNotKnown, 1.0)}, run_of(0.1, 0.9)}), 0U) << "what is not known is worst";
+}
+
+/// The target starts a little in the ground, and so do all models that lie as it does.
+TEST(ShapeStudy, StartsBelowIsDeeperThanTheTarget) {
+  BodySpec lying;
+  lying.name = "lying";
+  lying.position.z() = 0.1 - 1e-5;
+  lying.orientation = Eigen::AngleAxisd(0.5 * std::numbers::pi, Vector3d::UnitY());
+  lying.shapes = {{.kind = ShapeKind::cylinder, .size = {0.1, 1.0, 0.0}}};
+  RobotSpec target;
+  target.bodies = {lying};
+  EXPECT_FALSE(starts_below(target, target));
+  RobotSpec model = target;
+  model.bodies.push_back(lying);
+  model.bodies.back().position.z() += 0.3;
+  EXPECT_FALSE(starts_below(model, target));
+  model.bodies.back().orientation = Eigen::Quaterniond::Identity();  // upright: half a metre down from 0.4 m
+  EXPECT_TRUE(starts_below(model, target));
+  model.bodies.back().position.z() = 0.5;
+  EXPECT_FALSE(starts_below(model, target)) << "it stands on the ground";
+  target.bodies[0].position.z() = 2.0;
+  model.bodies[0].position.z() = 1.0;
+  EXPECT_FALSE(starts_below(model, target)) << "above the ground nothing is below it";
 }
 
 TEST(ShapeStudy, ErrorsByPassHaveBarsWhereThereAreSeveralRuns) {
