@@ -49,6 +49,7 @@ void check(const CheckOptions& options) {
   const bool recorded = rig.experiment.target.kind == "recorded";
   if (recorded)
     if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+  if (!rig.left_out.empty()) rig.notes.push_back({rig.experiment.where("target.version"), rig.left_out});
   const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
   const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
   fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);

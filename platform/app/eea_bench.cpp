@@ -95,7 +95,9 @@ ReplicateTarget::ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int 
   if (bench.target())
     simulator_ = std::make_unique<TargetSimulator>(*bench.target(), bench.hidden_values(replicate), noise);
   program_ = outside_target(experiment, bench.rig().definition, noise, std::move(notes));
-  if (program_) repeats_ = experiment.target.process.repeats;
+  if (!program_) return;
+  repeats_ = experiment.target.process.repeats;
+  pause_ = experiment.target.process.pause;
 }
 
 EeaState beginning(const EeaBench& bench) {

@@ -44,7 +44,7 @@ class ReplicateTarget {
  public:
   /// An outside target is started by its first trial.
   ReplicateTarget(const EeaBench& bench, std::uint64_t seed, int replicate, TargetNotes notes = {});
-  EeaTarget target() const { return {*system_, origin_, simulator_.get(), program_.get(), repeats_}; }
+  EeaTarget target() const { return {*system_, origin_, simulator_.get(), program_.get(), repeats_, pause_}; }
 
  private:
   std::unique_ptr<TargetSystem> system_;
@@ -52,6 +52,7 @@ class ReplicateTarget {
   std::unique_ptr<TargetSimulator> simulator_;
   std::unique_ptr<ProcessTarget> program_;
   int repeats_ = 0;
+  double pause_ = 0.0;
 };
 
 /// Where a replicate begins: the first state, with the trials that a recorded target has.

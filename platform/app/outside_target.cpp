@@ -1,10 +1,10 @@
 #include "app/outside_target.h"
 
 #include "evaluation/test_space.h"
+#include "fitting/start_states.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -18,11 +18,7 @@ std::vector<std::string> single_coordinates(const RobotSpec& robot) {
     if (joint.kind == JointKind::hinge || joint.kind == JointKind::slider) joints.push_back(joint.name);
     if (joint.kind == JointKind::ball || joint.kind == JointKind::universal) return {};
   }
-  const bool all_held = std::all_of(robot.bodies.begin(), robot.bodies.end(), [&](const BodySpec& body) {
-    return std::any_of(robot.joints.begin(), robot.joints.end(),
-                       [&](const JointSpec& joint) { return joint.child == body.name; });
-  });
-  return all_held ? joints : std::vector<std::string>();
+  return has_floating_body(robot) ? std::vector<std::string>() : joints;
 }
 
 }  // namespace

@@ -2,11 +2,17 @@
 
 #include "app/trial_target.h"
 #include "config/experiment_reader.h"
+#include "config/result_setting.h"
+#include "foundation/counted.h"
 #include "foundation/guarded_call.h"
 #include "storage/carried_out.h"
 #include "storage/eea_store.h"
+#include "storage/stored_run.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 
 namespace lacuna {
@@ -21,36 +27,61 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
                                [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
   const std::string& target = rig.experiment.target.kind;
-  rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials", [&] {
-    return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader});
-  });
+  rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
+                            [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
   return rig;
 }
 
-/// The trials that the database holds of a target that takes tests, those of its last run; what showed how a test
-/// transfers was fitted by no model, and is held out.
-std::vector<Trial> stored_trials(const std::filesystem::path& file, const std::string& experiment) {
-  Database database = Database::open_read_only(file);
-  std::vector<Trial> trials;
-  for (const EeaRunListing& run : eea_runs(database)) {
-    if (run.experiment != experiment || run.passes_done == 0) continue;
-    std::mutex unused;
-    const EeaStore store(database, unused, run.run, {});
-    trials = store.trials();
-    const std::vector<TargetTrialRow> rows = store.trial_rows();
-    for (std::size_t i = 0; i < rows.size(); ++i) trials[i].held_out = rows[i].for_transfer;
-  }
+/// Those of one run of the algorithm; what showed how a test transfers was fitted by no model, and is held out.
+std::vector<Trial> trials_of(Database& database, RunId run) {
+  std::mutex unused;
+  const EeaStore store(database, unused, run, {});
+  std::vector<Trial> trials = store.trials();
+  const std::vector<TargetTrialRow> rows = store.trial_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) trials[i].held_out = rows[i].for_transfer;
   return trials;
 }
 
+/// Adds the trials of the last run on this target; how many a later one on another target has.
+std::size_t add_trials_of_run(Database& database, Rig& rig) {
+  const TomlNode now = result_setting(rig.experiment.text, rig.experiment.overrides);
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::reverse(runs.begin(), runs.end());
+  std::size_t others = 0;
+  for (const EeaRunListing& run : runs) {
+    if (run.experiment != rig.experiment.name || run.passes_done == 0) continue;
+    const ExperimentRecord then = stored_run(database, run.run).experiment;
+    std::vector<Trial> trials = trials_of(database, run.run);
+    if (same_target(result_setting(then.text, then.overrides), now)) {
+      rig.trials = std::move(trials);
+      break;
+    }
+    if (others == 0) others = trials.size();
+  }
+  return others;
+}
+
+/// Adds the trials that were carried out one by one on this target; how many there are of others.
+std::size_t add_single_trials(const Database& database, const std::string& target, Rig& rig) {
+  std::vector<Trial> trials = carried_out_trials(database, rig.experiment.name, target);
+  const auto all = static_cast<std::size_t>(count_carried_out(database, rig.experiment.name));
+  const std::size_t others = all - trials.size();
+  std::move(trials.begin(), trials.end(), std::back_inserter(rig.trials));
+  return others;
+}
+
 Rig with_stored_trials(Rig rig, const CommonOptions& options) {
-  if (!rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests()) return rig;
+  const std::string& kind = rig.experiment.target.kind;
+  if (!rig.catalog->make<TargetSystem>(kind)->takes_tests()) return rig;
   const std::filesystem::path file = database_of(options, rig.experiment);
   if (!std::filesystem::exists(file)) return rig;
-  rig.trials = stored_trials(file, rig.experiment.name);
+  Database database = Database::open_read_only(file);
   const TrialTarget target(rig.experiment, rig.definition, *rig.catalog, last_replicate(file, rig.experiment.name));
-  for (Trial& trial : carried_out_trials(Database::open_read_only(file), rig.experiment.name, target.digest()))
-    rig.trials.push_back(std::move(trial));
+  std::size_t others = add_trials_of_run(database, rig);
+  others += add_single_trials(database, target.digest(), rig);
+  if (others > 0)
+    rig.left_out = fmt::format("{} in {} {} of another {} and left out", counted(others, "trial"), file.string(),
+                               others == 1 ? "is" : "are", kind == "process" ? "target.version" : "target");
   return rig;
 }
 

@@ -23,6 +23,7 @@ struct Rig {
   std::unique_ptr<CompiledModel> model;
   std::vector<Trial> trials;       ///< fit trials first
   std::vector<ReadingNote> notes;  ///< what was noticed while reading the measurements
+  std::string left_out;            ///< trials in the database that are another target's, a sentence; empty: none
 
   std::size_t count(bool held_out) const;
   /// Without those that are held out.
@@ -36,8 +37,8 @@ std::filesystem::path database_of(const CommonOptions& options, const Experiment
 int last_replicate(const std::filesystem::path& database, const std::string& experiment);
 
 /// Throws `BadInput` with every problem of the experiment, its robot and its measurements. Trials of a target that
-/// takes tests are those that the database holds: of the last run of the algorithm, and those that were carried out one
-/// by one on the same target.
+/// takes tests are those that the database holds of the same target: of the last run of the algorithm, and those that
+/// were carried out one by one. Of a program that is the target of the same `version`.
 Rig open_rig(const CommonOptions& options);
 /// The same for an experiment file whose content would be `text`.
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog);

@@ -3,6 +3,7 @@
 #include "app/replicates.h"
 #include "app/run_inputs.h"
 #include "app/used_plugins.h"
+#include "config/result_setting.h"
 #include "foundation/parallel.h"
 #include "storage/stored_run.h"
 
@@ -18,12 +19,16 @@ std::string given(const std::vector<std::string>& overrides) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// In what the run was begun with something else than there is now; empty: it can go on.
+/// In what the run was begun with something else than there is now; empty: it can go on. How a target's program is run
+/// is none of it: a limit that was too short may be raised, a rig that has moved may have another port.
 std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
   const Experiment& file = bench.rig().experiment;
   std::vector<std::string> other;
-  if (stored.experiment.text != file.text) other.push_back("another text of this experiment");
-  if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
+  if (!same_values(result_setting(stored.experiment.text, stored.experiment.overrides),
+                   result_setting(file.text, file.overrides))) {
+    if (stored.experiment.text != file.text) other.push_back("another text of this experiment");
+    if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
+  }
   if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
   for (std::string& changed : changed_files(stored, file, *bench.rig().catalog)) other.push_back(std::move(changed));
   return fmt::format("{}", fmt::join(other, ", with "));

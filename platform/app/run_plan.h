@@ -29,9 +29,9 @@ struct RunPlan {
 /// Enters new runs into the database, one a replicate.
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database);
 
-/// This experiment's runs that are not done and were begun with what the experiment, the options, robot files and
-/// plugins are now; each keeps its seed. Throws `BadInput` where there is none, with the reason for each that is not
-/// done.
+/// This experiment's runs that are not done and were begun with what the experiment says now (but for comments and how
+/// a target's program is run), the options, robot files and plugins are; each keeps its seed. Throws `BadInput` where
+/// there is none, with the reason for each that is not done.
 RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database);
 
 }  // namespace lacuna

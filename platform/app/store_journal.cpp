@@ -22,8 +22,9 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
     TargetTrial& trial = state.trials.emplace_back();
     trial.trial = with_known_start(definition, std::move(trials[i]));
     const double end = trial.trial.measured.times(trial.trial.measured.times.size() - 1);
-    trial.drive =
-        rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trial.trial.commands, end, {}};
+    trial.drive = rows[i].test
+                      ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trial.trial)
+                      : Test{trial.trial.commands, end, {}};
     trial.test = rows[i].test.value_or(0);
   }
   if (state.phase == Phase::estimation && !state.search.empty()) state.evaluated = store.models(state.pass);

@@ -29,8 +29,9 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
-    const Test drive =
-        rows[i].test ? definition.decode_test(store.test(*rows[i].test)->genome) : Test{trials[i].commands, end, {}};
+    const Test drive = rows[i].test
+                           ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trials[i])
+                           : Test{trials[i].commands, end, {}};
     model.trials.push_back(definition.scored(drive, with_known_start(definition, std::move(trials[i]))));
     model.numbers.push_back(rows[i].number);
   }

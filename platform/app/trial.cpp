@@ -117,11 +117,19 @@ TrialRun begin_run(const Rig& rig, std::uint64_t seed, ResultStore& store) {
           store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides})};
 }
 
-void keep(const TrialOptions& options, const Rig& rig, const TrialTarget& target, std::uint64_t seed,
-          const Trial& trial, Database& database) {
+std::int64_t next_number(const Database& database, const Rig& rig) {
+  return count_carried_out(database, rig.experiment.name) + 1;
+}
+
+std::string name_of(std::int64_t number) { return fmt::format("trial-{}", number); }
+
+/// Its name is that of the next number, which another process may have taken while the target worked.
+void keep(const TrialOptions& options, const Rig& rig, const TrialTarget& target, std::uint64_t seed, Trial& trial,
+          Database& database) {
   ResultStore store(database);
   Transaction transaction(database);
   const TrialRun entered = begin_run(rig, seed, store);
+  trial.name = name_of(next_number(database, rig));
   record_carried_out(database, entered.run, entered.experiment, trial, {options.test, target.digest()});
   store.end_run(RunEnding::done);
   transaction.commit();
@@ -141,8 +149,7 @@ void keep_failure(const TrialOptions& options, const Rig& rig, std::uint64_t see
 Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target, const Test& test) {
   Database database = Database::open(database_of(options, rig.experiment));
   const std::uint64_t seed = options.seed.value_or(rig.experiment.seed);
-  const std::int64_t number = count_carried_out(database, rig.experiment.name) + 1;
-  const std::string name = fmt::format("trial-{}", number);
+  const std::int64_t number = next_number(database, rig);
   Trial trial;
   try {
     trial = target.carry_out(test, seed, static_cast<std::uint64_t>(number));
@@ -151,10 +158,9 @@ Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target
   } catch (const Interrupted&) {
     throw;
   } catch (const Error& error) {
-    keep_failure(options, rig, seed, name, error.what(), database);
+    keep_failure(options, rig, seed, name_of(number), error.what(), database);
     throw;
   }
-  trial.name = name;
   trial.held_out = options.held_out;
   keep(options, rig, target, seed, trial, database);
   return trial;

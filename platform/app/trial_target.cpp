@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::uint64_t kSingleTrials = 0x7472'6961'6c73;  // apart from the streams of runs
 
-std::string described(const ProcessSource& source) {
-  std::string text = "\nversion " + source.version + "\n";
-  for (const std::string& word : source.command) text += fmt::format("{}\n", word);
-  for (const auto& [name, value] : source.environment) text += fmt::format("{}={}\n", name, value);
-  return text;
-}
-
 void notes_to_user(const std::string& note) { fmt::print(stderr, "{}\n", note); }
 
 }  // namespace
@@ -35,7 +28,7 @@ TrialTarget::TrialTarget(const Experiment& experiment, const ModelDefinition& mo
       system_(catalog.make<TargetSystem>(experiment.target.kind)),
       origin_(catalog.origin<TargetSystem>(experiment.target.kind)) {
   std::string description = experiment.target.kind;
-  if (experiment.target.kind == "process") description += described(experiment.target.process);
+  if (experiment.target.kind == "process") description += "\nversion " + experiment.target.process.version + "\n";
   if (experiment.target.kind == "simulated") {
     definition_ = std::make_unique<ModelDefinition>(define_target(experiment, catalog));
     hidden_ = draw_hidden_values(*definition_, experiment.target.simulated, replicate);

@@ -5,9 +5,15 @@
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 namespace lacuna {
 
-Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig(options)) {}
+Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig(options)) {
+  if (!rig_.left_out.empty()) fmt::print(stderr, "{}\n", rig_.left_out);
+}
 
 Workbench::Workbench(const CommonOptions& options, Rig rig)
     : options_(options),

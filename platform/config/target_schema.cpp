@@ -280,6 +280,8 @@ Value<std::string> text_with_variables() {
   return value;
 }
 
+}  // namespace
+
 Table<ProcessSource> process_keys() {
   return Table<ProcessSource>()
       .key("command", &ProcessSource::command, list_of(text_with_variables(), 1),
@@ -295,11 +297,15 @@ Table<ProcessSource> process_keys() {
            "process: how much longer than the test itself a trial may take")
       .key("repeats", &ProcessSource::repeats, whole_number<int>(0, 1000),
            "process: how often `lacuna run` tries a test again that failed before it takes another one")
+      .key("pause", &ProcessSource::pause, number("s").at_least(0.0),
+           "process: how long `lacuna run` waits after a test that failed before it tries again")
       .key("copies", &ProcessSource::copies, whole_number<int>(1, 1000),
            "process: how many of the program may run at the same time; a rig is one, replicates wait for it")
       .key("version", &ProcessSource::version, text(),
            "process: another text for a target that has changed, whose trials so far are then left out");
 }
+
+namespace {
 
 /// Of each kind of target the keys that others do not have.
 void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {

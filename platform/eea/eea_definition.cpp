@@ -105,6 +105,7 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
       passes(takes_tests ? experiment.passes : 1),
       seeds(experiment.estimation.seeds),
       approximate(takes_tests && experiment.model.approximate),
+      target_is_program(experiment.target.kind == "process"),
       abandon(experiment.estimation.abandon),
       reuse(experiment.estimation.reuse) {
   Complaints complaints(experiment);
@@ -188,6 +189,11 @@ Test EeaDefinition::decode_test(const Genome& genome) const {
   Test test = guarded_call(test_encoding.origin, "decode",
                            [&] { return test_encoding->decode(test_space, test_encoding.parameters, genome); });
   return seen_channels.empty() ? test : with_view(std::move(test), seen_channels);
+}
+
+Test EeaDefinition::drive_of(Test test, const Trial& trial) const {
+  if (target_is_program && std::holds_alternative<CommandSeries>(test.drive)) test.drive = trial.commands;
+  return test;
 }
 
 ScoredTrial EeaDefinition::scored(Test drive, Trial trial) const {

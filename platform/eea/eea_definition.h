@@ -38,6 +38,9 @@ class EeaDefinition {
   /// A genome's model. Throws `Error` that names the encoding where it fails.
   ModelProposal decode_model(const Genome& genome) const;
   Test decode_test(const Genome& genome) const;
+  /// What models are driven by to be held against a trial of that test: the commands that a program took, which may
+  /// have been late or clipped, where the test is a series of them; else the test itself.
+  Test drive_of(Test test, const Trial& trial) const;
   /// A trial as models are held against it: with the sensors that the experiment scores.
   ScoredTrial scored(Test drive, Trial trial) const;
 
@@ -58,6 +61,7 @@ class EeaDefinition {
   int passes = 1;
   int seeds = 0;
   bool approximate = false;
+  bool target_is_program = false;  ///< that keeps its own time
   bool abandon = true, reuse = true;
 
  private:

@@ -3,6 +3,7 @@
 #include "eea/exploration.h"
 #include "eea/recorded_trials.h"
 #include "evaluation/test_predictor.h"
+#include "foundation/interrupt.h"
 
 #include <array>
 #include <optional>
@@ -42,6 +43,7 @@ struct CarriedOut {
 CarriedOut carry_out(const EeaRun& run, const EeaTarget& target, const Genome& test, int number) {
   CarriedOut done{run.definition.decode_test(test), {}};
   done.trial = trial_of(target, done.drive, number);
+  done.drive = run.definition.drive_of(std::move(done.drive), done.trial);
   done.fitness = measured_fitness(run.definition, done.drive, done.trial);
   return done;
 }
@@ -68,9 +70,11 @@ CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaS
   std::string reason;
   for (int test = 1; test <= kTests; ++test) {
     if (test > 1) choose_random_test(run, state, test - 1);
-    for (int repeat = 0; repeat <= target.repeats; ++repeat)
+    for (int repeat = 0; repeat <= target.repeats; ++repeat) {
+      if (test + repeat > 1) pause_for(target.pause);
       if (std::optional<CarriedOut> done = attempt(run, target, *state.next_test, number, reason))
         return std::move(*done);
+    }
   }
   throw Error("trial " + std::to_string(number) + ": " + reason + " (after " + std::to_string(kTests) + " tests" +
               (target.repeats > 0 ? ", each tried " + std::to_string(target.repeats + 1) + " times)" : ")"));

@@ -15,13 +15,6 @@ std::string coordinate_name(const SensorSpec& sensor, std::size_t which, std::si
   return "joint." + sensor.element + (channels == 1 ? "" : "." + std::to_string(which + 1));
 }
 
-bool has_floating_body(const RobotSpec& robot) {
-  std::set<std::string> held;
-  for (const JointSpec& joint : robot.joints) held.insert(joint.child);
-  return std::any_of(robot.bodies.begin(), robot.bodies.end(),
-                     [&](const BodySpec& body) { return !held.contains(body.name); });
-}
-
 /// What a robot's state holds besides its joint coordinates and what was commanded.
 std::string hidden_state(const RobotSpec& robot, const StateLayout& layout) {
   if (has_floating_body(robot)) return "the robot has a body that floats";
@@ -41,6 +34,13 @@ std::string hidden_state(const RobotSpec& robot, const StateLayout& layout) {
 }
 
 }  // namespace
+
+bool has_floating_body(const RobotSpec& robot) {
+  std::set<std::string> held;
+  for (const JointSpec& joint : robot.joints) held.insert(joint.child);
+  return std::any_of(robot.bodies.begin(), robot.bodies.end(),
+                     [&](const BodySpec& body) { return !held.contains(body.name); });
+}
 
 double component(const StartState& start, int index) {
   const auto i = static_cast<std::size_t>(index);

@@ -37,6 +37,9 @@ struct StartEstimate {
 /// The start `times` standard deviations off along one of its axes.
 StartState moved_along(const StartEstimate& estimate, Eigen::Index axis, double times = 1.0);
 
+/// Whether a body hangs on no joint.
+bool has_floating_body(const RobotSpec& robot);
+
 double component(const StartState& start, int index);
 void set_component(StartState& start, int index, double value);
 

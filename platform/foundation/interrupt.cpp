@@ -1,7 +1,10 @@
 #include "foundation/interrupt.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace lacuna {
 namespace {
@@ -28,6 +31,14 @@ bool interrupt_requested() { return requested; }
 
 void throw_if_interrupted() {
   if (interrupt_requested()) throw Interrupted("interrupted; what was finished is kept");
+}
+
+void pause_for(double seconds) {
+  constexpr double kLook = 0.05;  // s
+  for (double left = seconds; left > 0.0; left -= kLook) {
+    throw_if_interrupted();
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, kLook)));
+  }
 }
 
 }  // namespace lacuna

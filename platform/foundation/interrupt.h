@@ -15,5 +15,7 @@ void watch_for_interrupts();
 bool interrupt_requested();
 /// Throws `Interrupted` if the flag is up. Long work calls it between its steps.
 void throw_if_interrupted();
+/// Sleeps; throws as soon as the flag is up.
+void pause_for(double seconds);
 
 }  // namespace lacuna

@@ -15,6 +15,7 @@ struct ProcessSource {
   double start_limit = 10.0;                       ///< s, until it has said hello
   double trial_limit = 60.0;                       ///< s, of a trial beyond the test's duration
   int repeats = 1;                                 ///< how often a test is tried again after it failed
+  double pause = 1.0;                              ///< s, between a test that failed and the next attempt
   int copies = 1;                                  ///< how many of it may run side by side
   std::string version;                             ///< trials of another one are another target's
 };

@@ -29,6 +29,7 @@ passes = 2
 kind = "process"
 command = ["python3", "rig.py", "none"]
 trial_limit = "20 s"
+pause = 0.0
 [model]
 file = "robots/servo-pendulum.toml"
 set = { "actuator.motor.force_limit" = 0.6 }
@@ -111,7 +112,6 @@ TEST_F(OutsideRig, IsAskedWhatItIsByCheck) {
 }
 
 TEST_F(OutsideRig, HasItsSettingsChecked) {
-  program_.write("rig.toml", std::string(kRigFile) + "\n");
   const Outcome bad = program_.run({"check", "rig.toml", "--set", "target.folder=\"nowhere\"", "--set",
                                     "target.robot=\"quadruped\"", "--set", "target.start_limit=0"});
   EXPECT_EQ(bad.exit_code, 2);
@@ -130,6 +130,30 @@ TEST_F(OutsideRig, CarriesOutTrialsThatFitAndCompareTake) {
   ASSERT_EQ(compare.exit_code, 0) << compare.errors;
   EXPECT_THAT(compare.output, HasSubstr("1 fit trial, 1 held out")) << "the third is of another version";
   EXPECT_EQ(sql("SELECT count(*) FROM carried_out"), "3");
+}
+
+TEST_F(OutsideRig, OfAnotherVersionIsAnotherTarget) {
+  ASSERT_EQ(lacuna({"run"}).exit_code, 0);
+  ASSERT_EQ(lacuna({"trial", "--test", kSteps}).exit_code, 0);
+  const Outcome moved = program_.run({"fit", "rig.toml", "--set", "target.environment={ PORT = \"/dev/ttyUSB1\" }"});
+  ASSERT_EQ(moved.exit_code, 0) << moved.errors;
+  EXPECT_THAT(moved.output, HasSubstr("3 fit trials")) << "two of the run, and the single one";
+  EXPECT_THAT(moved.errors, testing::Not(HasSubstr("left out")));
+  const std::string repaired = "target.version=\"2\"";
+  ASSERT_EQ(program_.run({"trial", "rig.toml", "--test", kSteps, "--set", repaired}).exit_code, 0);
+  const Outcome fit = program_.run({"fit", "rig.toml", "--set", repaired});
+  ASSERT_EQ(fit.exit_code, 0) << fit.errors;
+  EXPECT_THAT(fit.output, HasSubstr("1 fit trial"));
+  EXPECT_THAT(fit.errors, HasSubstr("4 trials in rig.db are of another target.version and left out"));
+  EXPECT_THAT(program_.run({"check", "rig.toml", "--set", repaired}).output, HasSubstr("4 trials in rig.db"));
+}
+
+TEST_F(OutsideRig, TrialsCarriedOutAtOnceAreBothKept) {
+  const std::string trial = std::string("lacuna trial rig.toml --test '") + kSteps + "' --set '" +
+                            fault("meets another") + "' --set target.trial_limit=60";
+  const Outcome both = program_.shell(trial + " & " + trial + "; first=$?; wait $! && exit $first");
+  EXPECT_EQ(both.exit_code, 0) << both.errors;
+  EXPECT_EQ(sql("SELECT count(DISTINCT name) FROM trial JOIN carried_out ON trial.id = carried_out.trial"), "2");
 }
 
 TEST_F(OutsideRig, ThatFailsInATrialLosesNothing) {
@@ -174,9 +198,11 @@ TEST_F(OutsideRig, ThatFailsAgainAndAgainEndsARunThatCanBeResumed) {
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_THAT(failed.errors, HasSubstr("(after 5 tests, each tried 3 times)"));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "15");
-  program_.write("repaired", "");
+  const Outcome other = program_.run({"run", "rig.toml", "--resume", "--set", "target.version=\"2\""});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, HasSubstr("run 1 was begun with --set"));
   const Outcome resumed =
-      program_.run({"run", "rig.toml", "--resume", "--set", fault("waits for repair"), "--set", "target.repeats=2"});
+      program_.run({"run", "rig.toml", "--resume", "--set", fault("none"), "--set", "target.trial_limit=\"30 s\""});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
   EXPECT_EQ(hash("rig.db"), hash("whole.db"));
 }
@@ -202,7 +228,9 @@ TEST_F(OutsideRig, SeesTheEndOfItsInputWhenLacunaIsKilled) {
 }
 
 TEST_F(OutsideRig, ServesReplicatesOneAfterAnotherToTheSameRows) {
-  ASSERT_EQ(lacuna({"run", "--replicates", "2", "--threads", "2"}).exit_code, 0);
+  const Outcome alone = lacuna({"run", "--replicates", "2", "--threads", "2"}, "works alone");
+  ASSERT_EQ(alone.exit_code, 0) << alone.errors;
+  EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "0") << "none began while another was there";
   ASSERT_EQ(
       program_
           .run({"run", "rig.toml", "--replicates", "2", "--threads", "2", "--set", "target.copies=2", "--db", "two.db"})

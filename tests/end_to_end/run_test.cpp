@@ -152,10 +152,12 @@ TEST_F(Run, ResumeSaysWhereThereIsNothingToGoOnWith) {
 
 TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
   ASSERT_EQ(program_.run_and_signal({"run", "small.toml"}, "small.db-wal", SIGINT).exit_code, kInterrupted);
-  program_.write("small.toml", kSmallRun + "# another\n");
+  program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
   const Outcome outcome = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(outcome.exit_code, kBadInput);
   EXPECT_THAT(outcome.errors, HasSubstr("another text of this experiment"));
+  program_.write("small.toml", kSmallRun + "# a word about it\n");
+  EXPECT_EQ(program_.run({"run", "small.toml", "--resume"}).exit_code, kDone);
 }
 
 TEST_F(Run, NamesEveryProblemOfItsSections) {

@@ -1,5 +1,7 @@
 """A rig for tests: it reads half of what its motor is told, and has a fault of its own where its argument names one."""
 
+import atexit
+import glob
 import json
 import os
 import signal
@@ -110,6 +112,10 @@ def fault_in_trial(test):
     if FAULT == "waits for more":
         once("waits")
         listen()
+    if FAULT == "meets another":
+        once(f"here-{os.getpid()}")
+        while len(glob.glob("here-*")) < 2:
+            time.sleep(0.01)
     if FAULT == "hangs" or (FAULT == "hangs once" and once("hangs")):
         time.sleep(1000)
     if FAULT == "half a line":
@@ -187,6 +193,12 @@ def run_exchange(test):
 def main():
     with open("pid", "w") as file:
         file.write(str(os.getpid()))
+    if FAULT == "works alone":
+        try:
+            os.close(os.open("lock", os.O_CREAT | os.O_EXCL))
+        except FileExistsError:
+            crash("another one has the rig")
+        atexit.register(os.remove, "lock")
     if FAULT == "reads nothing":
         time.sleep(1000)
     if FAULT == "floods standard error":
