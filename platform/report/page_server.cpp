@@ -41,6 +41,7 @@ PageJson json_of(const PageCell& cell) {
     return std::isfinite(*number) ? PageJson(*number) : PageJson(nullptr);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* bytes = std::get_if<std::vector<std::byte>>(&cell)) return {{"base64", base64(*bytes)}};
+  if (const auto* blob = std::get_if<Blob>(&cell)) return {{"bytes", blob->bytes}};
   return nullptr;
 }
 
@@ -50,6 +51,19 @@ double processor_seconds() {
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+/// What this thread does until it ends, however it ends, is spent of a share.
+class Spending {
+ public:
+  explicit Spending(ProcessorShare& share) : share_(share) {}
+  ~Spending() { share_.spend(processor_seconds() - begin_); }
+  Spending(const Spending&) = delete;
+  Spending& operator=(const Spending&) = delete;
+
+ private:
+  ProcessorShare& share_;
+  const double begin_ = processor_seconds();
+};
 
 PageCell cell_of(const PageJson& value) {
   if (value.is_number_integer()) return value.get<std::int64_t>();

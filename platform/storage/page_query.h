@@ -20,7 +20,7 @@ inline constexpr std::chrono::milliseconds kLongestPageQuery{10'000};
 /// What a page asks: one statement or several that read, of which the last one's rows are the answer.
 struct PageQuery {
   std::string sql;
-  std::vector<PageCell> values;  ///< of the parameters of the last statement
+  std::vector<PageCell> values = {};  ///< of the parameters of the last statement
   std::size_t most_rows = 100'000;
   std::size_t most_bytes = 64U << 20U;  ///< after which no further row is taken
   bool sizes = false;                   ///< of bytes their number is enough

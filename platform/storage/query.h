@@ -17,6 +17,7 @@ class ReadingOnly;
 
 struct Blob {
   std::size_t bytes = 0;  ///< its content is not for reading
+  bool operator==(const Blob&) const = default;
 };
 
 /// NULL, integer, real, text or bytes.

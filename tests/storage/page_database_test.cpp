@@ -5,7 +5,10 @@
 #include "storage/asked.h"
 #include "storage/made_up_run.h"
 #include "storage/page_query.h"
+#include "storage/readable_database.h"
+#include "storage/without_folders.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +37,11 @@ class PageDatabaseTest : public testing::Test {
         folder_.write("copy.db", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
   }
   PageTable asked(const std::string& sql, std::vector<PageCell> values = {}, std::size_t most = 1000) const {
-    return ask_for_page(file_, pages_file_, {sql, std::move(values), most, std::chrono::milliseconds(200)});
+    return answered({.sql = sql, .values = std::move(values), .most_rows = most});
+  }
+  PageTable answered(PageQuery query) const {
+    query.longest = std::chrono::milliseconds(200);
+    return ask_for_page(file_, pages_file_, query);
   }
 
   TestFolder folder_;
@@ -73,25 +80,95 @@ TEST_F(PageDatabaseTest, OfALargeDatabaseTakesWhatPassesNeedAndSaysSo) {
   }
 }
 
-TEST_F(PageDatabaseTest, KeepsRobotsInMotion) {
+TEST_F(PageDatabaseTest, ASelectionIsNoLargerThanAskedForAndSaysHowLargeItIs) {
+  for (const std::size_t most : {400'000U, 700'000U}) {
+    PageDatabase pages;
+    pages.copy(database_, most);
+    EXPECT_LE(pages.size(), most);
+    const Database copy = kept(pages);
+    const std::string says = fmt::format(
+        "SELECT count(*) FROM page_note WHERE sentence LIKE '%a selection of it, "
+        "{:.1f} MB; %'",
+        static_cast<double>(pages.size()) / 1e6);
+    EXPECT_EQ(ask(copy, says.c_str()), ask(copy, "SELECT count(*) > 0 FROM page_note")) << most;
+  }
+}
+
+TEST_F(PageDatabaseTest, ASelectionKnowsHowManyModelsThereWere) {
   PageDatabase pages;
-  EXPECT_FALSE(pages.has_replay(2, 0, 7));
+  pages.copy(database_, 1000);
+  const Database copy = kept(pages);
+  EXPECT_LT(ask(copy, "SELECT models FROM eea_runs"), ask(database_, "SELECT models FROM eea_runs"));
+  EXPECT_EQ(ask(copy, "SELECT models FROM page_run"), ask(database_, "SELECT models FROM eea_runs"));
+  EXPECT_EQ(ask(copy, "SELECT tests FROM page_run"), ask(database_, "SELECT tests FROM eea_runs"));
+}
+
+TEST_F(PageDatabaseTest, TellsNoFolders) {
+  database_.execute(
+      "UPDATE run SET command = 'lacuna run ''/home/ada/my rig/walk.toml'' --db /srv/x.db';"
+      "UPDATE experiment_text SET file = '/home/ada/walk.toml';"
+      "INSERT INTO plugin_file SELECT number, '/home/ada/lib/a.so', printf('%064d', 1), '' FROM run;"
+      "INSERT INTO plugin_file SELECT number, '/usr/lib/a.so', printf('%064d', 1), '' FROM run;"
+      "INSERT INTO robot_file SELECT number, '/home/ada/robots/r.toml', printf('%064d', 1) FROM run");
+  PageDatabase pages;
+  pages.copy(database_, kPlenty);
+  const std::vector<std::byte> bytes = pages.bytes();
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  EXPECT_EQ(text.find("/home"), std::string::npos);
+  EXPECT_EQ(text.find("/usr/lib"), std::string::npos);
+  EXPECT_EQ(ask(kept(pages), "SELECT count(*) FROM run WHERE command = 'lacuna run ''walk.toml'' --db x.db'"),
+            ask(database_, "SELECT count(*) FROM run"));
+}
+
+TEST(WithoutFolders, KeepsNamesAndWhatIsNoPath) {
+  EXPECT_EQ(without_folders("/home/ada/walk.toml: is not in this folder, /home/ada; go"),
+            "walk.toml: is not in this folder, ada; go");
+  EXPECT_EQ(without_folders("robots/a.toml and 3 /s, N/A, http://x.org/y, / and /x"),
+            "robots/a.toml and 3 /s, N/A, http://x.org/y, / and /x");
+  EXPECT_EQ(without_folders("--set a=\"/my files/b c/\" end"), "--set a=\"b c\" end");
+  EXPECT_EQ(without_folders(""), "");
+}
+
+ReplayRecord replay_of(const std::string& identity) {
   ReplayRecord replay{.experiment = "rig",
+                      .identity = identity,
                       .run = 2,
                       .trial = 0,
                       .pass = 1,
                       .model = 7,
                       .robot = "{}",
-                      .target_robot = "",
                       .traces = {}};
   replay.traces.emplace_back("model", test::sine(100));
-  pages.add(replay);
-  EXPECT_TRUE(pages.has_replay(2, 0, 7));
+  return replay;
+}
+
+TEST_F(PageDatabaseTest, KeepsRobotsInMotion) {
+  PageDatabase pages;
+  EXPECT_FALSE(pages.find_replay("a", 0, 7));
+  const std::int64_t id = pages.add(replay_of("a"));
+  EXPECT_EQ(pages.find_replay("a", 0, 7), id);
   pages.copy(database_, kPlenty);
   EXPECT_EQ(ask(kept(pages),
                 "SELECT sample_count FROM page_replay JOIN page_replay_trace ON replay = page_replay.id "
                 "WHERE run = 2 AND kind = 'model'"),
             100);
+}
+
+TEST_F(PageDatabaseTest, TellsRunsOfOneNumberInTwoFilesApart) {
+  PageDatabase pages;
+  const std::int64_t first = pages.add(replay_of("a"));
+  EXPECT_FALSE(pages.find_replay("b", 0, 7));
+  EXPECT_NE(pages.add(replay_of("b")), first);
+}
+
+TEST_F(PageDatabaseTest, AFaultLeavesNothingHalfDone) {
+  PageDatabase pages(pages_file_);
+  ReplayRecord twice = replay_of("a");
+  twice.traces.push_back(twice.traces.front());
+  EXPECT_THROW(pages.add(twice), Error);
+  EXPECT_FALSE(pages.find_replay("a", 0, 7));
+  pages.add(replay_of("b"));  // which a transaction left open would refuse
+  EXPECT_EQ(asked("SELECT identity FROM page_replay").rows.size(), 1U);
 }
 
 class PageQueryTest : public PageDatabaseTest {
@@ -116,6 +193,25 @@ TEST_F(PageQueryTest, CutsLongAnswers) {
   EXPECT_EQ(table.rows.size(), 3U);
   EXPECT_TRUE(table.cut);
   EXPECT_FALSE(asked("SELECT 1").cut);
+}
+
+TEST_F(PageQueryTest, CutsLargeAnswers) {
+  const PageTable table =
+      answered({.sql = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 9) "
+                       "SELECT zeroblob(1000) FROM n",
+                .most_bytes = 3500});
+  EXPECT_TRUE(table.cut);
+  EXPECT_EQ(table.rows.size(), 4U);
+}
+
+TEST_F(PageQueryTest, SaysHowManyBytesThereAreWhereThatIsEnough) {
+  const PageTable table = answered({.sql = "SELECT x'010203'", .sizes = true});
+  EXPECT_EQ(std::get<Blob>(table.rows.at(0).at(0)).bytes, 3U);
+}
+
+TEST_F(PageQueryTest, RefusesValuesThatWouldNotFitIntoMemory) {
+  EXPECT_THAT(sentence_of([&] { asked("SELECT zeroblob(1000000000)"); }), HasSubstr("too big"));
+  EXPECT_THAT(sentence_of([&] { asked("SELECT 'x' LIKE printf('%.*c', 1000, '%')"); }), HasSubstr("too complex"));
 }
 
 TEST_F(PageQueryTest, HasSamplesAsRowsAndThePagesOwnTables) {
@@ -156,6 +252,25 @@ TEST_F(PageQueryTest, FindsTheDatabaseThatTookAnothersPlace) {
   std::filesystem::rename(folder_ / "other.db", file_);
   EXPECT_NE(stamp_of(file_), before);
   EXPECT_EQ(asked("SELECT command FROM run").rows.at(0).at(0), PageCell(std::string("lacuna compare other.toml")));
+}
+
+TEST_F(PageQueryTest, OfAnOlderVersionsFileThereIsOneCopyForEachState) {
+  const std::filesystem::path old = folder_ / "old.db";
+  {
+    std::vector<Migration> older = schema_migrations();
+    older.pop_back();
+    Database::open(old, older);
+  }
+  std::filesystem::create_directory(folder_ / "scratch");
+  ReadableDatabase readable(old, folder_ / "scratch");
+  const auto first = readable.file();
+  EXPECT_NE(*first, old);
+  EXPECT_EQ(readable.file(), first);
+  EXPECT_EQ(ask_for_page(*first, pages_file_, {.sql = "SELECT count(*) FROM where_it_fails"}).rows.size(), 1U);
+  const std::filesystem::path copy = *first;
+  Database::open(old);  // brings it up to date
+  EXPECT_EQ(*readable.file(), old);
+  EXPECT_TRUE(std::filesystem::exists(copy)) << "somebody reads it";
 }
 
 TEST_F(PageQueryTest, StampsChangeWithEachCommit) {
