@@ -26,9 +26,9 @@ bool makes_controllers(const EeaDefinition& definition) {
   }
 }
 
-/// Why a controller that was made for the model's channels cannot drive the target: it reads and writes them by their
-/// places. `seen`: which of the model's sensor channels; none: all. Empty: it can.
-std::string other_channels(const RobotSpec& model, const RobotSpec& target, std::vector<std::size_t> seen) {
+/// Why a controller that was made for the model's channels cannot read the target's: it knows them by their places.
+/// `seen`: which of the model's; none: all. Empty: it can.
+std::string other_readings(const RobotSpec& model, const RobotSpec& target, std::vector<std::size_t> seen) {
   const std::vector<Channel> wanted = sensor_channels(model), there = sensor_channels(target);
   if (seen.empty())
     for (std::size_t c = 0; c < wanted.size(); ++c) seen.push_back(c);
@@ -38,10 +38,19 @@ std::string other_channels(const RobotSpec& model, const RobotSpec& target, std:
              " of the model's robot; the target's has " +
              (c < there.size() ? "\"" + there[c].name + "\" there" : std::to_string(there.size()) + " readings") +
              "; give both the same sensors in the same order, or name those that they share";
-  if (command_channels(model) != command_channels(target))
-    return "the actuators of the target's robot are not those of the model's in the same order, which the controller "
-           "drives";
   return {};
+}
+
+void check_controllers(const EeaDefinition& definition, const Experiment& experiment, const RobotSpec& target) {
+  Complaints complaints(experiment);
+  const RobotSpec& model = definition.model.structure.robot;
+  if (const std::string problem = other_readings(model, target, definition.seen_channels); !problem.empty())
+    complaints.add(experiment.test.sensors.empty() ? "target.robot" : "test.sensors", problem);
+  if (command_channels(model) != command_channels(target))
+    complaints.add("target.robot",
+                   "its actuators are not those of the model's robot in the same order, which "
+                   "controllers are made for");
+  complaints.throw_if_any();
 }
 
 }  // namespace
@@ -52,13 +61,8 @@ EeaBench::EeaBench(Rig rig)
                                  : nullptr),
       takes_tests_(rig_.catalog->make<TargetSystem>(rig_.experiment.target.kind)->takes_tests()),
       definition_(std::make_unique<EeaDefinition>(rig_.experiment, *rig_.catalog, rig_.definition, takes_tests_)) {
-  if (!takes_tests_ || !target_ || !makes_controllers(*definition_)) return;
-  const std::string key = rig_.experiment.test.sensors.empty() ? "target.robot" : "test.sensors";
-  Complaints complaints(rig_.experiment);
-  const std::string problem =
-      other_channels(rig_.definition.structure.robot, target_->structure.robot, definition_->seen_channels);
-  if (!problem.empty()) complaints.add(key, problem);
-  complaints.throw_if_any();
+  if (takes_tests_ && target_ && makes_controllers(*definition_))
+    check_controllers(*definition_, rig_.experiment, target_->structure.robot);
 }
 
 std::vector<double> EeaBench::hidden_values(int replicate) const {

@@ -155,6 +155,8 @@ TEST(MorphologyRun, AControllerSeesWhatTheTargetHas) {
   EXPECT_THAT(complaint_about({"target.parameters.beacons=1", "test.sensors=[]"}),
               AllOf(HasSubstr("target.robot:"), HasSubstr("\"range_torso_2\"")));
   EXPECT_EQ(complaint_about({"target.parameters.beacons=4", "test.sensors=[]"}), "none");
+  EXPECT_THAT(complaint_about({"target.robot='quadruped'", "target.parameters={}"}),
+              AllOf(HasSubstr("test.sensors:"), HasSubstr("target.robot: its actuators")));
 }
 
 TEST(MorphologyRun, SensorsThatNobodyHasAreAMistakeOfTheFile) {
