@@ -36,7 +36,7 @@ std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
     if (!trial.held_out) kept.push_back(trial);
   if (kept.empty())
     throw Error(
-        "there is no trial to fit to: name a measured file that is not held out, or, where the target is simulated, "
+        "there is no trial to fit to: name a measured file that is not held out, or, where the target takes tests, "
         "let lacuna run or lacuna trial make some");
   return kept;
 }

@@ -220,6 +220,29 @@ TEST_F(OutsideRig, EndsWithAnInterruptedRunThatIsResumedToTheSameRows) {
   EXPECT_EQ(hash("rig.db"), hash("whole.db"));
 }
 
+TEST_F(OutsideRig, ThatKeepsItsOwnTimeIsResumedToTheSameRows) {
+  const Outcome interrupted =
+      program_.run_and_signal({"run", "rig.toml", "--set", fault("wavers, then hangs")}, "hangs", SIGINT);
+  EXPECT_EQ(interrupted.exit_code, 75) << interrupted.errors;
+  ASSERT_EQ(lacuna({"run", "--resume"}, "wavers").exit_code, 0);
+  ASSERT_EQ(lacuna({"run", "--db", "whole.db"}, "wavers").exit_code, 0);
+  EXPECT_EQ(hash("rig.db"), hash("whole.db"));
+  const Outcome again = program_.run({"reproduce", "whole.db"});
+  EXPECT_EQ(again.exit_code, 0) << again.errors;
+}
+
+TEST_F(OutsideRig, IsGivenTimeBeforeATestIsTriedAgain) {
+  const auto has_died = [this] {
+    if (!is_there("died")) return false;
+    std::this_thread::sleep_for(std::chrono::seconds(3));  // in which a run without a pause is done
+    return true;
+  };
+  const Outcome outcome = program_.run_and_signal(
+      {"run", "rig.toml", "--set", fault("dies once"), "--set", "target.pause=1000"}, has_died, SIGINT);
+  EXPECT_EQ(outcome.exit_code, 75) << outcome.errors;
+  EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "1");
+}
+
 TEST_F(OutsideRig, SeesTheEndOfItsInputWhenLacunaIsKilled) {
   const Outcome outcome = program_.run_and_signal(
       {"trial", "rig.toml", "--test", kSteps, "--set", fault("waits for more")}, "waits", SIGKILL);

@@ -59,5 +59,13 @@ TEST(PlainText, KeepsWhatCanBePrinted) {
   EXPECT_EQ(plain_text("heiß", 5), "heiß");
 }
 
+TEST(PlainText, IsWhatAHelloKeepsOfNames) {
+  const Hello hello =
+      read_hello(R"({"type": "hello", "protocol": "lacuna-process/1", "name": "rig\u001b[2J", "modes": ["series"],)"
+                 R"("sensors": [{"name": "ang\u0007le", "unit": "rad"}], "actuators": []})");
+  EXPECT_EQ(hello.name, "rig.[2J");
+  EXPECT_EQ(hello.sensors[0].name, "ang.le");
+}
+
 }  // namespace
 }  // namespace lacuna

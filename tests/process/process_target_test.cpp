@@ -229,6 +229,11 @@ TEST_F(OutsideTarget, HasTimeLimits) {
   EXPECT_THAT(complaint("reads nothing"), HasSubstr("has not answered in time"));
 }
 
+TEST_F(OutsideTarget, MayHaveAllTheTimeThereIs) {
+  setting_.source.start_limit = setting_.source.trial_limit = 1e300;  // s
+  EXPECT_EQ(rig("none").carry_out(series(0.2)).measured.times.size(), 11);
+}
+
 TEST_F(OutsideTarget, TakesASeriesLongerThanAPipeWhileItWritesItself) {
   EXPECT_EQ(rig("none").carry_out(long_series()).measured.times.size(), 11);
   EXPECT_EQ(rig("writes while it is sent").carry_out(long_series()).measured.times.size(), 11);

@@ -10,7 +10,8 @@ import sys
 import time
 
 FAULT = sys.argv[1] if len(sys.argv) > 1 else "none"
-EXCHANGES = ("only exchange", "wavers", "begins early")
+WAVERS = ("wavers", "wavers, then hangs")
+EXCHANGES = ("only exchange", "begins early", *WAVERS)
 
 HELLO = {
     "type": "hello",
@@ -116,7 +117,9 @@ def fault_in_trial(test):
         once(f"here-{os.getpid()}")
         while len(glob.glob("here-*")) < 2:
             time.sleep(0.01)
-    if FAULT == "hangs" or (FAULT == "hangs once" and once("hangs")):
+    if FAULT == "hangs" or (FAULT == "hangs once" and once("hangs")) or (
+        FAULT == "wavers, then hangs" and test["trial"] == 1 and once("hangs")
+    ):
         time.sleep(1000)
     if FAULT == "half a line":
         sys.stdout.write('{"type": "sam')
@@ -177,13 +180,13 @@ def run_series(test):
 def run_exchange(test):
     angle = 0.0
     for k in range(test["periods"] + 1):
-        late = {"out of step": 0.8 * (k == 2), "wavers": 0.4 * (-1) ** k, "begins early": -0.4}.get(FAULT, 0.0)
+        late = {"out of step": 0.8 * (k == 2), "begins early": -0.4}.get(FAULT, 0.4 * (-1) ** k * (FAULT in WAVERS))
         readings = {"type": "readings", "time": (k + late) * test["period"], "sensors": [20.0, angle]}
         if FAULT == "no heat":
             readings["sensors"][0] = None
         if FAULT == "a gap" and k == 1:
             readings["sensors"][1] = None
-        if FAULT in ("wavers", "begins early") and k == 0:
+        if FAULT in ("begins early", *WAVERS) and k == 0:
             readings["start"] = KNOWN_START
         say(readings)
         if k < test["periods"]:
