@@ -99,6 +99,7 @@ std::string stamp_of(const std::filesystem::path& database) {
   for (const std::string& file : {database.string(), database.string() + "-wal"}) {
     struct stat state {};
     if (::stat(file.c_str(), &state) != 0) continue;
+    if (state.st_size == 0) continue;  // a log that readers leave behind
     stamp += fmt::format("{}.{}.{}.{} ", state.st_ino, state.st_size, state.st_mtim.tv_sec, state.st_mtim.tv_nsec);
   }
   return stamp;

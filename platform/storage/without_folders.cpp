@@ -16,7 +16,7 @@ std::size_t end_of_path(std::string_view text, std::size_t begin) {
 
 /// "/a/b/" → "b"; what is no path in a folder stays.
 std::string_view last_name(std::string_view path) {
-  while (path.ends_with('/')) path.remove_suffix(1);
+  while (path.size() > 1 && path.ends_with('/')) path.remove_suffix(1);
   const std::size_t slash = path.rfind('/');
   return slash == 0 || slash == std::string_view::npos ? path : path.substr(slash + 1);
 }

@@ -9,7 +9,17 @@ for (const experiment of ['damped-flap.toml', 'first-steps.toml']) {
 }
 lacuna('add', 'first-steps.toml', 'coulomb_friction', '--where', 'joint.hinge', '--db', 'rig.db', '--quiet');
 lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
-lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', '--set', 'estimation.parameters.generations=6', '--quiet');
+lacuna(
+  'run',
+  'walk.toml',
+  '--db',
+  'walk.db',
+  '--replicates',
+  '2',
+  '--set',
+  'estimation.parameters.generations=6',
+  '--quiet',
+);
 for (const name of ['rig', 'walk']) lacuna('report', `${name}.db`, '--out', `${name}.html`, '--quiet');
 
 const browser = await startBrowser();
@@ -21,7 +31,12 @@ const pictures = [
   ['history', 'rig', '#/history?experiment=first-steps', 700],
   ['run', 'walk', '#/run?run=2', 760],
   ['replay', 'walk', '#/replay?run=2&trial=3&t=0.7', 640],
-  ['sql', 'rig', `#/sql?q=${encodeURIComponent("SELECT time, value FROM samples WHERE trace = (SELECT max(id) FROM traces) AND channel = 'angle'")}&x=time&y=value&as=line`, 760],
+  [
+    'sql',
+    'rig',
+    `#/sql?q=${encodeURIComponent("SELECT time, value FROM samples WHERE trace = (SELECT max(id) FROM traces) AND channel = 'angle'")}&x=time&y=value&as=line`,
+    760,
+  ],
 ];
 for (const [name, database, hash, height] of pictures) {
   await page.setViewportSize({ width: 1180, height });

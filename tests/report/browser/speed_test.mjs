@@ -1,5 +1,5 @@
-// How quick the pages are on large databases. What is promised is promised of a machine at rest: the limits grow with
-// what else runs on this one. The figures are printed.
+// How quick the pages are on large databases. The limits are those promised, of the best of a few attempts. What the
+// clock says is promised of a machine at rest: on one that is busy it is printed, and the work of the page is judged.
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { statSync } from 'node:fs';
@@ -7,13 +7,15 @@ import { cpus, loadavg } from 'node:os';
 import { pathToFileURL } from 'node:url';
 import { at, copyExperiments, edit, go, lacuna, newPage, noFaults, serve, shortRun, startBrowser } from './support.mjs';
 
-const slack = 1 + 2 * (loadavg()[0] / cpus().length);
-const kFirstCurve = 1000, kFrame = 50; // ms
+const isBusy = () => loadavg()[0] > 0.7 * cpus().length;
+const kAttempts = 4;
+const kFirstCurve = 1000,
+  kFrame = 50; // ms
 const kFrames = 60;
 let browser, server;
 
 before(async () => {
-  console.log(`load ${loadavg()[0].toFixed(1)} on ${cpus().length} cores: limits times ${slack.toFixed(1)}`);
+  console.log(`load ${loadavg()[0].toFixed(1)} on ${cpus().length} cores`);
   copyExperiments();
   lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
   lacuna('run', 'walk.toml', '--db', 'walk.db', ...shortRun, '--quiet');
@@ -25,7 +27,8 @@ after(async () => {
 });
 
 /** 31 000 models on 16 trials and more scores, as a run of the paper leaves them. */
-const manyScores = (database) => database.run(`
+const manyScores = (database) =>
+  database.run(`
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 31250)
   INSERT INTO model SELECT (SELECT max(id) FROM model) + i, (SELECT max(pass) FROM model), i / 1000, NULL, NULL, randomblob(136), 'full', 0, 1.0 + abs(random() % 1000) / 1000.0 FROM n;
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 14)
@@ -34,7 +37,8 @@ const manyScores = (database) => database.run(`
   INSERT OR IGNORE INTO model_score SELECT model.id, 100 + i, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, n;
   INSERT OR IGNORE INTO model_score SELECT model.id, trial.id, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, trial WHERE trial.id >> 40 = 1;`);
 
-const kSamples = 60_000, kChannels = 8;
+const kSamples = 60_000,
+  kChannels = 8;
 
 /** A trial of 60 000 samples of 8 channels in the place of the first one. */
 function longTrial(database) {
@@ -48,18 +52,72 @@ function longTrial(database) {
   const trial = database.exec('SELECT min(id) FROM trial')[0].values[0][0];
   const comparison = database.exec('SELECT max(id) FROM comparison')[0].values[0][0];
   database.run('DELETE FROM trace WHERE trial = ? AND (kind = ? OR comparison = ?)', [trial, 'measured', comparison]);
-  const insert = "INSERT INTO trace (trial, comparison, kind, channels, sample_count, precision, times, samples, digest) VALUES (?, ?, ?, ?, ?, 'float32', ?, ?, printf('%064d', 1))";
+  const insert =
+    "INSERT INTO trace (trial, comparison, kind, channels, sample_count, precision, times, samples, digest) VALUES (?, ?, ?, ?, ?, 'float32', ?, ?, printf('%064d', 1))";
   database.run(insert, [trial, null, 'measured', names, kSamples, times, series(0.05)]);
   database.run(insert, [trial, comparison, 'predicted', names, kSamples, times, series(0)]);
 }
 
-/** From the begin of loading to the first line that is painted, ms. */
-async function firstCurve(page, address, selector) {
+/** The seconds that the page's own thread has worked, whatever else the machine does meanwhile. */
+async function workOf(page) {
+  const clock = await page.context().newCDPSession(page);
+  await clock.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await clock.send('Performance.getMetrics');
+    return metrics.find((one) => one.name === 'TaskDuration').value;
+  };
+}
+
+/** What `attempt` takes at best, as { work, clock } in ms. */
+async function best(attempt) {
+  let least = { work: Infinity, clock: Infinity };
+  for (let i = 0; i < kAttempts; ++i) {
+    const { work, clock } = await attempt();
+    least = { work: Math.min(least.work, work), clock: Math.min(least.clock, clock) };
+  }
+  return least;
+}
+
+function within({ work, clock }, limit) {
+  assert.ok(work < limit, `${work} ms of work`);
+  if (!isBusy()) assert.ok(clock < limit, `${clock} ms`);
+}
+
+/** From the begin of loading to the first line that is painted. */
+async function firstCurve(page, worked, address, selector) {
   await page.goto('about:blank');
+  const before = await worked();
   await page.goto(address, { waitUntil: 'commit' });
   await page.waitForSelector(selector, { state: 'attached' });
-  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => done(performance.now()))));
+  const clock = await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => done(performance.now()))));
+  return { work: 1000 * ((await worked()) - before), clock };
 }
+
+/** The work of a frame and the longest time between two, while keys pan. */
+async function panning(page, worked) {
+  const before = await worked();
+  const longest = await page.evaluate(
+    (count) =>
+      new Promise((done) => {
+        let last = performance.now(),
+          longest = 0,
+          frames = 0;
+        const step = (now) => {
+          if (++frames > 2) longest = Math.max(longest, now - last);
+          last = now;
+          if (frames === count) return done(longest);
+          const key = frames % 20 < 10 ? 'ArrowRight' : 'ArrowLeft';
+          dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+          requestAnimationFrame(step);
+        };
+        requestAnimationFrame(step);
+      }),
+    kFrames,
+  );
+  return { work: (1000 * ((await worked()) - before)) / kFrames, clock: longest };
+}
+
+const text = ({ work, clock }) => `${work.toFixed(1)} ms of work, ${clock.toFixed(1)} ms by the clock`;
 
 describe('speed', () => {
   it('the first curve of 500 000 scores comes within a second', async () => {
@@ -69,10 +127,15 @@ describe('speed', () => {
     assert.ok(scores >= 500_000, `${scores} scores`);
     server = await serve('many.db');
     const page = await newPage(browser);
-    for (const [way, base] of [['file', pathToFileURL(at('many.html')).href], ['server', server.address]]) {
-      const ms = await firstCurve(page, `${base}#/run`, '.chart path.line');
-      console.log(`first curve from the ${way}: ${ms.toFixed(0)} ms (${scores} scores, ${(statSync(at('many.html')).size / 1e6).toFixed(1)} MB)`);
-      assert.ok(ms < slack * kFirstCurve, `${ms} ms`);
+    const worked = await workOf(page);
+    const megabytes = (statSync(at('many.html')).size / 1e6).toFixed(1);
+    for (const [way, base] of [
+      ['file', pathToFileURL(at('many.html')).href],
+      ['server', server.address],
+    ]) {
+      const took = await best(() => firstCurve(page, worked, `${base}#/run`, '.chart path.line'));
+      console.log(`first curve from the ${way}: ${text(took)} (${scores} scores, ${megabytes} MB)`);
+      within(took, kFirstCurve);
     }
     noFaults(page);
   });
@@ -85,29 +148,10 @@ describe('speed', () => {
     await page.waitForFunction(() => document.querySelectorAll('.trial-curves canvas').length >= 16);
     await page.keyboard.press('+');
     await page.waitForTimeout(300);
-    // What a frame takes of the page's own thread, whatever else the machine does meanwhile.
-    const clock = await page.context().newCDPSession(page);
-    await clock.send('Performance.enable', { timeDomain: 'threadTicks' });
-    const worked = async () => (await clock.send('Performance.getMetrics')).metrics.find((one) => one.name === 'TaskDuration').value;
-    const before = await worked();
-    const frames = await page.evaluate((count) => new Promise((done) => {
-      const times = [];
-      let last = performance.now();
-      const step = (now) => {
-        times.push(now - last);
-        last = now;
-        if (times.length === count) return done(times.slice(2));
-        dispatchEvent(new KeyboardEvent('keydown', { key: times.length % 20 < 10 ? 'ArrowRight' : 'ArrowLeft', bubbles: true }));
-        requestAnimationFrame(step);
-      };
-      requestAnimationFrame(step);
-    }), kFrames);
-    const work = (1000 * (await worked() - before)) / kFrames;
-    frames.sort((a, b) => a - b);
-    const longest = frames[frames.length - 1];
-    console.log(`frames while panning: ${work.toFixed(1)} ms of work, median ${frames[frames.length >> 1].toFixed(1)} ms apart, longest ${longest.toFixed(1)} ms`);
-    assert.ok(work < kFrame, `${work} ms of work a frame`);
-    assert.ok(longest < slack * kFrame, `${longest} ms`);
+    const worked = await workOf(page);
+    const took = await best(() => panning(page, worked));
+    console.log(`a frame while panning: ${text(took)} for the longest`);
+    within(took, kFrame);
     noFaults(page);
   });
 });

@@ -30,18 +30,37 @@ export function lacuna(...words) {
 
 /** Both experiments that the databases are made of. */
 export function copyExperiments() {
-  for (const file of ['first-steps.toml', 'damped-flap.toml']) copyFileSync(join(source, 'experiments', file), at(file));
+  for (const file of ['first-steps.toml', 'damped-flap.toml'])
+    copyFileSync(join(source, 'experiments', file), at(file));
   for (const part of ['robots', 'data']) cpSync(join(source, 'experiments', part), at(part), { recursive: true });
   copyFileSync(join(source, 'experiments/smoke/quadruped-parametric.toml'), at('walk.toml'));
 }
 
-export const shortRun = ['--set', 'experiment.passes=2', '--set', 'estimation.parameters.generations=4', '--set', 'exploration.parameters.generations=3'];
+export const shortRun = [
+  '--set',
+  'experiment.passes=2',
+  '--set',
+  'estimation.parameters.generations=4',
+  '--set',
+  'exploration.parameters.generations=3',
+];
 
 export async function startBrowser() {
   const { chromium } = require('playwright-core');
   return chromium.launch({
-    executablePath: env('LACUNA_CHROMIUM'), headless: true,
-    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    executablePath: env('LACUNA_CHROMIUM'),
+    headless: true,
+    args: [
+      '--no-sandbox',
+      '--disable-gpu',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+    ],
   });
 }
 
@@ -54,7 +73,8 @@ export async function newPage(browser, options = {}) {
     if (message.type() === 'error') page.faults.push(`console: ${message.text()}`);
   });
   page.on('request', (request) => {
-    if (!/^(file:|data:|blob:|http:\/\/127\.0\.0\.1[:/])/.test(request.url())) page.faults.push(`asks ${request.url()}`);
+    if (!/^(file:|data:|blob:|http:\/\/127\.0\.0\.1[:/])/.test(request.url()))
+      page.faults.push(`asks ${request.url()}`);
   });
   page.setDefaultTimeout(20_000);
   return page;
@@ -72,8 +92,11 @@ export async function go(page, base, hash) {
 /** A server of the program; `stop` ends it and says how it ended. */
 export async function serve(database, ...more) {
   const child = spawn(program, ['serve', database, ...more], { cwd: folder });
-  let out = '', err = '';
-  child.stderr.on('data', (text) => { err += text; });
+  let out = '',
+    err = '';
+  child.stderr.on('data', (text) => {
+    err += text;
+  });
   const address = await new Promise((resolve, reject) => {
     child.stdout.on('data', (text) => {
       out += text;
@@ -81,17 +104,20 @@ export async function serve(database, ...more) {
     });
     child.on('exit', () => reject(new Error(err)));
   });
-  const stop = () => new Promise((resolve) => {
-    child.on('exit', (code) => resolve({ code, err }));
-    child.kill('SIGINT');
-  });
+  const stop = () =>
+    new Promise((resolve) => {
+      child.on('exit', (code) => resolve({ code, err }));
+      child.kill('SIGINT');
+    });
   return { address, stop, messages: () => err };
 }
 
 let sqlJs = null;
 /** Changes a database with SQL; `work` gets one of sql.js. */
 export async function edit(file, to, work) {
-  sqlJs ??= await require('sql.js')({ locateFile: (name) => join(env('LACUNA_WEB'), 'node_modules/sql.js/dist', name) });
+  sqlJs ??= await require('sql.js')({
+    locateFile: (name) => join(env('LACUNA_WEB'), 'node_modules/sql.js/dist', name),
+  });
   const bytes = readFileSync(at(file));
   bytes[18] = bytes[19] = 1; // sql.js reads no write-ahead log, and there is none left
   const database = new sqlJs.Database(bytes);

@@ -3,17 +3,27 @@ import type { Source } from './data/source';
 import { SharedContext, useRows } from './data/use';
 import { linkTo, useRoute } from './kit/route';
 import { pages } from './pages';
+import { Finder } from './ui/finder';
 import { Guard } from './ui/guard';
 import { useTheme } from './ui/theme';
 
-/** 1 to 7 open pages, / goes to the page's search field. */
+/** 1 to 7 open pages, / goes to the page's search field or, where it has none, to that of all pages. */
 function useKeys(): void {
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
-      if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|TEXTAREA|SELECT)$/.test((event.target as Element).tagName)) return;
+      if (
+        event.ctrlKey ||
+        event.metaKey ||
+        event.altKey ||
+        /^(INPUT|TEXTAREA|SELECT)$/.test((event.target as Element).tagName)
+      )
+        return;
       const page = pages[Number(event.key) - 1];
       if (page) location.hash = linkTo(page.name);
-      else if (event.key === '/') document.querySelector<HTMLElement>('.search')?.focus();
+      else if (event.key === '/')
+        (
+          document.querySelector<HTMLElement>('main .search') ?? document.querySelector<HTMLElement>('.search')
+        )?.focus();
       else return;
       event.preventDefault();
     };
@@ -27,33 +37,68 @@ export function App({ source }: { source: Source }) {
   const [trouble, setTrouble] = useState<string | null>(null);
   useEffect(() => source.watch(() => setVersion((one) => one + 1), setTrouble), [source]);
   const shared = useMemo(() => ({ source, version }), [source, version]);
-  return <SharedContext.Provider value={shared}><Frame source={source} trouble={trouble} /></SharedContext.Provider>;
+  return (
+    <SharedContext.Provider value={shared}>
+      <Frame source={source} trouble={trouble} />
+    </SharedContext.Provider>
+  );
 }
 
 function Frame({ source, trouble }: { source: Source; trouble: string | null }) {
   const route = useRoute();
   const [theme, changeTheme] = useTheme();
   const first = useRows<{ has_runs: number; has_comparisons: number }>(
-    'SELECT EXISTS (SELECT * FROM eea_run) AS has_runs, EXISTS (SELECT * FROM comparison) AS has_comparisons');
+    'SELECT EXISTS (SELECT * FROM eea_run) AS has_runs, EXISTS (SELECT * FROM comparison) AS has_comparisons',
+  );
   useKeys();
   const start = first.value?.[0] && !first.value[0].has_comparisons && first.value[0].has_runs ? 'run' : 'compare';
-  const page = pages.find((one) => one.name === route.page) ?? (first.value || first.error ? pages.find((one) => one.name === start)! : null);
-  useEffect(() => { if (page) document.title = `${page.title} · Lacuna`; }, [page]);
+  const page =
+    pages.find((one) => one.name === route.page) ??
+    (first.value || first.error ? pages.find((one) => one.name === start)! : null);
+  useEffect(() => {
+    if (page) document.title = `${page.title} · Lacuna`;
+  }, [page]);
   return (
     <>
       <header class="top">
-        <a class="brand" href={linkTo(start)}>Lacuna</a>
+        <a class="brand" href={linkTo(start)}>
+          Lacuna
+        </a>
         <nav aria-label="Pages">
           {pages.map((one, i) => (
-            <a key={one.name} href={linkTo(one.name)} aria-current={one === page ? 'page' : undefined} title={`${one.sentence} (${i + 1})`}>{one.title}</a>
+            <a
+              key={one.name}
+              href={linkTo(one.name)}
+              aria-current={one === page ? 'page' : undefined}
+              title={`${one.sentence} (${i + 1})`}
+            >
+              {one.title}
+            </a>
           ))}
         </nav>
-        {source.live && <span class={`live ${trouble ? 'broken' : ''}`} title={trouble ?? 'The pages follow the database'}>{trouble ? 'not connected' : 'live'}</span>}
-        <button class="quiet" onClick={changeTheme} title="Light, dark, or as the system says">{theme}</button>
+        {source.live && (
+          <span class={`live ${trouble ? 'broken' : ''}`} title={trouble ?? 'The pages follow the database'}>
+            {trouble ? 'not connected' : 'live'}
+          </span>
+        )}
+        <Finder />
+        <button class="quiet" onClick={changeTheme} title="Light, dark, or as the system says">
+          {theme}
+        </button>
       </header>
-      {trouble && <p class="error" role="status">{trouble}</p>}
+      {trouble && (
+        <p class="error" role="status">
+          {trouble}
+        </p>
+      )}
       <Notes />
-      <main>{page && <Guard key={page.name}><page.Page choices={route.choices} /></Guard>}</main>
+      <main>
+        {page && (
+          <Guard key={page.name}>
+            <page.Page choices={route.choices} />
+          </Guard>
+        )}
+      </main>
       <Foot />
     </>
   );
@@ -63,10 +108,24 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
 function Notes() {
   const notes = useRows<{ sentence: string }>('SELECT sentence FROM page_note ORDER BY position');
   if (!notes.value?.length) return null;
-  return <ul class="notes" role="note">{notes.value.map((one) => <li key={one.sentence}>{one.sentence}</li>)}</ul>;
+  return (
+    <ul class="notes" role="note">
+      {notes.value.map((one) => (
+        <li key={one.sentence}>{one.sentence}</li>
+      ))}
+    </ul>
+  );
 }
 
 function Foot() {
   const about = useRows<{ name: string; value: string }>('SELECT name, value FROM page_about ORDER BY position');
-  return <footer>{(about.value ?? []).map((one) => <span key={one.name}>{one.name} {one.value}</span>)}</footer>;
+  return (
+    <footer>
+      {(about.value ?? []).map((one) => (
+        <span key={one.name}>
+          {one.name} {one.value}
+        </span>
+      ))}
+    </footer>
+  );
 }

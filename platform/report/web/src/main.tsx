@@ -12,4 +12,6 @@ const say = (text: string) => {
 
 openSource().then(
   (source) => render(<App source={source} />, page),
-  (error: Error) => say(`The data of this report cannot be opened: ${error.message}. It needs a browser of 2023 or later.`));
+  (error: Error) =>
+    say(`The data of this report cannot be opened: ${error.message}. It needs a browser of 2023 or later.`),
+);

@@ -13,12 +13,13 @@ declare module 'sql.js/dist/sql-wasm-browser.js' {
     bind(values: Value[]): boolean;
     step(): boolean;
     get(): Value[];
+    get(values: null, how: { useBigInt: true }): (Value | bigint)[];
     getColumnNames(): string[];
     free(): boolean;
   }
   export interface Database {
     prepare(sql: string): Statement;
-    iterateStatements(sql: string): Iterator<Statement>;
+    iterateStatements(sql: string): Iterator<Statement> & { getRemainingSQL(): string };
     run(sql: string): Database;
     create_function(name: string, body: (...values: never[]) => Value): Database;
   }

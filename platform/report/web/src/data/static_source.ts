@@ -1,54 +1,113 @@
 import workerText from 'worker-text';
-import { kMostRows, type Cell, type Source, type Table } from './source';
-import type { Answer, Request } from './worker';
+import { kMostRows, type Source, type Table, type Value } from './source';
+import type { Answer, Query, Request } from './worker';
+
+const kLongest = 10_000; // ms a query may take, as the server has it
 
 interface Waiting {
+  query: Query;
   resolve: (table: Table) => void;
   reject: (error: Error) => void;
 }
 
-/** The database inside the page, read by sql.js in a worker. */
+/** The database inside the page, read by sql.js in a worker, one query after the other. */
 export class StaticSource implements Source {
   readonly live = false;
-  private readonly worker: Worker;
-  private readonly waiting = new Map<number, Waiting>();
-  private next = 0;
+  private readonly script = URL.createObjectURL(new Blob([workerText], { type: 'text/javascript' }));
+  private readonly queue: Waiting[] = [];
+  private worker: Worker | null = null;
+  private asked: Waiting | null = null;
+  private timer = 0;
+  private broken: Error | null = null;
 
-  private constructor() {
-    const script = URL.createObjectURL(new Blob([workerText], { type: 'text/javascript' }));
-    this.worker = new Worker(script);
-  }
+  private constructor(private readonly text: string) {}
 
   /** `text`: the database, gzip, base64. */
   static async open(text: string): Promise<StaticSource> {
-    const source = new StaticSource();
-    await new Promise<void>((resolve, reject) => {
-      source.worker.onmessage = ({ data }: MessageEvent<Answer>) =>
-        data.kind === 'failed' ? reject(new Error(data.message)) : resolve();
-      source.worker.onerror = (event) => reject(new Error(event.message || 'the browser allows no worker'));
-      source.worker.postMessage({ kind: 'open', text } satisfies Request);
-    });
-    source.worker.onmessage = ({ data }: MessageEvent<Answer>) => source.take(data);
+    const source = new StaticSource(text);
+    await source.start();
     return source;
   }
 
-  query(sql: string, values: Cell[] = [], mostRows = kMostRows): Promise<Table> {
-    const id = this.next++;
-    return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ kind: 'query', id, sql, values, most: mostRows } satisfies Request);
-    });
+  query(sql: string, values: Value[] = []): Promise<Table> {
+    return this.enqueue({ kind: 'query', sql, values, most: kMostRows, sizes: false });
+  }
+
+  ask(sql: string, mostRows: number): Promise<Table> {
+    return this.enqueue({ kind: 'query', sql, values: [], most: mostRows, sizes: true });
   }
 
   watch(): void {}
 
-  async prepareReplay(): Promise<void> {}
+  /** What the report has is found by its run and trial. */
+  async prepareReplay(run: number, trial: number): Promise<number | null> {
+    const { rows } = await this.query(
+      'SELECT id FROM page_replay WHERE run = ? AND trial = ? ORDER BY pass DESC LIMIT 1',
+      [run, trial],
+    );
+    return rows.length > 0 ? (rows[0][0] as number) : null;
+  }
+
+  private enqueue(query: Query): Promise<Table> {
+    if (this.broken) return Promise.reject(this.broken);
+    return new Promise((resolve, reject) => {
+      this.queue.push({ query, resolve, reject });
+      this.next();
+    });
+  }
+
+  /** A new worker that has opened the database. */
+  private start(): Promise<void> {
+    const worker = new Worker(this.script);
+    return new Promise((resolve, reject) => {
+      const fail = (message: string) => {
+        worker.terminate();
+        reject(new Error(message));
+      };
+      worker.onerror = (event) => fail(event.message || 'the browser allows no worker');
+      worker.onmessage = ({ data }: MessageEvent<Answer>) => {
+        if (data.kind === 'failed') return fail(data.message);
+        worker.onmessage = (event: MessageEvent<Answer>) => this.take(event.data);
+        worker.onerror = (event) => this.startAgain(event.message || 'the query could not be carried out');
+        this.worker = worker;
+        resolve();
+      };
+      worker.postMessage({ kind: 'open', text: this.text } satisfies Request);
+    });
+  }
+
+  private next(): void {
+    if (this.asked || !this.worker || this.queue.length === 0) return;
+    this.asked = this.queue.shift()!;
+    this.timer = window.setTimeout(
+      () => this.startAgain(`the query takes longer than ${kLongest / 1000} s and was ended`),
+      kLongest,
+    );
+    this.worker.postMessage(this.asked.query satisfies Request);
+  }
 
   private take(answer: Answer): void {
-    if (answer.kind === 'opened') return;
-    const waiting = this.waiting.get(answer.id);
-    this.waiting.delete(answer.id);
-    if (answer.kind === 'failed') waiting?.reject(new Error(answer.message));
-    else waiting?.resolve(answer);
+    clearTimeout(this.timer);
+    const asked = this.asked;
+    this.asked = null;
+    if (answer.kind === 'failed') asked?.reject(new Error(answer.message));
+    else if (answer.kind === 'table') asked?.resolve(answer);
+    this.next();
+  }
+
+  /** Nothing else ends a query that is under way. What waits goes on with the new worker. */
+  private startAgain(reason: string): void {
+    clearTimeout(this.timer);
+    this.worker?.terminate();
+    this.worker = null;
+    this.asked?.reject(new Error(reason));
+    this.asked = null;
+    this.start().then(
+      () => this.next(),
+      (error: Error) => {
+        this.broken = error;
+        for (const one of this.queue.splice(0)) one.reject(error);
+      },
+    );
   }
 }

@@ -1,9 +1,14 @@
-import type { Cell } from './source';
+import type { Cell, Source, Value } from './source';
+
+export interface Channel {
+  name: string;
+  unit: string;
+}
 
 /** A time series: one array a channel. */
 export interface Trace {
   times: Float64Array;
-  channels: { name: string; unit: string }[];
+  channels: Channel[];
   /** SI; NaN: not measured. */
   values: Float64Array[];
 }
@@ -32,4 +37,17 @@ export function decodeTrace([channels, count, precision, times, samples]: Cell[]
     return column;
   });
   return { times: decodeTimes(times as Uint8Array, rows), channels: names, values };
+}
+
+/** Time series by the kinds that `sql` finds with the keys of table `trace`; each is asked for by itself, since an answer
+ *  has a largest size. */
+export async function loadTraces(source: Source, sql: string, values: Value[]): Promise<Map<string, Trace>> {
+  const { rows } = await source.query(sql, values);
+  const traces = await Promise.all(
+    rows.map(async ([kind, id]): Promise<[string, Trace]> => {
+      const found = await source.query(`SELECT ${kTraceColumns} FROM trace WHERE id = ?`, [id as Value]);
+      return [kind as string, decodeTrace(found.rows[0])];
+    }),
+  );
+  return new Map(traces);
 }

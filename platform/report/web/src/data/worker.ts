@@ -1,16 +1,21 @@
 // Holds the database of a report and answers queries, away from the thread that draws.
-import initSqlJs, { type Database, type Statement, type Value } from 'sql.js/dist/sql-wasm-browser.js';
+import initSqlJs, { type Database, type Statement } from 'sql.js/dist/sql-wasm-browser.js';
 import wasm from '../../node_modules/sql.js/dist/sql-wasm-browser.wasm';
 import { fromBase64 } from './base64';
+import { isReading } from './reading_only';
+import { kMostBytes, type Cell, type Table, type Value } from './source';
 import { decodeTrace, kTraceColumns, type Trace } from './trace';
 
-export type Request =
-  | { kind: 'open'; text: string }
-  | { kind: 'query'; id: number; sql: string; values: Value[]; most: number };
-export type Answer =
-  | { kind: 'opened' }
-  | { kind: 'failed'; id: number; message: string }
-  | { kind: 'table'; id: number; columns: string[]; rows: Value[][]; cut: boolean };
+/** Of what a user typed bytes are told by their number. */
+export interface Query {
+  kind: 'query';
+  sql: string;
+  values: Value[];
+  most: number;
+  sizes: boolean;
+}
+export type Request = { kind: 'open'; text: string } | Query;
+export type Answer = { kind: 'opened' } | { kind: 'failed'; message: string } | ({ kind: 'table' } & Table);
 
 let database: Database;
 
@@ -60,36 +65,52 @@ async function open(text: string): Promise<void> {
   database.run('PRAGMA query_only = ON');
 }
 
-const kLongest = 20_000; // ms
+const kReadOnly = 'only reading is allowed here';
+const kExact = 2 ** 53;
+const isInexact = (cell: Cell) => typeof cell === 'number' && Number.isInteger(cell) && Math.abs(cell) >= kExact;
+const sizeOf = (cell: Cell) => 8 + (typeof cell === 'string' || cell instanceof Uint8Array ? cell.length : 0);
 
-function rowsOf(statement: Statement, most: number): { rows: Value[][]; cut: boolean } {
-  const rows: Value[][] = [];
-  const end = performance.now() + kLongest;
+/** Integers that no number holds exactly are text. */
+function exactRow(statement: Statement): Cell[] {
+  const row: Cell[] = statement.get();
+  if (!row.some(isInexact)) return row;
+  return statement.get(null, { useBigInt: true }).map((cell) => {
+    if (typeof cell !== 'bigint') return cell;
+    return Math.abs(Number(cell)) <= kExact && BigInt(Number(cell)) === cell ? Number(cell) : String(cell);
+  });
+}
+
+function rowsOf(statement: Statement, query: Query): { rows: Cell[][]; cut: boolean } {
+  const rows: Cell[][] = [];
+  let bytes = 0;
   while (statement.step()) {
-    if (rows.length === most) return { rows, cut: true };
-    rows.push(statement.get());
-    if (rows.length % 1024 === 0 && performance.now() > end) throw new Error('the query takes longer than 20 s');
+    if (rows.length === query.most || bytes > kMostBytes) return { rows, cut: true };
+    const row = exactRow(statement).map((cell) =>
+      query.sizes && cell instanceof Uint8Array ? { bytes: cell.length } : cell,
+    );
+    bytes += row.reduce<number>((sum, cell) => sum + sizeOf(cell), 0);
+    rows.push(row);
   }
   return { rows, cut: false };
 }
 
 /** The rows of the last of the statements. */
-function answer(request: Request & { kind: 'query' }): Answer {
-  const statements = database.iterateStatements(request.sql);
+function answer(query: Query): Answer {
+  const statements = database.iterateStatements(query.sql);
   let table: Answer | null = null;
-  for (let next = statements.next(); !next.done; next = statements.next()) {
-    const statement = next.value;
-    if (/^\s*(attach|detach|pragma\s+\w+\s*=)/i.test(request.sql)) throw new Error('only reading is allowed here');
-    if (request.values.length > 0) statement.bind(request.values);
-    const found = rowsOf(statement, request.most);
-    table = { kind: 'table', id: request.id, columns: statement.getColumnNames(), ...found };
+  for (;;) {
+    if (!isReading(statements.getRemainingSQL())) throw new Error(kReadOnly);
+    const next = statements.next();
+    if (next.done) break;
+    if (query.values.length > 0) next.value.bind(query.values);
+    const found = rowsOf(next.value, query);
+    table = { kind: 'table', columns: next.value.getColumnNames(), ...found };
   }
   if (!table) throw new Error('there is no statement; try SELECT * FROM error_by_revision');
   return table;
 }
 
 self.onmessage = async ({ data }: MessageEvent<Request>) => {
-  const id = data.kind === 'query' ? data.id : -1;
   try {
     if (data.kind === 'open') {
       await open(data.text);
@@ -98,6 +119,8 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
       self.postMessage(answer(data));
     }
   } catch (error) {
-    self.postMessage({ kind: 'failed', id, message: error instanceof Error ? error.message : String(error) } satisfies Answer);
+    const said = error instanceof Error ? error.message : String(error);
+    const message = /readonly database/.test(said) ? kReadOnly : said;
+    self.postMessage({ kind: 'failed', message } satisfies Answer);
   }
 };

@@ -17,7 +17,8 @@ export class Series {
 
   /** Smallest and largest value of samples `from` to `to`, the end not included. */
   extremes(from: number, to: number): [number, number] {
-    let least = Infinity, most = -Infinity;
+    let least = Infinity,
+      most = -Infinity;
     const take = (low: number, high: number) => {
       if (low < least) least = low;
       if (high > most) most = high;
@@ -34,9 +35,11 @@ export class Series {
 
 function level(values: Float64Array, block: number): Level {
   const count = Math.floor(values.length / block);
-  const least = new Float64Array(count), most = new Float64Array(count);
+  const least = new Float64Array(count),
+    most = new Float64Array(count);
   for (let b = 0; b < count; ++b) {
-    let low = Infinity, high = -Infinity;
+    let low = Infinity,
+      high = -Infinity;
     for (let i = b * block; i < (b + 1) * block; ++i) {
       if (values[i] < low) low = values[i];
       if (values[i] > high) high = values[i];
@@ -49,7 +52,8 @@ function level(values: Float64Array, block: number): Level {
 
 /** The first sample that is not before `time`. */
 export function sampleAt(times: Float64Array, time: number): number {
-  let low = 0, high = times.length;
+  let low = 0,
+    high = times.length;
   while (low < high) {
     const middle = (low + high) >> 1;
     if (times[middle] < time) low = middle + 1;
@@ -60,7 +64,13 @@ export function sampleAt(times: Float64Array, time: number): number {
 
 /** What to draw of series on common times between `from` and `to`: every sample where there are few, else the extremes
  *  of about `columns` stretches. The first array is times. */
-export function drawn(times: Float64Array, series: Series[], from: number, to: number, columns: number): Float64Array[] {
+export function drawn(
+  times: Float64Array,
+  series: Series[],
+  from: number,
+  to: number,
+  columns: number,
+): Float64Array[] {
   const first = Math.max(sampleAt(times, from) - 1, 0);
   const end = Math.min(sampleAt(times, to) + 2, times.length);
   if (end - first <= 3 * columns)
@@ -71,7 +81,8 @@ export function drawn(times: Float64Array, series: Series[], from: number, to: n
   const count = Math.ceil((end - begin) / stride);
   const out = [times, ...series].map(() => new Float64Array(2 * count));
   for (let c = 0; c < count; ++c) {
-    const low = begin + c * stride, high = Math.min(low + stride, times.length);
+    const low = begin + c * stride,
+      high = Math.min(low + stride, times.length);
     out[0][2 * c] = times[low];
     out[0][2 * c + 1] = times[(low + high) >> 1];
     series.forEach((one, s) => {

@@ -1,5 +1,12 @@
+import { cellText } from './format';
+
 /** A file name that every system takes. */
-export const fileName = (title: string) => title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '').slice(0, 80) || 'lacuna';
+export const fileName = (title: string) =>
+  title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-|-$/g, '')
+    .slice(0, 80) || 'lacuna';
 
 export function save(name: string, content: Blob): void {
   const link = document.createElement('a');
@@ -9,12 +16,26 @@ export function save(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-const kStyles = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'fill-opacity', 'opacity', 'font-size', 'font-family', 'font-weight', 'text-anchor', 'dominant-baseline'];
+const kStyles = [
+  'fill',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'stroke-opacity',
+  'fill-opacity',
+  'opacity',
+  'font-size',
+  'font-family',
+  'font-weight',
+  'text-anchor',
+  'dominant-baseline',
+];
 
 /** The picture with its colours written into it, as a file of its own. */
 export function svgText(picture: SVGSVGElement): string {
   const copy = picture.cloneNode(true) as SVGSVGElement;
-  const from = picture.querySelectorAll('*'), to = copy.querySelectorAll('*');
+  const from = picture.querySelectorAll('*'),
+    to = copy.querySelectorAll('*');
   from.forEach((element, i) => {
     const style = getComputedStyle(element);
     for (const name of kStyles) to[i].setAttribute(name, style.getPropertyValue(name));
@@ -49,7 +70,7 @@ export function savePng(canvases: HTMLCanvasElement[], title: string): void {
 }
 
 const csvCell = (cell: unknown) => {
-  const text = cell === null || cell === undefined ? '' : cell instanceof Uint8Array ? `${cell.length} bytes` : String(cell);
+  const text = typeof cell === 'object' ? cellText(cell) : String(cell ?? '');
   return /[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 };
 

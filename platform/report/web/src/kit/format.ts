@@ -1,15 +1,18 @@
 // Numbers and units as the program prints them (foundation/unit.cpp).
+import type { Size } from '../data/source';
 
 const kSuperscripts: Record<string, string> = { '2': '²', '3': '³', '4': '⁴', '-': '⁻', '1': '¹' };
 
 /** "N*m*s/rad" as "N·m·s/rad". */
 export function unitText(unit: string): string {
   if (unit === '1') return '';
-  return unit.replace(/\*/g, '·').replace(/\^(-?\d)/g, (_, digits: string) =>
-    [...digits].map((digit) => kSuperscripts[digit] ?? digit).join(''));
+  return unit
+    .replace(/\*/g, '·')
+    .replace(/\^(-?\d)/g, (_, digits: string) => [...digits].map((digit) => kSuperscripts[digit] ?? digit).join(''));
 }
 
-const takesPrefix = (unit: string) => unit !== '' && unit !== '1' && !/^(kg|%|g\b|1\/)/.test(unit) && !/^[A-Za-z]+\^/.test(unit);
+// The first factor takes the prefix, if it may have one and is no power.
+const takesPrefix = (unit: string) => /^(rad|Pa|Hz|Ohm|g|m|s|A|N|V|W|J)(?![A-Za-z0-9^])/.test(unit);
 
 function digitsOf(value: number, digits: number): string {
   const magnitude = Math.abs(value);
@@ -23,7 +26,17 @@ function digitsOf(value: number, digits: number): string {
 }
 
 const kSuperscriptDigits: Record<string, string> = {
-  '0': '⁰', '1': '¹', '2': '²', '3': '³', '4': '⁴', '5': '⁵', '6': '⁶', '7': '⁷', '8': '⁸', '9': '⁹', '-': '⁻',
+  '0': '⁰',
+  '1': '¹',
+  '2': '²',
+  '3': '³',
+  '4': '⁴',
+  '5': '⁵',
+  '6': '⁶',
+  '7': '⁷',
+  '8': '⁸',
+  '9': '⁹',
+  '-': '⁻',
 };
 
 const minus = (text: string) => text.replace(/^-/, '−');
@@ -58,7 +71,10 @@ export const plain = (value: number | null | undefined, digits = 3) => quantity(
 export const times = (value: number | null | undefined) =>
   value === null || value === undefined ? '—' : `${value < 10 ? value.toFixed(2) : digitsOf(value, 3)} ×`;
 
-export const count = (value: number) => Math.round(value).toString().replace(/\B(?=(\d{3})+(?!\d))/g, ' ');
+export const count = (value: number) =>
+  Math.round(value)
+    .toString()
+    .replace(/\B(?=(\d{3})+(?!\d))/g, ' ');
 
 /** "1 h 05 min", "4.2 s". */
 export function duration(seconds: number | null | undefined): string {
@@ -73,6 +89,7 @@ export function duration(seconds: number | null | undefined): string {
 export function cellText(cell: unknown): string {
   if (cell === null || cell === undefined) return '';
   if (cell instanceof Uint8Array) return `${count(cell.length)} bytes`;
+  if (typeof cell === 'object') return `${count((cell as Size).bytes)} bytes`;
   if (typeof cell === 'number') return Number.isInteger(cell) ? String(cell) : String(Number(cell.toPrecision(8)));
   return String(cell);
 }
@@ -84,6 +101,11 @@ export function tickTexts(ticks: (number | null)[], factor = 1): string[] {
   const step = known.length > 1 ? Math.min(...known.slice(1).map((one, i) => Math.abs(one - known[i]))) : most;
   if (most >= 1e6 || (most > 0 && most < 1e-4)) return ticks.map((one) => (one === null ? '' : plain(one * factor, 2)));
   let decimals = 0;
-  while (step > 0 && decimals < 8 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6 * step * 10 ** decimals) ++decimals;
+  while (
+    step > 0 &&
+    decimals < 8 &&
+    Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6 * step * 10 ** decimals
+  )
+    ++decimals;
   return ticks.map((one) => (one === null ? '' : minus((one * factor).toFixed(decimals).replace(/^-(0\.?0*)$/, '$1'))));
 }

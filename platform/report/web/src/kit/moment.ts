@@ -3,7 +3,9 @@ export class Moment {
   private now = 0;
   private listeners = new Set<() => void>();
 
-  get time(): number { return this.now; }
+  get time(): number {
+    return this.now;
+  }
 
   set(time: number): void {
     this.now = time;

@@ -6,13 +6,22 @@ export class View {
   private waiting = false;
 
   /** `first` and `last`: all that there is. */
-  constructor(readonly first: number, readonly last: number, from = first, to = last) {
+  constructor(
+    readonly first: number,
+    readonly last: number,
+    from = first,
+    to = last,
+  ) {
     this.from = from;
     this.to = to;
   }
 
-  get range(): [number, number] { return [this.from, this.to]; }
-  get whole(): boolean { return this.from <= this.first && this.to >= this.last; }
+  get range(): [number, number] {
+    return [this.from, this.to];
+  }
+  get whole(): boolean {
+    return this.from <= this.first && this.to >= this.last;
+  }
 
   /** Pictures are told once a frame, however often this is called. */
   set(from: number, to: number): void {
@@ -39,7 +48,9 @@ export class View {
     this.set(centre - (centre - this.from) * factor, centre + (this.to - centre) * factor);
   }
 
-  reset(): void { this.set(this.first, this.last); }
+  reset(): void {
+    this.set(this.first, this.last);
+  }
 
   listen(listener: () => void): () => void {
     this.listeners.add(listener);

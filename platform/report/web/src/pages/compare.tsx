@@ -6,7 +6,8 @@ import { choose } from '../kit/route';
 import { Empty, Select, Show } from '../ui/parts';
 import { ErrorTable } from '../ui/error_table';
 import { TrialCurvesPanel } from '../ui/trial_curves';
-import { loadCurves, loadWhere, pointed, type Finding, type Score } from './compare_data';
+import { RegimeTable } from '../ui/regime_table';
+import { loadCurves, loadWhere, pointed, regimesOf, type Finding, type Score } from './compare_data';
 
 interface Props {
   choices: Record<string, string>;
@@ -19,33 +20,63 @@ const unique = <Value,>(values: Value[]) => [...new Set(values)];
 /** Measured and predicted, channel by channel, and where they part. */
 export function ComparePage({ choices }: Props) {
   const scores = useRows<Score>(kScores);
-  return <Show of={scores}>{(all) => all.length === 0
-    ? <Empty>The database has no comparison. <code>lacuna compare FILE</code> makes one.</Empty>
-    : <Chosen all={all} choices={choices} />}</Show>;
+  return (
+    <Show of={scores}>
+      {(all) =>
+        all.length === 0 ? (
+          <Empty>
+            The database has no comparison. <code>lacuna compare FILE</code> makes one.
+          </Empty>
+        ) : (
+          <Chosen all={all} choices={choices} />
+        )
+      }
+    </Show>
+  );
 }
 
 function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string> }) {
   const experiments = unique(all.map((one) => one.experiment));
-  const experiment = experiments.includes(choices.experiment) ? choices.experiment : experiments[experiments.length - 1];
+  const experiment = experiments.includes(choices.experiment)
+    ? choices.experiment
+    : experiments[experiments.length - 1];
   const ofExperiment = all.filter((one) => one.experiment === experiment);
   const revisions = unique(ofExperiment.map((one) => one.revision));
-  const revision = revisions.includes(Number(choices.revision)) ? Number(choices.revision) : revisions[revisions.length - 1];
+  const revision = revisions.includes(Number(choices.revision))
+    ? Number(choices.revision)
+    : revisions[revisions.length - 1];
   const scores = ofExperiment.filter((one) => one.revision === revision);
   const trials = unique(scores.map((one) => one.trial));
   const trial = trials.includes(choices.trial) ? choices.trial : trials[0];
   return (
     <>
       <div class="choices">
-        {experiments.length > 1 && <Select label="Experiment" value={experiment} options={experiments.map((one) => ({ value: one, label: one }))}
-          change={(value) => choose({ experiment: value, revision: null, trial: null })} />}
-        <Select label="Revision" value={String(revision)} options={revisions.map((one) => ({ value: String(one), label: String(one) }))}
-          change={(value) => choose({ revision: value })} />
-        <Select label="Trial" value={trial} change={(value) => choose({ trial: value })}
-          options={trials.map((one) => ({ value: one, label: scores.some((s) => s.trial === one && s.held_out) ? `${one} (held out)` : one }))} />
+        {experiments.length > 1 && (
+          <Select
+            label="Experiment"
+            value={experiment}
+            options={experiments.map((one) => ({ value: one, label: one }))}
+            change={(value) => choose({ experiment: value, revision: null, trial: null })}
+          />
+        )}
+        <Select
+          label="Revision"
+          value={String(revision)}
+          options={revisions.map((one) => ({ value: String(one), label: String(one) }))}
+          change={(value) => choose({ revision: value })}
+        />
+        <Select
+          label="Trial"
+          value={trial}
+          change={(value) => choose({ trial: value })}
+          options={trials.map((one) => ({
+            value: one,
+            label: scores.some((s) => s.trial === one && s.held_out) ? `${one} (held out)` : one,
+          }))}
+        />
       </div>
       <Summary scores={scores} />
-      <Trial scores={scores} trial={trial} finding={Number(choices.finding ?? -1)} />
-      <ErrorTable scores={scores} trial={trial} choose={(name) => choose({ trial: name })} />
+      <Trial scores={scores} trial={trial} finding={choices.finding ?? ''} />
     </>
   );
 }
@@ -63,14 +94,20 @@ function Summary({ scores }: { scores: Score[] }) {
   );
 }
 
-function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: number }) {
+function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: string }) {
   const own = scores.filter((one) => one.trial === trial);
   const comparison = own[0].comparison;
   const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
   const { experiment, revision } = own[0];
-  const where = useLoaded((source) => loadWhere(source, experiment, revision), ['where', experiment, revision]);
+  const fitted = scores.find((one) => !one.held_out)?.comparison ?? comparison;
+  const where = useLoaded(
+    (source) => loadWhere(source, experiment, revision, fitted),
+    ['where', experiment, revision, fitted],
+  );
   const findings = useMemo(() => (where.value ? pointed(where.value) : []), [where.value]);
-  const chosen: Finding | undefined = findings[finding];
+  const regimes = useMemo(() => (where.value ? regimesOf(where.value) : []), [where.value]);
+  const chosen: Finding | undefined =
+    findings[finding === '' ? -1 : Number(finding)] ?? regimes.find((one) => one.key === finding);
   const lit = useMemo(() => chosen?.stretches?.find((one) => one.trial === trial)?.spans ?? [], [chosen, trial]);
   const [error, setError] = useState<string | null>(null);
   const keep = () => {
@@ -79,30 +116,58 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
     else savePng(canvases, `compare ${trial}`);
   };
   return (
-    <div class="with-side">
-      <section class="main-column">
-        <Show of={curves}>{(value) => value === null
-          ? <Empty>The samples of this trial are not in {`the ${comparison ? 'report' : 'database'}`}.</Empty>
-          : <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} lit={lit} keep={keep} />}</Show>
-        {error && <p class="error">{error}</p>}
-      </section>
-      <aside class="side">
-        <h2>Where it fails</h2>
-        {where.error && <p class="error">{where.error}</p>}
-        {where.value && findings.length === 0 && <Empty>Nowhere in particular, or never asked: <code>lacuna compare</code> looks on the fit trials.</Empty>}
-        <ol class="findings">
-          {findings.map((one, i) => (
-            <li key={i} class={i === finding ? 'chosen' : ''}>
-              <button class="quiet finding" aria-pressed={i === finding} onClick={() => choose({ finding: i === finding ? null : i })}
-                disabled={!one.stretches}>
-                {/^\d/.test(one.sentence) ? one.sentence : <><span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}</>}
-              </button>
-            </li>
-          ))}
-        </ol>
-        {chosen && lit.length === 0 && <p class="note">None of its samples are in {trial}; those of other trials are.</p>}
-        {findings.some((one) => one.stretches) && <p class="note">A click lights up the samples that a finding speaks of.</p>}
-      </aside>
-    </div>
+    <>
+      <div class="with-side">
+        <section class="main-column">
+          <Show of={curves}>
+            {(value) =>
+              value === null ? (
+                <Empty>The samples of this trial are not in {`the ${comparison ? 'report' : 'database'}`}.</Empty>
+              ) : (
+                <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} lit={lit} keep={keep} />
+              )
+            }
+          </Show>
+          {error && <p class="error">{error}</p>}
+        </section>
+        <aside class="side">
+          <h2>Where it fails</h2>
+          {where.error && <p class="error">{where.error}</p>}
+          {where.value && findings.length === 0 && (
+            <Empty>
+              Nowhere in particular, or never asked: <code>lacuna compare</code> looks on the fit trials.
+            </Empty>
+          )}
+          <ol class="findings">
+            {findings.map((one, i) => (
+              <li key={i} class={one === chosen ? 'chosen' : ''}>
+                <button
+                  class="quiet finding"
+                  aria-pressed={one === chosen}
+                  onClick={() => choose({ finding: one === chosen ? null : i })}
+                  disabled={!one.stretches}
+                >
+                  {/^\d/.test(one.sentence) ? (
+                    one.sentence
+                  ) : (
+                    <>
+                      <span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}
+                    </>
+                  )}
+                </button>
+              </li>
+            ))}
+          </ol>
+          {chosen && lit.length === 0 && (
+            <p class="note">None of its samples are in {trial}; those of other trials are.</p>
+          )}
+          {findings.some((one) => one.stretches) && (
+            <p class="note">A click lights up the samples that a finding speaks of.</p>
+          )}
+        </aside>
+      </div>
+      <ErrorTable scores={scores} trial={trial} choose={(name) => choose({ trial: name })} />
+      <RegimeTable regimes={regimes} chosen={finding} choose={(key) => choose({ finding: key })} />
+    </>
   );
 }

@@ -1,7 +1,7 @@
 import { Series } from '../kit/decimate';
 import { times } from '../kit/format';
 import { objects, type Source } from '../data/source';
-import { decodeTrace, kTraceColumns } from '../data/trace';
+import { loadTraces, type Channel, type Trace } from '../data/trace';
 
 export interface Score {
   experiment: string;
@@ -35,34 +35,62 @@ export interface TrialCurves {
   commands: ChannelCurves[];
 }
 
-const kTraces = `SELECT trace.kind, ${kTraceColumns} FROM trace
+const kTraces = `SELECT trace.kind, trace.id FROM trace
   JOIN trial ON trial.id = trace.trial
   JOIN comparison_score AS score ON score.trial = trial.id AND score.comparison = ?1
   WHERE trial.name = ?2 AND (trace.comparison = ?1 OR trace.comparison IS NULL AND trace.model IS NULL)
     AND trace.kind IN ('measured', 'predicted', 'commands')
   GROUP BY trace.id ORDER BY trace.id`;
 
-const difference = (a: Float64Array, b: Float64Array) => a.map((value, i) => value - b[i]);
+/** By kind; "measured", "predicted" and "commands" where they are known. */
+export const tracesOf = (source: Source, comparison: number, trial: string) =>
+  loadTraces(source, kTraces, [comparison, trial]);
 
-export async function loadCurves(source: Source, comparison: number, trial: string, scores: Score[]): Promise<TrialCurves | null> {
-  const found = await source.query(kTraces, [comparison, trial]);
-  const traces = new Map(found.rows.map(([kind, ...rest]) => [kind as string, decodeTrace(rest)]));
-  const measured = traces.get('measured'), predicted = traces.get('predicted'), commands = traces.get('commands');
+function channelCurves(
+  channel: Channel,
+  values: Float64Array,
+  predicted: Float64Array | null,
+  floor: number | null,
+): ChannelCurves {
+  return {
+    ...channel,
+    measured: new Series(values),
+    predicted: predicted && new Series(predicted),
+    residual: predicted && new Series(values.map((value, i) => value - predicted[i])),
+    floor,
+  };
+}
+
+/** Measured beside predicted, with commands that were sampled alike. */
+export function curvesOf(
+  traces: Map<string, Trace>,
+  floorOf: (channel: string) => number | null = () => null,
+): TrialCurves | null {
+  const measured = traces.get('measured'),
+    predicted = traces.get('predicted'),
+    commands = traces.get('commands');
   if (!measured) return null;
-  const channels = measured.channels.map((channel, c): ChannelCurves => {
-    const p = predicted?.channels.findIndex((one) => one.name === channel.name) ?? -1;
-    const values = p >= 0 ? predicted!.values[p] : null;
-    return {
-      ...channel,
-      measured: new Series(measured.values[c]),
-      predicted: values && new Series(values),
-      residual: values && new Series(difference(measured.values[c], values)),
-      floor: scores.find((one) => one.channel === channel.name)?.floor ?? null,
-    };
-  });
-  const commandCurves = (commands && commands.times.length === measured.times.length ? commands.channels : []).map((channel, c) =>
-    ({ ...channel, measured: new Series(commands!.values[c]), predicted: null, residual: null, floor: null }));
-  return { times: measured.times, channels, commands: commandCurves };
+  const alike = commands && commands.times.length === measured.times.length ? commands.channels : [];
+  return {
+    times: measured.times,
+    channels: measured.channels.map((channel, c) => {
+      const p = predicted?.channels.findIndex((one) => one.name === channel.name) ?? -1;
+      return channelCurves(channel, measured.values[c], p >= 0 ? predicted!.values[p] : null, floorOf(channel.name));
+    }),
+    commands: alike.map((channel, c) => channelCurves(channel, commands!.values[c], null, null)),
+  };
+}
+
+export async function loadCurves(
+  source: Source,
+  comparison: number,
+  trial: string,
+  scores: Score[],
+): Promise<TrialCurves | null> {
+  return curvesOf(
+    await tracesOf(source, comparison, trial),
+    (channel) => scores.find((one) => one.channel === channel)?.floor ?? null,
+  );
 }
 
 /** What `lacuna compare` found about where the model fails; see schema/database.md, `where_it_fails`. */
@@ -82,24 +110,62 @@ export interface Where {
   where: WhereDocument | null;
 }
 
-/** Of the latest comparison of a revision that was asked where it fails. */
-export async function loadWhere(source: Source, experiment: string, revision: number): Promise<Where> {
-  const rows = objects<{ document: string }>(await source.query(`SELECT document FROM where_it_fails
+/** Of a comparison of a fitted model: the one that is shown or, where that was not asked where it fails, the latest of
+ *  the same revision that was. */
+export async function loadWhere(source: Source, experiment: string, revision: number, shown = -1): Promise<Where> {
+  const rows = objects<{ document: string }>(
+    await source.query(
+      `SELECT document FROM where_it_fails
     JOIN comparison ON comparison.id = where_it_fails.comparison JOIN revision ON revision.id = comparison.revision
     JOIN experiment ON experiment.id = revision.experiment
-    WHERE experiment.name = ? AND revision.number = ? ORDER BY comparison.id DESC LIMIT 1`, [experiment, revision]));
+    WHERE experiment.name = ? AND revision.number = ? AND comparison.kind = 'refitted'
+    ORDER BY comparison.id = ? DESC, comparison.id DESC LIMIT 1`,
+      [experiment, revision, shown],
+    ),
+  );
   return rows.length === 0 ? { findings: [], where: null } : (JSON.parse(rows[0].document) as Where);
 }
 
 /** What can be pointed at: findings, then the regimes of error that are no finding of their own. */
 export function pointed({ findings, where }: Where): Finding[] {
-  const regimes = (where?.views ?? []).flatMap((view) => view.regimes
-    .filter((one) => one.share_of_error > 0.05 && one.share_of_samples < 0.99 && one.stretches && !findings.some((finding) => finding.sentence.endsWith(one.sentence)))
-    .map((one): Finding => ({
-    kind: 'regime', view: view.view, share: one.share_of_error, stretches: one.stretches,
-    sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples, ${times(one.times_floor)} the floor: ${one.sentence}`,
-  })));
+  const regimes = (where?.views ?? []).flatMap((view) =>
+    view.regimes
+      .filter(
+        (one) =>
+          one.share_of_error > 0.05 &&
+          one.share_of_samples < 0.99 &&
+          one.stretches &&
+          !findings.some((finding) => finding.sentence.endsWith(one.sentence)),
+      )
+      .map((one): Finding => ({
+        kind: 'regime',
+        view: view.view,
+        share: one.share_of_error,
+        stretches: one.stretches,
+        sentence: `of the ${view.view === 'acceleration' ? 'unexplained acceleration' : 'squared error'} in ${Math.round(100 * one.share_of_samples)} % of the samples, ${times(one.times_floor)} the floor: ${one.sentence}`,
+      })),
+  );
   return [...findings, ...regimes];
+}
+
+/** A regime of a view, which can be pointed at like a finding. */
+export interface RegimeRow extends Finding {
+  key: string;
+  share_of_samples: number;
+  times_floor: number;
+}
+
+/** All regimes of all views. */
+export function regimesOf({ where }: Where): RegimeRow[] {
+  return (where?.views ?? []).flatMap((view) =>
+    view.regimes.map((one, i): RegimeRow => ({
+      ...one,
+      kind: 'regime',
+      key: `${view.view}.${i}`,
+      view: view.view,
+      share: one.share_of_error,
+    })),
+  );
 }
 
 export interface Bin {
@@ -127,7 +193,13 @@ export interface WhereDocument {
   views: {
     view: string;
     times_floor: number;
-    channels: { channel: string; unit: string; share_of_error: number; independence: FeatureTest[]; selected: { feature: string; share: number; p: number }[] }[];
+    channels: {
+      channel: string;
+      unit: string;
+      share_of_error: number;
+      independence: FeatureTest[];
+      selected: { feature: string; share: number; p: number }[];
+    }[];
     regimes: Regime[];
   }[];
 }

@@ -1,4 +1,5 @@
 import { useLoaded, useRows } from '../data/use';
+import { saveCsv } from '../kit/download';
 import { plain, quantity, times } from '../kit/format';
 import { choose, linkTo } from '../kit/route';
 import { Chart } from '../ui/chart';
@@ -7,7 +8,15 @@ import { Forest } from '../ui/forest';
 import { ForceMap } from '../ui/force_map';
 import { Empty, Select, Show } from '../ui/parts';
 import { loadWhere, type FeatureTest } from './compare_data';
-import { modelName, readDocument, verdictSentence, type DiagnosisDocument, type DiagnosisRow, type Ranked } from './diagnose_data';
+import {
+  effectName,
+  modelName,
+  readDocument,
+  verdictSentence,
+  type DiagnosisDocument,
+  type DiagnosisRow,
+  type Ranked,
+} from './diagnose_data';
 
 const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision.number AS revision, diagnosis.document
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
@@ -16,9 +25,19 @@ const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision
 /** What a model lacks, and how that is known. */
 export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
   const rows = useRows<DiagnosisRow>(kDiagnoses);
-  return <Show of={rows}>{(all) => all.length === 0
-    ? <Empty>The database has no finished diagnosis. <code>lacuna diagnose FILE</code> makes one.</Empty>
-    : <Chosen all={all} choices={choices} />}</Show>;
+  return (
+    <Show of={rows}>
+      {(all) =>
+        all.length === 0 ? (
+          <Empty>
+            The database has no finished diagnosis. <code>lacuna diagnose FILE</code> makes one.
+          </Empty>
+        ) : (
+          <Chosen all={all} choices={choices} />
+        )
+      }
+    </Show>
+  );
 }
 
 function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string, string> }) {
@@ -33,12 +52,20 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
   return (
     <>
       <div class="choices">
-        <Select label="Diagnosis" value={String(row.id)} options={all.map((one) => ({ value: String(one.id), label: label(one) }))} change={(value) => choose({ diagnosis: value, feature: null })} />
+        <Select
+          label="Diagnosis"
+          value={String(row.id)}
+          options={all.map((one) => ({ value: String(one.id), label: label(one) }))}
+          change={(value) => choose({ diagnosis: value, feature: null })}
+        />
         <a href={linkTo('compare', { experiment: row.experiment, revision: row.revision })}>compare</a>
       </div>
       <p class="lead">
         <strong>{verdictSentence(document)}</strong>{' '}
-        <span class="muted">probability {plain(document.probability, 2)} ({document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})</span>
+        <span class="muted">
+          probability {plain(document.probability, 2)} (
+          {document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})
+        </span>
       </p>
       {document.ranking.length > 0 && <Ranking document={document} />}
       <Force document={document} />
@@ -51,18 +78,85 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
 function Ranking({ document }: { document: DiagnosisDocument }) {
   return (
     <div class="two">
-      <Forest title="How much better each predicts what was left out" label="gain / nats" chance={document.chance_95}
-        rows={document.ranking.map((one) => ({ name: modelName(one), value: one.gain, lower: one.gain_ci95[0], upper: one.gain_ci95[1] }))}
-        note={`Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`} />
-      <Figure title="Candidates" note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}.`}>
+      <Forest
+        title="How much better each predicts what was left out"
+        label="gain / nats"
+        chance={document.chance_95}
+        rows={document.ranking.map((one) => ({
+          name: modelName(one),
+          value: one.gain,
+          lower: one.gain_ci95[0],
+          upper: one.gain_ci95[1],
+        }))}
+        note={`Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`}
+      />
+      <Figure
+        title="Candidates"
+        downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
+        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}.`}
+      >
         <div class="scrolls">
           <table class="grid">
-            <thead><tr><th scope="col" /><th scope="col">effect and parameters</th><th scope="col" class="number">error</th><th scope="col" class="number">P</th></tr></thead>
-            <tbody>{document.ranking.map((one, i) => <Candidate key={i} rank={i + 1} model={one} />)}</tbody>
+            <thead>
+              <tr>
+                <th scope="col" />
+                <th scope="col">effect and parameters</th>
+                <th scope="col" class="number">
+                  error
+                </th>
+                <th scope="col" class="number">
+                  P
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {document.ranking.map((one, i) => (
+                <Candidate key={i} rank={i + 1} model={one} />
+              ))}
+            </tbody>
           </table>
         </div>
       </Figure>
     </div>
+  );
+}
+
+function saveCandidates(ranking: Ranked[]): void {
+  const parameters = ranking.flatMap((model, i) =>
+    model.effects.flatMap((effect) =>
+      Object.entries(effect.parameters).map(([name, one]) => [
+        i + 1,
+        modelName(model),
+        model.gain,
+        model.gain_ci95[0],
+        model.gain_ci95[1],
+        model.ratio_to_floor,
+        model.probability,
+        `${effectName(effect)} ${name}`,
+        one.value,
+        one.ci95[0],
+        one.ci95[1],
+        one.unit,
+      ]),
+    ),
+  );
+  saveCsv(
+    [
+      'rank',
+      'model',
+      'gain',
+      'gain_lower',
+      'gain_upper',
+      'times_floor',
+      'probability',
+      'parameter',
+      'value',
+      'lower',
+      'upper',
+      'unit',
+    ],
+    parameters,
+    'candidates',
   );
 }
 
@@ -74,7 +168,12 @@ function Candidate({ rank, model }: { rank: number; model: Ranked }) {
         <strong>{modelName(model)}</strong>
         {model.effects.map((effect) => (
           <span key={effect.effect + effect.where} class="small">
-            {Object.entries(effect.parameters).map(([name, one]) => `${name} ${quantity(one.value, one.unit)}${one.ci95[0] !== null && one.ci95[1] !== null ? ` [${quantity(one.ci95[0], one.unit)}, ${quantity(one.ci95[1], one.unit)}]` : ''}`).join(' · ')}
+            {Object.entries(effect.parameters)
+              .map(
+                ([name, one]) =>
+                  `${name} ${quantity(one.value, one.unit)}${one.ci95[0] !== null && one.ci95[1] !== null ? ` [${quantity(one.ci95[0], one.unit)}, ${quantity(one.ci95[1], one.unit)}]` : ''}`,
+              )
+              .join(' · ')}
           </span>
         ))}
         {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
@@ -89,29 +188,85 @@ function Force({ document }: { document: DiagnosisDocument }) {
   if (document.residual_force.length === 0 && document.formulas.length === 0) return null;
   return (
     <>
-      <div class="two"><ForceMap curves={document.residual_force} /></div>
+      <div class="two">
+        <ForceMap curves={document.residual_force} />
+      </div>
       {document.formulas.length > 0 && (
-        <Figure note={<>In SI units of the state. As an effect of your own: <code>lacuna plugins new effect NAME --formula "{document.formulas[0].text}"</code></>} title={document.formulas_of_rest ? 'A formula for what the answer leaves' : 'A formula for what is missing'}>
-          <div class="scrolls"><table class="grid"><thead><tr><th>joint</th><th>force</th><th class="number">gain</th></tr></thead><tbody>
-            {document.formulas.map((one) => (
-              <tr key={one.joint + one.text}><td>{one.joint}</td>
-                <td class="wraps"><code>{one.text}</code><span class="small">{one.terms.map((term) => `${term.text}: ${plain(term.coefficient)} ± ${plain(term.standard_error, 2)}`).join(' · ')}</span></td>
-                <td class="number">{plain(one.gain.value)} nats</td></tr>
-            ))}
-          </tbody></table></div>
+        <Figure
+          note={
+            <>
+              In SI units of the state. As an effect of your own:{' '}
+              <code>lacuna plugins new effect NAME --formula "{document.formulas[0].text}"</code>
+            </>
+          }
+          downloads={[{ label: 'CSV', run: () => saveFormulas(document) }]}
+          title={document.formulas_of_rest ? 'A formula for what the answer leaves' : 'A formula for what is missing'}
+        >
+          <div class="scrolls">
+            <table class="grid">
+              <thead>
+                <tr>
+                  <th>joint</th>
+                  <th>force</th>
+                  <th class="number">gain</th>
+                </tr>
+              </thead>
+              <tbody>
+                {document.formulas.map((one) => (
+                  <tr key={one.joint + one.text}>
+                    <td>{one.joint}</td>
+                    <td class="wraps">
+                      <code>{one.text}</code>
+                      <span class="small">
+                        {one.terms
+                          .map((term) => `${term.text}: ${plain(term.coefficient)} ± ${plain(term.standard_error, 2)}`)
+                          .join(' · ')}
+                      </span>
+                    </td>
+                    <td class="number">{plain(one.gain.value)} nats</td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
         </Figure>
       )}
     </>
   );
 }
 
+const saveFormulas = (document: DiagnosisDocument) =>
+  saveCsv(
+    ['joint', 'formula', 'unit', 'gain', 'term', 'coefficient', 'standard_error', 'term_unit'],
+    document.formulas.flatMap((one) =>
+      one.terms.map((term) => [
+        one.joint,
+        one.text,
+        one.unit,
+        one.gain.value,
+        term.text,
+        term.coefficient,
+        term.standard_error,
+        term.unit,
+      ]),
+    ),
+    'formulas',
+  );
+
 /** What the residual depends on, from the comparison of the same revision. */
 function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | undefined }) {
-  const where = useLoaded((source) => loadWhere(source, row.experiment, row.revision), ['where', row.experiment, row.revision]);
+  const where = useLoaded(
+    (source) => loadWhere(source, row.experiment, row.revision),
+    ['where', row.experiment, row.revision],
+  );
   const views = where.value?.where?.views ?? [];
   const view = views.find((one) => one.view === 'acceleration' && one.channels.length > 0) ?? views[0];
-  const tests = (view?.channels ?? []).flatMap((channel) => channel.independence.filter((one) => one.testable && one.bins.length > 1)
-    .map((test) => ({ channel, test, name: `${channel.channel} over ${fullName(test)}` })))
+  const tests = (view?.channels ?? [])
+    .flatMap((channel) =>
+      channel.independence
+        .filter((one) => one.testable && one.bins.length > 1)
+        .map((test) => ({ channel, test, name: `${channel.channel} over ${fullName(test)}` })),
+    )
     .sort((a, b) => Number(b.test.depends) - Number(a.test.depends) || b.test.share - a.test.share);
   if (!view || tests.length === 0) return null;
   const shown = tests.find((one) => one.name === chosen) ?? tests[0];
@@ -120,22 +275,76 @@ function Features({ row, chosen }: { row: DiagnosisRow; chosen: string | undefin
   const what = view.view === 'acceleration' ? 'unexplained acceleration' : 'residual';
   return (
     <div class="two">
-      <Chart title={`${shown.channel.channel}: ${what} over ${fullName(shown.test)}`} height={260}
-        x={{ label: fullName(shown.test), unit: shown.test.unit }} y={{ label: what, unit, include: [0] }}
+      <Chart
+        title={`${shown.channel.channel}: ${what} over ${fullName(shown.test)}`}
+        height={260}
+        x={{ label: fullName(shown.test), unit: shown.test.unit }}
+        y={{ label: what, unit, include: [0] }}
         series={[
-          { name: 'mean of a bin', kind: 'both', colour: 'residual', x: bins.map((one) => one.feature), y: bins.map((one) => one.mean) },
-          { name: '99 % band of no dependence', kind: 'band', colour: 'floor', x: bins.map((one) => one.feature), y: bins.map(() => 0), lower: bins.map((one) => -one.band99), upper: bins.map((one) => one.band99) },
-        ]} />
-      <Figure title="What it depends on" note="Share of the squared residual that each feature explains alone. A click shows it.">
+          {
+            name: 'mean of a bin',
+            kind: 'both',
+            colour: 'residual',
+            x: bins.map((one) => one.feature),
+            y: bins.map((one) => one.mean),
+          },
+          {
+            name: '99 % band of no dependence',
+            kind: 'band',
+            colour: 'floor',
+            x: bins.map((one) => one.feature),
+            y: bins.map(() => 0),
+            lower: bins.map((one) => -one.band99),
+            upper: bins.map((one) => one.band99),
+          },
+        ]}
+      />
+      <Figure
+        title="What it depends on"
+        downloads={[
+          {
+            label: 'CSV',
+            run: () =>
+              saveCsv(
+                ['channel', 'feature', 'share', 'p', 'depends'],
+                tests.map((one) => [
+                  one.channel.channel,
+                  fullName(one.test),
+                  one.test.share,
+                  one.test.p,
+                  one.test.depends,
+                ]),
+                'what it depends on',
+              ),
+          },
+        ]}
+        note="Share of the squared residual that each feature explains alone. A click shows it."
+      >
         <div class="scrolls">
-          <table class="grid"><thead><tr><th>feature</th><th class="number">share</th><th class="number">p</th><th>depends</th></tr></thead><tbody>
-            {tests.map((one) => (
-              <tr key={one.name} class={one === shown ? 'chosen' : ''}>
-                <th scope="row"><button class="link" onClick={() => choose({ feature: one.name })}>{view.channels.length > 1 ? one.name : fullName(one.test)}</button></th>
-                <td class="number">{plain(100 * one.test.share, 2)} %</td><td class="number">{one.test.p < 0.001 ? '< 0.001' : plain(one.test.p, 2)}</td><td>{one.test.depends ? 'yes' : 'no'}</td>
+          <table class="grid">
+            <thead>
+              <tr>
+                <th>feature</th>
+                <th class="number">share</th>
+                <th class="number">p</th>
+                <th>depends</th>
               </tr>
-            ))}
-          </tbody></table>
+            </thead>
+            <tbody>
+              {tests.map((one) => (
+                <tr key={one.name} class={one === shown ? 'chosen' : ''}>
+                  <th scope="row">
+                    <button class="link" onClick={() => choose({ feature: one.name })}>
+                      {view.channels.length > 1 ? one.name : fullName(one.test)}
+                    </button>
+                  </th>
+                  <td class="number">{plain(100 * one.test.share, 2)} %</td>
+                  <td class="number">{one.test.p < 0.001 ? '< 0.001' : plain(one.test.p, 2)}</td>
+                  <td>{one.test.depends ? 'yes' : 'no'}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
         </div>
       </Figure>
     </div>
@@ -148,12 +357,37 @@ function Rest({ document }: { document: DiagnosisDocument }) {
   return (
     <div class="two">
       <section>
-        {document.findings.length > 0 && <><h2>Findings</h2><ul>{document.findings.map((one) => <li key={one}>{one}</li>)}</ul></>}
-        {document.next_test !== '' && <><h2>A test that would settle it</h2><p><code class="block">lacuna trial FILE --test "{document.next_test}"</code></p><p class="note">{document.next_test_worth}</p></>}
+        {document.findings.length > 0 && (
+          <>
+            <h2>Findings</h2>
+            <ul>
+              {document.findings.map((one) => (
+                <li key={one}>{one}</li>
+              ))}
+            </ul>
+          </>
+        )}
+        {document.next_test !== '' && (
+          <>
+            <h2>A test that would settle it</h2>
+            <p>
+              <code class="block">lacuna trial FILE --test "{document.next_test}"</code>
+            </p>
+            <p class="note">{document.next_test_worth}</p>
+          </>
+        )}
       </section>
       {document.not_testable.length > 0 && (
-        <section><h2>Not testable on these data</h2>
-          <ul class="muted">{document.not_testable.map((one) => <li key={one.effect + one.where}>{one.effect}{one.where ? ` @ ${one.where}` : ''}: {one.reason}</li>)}</ul>
+        <section>
+          <h2>Not testable on these data</h2>
+          <ul class="muted">
+            {document.not_testable.map((one) => (
+              <li key={one.effect + one.where}>
+                {one.effect}
+                {one.where ? ` @ ${one.where}` : ''}: {one.reason}
+              </li>
+            ))}
+          </ul>
         </section>
       )}
     </div>

@@ -49,7 +49,13 @@ export interface DiagnosisDocument {
   p_by_chance: number | null;
   chance_95: number | null;
   free_force: { p: number | null; gain: Gain };
-  formulas: { joint: string; text: string; unit: string; gain: Gain; terms: { text: string; coefficient: number; standard_error: number; unit: string }[] }[];
+  formulas: {
+    joint: string;
+    text: string;
+    unit: string;
+    gain: Gain;
+    terms: { text: string; coefficient: number; standard_error: number; unit: string }[];
+  }[];
   formulas_of_rest: boolean;
   residual_force: ForceCurve[];
   hypotheses: number;
@@ -73,19 +79,38 @@ export const modelName = (model: Ranked) => model.effects.map(effectName).join('
 export function verdictSentence(document: DiagnosisDocument): string {
   const best = document.ranking[0];
   switch (document.verdict) {
-    case 'nothing_missing': return 'Nothing is missing: no effect of the library predicts what was left out better than the model alone.';
-    case 'effect_found': return `The model lacks ${best ? modelName(best) : 'an effect'}.`;
-    case 'not_in_library': return `The model lacks something that no effect of the library explains${document.formulas[0] ? `; a force like ${document.formulas[0].text} would` : ''}.`;
-    default: return 'These data do not tell whether something is missing.';
+    case 'nothing_missing':
+      return 'Nothing is missing: no effect of the library predicts what was left out better than the model alone.';
+    case 'effect_found':
+      return `The model lacks ${best ? modelName(best) : 'an effect'}.`;
+    case 'not_in_library':
+      return `The model lacks something that no effect of the library explains${document.formulas[0] ? `; a force like ${document.formulas[0].text} would` : ''}.`;
+    default:
+      return 'These data do not tell whether something is missing.';
   }
 }
 
 /** With nothing where a document of another version has nothing. */
 export function readDocument(text: string): DiagnosisDocument {
   const empty: DiagnosisDocument = {
-    verdict: 'cannot_tell', probability: null, calibrated: false, units: {}, noise_floor: {}, base: { cv_rmse: {}, ratio_to_floor: null },
-    ranking: [], p_by_chance: null, chance_95: null, free_force: { p: null, gain: { value: null, ci95: [null, null] } }, formulas: [], formulas_of_rest: false,
-    residual_force: [], hypotheses: 0, findings: [], next_test: '', next_test_worth: '', not_testable: [],
+    verdict: 'cannot_tell',
+    probability: null,
+    calibrated: false,
+    units: {},
+    noise_floor: {},
+    base: { cv_rmse: {}, ratio_to_floor: null },
+    ranking: [],
+    p_by_chance: null,
+    chance_95: null,
+    free_force: { p: null, gain: { value: null, ci95: [null, null] } },
+    formulas: [],
+    formulas_of_rest: false,
+    residual_force: [],
+    hypotheses: 0,
+    findings: [],
+    next_test: '',
+    next_test_worth: '',
+    not_testable: [],
   };
   return { ...empty, ...(JSON.parse(text) as Partial<DiagnosisDocument>) };
 }

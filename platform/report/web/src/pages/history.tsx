@@ -1,4 +1,5 @@
 import { useRows } from '../data/use';
+import { saveCsv } from '../kit/download';
 import { quantity, times, unitText } from '../kit/format';
 import { choose, linkTo } from '../kit/route';
 import { Chart, type ChartSeries } from '../ui/chart';
@@ -40,16 +41,30 @@ const number = (value: number | null) => value ?? NaN;
 
 /** How the error fell, revision by revision. */
 export function HistoryPage({ choices }: { choices: Record<string, string> }) {
-  const revisions = useRows<Revision>('SELECT experiment, number, parent, change, effects, free_values FROM revisions ORDER BY experiment, number');
+  const revisions = useRows<Revision>(
+    'SELECT experiment, number, parent, change, effects, free_values FROM revisions ORDER BY experiment, number',
+  );
   const errors = useRows<Row>('SELECT * FROM error_by_revision ORDER BY experiment, revision, channel');
-  return <Show of={revisions}>{(all) => all.length === 0
-    ? <Empty>The database has no revision of a model. <code>lacuna compare FILE</code> makes the first.</Empty>
-    : <Show of={errors}>{(rows) => <Chosen revisions={all} rows={rows} choices={choices} />}</Show>}</Show>;
+  return (
+    <Show of={revisions}>
+      {(all) =>
+        all.length === 0 ? (
+          <Empty>
+            The database has no revision of a model. <code>lacuna compare FILE</code> makes the first.
+          </Empty>
+        ) : (
+          <Show of={errors}>{(rows) => <Chosen revisions={all} rows={rows} choices={choices} />}</Show>
+        )
+      }
+    </Show>
+  );
 }
 
 function Chosen({ revisions, rows, choices }: { revisions: Revision[]; rows: Row[]; choices: Record<string, string> }) {
   const experiments = [...new Set(revisions.map((one) => one.experiment))];
-  const experiment = experiments.includes(choices.experiment) ? choices.experiment : experiments[experiments.length - 1];
+  const experiment = experiments.includes(choices.experiment)
+    ? choices.experiment
+    : experiments[experiments.length - 1];
   const own = revisions.filter((one) => one.experiment === experiment);
   const errors = rows.filter((one) => one.experiment === experiment);
   const channels = [...new Map(errors.map((one) => [one.channel, one.unit]))];
@@ -57,9 +72,28 @@ function Chosen({ revisions, rows, choices }: { revisions: Revision[]; rows: Row
   const [a, b] = [Number(choices.a ?? own[Math.max(own.length - 2, 0)].number), Number(choices.b ?? last)];
   return (
     <>
-      {experiments.length > 1 && <div class="choices"><Select label="Experiment" value={experiment} options={experiments.map((one) => ({ value: one, label: one }))} change={(value) => choose({ experiment: value, a: null, b: null })} /></div>}
+      {experiments.length > 1 && (
+        <div class="choices">
+          <Select
+            label="Experiment"
+            value={experiment}
+            options={experiments.map((one) => ({ value: one, label: one }))}
+            change={(value) => choose({ experiment: value, a: null, b: null })}
+          />
+        </div>
+      )}
       <Lead errors={errors} />
-      <div class="two">{channels.map(([channel, unit]) => <Errors key={channel} channel={channel} unit={unit} rows={errors.filter((one) => one.channel === channel)} revisions={own} />)}</div>
+      <div class="two">
+        {channels.map(([channel, unit]) => (
+          <Errors
+            key={channel}
+            channel={channel}
+            unit={unit}
+            rows={errors.filter((one) => one.channel === channel)}
+            revisions={own}
+          />
+        ))}
+      </div>
       <Table revisions={own} errors={errors} experiment={experiment} a={a} b={b} />
       {own.length > 1 && <SideBySide experiment={experiment} revisions={own} errors={errors} a={a} b={b} />}
     </>
@@ -68,37 +102,156 @@ function Chosen({ revisions, rows, choices }: { revisions: Revision[]; rows: Row
 
 function Lead({ errors }: { errors: Row[] }) {
   if (errors.length === 0) return <p class="lead">No revision was compared yet.</p>;
-  const first = errors[0], last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
-  return <p class="lead">{first.channel}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong>{first === last ? '' : ` in ${new Set(errors.map((one) => one.revision)).size} revisions`}.</p>;
+  const first = errors[0],
+    last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
+  return (
+    <p class="lead">
+      {first.channel}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong>
+      {first === last ? '' : ` in ${new Set(errors.map((one) => one.revision)).size} revisions`}.
+    </p>
+  );
 }
 
-function Errors({ channel, unit, rows, revisions }: { channel: string; unit: string; rows: Row[]; revisions: Revision[] }) {
+function Errors({
+  channel,
+  unit,
+  rows,
+  revisions,
+}: {
+  channel: string;
+  unit: string;
+  rows: Row[];
+  revisions: Revision[];
+}) {
   const x = rows.map((one) => revisions.findIndex((revision) => revision.number === one.revision));
   const series: ChartSeries[] = [
     { name: 'fit', kind: 'both', colour: 'predicted', x, y: rows.map((one) => number(one.fit_rmse)) },
-    { name: 'held out', kind: 'both', colour: 'held', dashed: true, x, y: rows.map((one) => number(one.held_out_rmse)) },
+    {
+      name: 'held out',
+      kind: 'both',
+      colour: 'held',
+      dashed: true,
+      x,
+      y: rows.map((one) => number(one.held_out_rmse)),
+    },
     { name: 'noise floor', kind: 'line', colour: 'floor', dashed: true, x, y: rows.map((one) => number(one.floor)) },
   ];
   const kept = series.filter((one) => one.y.some(Number.isFinite));
-  return <Chart title={`RMSE of ${channel}`} x={{ label: 'revision', unit: '1', whole: true, names: revisions.map((one) => String(one.number)) }} y={{ label: 'RMSE', unit, log: true }} series={kept}
-    pick={(_, i) => choose({ revision: rows[i].revision, a: null, b: rows[i].revision })} />;
+  return (
+    <Chart
+      title={`RMSE of ${channel}`}
+      x={{ label: 'revision', unit: '1', whole: true, names: revisions.map((one) => String(one.number)) }}
+      y={{ label: 'RMSE', unit, log: true }}
+      series={kept}
+      pick={(_, i) => choose({ revision: rows[i].revision, a: null, b: rows[i].revision })}
+    />
+  );
 }
 
-function Table({ revisions, errors, experiment, a, b }: { revisions: Revision[]; errors: Row[]; experiment: string; a: number; b: number }) {
+function saveRevisions(revisions: Revision[], errors: Row[]): void {
+  saveCsv(
+    [
+      'revision',
+      'parent',
+      'change',
+      'effects',
+      'free_values',
+      'channel',
+      'unit',
+      'fit_rmse',
+      'held_out_rmse',
+      'floor',
+      'times_floor',
+    ],
+    revisions.flatMap((one) => {
+      const own = errors.filter((row) => row.revision === one.number);
+      const first = [one.number, one.parent, one.change, one.effects, one.free_values];
+      return own.length === 0
+        ? [first]
+        : own.map((row) => [
+            ...first,
+            row.channel,
+            row.unit,
+            row.fit_rmse,
+            row.held_out_rmse,
+            row.floor,
+            row.times_floor,
+          ]);
+    }),
+    'revisions',
+  );
+}
+
+function Table({
+  revisions,
+  errors,
+  experiment,
+  a,
+  b,
+}: {
+  revisions: Revision[];
+  errors: Row[];
+  experiment: string;
+  a: number;
+  b: number;
+}) {
   return (
-    <Figure title="Revisions" note="What each has that its parent had not. Choose two to see them side by side.">
+    <Figure
+      title="Revisions"
+      downloads={[{ label: 'CSV', run: () => saveRevisions(revisions, errors) }]}
+      note="What each has that its parent had not. Choose two to see them side by side."
+    >
       <div class="scrolls">
         <table class="grid">
-          <thead><tr><th>revision</th><th>parent</th><th>change</th><th>error</th><th>a</th><th>b</th><th /></tr></thead>
+          <thead>
+            <tr>
+              <th>revision</th>
+              <th>parent</th>
+              <th>change</th>
+              <th>error</th>
+              <th>a</th>
+              <th>b</th>
+              <th />
+            </tr>
+          </thead>
           <tbody>
             {revisions.map((one) => (
               <tr key={one.number}>
-                <th scope="row">{one.number}</th><td class="muted">{one.parent ?? ''}</td>
-                <td class="wraps"><strong>{one.change}</strong><span class="small">{one.effects ?? 'no effects'} · {one.free_values} free values</span></td>
-                <td class="wraps">{errors.filter((row) => row.revision === one.number).map((row) => `${row.channel} ${times(row.times_floor)}`).join(', ') || '—'}</td>
-                <td><input type="radio" name="a" aria-label={`a: revision ${one.number}`} checked={a === one.number} onChange={() => choose({ a: one.number })} /></td>
-                <td><input type="radio" name="b" aria-label={`b: revision ${one.number}`} checked={b === one.number} onChange={() => choose({ b: one.number })} /></td>
-                <td><a href={linkTo('compare', { experiment, revision: one.number })}>curves</a></td>
+                <th scope="row">{one.number}</th>
+                <td class="muted">{one.parent ?? ''}</td>
+                <td class="wraps">
+                  <strong>{one.change}</strong>
+                  <span class="small">
+                    {one.effects ?? 'no effects'} · {one.free_values} free values
+                  </span>
+                </td>
+                <td class="wraps">
+                  {errors
+                    .filter((row) => row.revision === one.number)
+                    .map((row) => `${row.channel} ${times(row.times_floor)}`)
+                    .join(', ') || '—'}
+                </td>
+                <td>
+                  <input
+                    type="radio"
+                    name="a"
+                    aria-label={`a: revision ${one.number}`}
+                    checked={a === one.number}
+                    onChange={() => choose({ a: one.number })}
+                  />
+                </td>
+                <td>
+                  <input
+                    type="radio"
+                    name="b"
+                    aria-label={`b: revision ${one.number}`}
+                    checked={b === one.number}
+                    onChange={() => choose({ b: one.number })}
+                  />
+                </td>
+                <td>
+                  <a href={linkTo('compare', { experiment, revision: one.number })}>curves</a>
+                </td>
               </tr>
             ))}
           </tbody>
@@ -114,30 +267,83 @@ const interval = (one: Fitted | undefined) => {
   return `${quantity(one.value, one.unit)}${known ? ` [${quantity(one.lower, one.unit)}, ${quantity(one.upper, one.unit)}]` : ''}`;
 };
 
-function SideBySide({ experiment, revisions, errors, a, b }: { experiment: string; revisions: Revision[]; errors: Row[]; a: number; b: number }) {
-  const values = useRows<Fitted>('SELECT experiment, revision, address, value, unit, lower, upper FROM fitted_parameters WHERE experiment = ? AND revision IN (?, ?) ORDER BY position', [experiment, a, b]);
+function SideBySide({
+  experiment,
+  revisions,
+  errors,
+  a,
+  b,
+}: {
+  experiment: string;
+  revisions: Revision[];
+  errors: Row[];
+  a: number;
+  b: number;
+}) {
+  const values = useRows<Fitted>(
+    'SELECT experiment, revision, address, value, unit, lower, upper FROM fitted_parameters WHERE experiment = ? AND revision IN (?, ?) ORDER BY position',
+    [experiment, a, b],
+  );
   const name = (wanted: number) => `${wanted} · ${revisions.find((one) => one.number === wanted)?.change ?? ''}`;
   const channels = [...new Map(errors.map((one) => [one.channel, one.unit]))];
   const error = (revision: number, channel: string, unit: string) => {
     const row = errors.find((one) => one.revision === revision && one.channel === channel);
-    return row ? `fit ${quantity(row.fit_rmse, unit)}, held out ${quantity(row.held_out_rmse, unit)}, ${times(row.times_floor)}` : '—';
+    return row
+      ? `fit ${quantity(row.fit_rmse, unit)}, held out ${quantity(row.held_out_rmse, unit)}, ${times(row.times_floor)}`
+      : '—';
   };
   return (
-    <Figure title="Side by side">
-      <Show of={values}>{(all) => (
-        <div class="scrolls">
-          <table class="grid side-by-side">
-            <thead><tr><th /><th>{name(a)}</th><th>{name(b)}</th></tr></thead>
-            <tbody>
-              {channels.map(([channel, unit]) => <tr key={channel}><th scope="row">{channel} <span class="muted">RMSE / {unitText(unit)}</span></th><td>{error(a, channel, unit)}</td><td>{error(b, channel, unit)}</td></tr>)}
-              {[...new Set(all.map((one) => one.address))].map((address) => {
-                const at = (revision: number) => all.find((one) => one.revision === revision && one.address === address);
-                return <tr key={address}><th scope="row">{address}</th><td>{interval(at(a))}</td><td>{interval(at(b))}</td></tr>;
-              })}
-            </tbody>
-          </table>
-        </div>
-      )}</Show>
+    <Figure
+      title="Side by side"
+      downloads={[
+        {
+          label: 'CSV',
+          run: () =>
+            saveCsv(
+              ['revision', 'address', 'value', 'unit', 'lower', 'upper'],
+              (values.value ?? []).map((one) => [one.revision, one.address, one.value, one.unit, one.lower, one.upper]),
+              `revisions ${a} and ${b}`,
+            ),
+        },
+      ]}
+    >
+      <Show of={values}>
+        {(all) => (
+          <div class="scrolls">
+            <table class="grid side-by-side">
+              <thead>
+                <tr>
+                  <th />
+                  <th>{name(a)}</th>
+                  <th>{name(b)}</th>
+                </tr>
+              </thead>
+              <tbody>
+                {channels.map(([channel, unit]) => (
+                  <tr key={channel}>
+                    <th scope="row">
+                      {channel} <span class="muted">RMSE / {unitText(unit)}</span>
+                    </th>
+                    <td>{error(a, channel, unit)}</td>
+                    <td>{error(b, channel, unit)}</td>
+                  </tr>
+                ))}
+                {[...new Set(all.map((one) => one.address))].map((address) => {
+                  const at = (revision: number) =>
+                    all.find((one) => one.revision === revision && one.address === address);
+                  return (
+                    <tr key={address}>
+                      <th scope="row">{address}</th>
+                      <td>{interval(at(a))}</td>
+                      <td>{interval(at(b))}</td>
+                    </tr>
+                  );
+                })}
+              </tbody>
+            </table>
+          </div>
+        )}
+      </Show>
     </Figure>
   );
 }

@@ -11,23 +11,72 @@ import { loadPieces, loadPlay, type Piece, type Play } from './replay_data';
 /** Robots in motion, target and model over each other. */
 export function ReplayPage({ choices }: { choices: Record<string, string> }) {
   const pieces = useLoaded(loadPieces, ['pieces']);
-  return <Show of={pieces}>{(all) => {
-    if (all.length === 0) return <Empty>There is no trial to replay. <code>lacuna run</code> and <code>lacuna compare</code> make some.</Empty>;
-    const wanted = choices.piece ?? (choices.run !== undefined && choices.trial !== undefined ? `run ${choices.run}/${choices.trial}` : undefined);
-    const piece = all.find((one) => one.key === wanted) ?? all.find((one) => String(one.run) === choices.run) ?? all[0];
-    return (
-      <>
-        <div class="choices"><Select label="Trial" value={piece.key} options={all.map((one) => ({ value: one.key, label: one.label }))} change={(value) => choose({ piece: value, run: null, trial: null, t: null })} /></div>
-        <Player key={piece.key} piece={piece} start={Number(choices.t ?? 0)} />
-      </>
-    );
-  }}</Show>;
+  return (
+    <Show of={pieces}>
+      {(all) =>
+        all.length === 0 ? (
+          <Empty>
+            There is no trial to replay. <code>lacuna run</code> and <code>lacuna compare</code> make some.
+          </Empty>
+        ) : (
+          <Pieces all={all} choices={choices} />
+        )
+      }
+    </Show>
+  );
+}
+
+/** What is asked for, else what was shown last, else the newest. */
+function useChosen(all: Piece[], choices: Record<string, string>): Piece | undefined {
+  const last = useRef('');
+  const { piece, run, trial } = choices;
+  const wanted = piece ?? (run !== undefined && trial !== undefined ? `run ${run}/${trial}` : undefined);
+  const chosen =
+    wanted !== undefined
+      ? all.find((one) => one.key === wanted)
+      : run !== undefined
+        ? all.find((one) => String(one.run) === run)
+        : (all.find((one) => one.key + one.identity === last.current) ?? all[0]);
+  last.current = chosen ? chosen.key + chosen.identity : '';
+  return chosen;
+}
+
+function Pieces({ all, choices }: { all: Piece[]; choices: Record<string, string> }) {
+  const piece = useChosen(all, choices);
+  const options = all.map((one) => ({ value: one.key, label: one.label }));
+  const asked = choices.piece ?? `run ${choices.run}${choices.trial === undefined ? '' : `, trial ${choices.trial}`}`;
+  return (
+    <>
+      <div class="choices">
+        <Select
+          label="Trial"
+          value={piece?.key ?? ''}
+          options={piece ? options : [{ value: '', label: '—' }, ...options]}
+          change={(value) => choose({ piece: value, run: null, trial: null, t: null })}
+        />
+      </div>
+      {piece ? (
+        <Player key={piece.identity + piece.key} piece={piece} start={Number(choices.t ?? 0)} />
+      ) : (
+        <Empty>The robots of {asked} are not here; the list has those that are.</Empty>
+      )}
+    </>
+  );
 }
 
 function Player({ piece, start }: { piece: Piece; start: number }) {
-  // Loaded once: a run that goes on writing must not stop what plays.
+  // Loaded once: a run that goes on writing must not stop what plays. What could not be loaded is tried again.
   const [load] = useState(() => ({ done: null as Promise<Play> | null }));
-  const play = useLoaded((source) => (load.done ??= loadPlay(source, piece)), ['play', piece.key]);
+  const play = useLoaded(
+    (source) => {
+      load.done ??= loadPlay(source, piece).catch((error: unknown) => {
+        load.done = null;
+        throw error;
+      });
+      return load.done;
+    },
+    ['play', piece.identity, piece.key],
+  );
   return <Show of={play}>{(value) => <Playing play={value} title={piece.label} start={start} />}</Show>;
 }
 
@@ -43,7 +92,8 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
   useEffect(() => go(start || first), []);
   useEffect(() => {
     if (!playing) return;
-    let before = performance.now(), frame = 0;
+    let before = performance.now(),
+      frame = 0;
     const step = (now: number) => {
       const next = moment.time + ((now - before) / 1000) * Number(speed);
       before = now;
@@ -55,12 +105,22 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
   }, [playing, speed]);
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
-      if (/^(TEXTAREA|SELECT|BUTTON)$/.test((event.target as Element).tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (
+        /^(TEXTAREA|SELECT|BUTTON)$/.test((event.target as Element).tagName) ||
+        event.ctrlKey ||
+        event.metaKey ||
+        event.altKey
+      )
+        return;
       const stride = ((last - first) / 200) * (event.shiftKey ? 10 : 1);
       const actions: Record<string, () => void> = {
-        ' ': () => setPlaying((one) => !one), ArrowLeft: () => go(moment.time - stride), ArrowRight: () => go(moment.time + stride),
-        Home: () => go(first), End: () => go(last),
-        ',': () => setSpeed((one) => kSpeeds[Math.max(kSpeeds.indexOf(one) - 1, 0)]), '.': () => setSpeed((one) => kSpeeds[Math.min(kSpeeds.indexOf(one) + 1, kSpeeds.length - 1)]),
+        ' ': () => setPlaying((one) => !one),
+        ArrowLeft: () => go(moment.time - stride),
+        ArrowRight: () => go(moment.time + stride),
+        Home: () => go(first),
+        End: () => go(last),
+        ',': () => setSpeed((one) => kSpeeds[Math.max(kSpeeds.indexOf(one) - 1, 0)]),
+        '.': () => setSpeed((one) => kSpeeds[Math.min(kSpeeds.indexOf(one) + 1, kSpeeds.length - 1)]),
       };
       if (!actions[event.key]) return;
       actions[event.key]();
@@ -74,22 +134,68 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
     <>
       {play.actors.length > 0 ? <StageView play={play} moment={moment} stage={stage} /> : null}
       <div class="player">
-        <button class="primary" onClick={() => setPlaying(!playing)} aria-label={playing ? 'Pause' : 'Play'}>{playing ? '❚❚' : '▶'}</button>
+        <button class="primary" onClick={() => setPlaying(!playing)} aria-label={playing ? 'Pause' : 'Play'}>
+          {playing ? '❚❚' : '▶'}
+        </button>
         <Scrubber moment={moment} first={first} last={last} go={go} />
-        <Select label="speed" value={speed} options={kSpeeds.map((one) => ({ value: one, label: `${one} ×` }))} change={setSpeed} />
-        {play.actors.length > 0 && <button class="quiet download" onClick={() => stage.current && savePng([stage.current.canvas], `replay ${title}`)}>PNG</button>}
-        <button class="quiet download" title="Put this moment into the address" onClick={() => choose({ t: moment.time.toFixed(3) })}>link</button>
+        <Select
+          label="speed"
+          value={speed}
+          options={kSpeeds.map((one) => ({ value: one, label: `${one} ×` }))}
+          change={setSpeed}
+        />
+        {play.actors.length > 0 && (
+          <button
+            class="quiet download"
+            onClick={() => stage.current && savePng([stage.current.canvas], `replay ${title}`)}
+          >
+            PNG
+          </button>
+        )}
+        <button
+          class="quiet download"
+          title="Put this moment into the address"
+          onClick={() => choose({ t: moment.time.toFixed(3) })}
+        >
+          link
+        </button>
       </div>
-      <p class="note">{play.note} {play.actors.some((one) => one.touching) && 'Bodies whose touch sensors read contact glow. '}<span class="keys"><Key>space</Key> plays, <Key>←</Key> <Key>→</Key> step, <Key>,</Key> <Key>.</Key> change the speed; drag turns the camera.</span></p>
-      <TrialCurvesPanel curves={play.curves} title={title} lit={kNothing} moment={moment} go={go} keep={() => savePng([...document.querySelectorAll<HTMLCanvasElement>('.trial-curves canvas')], `replay ${title}`)} />
+      <p class="note">
+        {play.note} {play.actors.some((one) => one.touching) && 'Bodies that touch the ground glow. '}
+        <span class="keys">
+          <Key>space</Key> plays, <Key>←</Key> <Key>→</Key> step, <Key>,</Key> <Key>.</Key> change the speed; drag turns
+          the camera.
+        </span>
+      </p>
+      <TrialCurvesPanel
+        curves={play.curves}
+        title={title}
+        lit={kNothing}
+        moment={moment}
+        go={go}
+        keep={() =>
+          savePng([...document.querySelectorAll<HTMLCanvasElement>('.trial-curves canvas')], `replay ${title}`)
+        }
+      />
     </>
   );
 }
 
 const kNothing: [number, number][] = [];
 
-function Scrubber({ moment, first, last, go }: { moment: Moment; first: number; last: number; go: (time: number) => void }) {
-  const slider = useRef<HTMLInputElement>(null), text = useRef<HTMLSpanElement>(null);
+function Scrubber({
+  moment,
+  first,
+  last,
+  go,
+}: {
+  moment: Moment;
+  first: number;
+  last: number;
+  go: (time: number) => void;
+}) {
+  const slider = useRef<HTMLInputElement>(null),
+    text = useRef<HTMLSpanElement>(null);
   useEffect(() => {
     const show = () => {
       slider.current!.value = String(moment.time);
@@ -98,7 +204,20 @@ function Scrubber({ moment, first, last, go }: { moment: Moment; first: number; 
     show();
     return moment.listen(show);
   }, [moment]);
-  return <><input ref={slider} type="range" min={first} max={last} step={(last - first) / 2000} aria-label="Time" onInput={(event) => go(Number(event.currentTarget.value))} /><span class="clock" ref={text} /></>;
+  return (
+    <>
+      <input
+        ref={slider}
+        type="range"
+        min={first}
+        max={last}
+        step={(last - first) / 2000}
+        aria-label="Time"
+        onInput={(event) => go(Number(event.currentTarget.value))}
+      />
+      <span class="clock" ref={text} />
+    </>
+  );
 }
 
 function StageView({ play, moment, stage }: { play: Play; moment: Moment; stage: { current: Stage | null } }) {
@@ -119,13 +238,32 @@ function StageView({ play, moment, stage }: { play: Play; moment: Moment; stage:
     addEventListener('lacuna-theme', paint);
     const stop = moment.listen(() => made.show(moment.time));
     made.show(moment.time);
-    return () => { stop(); sizes.disconnect(); removeEventListener('lacuna-theme', paint); made.dispose(); stage.current = null; };
+    return () => {
+      stop();
+      sizes.disconnect();
+      removeEventListener('lacuna-theme', paint);
+      made.dispose();
+      stage.current = null;
+    };
   }, [play, moment]);
   return (
     <>
       {error && <p class="error">{error}</p>}
       <div class={error ? '' : 'stage'} ref={box}>
-        {!error && <div class="legend over"><span class="key swatch-model"><i />model</span>{play.actors.length > 1 && <span class="key swatch-target"><i />target</span>}</div>}
+        {!error && (
+          <div class="legend over">
+            <span class="key swatch-model">
+              <i />
+              model
+            </span>
+            {play.actors.length > 1 && (
+              <span class="key swatch-target">
+                <i />
+                target
+              </span>
+            )}
+          </div>
+        )}
       </div>
     </>
   );

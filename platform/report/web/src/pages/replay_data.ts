@@ -1,15 +1,16 @@
-import { Series } from '../kit/decimate';
 import { objects, type Source } from '../data/source';
 import { decodeTrace, kTraceColumns, type Trace } from '../data/trace';
 import { motionFromReadings, motionOf } from '../robot/motion';
 import { SensorKind, type Robot } from '../robot/spec';
 import type { Actor } from '../robot/stage';
 import { sampleAt } from '../kit/decimate';
-import type { ChannelCurves, TrialCurves } from './compare_data';
+import { curvesOf, tracesOf, type TrialCurves } from './compare_data';
 
 /** Something that can be played: a trial of a run or of a comparison. */
 export interface Piece {
   key: string;
+  /** Of the run that wrote it, whatever file it is in. */
+  identity: string;
   label: string;
   run?: number;
   trial?: number;
@@ -23,85 +24,149 @@ export interface Play {
   note: string;
 }
 
-const kComparisons = `SELECT DISTINCT experiment, revision, trial, comparison FROM latest_comparison
+const kComparisons = `SELECT DISTINCT experiment, revision, trial, comparison, run.identity FROM latest_comparison
+  JOIN run ON run.number = comparison >> 40
   WHERE EXISTS (SELECT * FROM trace WHERE trace.comparison = latest_comparison.comparison) ORDER BY comparison DESC, trial`;
-const kSimulated = 'SELECT DISTINCT run, trial, experiment FROM page_replay ORDER BY run DESC, trial DESC';
-const kTrials = `SELECT target_trial.run, target_trial.number AS trial, experiment.name AS experiment FROM target_trial
-  JOIN eea_run ON eea_run.run = target_trial.run JOIN experiment ON experiment.id = eea_run.experiment
-  WHERE NOT for_transfer AND target_trial.number < (SELECT count(*) FROM pass WHERE pass.run = eea_run.run AND ended)
+const kSimulated = 'SELECT DISTINCT run, trial, experiment, identity FROM page_replay ORDER BY run DESC, trial DESC';
+// The trials that the best model so far was held against.
+const kTrials = `SELECT target_trial.run, target_trial.number AS trial, experiment.name AS experiment, run.identity
+  FROM target_trial JOIN eea_run ON eea_run.run = target_trial.run JOIN experiment ON experiment.id = eea_run.experiment
+  JOIN run ON run.number = eea_run.run
+  WHERE NOT for_transfer AND EXISTS (SELECT * FROM model_score WHERE model_score.trial = target_trial.trial
+    AND model_score.model = (SELECT best_model FROM pass
+      WHERE pass.run = eea_run.run AND ended AND best_model IS NOT NULL ORDER BY pass.id DESC LIMIT 1))
   ORDER BY target_trial.run DESC, trial DESC`;
 
+interface OfRun {
+  run: number;
+  trial: number;
+  experiment: string;
+  identity: string;
+}
+
+interface OfComparison {
+  experiment: string;
+  revision: number;
+  trial: string;
+  comparison: number;
+  identity: string;
+}
+
 export async function loadPieces(source: Source): Promise<Piece[]> {
-  const runs = objects<{ run: number; trial: number; experiment: string }>(await source.query(source.live ? kTrials : kSimulated));
-  const compared = objects<{ experiment: string; revision: number; trial: string; comparison: number }>(await source.query(kComparisons));
+  const runs = objects<OfRun>(await source.query(source.live ? kTrials : kSimulated));
+  const compared = objects<OfComparison>(await source.query(kComparisons));
   return [
-    ...runs.map((one) => ({ key: `run ${one.run}/${one.trial}`, label: `${one.experiment} · run ${one.run} · trial ${one.trial}`, run: one.run, trial: one.trial })),
-    ...compared.map((one) => ({ key: `comparison ${one.comparison}/${one.trial}`, label: `${one.experiment} · revision ${one.revision} · ${one.trial}`, comparison: one.comparison, trialName: one.trial })),
+    ...runs.map((one) => ({
+      key: `run ${one.run}/${one.trial}`,
+      identity: one.identity,
+      label: `${one.experiment} · run ${one.run} · trial ${one.trial}`,
+      run: one.run,
+      trial: one.trial,
+    })),
+    ...compared.map((one) => ({
+      key: `comparison ${one.comparison}/${one.trial}`,
+      identity: one.identity,
+      label: `${one.experiment} · revision ${one.revision} · ${one.trial}`,
+      comparison: one.comparison,
+      trialName: one.trial,
+    })),
   ];
 }
 
-/** Whether a body's touch sensor reads contact. */
-function touchOf(robot: Robot, readings: Trace | undefined): Actor['touching'] {
-  const columns = new Map(robot.sensors.filter((one) => one.kind === SensorKind.touch).map((one) =>
-    [one.element, readings?.values[readings.channels.findIndex((channel) => channel.name === one.name)]]));
+/** Whether a body touches the ground: as it was simulated, else as its touch sensor reads it. */
+function touchOf(robot: Robot, contacts: Trace | undefined, readings: Trace | undefined): Actor['touching'] {
+  const trace = contacts ?? readings;
+  const watched = contacts
+    ? robot.bodies.map((one) => ({ body: one.name, channel: one.name }))
+    : robot.sensors
+        .filter((one) => one.kind === SensorKind.touch)
+        .map((one) => ({ body: one.element, channel: one.name }));
+  const columns = new Map(
+    watched.map(({ body, channel }) => [body, trace?.values[trace.channels.findIndex((one) => one.name === channel)]]),
+  );
+  if (![...columns.values()].some((one) => one !== undefined)) return undefined;
   return (body, time) => {
     const column = columns.get(body);
-    return column !== undefined && column[Math.min(sampleAt(readings!.times, time), column.length - 1)] > 0;
+    return column !== undefined && column[Math.min(sampleAt(trace!.times, time), column.length - 1)] > 0;
   };
 }
 
-function curvesOf(measured: Trace, predicted: Trace | undefined): TrialCurves {
-  const channels = measured.channels.map((channel, c): ChannelCurves => {
-    const p = predicted?.channels.findIndex((one) => one.name === channel.name) ?? -1;
-    const values = p >= 0 ? predicted!.values[p] : null;
-    return {
-      ...channel, measured: new Series(measured.values[c]), predicted: values && new Series(values),
-      residual: values && new Series(measured.values[c].map((value, i) => value - values[i])), floor: null,
-    };
-  });
-  return { times: measured.times, channels, commands: [] };
+interface ReplayRow {
+  robot: string;
+  pass: number;
+  model: number;
+  target_robot: string;
 }
 
 async function playRun(source: Source, piece: Piece): Promise<Play> {
-  await source.prepareReplay(piece.run!, piece.trial!);
-  const [replay] = objects<{ id: number; robot: string; pass: number; model: number; target_robot: string }>(
-    await source.query('SELECT id, robot, pass, model, target_robot FROM page_replay WHERE run = ? AND trial = ? ORDER BY pass DESC LIMIT 1', [piece.run!, piece.trial!]));
-  if (!replay) throw new Error('the robots of this trial are not in this report');
-  const found = await source.query(`SELECT trace.kind, ${kTraceColumns} FROM page_replay_trace AS trace WHERE replay = ?`, [replay.id]);
+  const key = await source.prepareReplay(piece.run!, piece.trial!);
+  if (key === null) throw new Error('the robots of this trial are not in this report');
+  const [replay] = objects<ReplayRow>(
+    await source.query('SELECT robot, pass, model, target_robot FROM page_replay WHERE id = ?', [key]),
+  );
+  const found = await source.query(
+    `SELECT trace.kind, ${kTraceColumns} FROM page_replay_trace AS trace WHERE replay = ?`,
+    [key],
+  );
   const traces = new Map(found.rows.map(([kind, ...rest]) => [kind as string, decodeTrace(rest)]));
-  const robot = JSON.parse(replay.robot) as Robot;
-  const measured = traces.get('measured')!, predicted = traces.get('predicted');
   const target = traces.get('target');
-  const targetRobot = target && (JSON.parse(replay.target_robot) as Robot);
-  const model: Actor = { robot, motion: motionOf(traces.get('model')!), colour: 'predicted', opacity: target ? 0.6 : 0.9, touching: touchOf(robot, predicted) };
+  const actor = (robot: Robot, motion: Trace, contacts: string, readings: string) => ({
+    robot,
+    motion: motionOf(motion),
+    touching: touchOf(robot, traces.get(contacts), traces.get(readings)),
+  });
+  const model = actor(JSON.parse(replay.robot) as Robot, traces.get('model')!, 'model contacts', 'predicted');
   return {
-    actors: target ? [model, { robot: targetRobot!, motion: motionOf(target), colour: 'measured', opacity: 0.3, touching: touchOf(targetRobot!, measured) }] : [model],
-    curves: curvesOf(measured, predicted),
+    actors: [
+      { ...model, colour: 'predicted', opacity: target ? 0.6 : 0.9 },
+      ...(target
+        ? [
+            {
+              ...actor(JSON.parse(replay.target_robot) as Robot, target, 'target contacts', 'measured'),
+              colour: 'measured' as const,
+              opacity: 0.3,
+            },
+          ]
+        : []),
+    ],
+    curves: curvesOf(traces)!,
     note: `Model ${replay.model}, the best of pass ${replay.pass}, ${target ? 'over the target (translucent), both simulated again' : 'simulated again'}.`,
   };
 }
 
 async function playComparison(source: Source, piece: Piece): Promise<Play> {
-  const [row] = objects<{ robot_text: string }>(await source.query(
-    'SELECT revision.robot_text FROM comparison JOIN revision ON revision.id = comparison.revision WHERE comparison.id = ?', [piece.comparison!]));
-  const found = await source.query(`SELECT trace.kind, ${kTraceColumns} FROM trace JOIN trial ON trial.id = trace.trial
-    WHERE trial.name = ?2 AND (trace.comparison = ?1 OR trace.kind = 'measured' AND trace.trial IN (SELECT trial FROM comparison_score WHERE comparison = ?1))`,
-    [piece.comparison!, piece.trialName!]);
-  const traces = new Map(found.rows.map(([kind, ...rest]) => [kind as string, decodeTrace(rest)]));
-  const measured = traces.get('measured'), predicted = traces.get('predicted');
+  const [row] = objects<{ robot_text: string }>(
+    await source.query(
+      'SELECT revision.robot_text FROM comparison JOIN revision ON revision.id = comparison.revision WHERE comparison.id = ?',
+      [piece.comparison!],
+    ),
+  );
+  const traces = await tracesOf(source, piece.comparison!, piece.trialName!);
+  const measured = traces.get('measured'),
+    predicted = traces.get('predicted');
   if (!measured || !predicted) throw new Error('the samples of this trial are not here');
+  traces.delete('commands');
+  const curves = curvesOf(traces)!;
   const robot = JSON.parse(row.robot_text) as Robot;
   const motion = motionFromReadings(robot, predicted);
-  if (!motion) return { actors: [], curves: curvesOf(measured, predicted), note: 'Not every joint has a position sensor, so the readings do not tell where the robot is; the curves do.' };
+  if (!motion)
+    return {
+      actors: [],
+      curves,
+      note: 'Not every joint has a position sensor, so the readings do not tell where the robot is; the curves do.',
+    };
   const seen = motionFromReadings(robot, measured);
   return {
     actors: [
       { robot, motion, colour: 'predicted', opacity: seen ? 0.6 : 0.9 },
       ...(seen ? [{ robot, motion: seen, colour: 'measured' as const, opacity: 0.3 }] : []),
     ],
-    curves: curvesOf(measured, predicted),
-    note: seen ? 'The model as predicted over the robot as its joints were measured (translucent).' : 'The model as predicted.',
+    curves,
+    note: seen
+      ? 'The model as predicted over the robot as its joints were measured (translucent).'
+      : 'The model as predicted.',
   };
 }
 
-export const loadPlay = (source: Source, piece: Piece) => (piece.run !== undefined ? playRun(source, piece) : playComparison(source, piece));
+export const loadPlay = (source: Source, piece: Piece) =>
+  piece.run !== undefined ? playRun(source, piece) : playComparison(source, piece);

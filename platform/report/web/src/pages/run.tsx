@@ -1,22 +1,34 @@
 import { useContext, useEffect, useRef, useState } from 'preact/hooks';
-import { SharedContext, useRows } from '../data/use';
+import { objects } from '../data/source';
+import { SharedContext, useLoaded, useRows } from '../data/use';
+import { saveCsv } from '../kit/download';
 import { count, duration, plain, quantity } from '../kit/format';
 import { choose, linkTo } from '../kit/route';
 import { Chart } from '../ui/chart';
 import { Figure } from '../ui/figure';
 import { ParameterChart, type BestValue } from '../ui/parameter_chart';
 import { Empty, Select, Show } from '../ui/parts';
-import { kRuns, secondsLeft, type PassRow, type Run } from './run_data';
+import { kindOf, kRuns, secondsLeft, spreadOf, type PassRow, type Run, type Spread as ValueSpread } from './run_data';
 
 /** One run of the algorithm; live while it runs. */
 export function RunPage({ choices }: { choices: Record<string, string> }) {
   const runs = useRows<Run>(kRuns);
-  return <Show of={runs}>{(all) => {
-    if (all.length === 0) return <Empty>The database has no run of the algorithm. <code>lacuna run FILE</code> makes one.</Empty>;
-    const running = all.filter((one) => one.ending === 'not ended');
-    const run = all.find((one) => String(one.run) === choices.run) ?? running[running.length - 1] ?? all[all.length - 1];
-    return <OneRun key={run.run} run={run} all={all} pass={choices.pass} />;
-  }}</Show>;
+  return (
+    <Show of={runs}>
+      {(all) => {
+        if (all.length === 0)
+          return (
+            <Empty>
+              The database has no run of the algorithm. <code>lacuna run FILE</code> makes one.
+            </Empty>
+          );
+        const running = all.filter((one) => one.ending === 'not ended');
+        const run =
+          all.find((one) => String(one.run) === choices.run) ?? running[running.length - 1] ?? all[all.length - 1];
+        return <OneRun key={run.run} run={run} all={all} pass={choices.pass} />;
+      }}
+    </Show>
+  );
 }
 
 /** Evaluations per second, between what was seen last and now. */
@@ -36,8 +48,15 @@ function OneRun({ run, all, pass }: { run: Run; all: Run[]; pass: string | undef
   return (
     <>
       <div class="choices">
-        <Select label="Run" value={String(run.run)} change={(value) => choose({ run: value, pass: null })}
-          options={all.map((one) => ({ value: String(one.run), label: `${one.run} · ${one.experiment} · replicate ${one.replicate} · ${one.ending}` }))} />
+        <Select
+          label="Run"
+          value={String(run.run)}
+          change={(value) => choose({ run: value, pass: null })}
+          options={all.map((one) => ({
+            value: String(one.run),
+            label: `${one.run} · ${one.experiment} · replicate ${one.replicate} · ${one.ending}`,
+          }))}
+        />
         <a href={linkTo('replay', { run: run.run })}>replay</a>
         <a href={linkTo('runs', { experiment: run.experiment })}>all replicates</a>
       </div>
@@ -46,7 +65,7 @@ function OneRun({ run, all, pass }: { run: Run; all: Run[]; pass: string | undef
         <ErrorByPass run={run} />
         <Objective run={run} />
         <Transfer run={run} />
-        <Spread run={run} />
+        {run.selected === 0 && <Spread run={run} />}
       </div>
       <Best run={run} pass={pass} />
     </>
@@ -58,17 +77,39 @@ function State({ run }: { run: Run }) {
   const rate = useRate(run);
   const running = run.ending === 'not ended';
   const facts: [string, string][] = [
-    ['passes', `${run.passes_done} of ${run.passes}`], ['best error', plain(run.best_score, 4)],
-    ['models', count(run.models)], ['tests', count(run.tests)], ['target trials', count(run.trials)],
+    ['passes', `${run.passes_done} of ${run.passes}`],
+    ['best error', plain(run.best_score, 4)],
+    ['models', count(run.models)],
+    ['tests', count(run.tests)],
+    ['target trials', count(run.trials)],
     ['work', duration(run.seconds)],
-    ...(running && source.live ? [['evaluations per second', rate === null ? '…' : count(rate)], ['left, about', duration(secondsLeft(run))]] as [string, string][]
-      : [['evaluations per second', run.seconds ? count((run.models + run.tests) / run.seconds) : '—']] as [string, string][]),
+    ...(running && source.live
+      ? ([
+          ['evaluations per second', rate === null ? '…' : count(rate)],
+          ['left, about', duration(secondsLeft(run))],
+        ] as [string, string][])
+      : ([['evaluations per second', run.seconds ? count((run.models + run.tests) / run.seconds) : '—']] as [
+          string,
+          string,
+        ][])),
   ];
   return (
     <>
-      <p class="lead">Run {run.run} of {run.experiment}, replicate {run.replicate}: <strong>{running ? (source.live ? 'running or broken off' : 'not ended when this report was made') : run.ending}</strong></p>
+      <p class="lead">
+        Run {run.run} of {run.experiment}, replicate {run.replicate}:{' '}
+        <strong>
+          {running ? (source.live ? 'running or broken off' : 'not ended when this report was made') : run.ending}
+        </strong>
+      </p>
       <progress value={run.passes_done} max={run.passes} aria-label="passes" />
-      <dl class="facts">{facts.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
+      <dl class="facts">
+        {facts.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
     </>
   );
 }
@@ -78,52 +119,138 @@ const number = (value: number | null) => value ?? NaN;
 
 function ErrorByPass({ run }: { run: Run }) {
   const rows = useRows<PassRow>('SELECT * FROM error_by_pass WHERE run = ? ORDER BY pass', [run.run]);
-  return <Show of={rows}>{(all) => (
-    <Chart title="Error of the best model" x={passAxis} y={{ label: run.metric.replace(/_/g, ' '), unit: '1', log: true }}
-      note="Over all trials so far, so that a new trial may raise it."
-      series={[{ name: '', kind: 'both', colour: 'predicted', x: all.map((one) => one.pass), y: all.map((one) => number(one.error)) }]} pick={(_, i) => choose({ pass: all[i].pass })} />
-  )}</Show>;
+  return (
+    <Show of={rows}>
+      {(all) => (
+        <Chart
+          title="Error of the best model"
+          x={passAxis}
+          y={{ label: run.metric.replace(/_/g, ' '), unit: '1', log: true }}
+          note="Over all trials so far, so that a new trial may raise it."
+          series={[
+            {
+              name: '',
+              kind: 'both',
+              colour: 'predicted',
+              x: all.map((one) => one.pass),
+              y: all.map((one) => number(one.error)),
+            },
+          ]}
+          pick={(_, i) => choose({ pass: all[i].pass })}
+        />
+      )}
+    </Show>
+  );
 }
 
 function Objective({ run }: { run: Run }) {
   const rows = useRows<{ pass: number; address: string; error: number | null; unit: string }>(
-    'SELECT pass, address, error, unit FROM parameter_error_by_pass WHERE run = ? ORDER BY address, pass', [run.run]);
-  return <Show of={rows}>{(all) => {
-    if (all.length === 0) return null;
-    // One picture a unit and group: masses in kg, delays in s, or whatever the objective metric calls its figures.
-    const groups = new Map<string, Map<number, number[]>>();
-    for (const { pass, address, error, unit } of all) {
-      if (error === null) continue;
-      const group = `${/\.(\w+)$/.exec(address)?.[1] ?? address}|${unit}`;
-      const passes = groups.get(group) ?? groups.set(group, new Map()).get(group)!;
-      passes.set(pass, [...(passes.get(pass) ?? []), error]);
-    }
-    return <>{[...groups].map(([group, passes]) => {
-      const [name, unit] = group.split('|');
-      const x = [...passes.keys()].sort((a, b) => a - b);
-      const mean = x.map((pass) => passes.get(pass)!.reduce((sum, one) => sum + one, 0) / passes.get(pass)!.length);
-      const several = Math.max(...[...passes.values()].map((one) => one.length)) > 1;
-      return <Chart key={group} title={`Objective error: ${name}`} x={passAxis} y={{ label: 'distance from the truth', unit, include: [0] }}
-        note={several ? 'Mean over the values of that kind; band: the smallest and the largest.' : undefined}
-        series={[
-          ...(several ? [{ name: '', kind: 'band' as const, colour: 'truth' as const, x, y: mean, lower: x.map((pass) => Math.min(...passes.get(pass)!)), upper: x.map((pass) => Math.max(...passes.get(pass)!)) }] : []),
-          { name: '', kind: 'both', colour: 'truth', x, y: mean },
-        ]} />;
-    })}</>;
-  }}</Show>;
+    'SELECT pass, address, error, unit FROM parameter_error_by_pass WHERE run = ? ORDER BY address, pass',
+    [run.run],
+  );
+  return (
+    <Show of={rows}>
+      {(all) => {
+        if (all.length === 0) return null;
+        // One picture a unit and group: masses in kg, delays in s, or whatever the objective metric calls its figures.
+        const groups = new Map<string, Map<number, number[]>>();
+        for (const { pass, address, error, unit } of all) {
+          if (error === null) continue;
+          const group = `${kindOf(address)}|${unit}`;
+          const passes = groups.get(group) ?? groups.set(group, new Map()).get(group)!;
+          passes.set(pass, [...(passes.get(pass) ?? []), error]);
+        }
+        return (
+          <>
+            {[...groups].map(([group, passes]) => {
+              const [name, unit] = group.split('|');
+              const x = [...passes.keys()].sort((a, b) => a - b);
+              const mean = x.map(
+                (pass) => passes.get(pass)!.reduce((sum, one) => sum + one, 0) / passes.get(pass)!.length,
+              );
+              const several = Math.max(...[...passes.values()].map((one) => one.length)) > 1;
+              return (
+                <Chart
+                  key={group}
+                  title={`Objective error: ${name}`}
+                  x={passAxis}
+                  y={{ label: 'distance from the truth', unit, include: [0] }}
+                  note={several ? 'Mean over the values of that kind; band: the smallest and the largest.' : undefined}
+                  series={[
+                    ...(several
+                      ? [
+                          {
+                            name: '',
+                            kind: 'band' as const,
+                            colour: 'truth' as const,
+                            x,
+                            y: mean,
+                            lower: x.map((pass) => Math.min(...passes.get(pass)!)),
+                            upper: x.map((pass) => Math.max(...passes.get(pass)!)),
+                          },
+                        ]
+                      : []),
+                    { name: '', kind: 'both', colour: 'truth', x, y: mean },
+                  ]}
+                />
+              );
+            })}
+          </>
+        );
+      }}
+    </Show>
+  );
+}
+
+interface TransferRow {
+  trial: number;
+  pass: number;
+  predicted: number;
+  measured: number | null;
+  unit: string | null;
+  fitness: string;
+  for_transfer: number;
 }
 
 function Transfer({ run }: { run: Run }) {
-  const rows = useRows<{ trial: number; pass: number; predicted: number; measured: number | null; unit: string | null; fitness: string }>(
-    'SELECT trial, pass, predicted, measured, unit, fitness FROM transfer_gap WHERE run = ? ORDER BY trial', [run.run]);
-  return <Show of={rows}>{(all) => all.length === 0 ? null : (
-    <Chart title="Transfer: predicted and measured" x={{ label: 'target trial', unit: '1', whole: true }} y={{ label: all[0].fitness.replace(/_/g, ' '), unit: all[0].unit ?? '1', include: [0] }}
-      note="What the models that chose a test said it would do, and what the target did."
-      series={[
-        { name: 'predicted', kind: 'both', colour: 'predicted', x: all.map((one) => one.trial), y: all.map((one) => one.predicted) },
-        { name: 'measured', kind: 'both', colour: 'measured', dashed: true, x: all.map((one) => one.trial), y: all.map((one) => number(one.measured)) },
-      ]} pick={(_, i) => { location.hash = linkTo('replay', { run: run.run, trial: all[i].trial }); }} />
-  )}</Show>;
+  const rows = useRows<TransferRow>(
+    'SELECT trial, pass, predicted, measured, unit, fitness, for_transfer FROM transfer_gap WHERE run = ? ORDER BY trial',
+    [run.run],
+  );
+  return (
+    <Show of={rows}>
+      {(all) =>
+        all.length === 0 ? null : (
+          <Chart
+            title="Transfer: predicted and measured"
+            x={{ label: 'target trial', unit: '1', whole: true }}
+            y={{ label: all[0].fitness.replace(/_/g, ' '), unit: all[0].unit ?? '1', include: [0] }}
+            note="What the models that chose a test said it would do, and what the target did."
+            series={[
+              {
+                name: 'predicted',
+                kind: 'both',
+                colour: 'predicted',
+                x: all.map((one) => one.trial),
+                y: all.map((one) => one.predicted),
+              },
+              {
+                name: 'measured',
+                kind: 'both',
+                colour: 'measured',
+                dashed: true,
+                x: all.map((one) => one.trial),
+                y: all.map((one) => number(one.measured)),
+              },
+            ]}
+            pick={(_, i) => {
+              if (!all[i].for_transfer) location.hash = linkTo('replay', { run: run.run, trial: all[i].trial });
+            }}
+          />
+        )
+      }
+    </Show>
+  );
 }
 
 /** How far the models of the last generation of each pass agree. */
@@ -132,44 +259,178 @@ function Spread({ run }: { run: Run }) {
     `WITH own AS (SELECT pass, generation, score, row_number() OVER (PARTITION BY pass ORDER BY score) AS place, count(*) OVER (PARTITION BY pass) AS all_of
        FROM model WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 AND kind = 'full' AND score IS NOT NULL)
      SELECT (pass & 1099511627775) - 1 AS pass, min(score) AS least, max(iif(place = (all_of + 9) / 10, score, NULL)) AS middle, max(iif(place = (all_of + 1) / 2, score, NULL)) AS most
-     FROM own GROUP BY pass ORDER BY pass`, [run.run]);
-  return <Show of={rows}>{(all) => all.length < 2 ? null : (
-    <Chart title="Spread of the models" x={passAxis} y={{ label: 'error', unit: '1', log: true }}
-      note="Of all models of a pass that were scored to the end: the best, the best tenth and the median."
-      series={[
-        { name: 'median', kind: 'line', colour: 'floor', x: all.map((one) => one.pass), y: all.map((one) => one.most) },
-        { name: 'best tenth', kind: 'line', colour: 'other', x: all.map((one) => one.pass), y: all.map((one) => one.middle) },
-        { name: 'best', kind: 'line', colour: 'predicted', x: all.map((one) => one.pass), y: all.map((one) => one.least) },
-      ]} />
-  )}</Show>;
+     FROM own GROUP BY pass ORDER BY pass`,
+    [run.run],
+  );
+  return (
+    <Show of={rows}>
+      {(all) =>
+        all.length < 2 ? null : (
+          <Chart
+            title="Spread of the models"
+            x={passAxis}
+            y={{ label: 'error', unit: '1', log: true }}
+            note="Of all models of a pass that were scored to the end: the best, the best tenth and the median."
+            series={[
+              {
+                name: 'median',
+                kind: 'line',
+                colour: 'floor',
+                x: all.map((one) => one.pass),
+                y: all.map((one) => one.most),
+              },
+              {
+                name: 'best tenth',
+                kind: 'line',
+                colour: 'other',
+                x: all.map((one) => one.pass),
+                y: all.map((one) => one.middle),
+              },
+              {
+                name: 'best',
+                kind: 'line',
+                colour: 'predicted',
+                x: all.map((one) => one.pass),
+                y: all.map((one) => one.least),
+              },
+            ]}
+          />
+        )
+      }
+    </Show>
+  );
 }
 
+/** Genomes of the last generation of each pass, where a gene is a free value. */
+function useSpread(run: Run): Map<string, ValueSpread[]> | undefined {
+  return useLoaded(
+    async (source) => {
+      const genes = await source.query('SELECT model_genes FROM eea_run WHERE run = ?', [run.run]);
+      const free = await source.query('SELECT address FROM free_value WHERE run = ? ORDER BY position', [run.run]);
+      const addresses = free.rows.map(([address]) => address as string);
+      if (run.selected === 1 || genes.rows[0][0] !== JSON.stringify(addresses)) return new Map<string, ValueSpread[]>();
+      const rows = objects<{ pass: number; genome: Uint8Array }>(
+        await source.query(
+          `WITH last AS (SELECT pass, max(generation) AS generation FROM model
+             WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 GROUP BY pass)
+           SELECT (model.pass & 1099511627775) - 1 AS pass, genome FROM model JOIN last USING (pass, generation)
+           WHERE model.id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 AND kind = 'full'`,
+          [run.run],
+        ),
+      );
+      return spreadOf(rows, addresses);
+    },
+    ['spread', run.run, run.passes_done, run.selected],
+  ).value;
+}
+
+const groupOf = (one: BestValue) => `${kindOf(one.address)}|${one.unit}`;
+
 function Best({ run, pass }: { run: Run; pass: string | undefined }) {
+  const spread = useSpread(run);
   const rows = useRows<BestValue>(
-    'SELECT pass, model, position, address, value, unit, truth, lower, upper FROM best_model WHERE run = ? ORDER BY position, pass', [run.run]);
-  return <Show of={rows}>{(all) => {
-    if (all.length === 0) return <Empty>No pass has ended yet.</Empty>;
-    const passes = [...new Set(all.map((one) => one.pass))].sort((a, b) => a - b);
-    const chosen = passes.includes(Number(pass)) ? Number(pass) : passes[passes.length - 1];
-    const values = all.filter((one) => one.pass === chosen);
-    return (
-      <>
-        <div class="choices"><Select label="Best model of pass" value={String(chosen)} options={passes.map((one) => ({ value: String(one), label: String(one) }))} change={(value) => choose({ pass: value })} />
-          <span class="muted">model {values[0].model}</span></div>
-        <div class="two">
-          {[...new Set(values.map((one) => one.unit))].map((unit) => <ParameterChart key={unit} unit={unit} rows={all.filter((one) => one.unit === unit)} pass={chosen} />)}
-        </div>
-        <Figure title={`Values of the best model of pass ${chosen}`}>
-          <div class="scrolls">
-            <table class="grid"><thead><tr><th>address</th><th class="number">value</th><th class="number">truth</th><th class="number">off by</th><th class="number">bounds</th></tr></thead><tbody>
-              {values.map((one) => (
-                <tr key={one.address}><th scope="row">{one.address}</th><td class="number">{quantity(one.value, one.unit)}</td><td class="number">{quantity(one.truth, one.unit)}</td>
-                  <td class="number">{one.truth === null || one.value === null ? '—' : quantity(one.value - one.truth, one.unit)}</td><td class="number muted">{quantity(one.lower, one.unit)} … {quantity(one.upper, one.unit)}</td></tr>
+    'SELECT pass, model, position, address, value, unit, truth, lower, upper FROM best_model WHERE run = ? ORDER BY position, pass',
+    [run.run],
+  );
+  return (
+    <Show of={rows}>
+      {(all) => {
+        if (all.length === 0) return <Empty>No pass has ended yet.</Empty>;
+        const passes = [...new Set(all.map((one) => one.pass))].sort((a, b) => a - b);
+        const chosen = passes.includes(Number(pass)) ? Number(pass) : passes[passes.length - 1];
+        const values = all.filter((one) => one.pass === chosen);
+        return (
+          <>
+            <div class="choices">
+              <Select
+                label="Best model of pass"
+                value={String(chosen)}
+                options={passes.map((one) => ({ value: String(one), label: String(one) }))}
+                change={(value) => choose({ pass: value })}
+              />
+              <span class="muted">model {values[0].model}</span>
+            </div>
+            <div class="two">
+              {[...new Set(values.map(groupOf))].map((group) => (
+                <ParameterChart
+                  key={group}
+                  rows={all.filter((one) => groupOf(one) === group)}
+                  pass={chosen}
+                  spread={spread}
+                />
               ))}
-            </tbody></table>
-          </div>
-        </Figure>
-      </>
+            </div>
+            <Values values={values} pass={chosen} spread={spread} />
+          </>
+        );
+      }}
+    </Show>
+  );
+}
+
+function Values({
+  values,
+  pass,
+  spread,
+}: {
+  values: BestValue[];
+  pass: number;
+  spread: Map<string, ValueSpread[]> | undefined;
+}) {
+  const spreadAt = (address: string) => spread?.get(address)?.find((one) => one.pass === pass);
+  const keep = () =>
+    saveCsv(
+      ['address', 'unit', 'value', 'truth', 'spread_lower', 'spread_upper', 'lower', 'upper'],
+      values.map((one) => [
+        one.address,
+        one.unit,
+        one.value,
+        one.truth,
+        spreadAt(one.address)?.lower,
+        spreadAt(one.address)?.upper,
+        one.lower,
+        one.upper,
+      ]),
+      `values of pass ${pass}`,
     );
-  }}</Show>;
+  const range = (lower: number, upper: number, unit: string) => `${quantity(lower, unit)} … ${quantity(upper, unit)}`;
+  return (
+    <Figure
+      title={`Values of the best model of pass ${pass}`}
+      downloads={[{ label: 'CSV', run: keep }]}
+      note={spread && spread.size > 0 ? 'Spread: where 80 % of the models of the last generation lie.' : undefined}
+    >
+      <div class="scrolls">
+        <table class="grid">
+          <thead>
+            <tr>
+              <th>address</th>
+              <th class="number">value</th>
+              <th class="number">truth</th>
+              <th class="number">off by</th>
+              <th class="number">spread</th>
+              <th class="number">bounds</th>
+            </tr>
+          </thead>
+          <tbody>
+            {values.map((one) => {
+              const own = spreadAt(one.address);
+              return (
+                <tr key={one.address}>
+                  <th scope="row">{one.address}</th>
+                  <td class="number">{quantity(one.value, one.unit)}</td>
+                  <td class="number">{quantity(one.truth, one.unit)}</td>
+                  <td class="number">
+                    {one.truth === null || one.value === null ? '—' : quantity(one.value - one.truth, one.unit)}
+                  </td>
+                  <td class="number">{own ? range(own.lower, own.upper, one.unit) : '—'}</td>
+                  <td class="number muted">{range(one.lower, one.upper, one.unit)}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+    </Figure>
+  );
 }

@@ -15,6 +15,8 @@ export interface Run {
   steps: number;
   seconds: number | null;
   seed: number;
+  /** A report has a selection of the models and tests only. */
+  selected: number;
 }
 
 export interface PassRow {
@@ -27,10 +29,20 @@ export interface PassRow {
   steps_so_far: number;
 }
 
-export const kRuns = 'SELECT * FROM eea_runs ORDER BY run';
+/** Counts are those of the database, also where a report has a selection. */
+export const kRunColumns = `eea_runs.run, experiment, replicate, ending, passes_done, passes, best_score, metric,
+  coalesce(page_run.models, eea_runs.models) AS models, coalesce(page_run.tests, eea_runs.tests) AS tests, trials,
+  evaluations, steps, seconds, seed`;
+export const kRunsFrom = 'FROM eea_runs LEFT JOIN page_run ON page_run.run = eea_runs.run';
+export const kRuns = `SELECT ${kRunColumns}, fitness, page_run.run IS NOT NULL AS selected ${kRunsFrom} ORDER BY eea_runs.run`;
 
 /** Mean over replicates by pass, with the 95 % interval of the mean (Student's t). */
-export function meanBand(rows: { pass: number; value: number | null }[]): { x: number[]; mean: number[]; lower: number[]; upper: number[] } {
+export function meanBand(rows: { pass: number; value: number | null }[]): {
+  x: number[];
+  mean: number[];
+  lower: number[];
+  upper: number[];
+} {
   const byPass = new Map<number, number[]>();
   for (const { pass, value } of rows) if (value !== null) byPass.set(pass, [...(byPass.get(pass) ?? []), value]);
   const band = { x: [] as number[], mean: [] as number[], lower: [] as number[], upper: [] as number[] };
@@ -60,4 +72,35 @@ export function secondsLeft(run: Run): number | null {
   if (run.ending !== 'not ended' || run.passes_done === 0 || run.seconds === null) return null;
   const work = (passes: number) => passes * (passes + 1);
   return run.seconds * Math.max(work(run.passes) / work(run.passes_done) - 1, 0);
+}
+
+/** The last path element of an address, as a kind of value: "mass" of "body.torso.mass". */
+export const kindOf = (address: string) => /\.(\w+)$/.exec(address)?.[1] ?? address;
+
+export interface Spread {
+  pass: number;
+  lower: number;
+  middle: number;
+  upper: number;
+}
+
+const quantile = (sorted: number[], share: number) => sorted[Math.round(share * (sorted.length - 1))];
+
+/** How far the models of the last generation of each pass agree about each free value, where a gene is a value: the
+ *  tenths at the ends and the median, by address. */
+export function spreadOf(rows: { pass: number; genome: Uint8Array }[], addresses: string[]): Map<string, Spread[]> {
+  const models = rows.map(({ pass, genome }) => ({ pass, genes: new Float64Array(genome.slice().buffer) }));
+  const passes = [...new Set(rows.map((one) => one.pass))];
+  return new Map(
+    addresses.map((address, gene) => [
+      address,
+      passes.map((pass) => {
+        const values = models
+          .filter((one) => one.pass === pass)
+          .map((one) => one.genes[gene])
+          .sort((a, b) => a - b);
+        return { pass, lower: quantile(values, 0.1), middle: quantile(values, 0.5), upper: quantile(values, 0.9) };
+      }),
+    ]),
+  );
 }

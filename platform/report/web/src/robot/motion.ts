@@ -10,13 +10,18 @@ export function motionOf(trace: Trace): Motion {
   const count = trace.channels.length / kPose;
   const bodies = Array.from({ length: count }, (_, b) => trace.channels[b * kPose].name.replace(/\.x$/, ''));
   const poses = new Float64Array(trace.times.length * trace.channels.length);
-  trace.values.forEach((column, c) => column.forEach((value, row) => { poses[row * trace.values.length + c] = value; }));
+  trace.values.forEach((column, c) =>
+    column.forEach((value, row) => {
+      poses[row * trace.values.length + c] = value;
+    }),
+  );
   return { times: trace.times, bodies, poses };
 }
 
 const vector = (of: Three) => new Vector3(...of);
 const quaternion = ([w, x, y, z]: Four) => new Quaternion(x, y, z, w);
-const pose = (position: Three, orientation: Four) => new Matrix4().compose(vector(position), quaternion(orientation), new Vector3(1, 1, 1));
+const pose = (position: Three, orientation: Four) =>
+  new Matrix4().compose(vector(position), quaternion(orientation), new Vector3(1, 1, 1));
 
 /** What a joint does to its child, in the world of the zero configuration. */
 function jointMotion(joint: Joint, q: number[]): Matrix4 {
@@ -35,16 +40,31 @@ function jointMotion(joint: Joint, q: number[]): Matrix4 {
   return new Matrix4().makeTranslation(anchor).multiply(turn).multiply(new Matrix4().makeTranslation(anchor.negate()));
 }
 
-const kCoordinates: Record<number, number> = { [JointKind.hinge]: 1, [JointKind.slider]: 1, [JointKind.fixed]: 0, [JointKind.ball]: 3, [JointKind.universal]: 2 };
+const kCoordinates: Record<number, number> = {
+  [JointKind.hinge]: 1,
+  [JointKind.slider]: 1,
+  [JointKind.fixed]: 0,
+  [JointKind.ball]: 3,
+  [JointKind.universal]: 2,
+};
 
 /** Columns of a trace that read the coordinates of a joint; null where it has no sensor. */
-function columnsOf(robot: Robot, joint: Joint, trace: Trace): { values: Float64Array; scale: number; offset: number }[] | null {
+function columnsOf(
+  robot: Robot,
+  joint: Joint,
+  trace: Trace,
+): { values: Float64Array; scale: number; offset: number }[] | null {
   const wanted = kCoordinates[joint.kind];
   if (wanted === 0) return [];
-  const sensor = robot.sensors.find((one) => one.kind === SensorKind.jointPosition && one.element === joint.name &&
-    trace.channels.some((channel) => channel.name === one.name || channel.name.startsWith(`${one.name}.`)));
+  const sensor = robot.sensors.find(
+    (one) =>
+      one.kind === SensorKind.jointPosition &&
+      one.element === joint.name &&
+      trace.channels.some((channel) => channel.name === one.name || channel.name.startsWith(`${one.name}.`)),
+  );
   if (!sensor) return null;
-  const columns = trace.channels.map((channel, i) => ({ channel, i }))
+  const columns = trace.channels
+    .map((channel, i) => ({ channel, i }))
     .filter(({ channel }) => channel.name === sensor.name || channel.name.startsWith(`${sensor.name}.`))
     .map(({ i }) => ({ values: trace.values[i], scale: sensor.scale || 1, offset: sensor.offset }));
   return columns.length === wanted ? columns : null;
@@ -63,20 +83,32 @@ export function motionFromReadings(robot: Robot, trace: Trace): Motion | null {
   const held = new Map(robot.joints.map((joint) => [joint.child, joint]));
   const stride = Math.max(1, Math.floor(trace.times.length / kFrames));
   const frames = Math.ceil(trace.times.length / stride);
-  const motion: Motion = { times: new Float64Array(frames), bodies: robot.bodies.map((one) => one.name), poses: new Float64Array(frames * robot.bodies.length * kPose) };
+  const motion: Motion = {
+    times: new Float64Array(frames),
+    bodies: robot.bodies.map((one) => one.name),
+    poses: new Float64Array(frames * robot.bodies.length * kPose),
+  };
   // A body is where its joint chain carries its rest pose: each joint turns what hangs on it about its rest axis.
   const carried = (name: string, row: number): Matrix4 => {
     const joint = held.get(name)!;
     const q = columns.get(name)!.map((one) => (one.values[row] - one.offset) / one.scale);
-    const own = jointMotion(joint, q.map((one) => (Number.isFinite(one) ? one : 0)));
+    const own = jointMotion(
+      joint,
+      q.map((one) => (Number.isFinite(one) ? one : 0)),
+    );
     return held.has(joint.parent) ? carried(joint.parent, row).multiply(own) : own;
   };
   const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
   for (let frame = 0; frame < frames; ++frame) {
     motion.times[frame] = trace.times[frame * stride];
     robot.bodies.forEach((body, b) => {
-      carried(body.name, frame * stride).multiply(rest.get(body.name)!).decompose(place, turn, size);
-      motion.poses.set([place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z], (frame * robot.bodies.length + b) * kPose);
+      carried(body.name, frame * stride)
+        .multiply(rest.get(body.name)!)
+        .decompose(place, turn, size);
+      motion.poses.set(
+        [place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z],
+        (frame * robot.bodies.length + b) * kPose,
+      );
     });
   }
   return motion;

@@ -3,9 +3,23 @@ export type Three = [number, number, number];
 /** w, x, y, z */
 export type Four = [number, number, number, number];
 
-export const enum ShapeKind { box, sphere, capsule, cylinder }
-export const enum JointKind { hinge, slider, fixed, ball, universal }
-export const enum SensorKind { jointPosition = 0, touch = 3 }
+export const enum ShapeKind {
+  box,
+  sphere,
+  capsule,
+  cylinder,
+}
+export const enum JointKind {
+  hinge,
+  slider,
+  fixed,
+  ball,
+  universal,
+}
+export const enum SensorKind {
+  jointPosition = 0,
+  touch = 3,
+}
 
 export interface Shape {
   kind: ShapeKind;

@@ -1,6 +1,23 @@
 import {
-  BoxGeometry, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DirectionalLight, EdgesGeometry, Group, HemisphereLight, LineBasicMaterial,
-  LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Quaternion, Scene, SphereGeometry, Vector3, WebGLRenderer,
+  BoxGeometry,
+  BufferGeometry,
+  CapsuleGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  EdgesGeometry,
+  Group,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Quaternion,
+  Scene,
+  SphereGeometry,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { colourNow } from '../kit/colours';
@@ -21,10 +38,14 @@ export interface Actor {
 function geometryOf(shape: Shape): BufferGeometry {
   const [a, b, c] = shape.size;
   switch (shape.kind) {
-    case ShapeKind.box: return new BoxGeometry(a, b, c);
-    case ShapeKind.sphere: return new SphereGeometry(a, 20, 14);
-    case ShapeKind.capsule: return new CapsuleGeometry(a, b, 6, 16).rotateX(Math.PI / 2); // along z
-    default: return new CylinderGeometry(a, a, b, 24).rotateX(Math.PI / 2);
+    case ShapeKind.box:
+      return new BoxGeometry(a, b, c);
+    case ShapeKind.sphere:
+      return new SphereGeometry(a, 20, 14);
+    case ShapeKind.capsule:
+      return new CapsuleGeometry(a, b, 6, 16).rotateX(Math.PI / 2); // along z
+    default:
+      return new CylinderGeometry(a, a, b, 24).rotateX(Math.PI / 2);
   }
 }
 
@@ -39,9 +60,13 @@ function rod(from: Vector3, to: Vector3, radius: number): BufferGeometry {
 
 /** A robot's typical length, m. */
 export function sizeOf(robot: Robot): number {
-  const points = robot.bodies.flatMap((body) => [body.position, body.com.map((one, i) => one + body.position[i]) as Three]).concat(robot.joints.map((one) => one.anchor));
+  const points = robot.bodies
+    .flatMap((body) => [body.position, body.com.map((one, i) => one + body.position[i]) as Three])
+    .concat(robot.joints.map((one) => one.anchor));
   const shapes = robot.bodies.flatMap((body) => body.shapes.map((shape) => Math.max(...shape.size)));
-  const spread = [0, 1, 2].map((axis) => Math.max(...points.map((one) => one[axis])) - Math.min(...points.map((one) => one[axis])));
+  const spread = [0, 1, 2].map(
+    (axis) => Math.max(...points.map((one) => one[axis])) - Math.min(...points.map((one) => one[axis])),
+  );
   return Math.max(...spread, ...shapes, 0.05);
 }
 
@@ -50,20 +75,26 @@ function geometriesOf(robot: Robot, body: Body, size: number): BufferGeometry[] 
   if (body.shapes.length > 0) {
     return body.shapes.map((shape) => {
       const [w, x, y, z] = shape.orientation;
-      return geometryOf(shape).applyQuaternion(new Quaternion(x, y, z, w)).translate(...shape.position);
+      return geometryOf(shape)
+        .applyQuaternion(new Quaternion(x, y, z, w))
+        .translate(...shape.position);
     });
   }
   const [w, x, y, z] = body.orientation;
-  const into = (point: Three) => new Vector3(...point).sub(new Vector3(...body.position)).applyQuaternion(new Quaternion(x, y, z, w).invert());
+  const into = (point: Three) =>
+    new Vector3(...point).sub(new Vector3(...body.position)).applyQuaternion(new Quaternion(x, y, z, w).invert());
   const com = new Vector3(...body.com);
-  const anchors = robot.joints.filter((one) => one.child === body.name || one.parent === body.name).map((one) => into(one.anchor));
+  const anchors = robot.joints
+    .filter((one) => one.child === body.name || one.parent === body.name)
+    .map((one) => into(one.anchor));
   const ball = new SphereGeometry(0.09 * size, 20, 14).translate(com.x, com.y, com.z);
   return [ball, ...anchors.filter((one) => one.distanceTo(com) > 1e-6).map((one) => rod(one, com, 0.03 * size))];
 }
 
 /** A square of lines to see motion against: the ground where there is one, else a level below the robot. */
 function gridOf(size: number, robot: Robot): LineSegments {
-  const cell = 10 ** Math.round(Math.log10(size / 3)), count = 24;
+  const cell = 10 ** Math.round(Math.log10(size / 3)),
+    count = 24;
   const points: Vector3[] = [];
   const at = (i: number, k: number) => new Vector3(i * cell, k * cell, 0);
   // Cell by cell: a line that passes behind the camera is not drawn by every browser.
@@ -79,11 +110,18 @@ class ShownRobot {
   readonly group = new Group();
   private readonly bodies: { group: Group; material: MeshLambertMaterial }[];
 
-  constructor(private readonly actor: Actor, size: number) {
+  constructor(
+    private readonly actor: Actor,
+    size: number,
+  ) {
     this.bodies = actor.motion.bodies.map((name) => {
       const body = actor.robot.bodies.find((one) => one.name === name)!;
       const group = new Group();
-      const material = new MeshLambertMaterial({ transparent: true, opacity: actor.opacity, depthWrite: actor.opacity > 0.5 });
+      const material = new MeshLambertMaterial({
+        transparent: true,
+        opacity: actor.opacity,
+        depthWrite: actor.opacity > 0.5,
+      });
       const edges = new LineBasicMaterial({ transparent: true, opacity: 0.6 });
       material.userData.edges = edges;
       for (const geometry of geometriesOf(actor.robot, body, size)) {
@@ -106,7 +144,8 @@ class ShownRobot {
   /** Between two frames a pose is their mean by time. */
   show(time: number): void {
     const { times, poses } = this.actor.motion;
-    const next = Math.min(Math.max(sampleAt(times, time), 1), times.length - 1), last = Math.max(next - 1, 0);
+    const next = Math.min(Math.max(sampleAt(times, time), 1), times.length - 1),
+      last = Math.max(next - 1, 0);
     const share = next === last ? 0 : Math.min(Math.max((time - times[last]) / (times[next] - times[last]), 0), 1);
     const width = this.bodies.length * kPose;
     const [a, b, p, q] = [new Vector3(), new Vector3(), new Quaternion(), new Quaternion()];
@@ -142,7 +181,10 @@ export class Stage {
   private readonly grid: LineSegments;
   private asked = false;
 
-  constructor(private readonly host: HTMLElement, actors: Actor[]) {
+  constructor(
+    private readonly host: HTMLElement,
+    actors: Actor[],
+  ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     host.append(this.renderer.domElement);
@@ -198,7 +240,9 @@ export class Stage {
     this.draw();
   }
 
-  get canvas(): HTMLCanvasElement { return this.renderer.domElement; }
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement;
+  }
 
   private draw(): void {
     if (this.asked) return;

@@ -42,6 +42,14 @@ export interface ChartProps {
 }
 
 const kMargin = { left: 62, right: 14, top: 8, bottom: 40 };
+const kLetter = 6; // px
+
+/** Names below the ticks stand aslant where they would not fit beside each other, and need room for that. */
+function roomForNames(names: string[] | undefined, width: number): { aslant: boolean; room: number } {
+  const longest = kLetter * Math.max(0, ...(names ?? []).map((one) => one.length));
+  const aslant = names !== undefined && longest > width / names.length;
+  return { aslant, room: aslant ? Math.min(0.7 * longest, 110) : 0 };
+}
 
 interface Scale {
   low: number;
@@ -52,7 +60,8 @@ interface Scale {
 
 function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale {
   const finite = values.concat(axis.include ?? []).filter((one) => Number.isFinite(one) && (!axis.log || one > 0));
-  let low = finite.reduce((a, b) => Math.min(a, b), Infinity), high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
+  let low = finite.reduce((a, b) => Math.min(a, b), Infinity),
+    high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
   if (low > high) [low, high] = axis.log ? [0.1, 1] : [0, 1];
   if (axis.log) {
     if (high / low < 1.5) [low, high] = [low / 1.5, high * 1.5];
@@ -64,15 +73,26 @@ function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale 
   const margin = axis.whole ? 0.3 : 0.04 * (high - low);
   const floor = low >= 0 && low - margin < 0 && !axis.whole ? 0 : low - margin;
   [low, high] = [floor, high + margin];
+  if (axis.names)
+    return {
+      low,
+      high,
+      ticks: axis.names.map((_, i) => i),
+      place: (value) => from + ((to - from) * (value - low)) / (high - low),
+    };
   let ticks = linearTicks(low, high, Math.abs(to - from) / (axis.whole ? 44 : from > to ? 42 : 70));
   if (axis.whole) ticks = ticks.filter(Number.isInteger);
   return { low, high, ticks, place: (value) => from + ((to - from) * (value - low)) / (high - low) };
 }
 
 const path = (x: number[], y: number[]) => {
-  let text = '', pen = false;
+  let text = '',
+    pen = false;
   for (let i = 0; i < x.length; ++i) {
-    if (!Number.isFinite(x[i]) || !Number.isFinite(y[i])) { pen = false; continue; }
+    if (!Number.isFinite(x[i]) || !Number.isFinite(y[i])) {
+      pen = false;
+      continue;
+    }
     text += `${pen ? 'L' : 'M'}${x[i].toFixed(1)} ${y[i].toFixed(1)}`;
     pen = true;
   }
@@ -110,15 +130,28 @@ export function Chart(props: ChartProps) {
   const picture = useRef<SVGSVGElement>(null);
   const [near, setNear] = useState<{ series: number; index: number } | null>(null);
   const wide = Math.max(width, 200);
+  const { aslant, room } = roomForNames(props.x.names, wide - kMargin.left - kMargin.right);
+  const bottom = kMargin.bottom + room;
   const scales = useMemo(() => {
-    const x = scaleOf(series.flatMap((one) => one.x), props.x, kMargin.left, wide - kMargin.right);
-    const values = series.flatMap((one) => [...(one.kind === 'band' ? [] : one.y), ...(one.lower ?? []), ...(one.upper ?? [])]);
-    const y = scaleOf([...values, ...levels.map((one) => one.at)], props.y, height - kMargin.bottom, kMargin.top);
+    const x = scaleOf(
+      series.flatMap((one) => one.x),
+      props.x,
+      kMargin.left,
+      wide - kMargin.right,
+    );
+    const values = series.flatMap((one) => [
+      ...(one.kind === 'band' ? [] : one.y),
+      ...(one.lower ?? []),
+      ...(one.upper ?? []),
+    ]);
+    const y = scaleOf([...values, ...levels.map((one) => one.at)], props.y, height - bottom, kMargin.top);
     return { x, y };
-  }, [series, props.x, props.y, wide, height]);
+  }, [series, props.x, props.y, wide, height, bottom]);
   const { x, y } = scales;
-  const prefix = (axis: Axis, scale: Scale) => prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
-  const px = prefix(props.x, x), py = prefix(props.y, y);
+  const prefix = (axis: Axis, scale: Scale) =>
+    prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
+  const px = prefix(props.x, x),
+    py = prefix(props.y, y);
 
   const yTexts = props.y.log ? y.ticks.map((tick) => plain(tick * py.factor, 1)) : tickTexts(y.ticks, py.factor);
   const xTexts = props.x.names ? x.ticks.map((tick) => props.x.names![tick] ?? '') : tickTexts(x.ticks, px.factor);
@@ -126,11 +159,19 @@ export function Chart(props: ChartProps) {
   const find = (event: MouseEvent) => {
     const place = picture.current!.getBoundingClientRect();
     const at = [event.clientX - place.left, event.clientY - place.top];
-    let best = 30 * 30, found: typeof near = null;
-    series.forEach((one, s) => one.kind !== 'band' && one.x.forEach((value, i) => {
-      const away = (x.place(value) - at[0]) ** 2 + (y.place(one.y[i]) - at[1]) ** 2;
-      if (away < best) { best = away; found = { series: s, index: i }; }
-    }));
+    let best = 30 * 30,
+      found: typeof near = null;
+    series.forEach(
+      (one, s) =>
+        one.kind !== 'band' &&
+        one.x.forEach((value, i) => {
+          const away = (x.place(value) - at[0]) ** 2 + (y.place(one.y[i]) - at[1]) ** 2;
+          if (away < best) {
+            best = away;
+            found = { series: s, index: i };
+          }
+        }),
+    );
     setNear(found);
   };
   const shown = near && series[near.series] && near.index < series[near.series].x.length ? near : null;
@@ -138,52 +179,148 @@ export function Chart(props: ChartProps) {
 
   const downloads = [
     { label: 'SVG', run: () => saveSvg(picture.current!, title) },
-    { label: 'CSV', run: () => saveCsv(['series', axisTitle(props.x, ''), axisTitle(props.y, ''), 'lower', 'upper'],
-      series.flatMap((one) => one.x.map((value, i) => [one.name, value, one.y[i], one.lower?.[i], one.upper?.[i]])), title) },
+    {
+      label: 'CSV',
+      run: () =>
+        saveCsv(
+          ['series', axisTitle(props.x, ''), axisTitle(props.y, ''), 'lower', 'upper'],
+          series.flatMap((one) => one.x.map((value, i) => [one.name, value, one.y[i], one.lower?.[i], one.upper?.[i]])),
+          title,
+        ),
+    },
   ];
   return (
     <Figure title={title} note={props.note} downloads={downloads}>
       <div class="legend">
-        {series.filter((one) => one.name !== '').map((one) => (
-          <span key={one.name} class={`key ink-${one.colour} ${one.kind} ${one.dashed ? 'dashed' : ''}`}><i />{one.name}</span>
+        {series
+          .filter((one) => one.name !== '')
+          .map((one) => (
+            <span key={one.name} class={`key ink-${one.colour} ${one.kind} ${one.dashed ? 'dashed' : ''}`}>
+              <i />
+              {one.name}
+            </span>
+          ))}
+        {levels.map((one) => (
+          <span key={one.name} class={`key ink-${one.colour} dashed`}>
+            <i />
+            {one.name}
+          </span>
         ))}
-        {levels.map((one) => <span key={one.name} class={`key ink-${one.colour} dashed`}><i />{one.name}</span>)}
-        <span class="readout">{tell && shown && `${tell.name}${tell.name ? ': ' : ''}${props.x.names ? props.x.names[tell.x[shown.index]] ?? '' : quantity(tell.x[shown.index], props.x.unit)} → ${quantity(tell.y[shown.index], props.y.unit)}`}</span>
+        <span class="readout">
+          {tell &&
+            shown &&
+            `${tell.name}${tell.name ? ': ' : ''}${props.x.names ? (props.x.names[Math.round(tell.x[shown.index])] ?? '') : quantity(tell.x[shown.index], props.x.unit)} → ${quantity(tell.y[shown.index], props.y.unit)}`}
+        </span>
       </div>
       <div class="chart" ref={box}>
         {width > 0 && (
-          <svg ref={picture} width={wide} height={height} role="img" aria-label={title}
-            onMouseMove={find} onMouseLeave={() => setNear(null)}
+          <svg
+            ref={picture}
+            width={wide}
+            height={height}
+            role="img"
+            aria-label={title}
+            onMouseMove={find}
+            onMouseLeave={() => setNear(null)}
             onClick={() => shown && props.pick?.(shown.series, shown.index)}
-            class={props.pick ? 'pickable' : ''}>
+            class={props.pick ? 'pickable' : ''}
+          >
             <g class="grid">
-              {y.ticks.map((tick) => <line key={tick} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />)}
+              {y.ticks.map((tick) => (
+                <line key={tick} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />
+              ))}
             </g>
             <g class="ticks">
-              {y.ticks.map((tick, i) => <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">{yTexts[i]}</text>)}
-              {x.ticks.map((tick, i) => <text key={tick} x={x.place(tick)} y={height - kMargin.bottom + 16} text-anchor="middle">{xTexts[i]}</text>)}
-              {x.ticks.map((tick) => <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - kMargin.bottom} y2={height - kMargin.bottom + 4} />)}
+              {y.ticks.map((tick, i) => (
+                <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">
+                  {yTexts[i]}
+                </text>
+              ))}
+              {x.ticks.map((tick, i) => (
+                <text
+                  key={tick}
+                  text-anchor={aslant ? 'end' : 'middle'}
+                  transform={`translate(${x.place(tick)} ${height - bottom + 16})${aslant ? ' rotate(-40)' : ''}`}
+                >
+                  {xTexts[i]}
+                </text>
+              ))}
+              {x.ticks.map((tick) => (
+                <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - bottom} y2={height - bottom + 4} />
+              ))}
             </g>
-            <line class="axis" x1={kMargin.left} x2={wide - kMargin.right} y1={height - kMargin.bottom} y2={height - kMargin.bottom} />
-            <text class="axis-title" x={(kMargin.left + wide - kMargin.right) / 2} y={height - 6} text-anchor="middle">{axisTitle(props.x, px.symbol)}</text>
-            <text class="axis-title" text-anchor="middle" transform={`translate(12 ${(height - kMargin.bottom + kMargin.top) / 2}) rotate(-90)`}>{axisTitle(props.y, py.symbol)}</text>
-            {levels.map((one) => <line key={one.name} class={`line dashed ink-${one.colour}`} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(one.at)} y2={y.place(one.at)} />)}
+            <line class="axis" x1={kMargin.left} x2={wide - kMargin.right} y1={height - bottom} y2={height - bottom} />
+            <text class="axis-title" x={(kMargin.left + wide - kMargin.right) / 2} y={height - 6} text-anchor="middle">
+              {axisTitle(props.x, px.symbol)}
+            </text>
+            <text
+              class="axis-title"
+              text-anchor="middle"
+              transform={`translate(12 ${(height - bottom + kMargin.top) / 2}) rotate(-90)`}
+            >
+              {axisTitle(props.y, py.symbol)}
+            </text>
+            {levels.map((one) => (
+              <line
+                key={one.name}
+                class={`line dashed ink-${one.colour}`}
+                x1={kMargin.left}
+                x2={wide - kMargin.right}
+                y1={y.place(one.at)}
+                y2={y.place(one.at)}
+              />
+            ))}
             {series.map((one, s) => {
-              const xs = one.x.map(x.place), ys = one.y.map(y.place);
+              const xs = one.x.map(x.place),
+                ys = one.y.map(y.place);
               return (
                 <g key={s} class={`ink-${one.colour} ${one.faint ? 'faint' : ''}`}>
-                  {one.lower && one.upper && one.kind !== 'points' && one.kind !== 'both' && <path class="band" d={bandPath(xs, one.lower.map(y.place), one.upper.map(y.place))} />}
-                  {one.lower && one.upper && (one.kind === 'points' || one.kind === 'both') && xs.map((at, i) => Number.isFinite(one.lower![i]) && Number.isFinite(one.upper![i]) &&
-                    <line key={i} class="whisker" x1={at} x2={at} y1={y.place(one.lower![i])} y2={y.place(one.upper![i])} />)}
-                  {(one.kind === 'line' || one.kind === 'both') && <path class={`line ${one.dashed ? 'dashed' : ''}`} d={path(xs, ys)} />}
-                  {(one.kind === 'points' || one.kind === 'both') && xs.map((at, i) => Number.isFinite(ys[i]) &&
-                    <circle key={i} class="point" cx={at} cy={ys[i]} r={one.x.length > 300 ? 1.6 : 3.2} />)}
+                  {one.lower && one.upper && one.kind !== 'points' && one.kind !== 'both' && (
+                    <path class="band" d={bandPath(xs, one.lower.map(y.place), one.upper.map(y.place))} />
+                  )}
+                  {one.lower &&
+                    one.upper &&
+                    (one.kind === 'points' || one.kind === 'both') &&
+                    xs.map(
+                      (at, i) =>
+                        Number.isFinite(one.lower![i]) &&
+                        Number.isFinite(one.upper![i]) && (
+                          <line
+                            key={i}
+                            class="whisker"
+                            x1={at}
+                            x2={at}
+                            y1={y.place(one.lower![i])}
+                            y2={y.place(one.upper![i])}
+                          />
+                        ),
+                    )}
+                  {(one.kind === 'line' || one.kind === 'both') && (
+                    <path class={`line ${one.dashed ? 'dashed' : ''}`} d={path(xs, ys)} />
+                  )}
+                  {(one.kind === 'points' || one.kind === 'both') &&
+                    xs.map(
+                      (at, i) =>
+                        Number.isFinite(ys[i]) && (
+                          <circle key={i} class="point" cx={at} cy={ys[i]} r={one.x.length > 300 ? 1.6 : 3.2} />
+                        ),
+                    )}
                 </g>
               );
             })}
-            {[shown, props.chosen].map((one, i) => one && series[one.series] && (
-              <circle key={i} class="ring" cx={x.place(series[one.series].x[one.index])} cy={y.place(series[one.series].y[one.index])} r={6} />
-            ))}
+            {[shown, props.chosen].map(
+              (one, i) =>
+                one &&
+                series[one.series] && (
+                  <circle
+                    key={i}
+                    class="ring"
+                    cx={x.place(series[one.series].x[one.index])}
+                    cy={y.place(series[one.series].y[one.index])}
+                    r={6}
+                  />
+                ),
+            )}
           </svg>
         )}
       </div>

@@ -1,5 +1,14 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { FilterModule, FormatModule, InteractionModule, ResizeColumnsModule, SortModule, Tabulator, type CellComponent, type ColumnDefinition } from 'tabulator-tables';
+import {
+  FilterModule,
+  FormatModule,
+  InteractionModule,
+  ResizeColumnsModule,
+  SortModule,
+  Tabulator,
+  type CellComponent,
+  type ColumnDefinition,
+} from 'tabulator-tables';
 import type { Cell, Table } from '../data/source';
 import { cellText } from '../kit/format';
 
@@ -35,37 +44,63 @@ function columnsOf({ table, formats }: Props): ColumnDefinition[] {
   return table.columns.map((name, i) => {
     const numeric = table.rows.some((row) => typeof row[i] === 'number');
     return {
-      title: ' ', field: `c${i}`, hozAlign: numeric ? 'right' : 'left', headerHozAlign: numeric ? 'right' : 'left', sorter: compare, maxInitialWidth: 360,
+      title: ' ',
+      field: `c${i}`,
+      hozAlign: numeric ? 'right' : 'left',
+      headerHozAlign: numeric ? 'right' : 'left',
+      sorter: compare,
+      maxInitialWidth: 360,
       titleFormatter: () => textNode(name),
       formatter: (cell: CellComponent) => textNode((formats?.[name] ?? cellText)(cell.getValue() as Cell)),
     };
   });
 }
 
-/** A table of any size: only the rows that are seen are in the page. */
+const rowsOf = (table: Table) =>
+  table.rows.map((row, index) => Object.fromEntries([['index', index], ...row.map((cell, i) => [`c${i}`, cell])]));
+
+const kFewRows = 12;
+
+/** A table of any size: only the rows that are seen are in the page. Other rows of the same columns take the place of
+ *  the old ones without losing how they are sorted. */
 export function DataTable(props: Props) {
   const box = useRef<HTMLDivElement>(null);
   const latest = useRef(props);
   latest.current = props;
   const shown = useRef<Tabulator | null>(null);
+  const drawn = useRef<Table | null>(null);
+  const isLong = props.table.rows.length > kFewRows;
+  const filter = () => {
+    const { accept, table } = latest.current;
+    if (accept) shown.current?.setFilter((row) => latest.current.accept!(table.rows[row.index as number]));
+  };
   useEffect(() => {
-    const rows = props.table.rows.map((row, index) =>
-      Object.fromEntries([['index', index], ...row.map((cell, i) => [`c${i}`, cell])]));
+    drawn.current = latest.current.table;
     const table = new Tabulator(box.current!, {
-      data: rows, columns: columnsOf(props), layout: 'fitDataFill', index: 'index',
-      ...(rows.length > 12 ? { height: 320 } : {}), renderVerticalBuffer: 200,
+      data: rowsOf(latest.current.table),
+      columns: columnsOf(latest.current),
+      layout: 'fitDataFill',
+      index: 'index',
+      ...(isLong ? { height: 320 } : {}),
+      renderVerticalBuffer: 200,
     });
     table.on('rowClick', (_, row) => latest.current.pick?.(row.getData().index as number));
     table.on('tableBuilt', () => {
       shown.current = table;
-      const { accept, table: { rows: cells } } = latest.current;
-      if (accept) table.setFilter((row) => accept(cells[row.index as number]));
+      update();
+      filter();
     });
-    return () => { shown.current = null; table.destroy(); };
-  }, [props.table]);
-  useEffect(() => {
-    const { accept, table } = props;
-    if (accept) shown.current?.setFilter((row) => accept(table.rows[row.index as number]));
-  }, [props.accept]);
+    return () => {
+      shown.current = null;
+      table.destroy();
+    };
+  }, [props.table.columns.join(), isLong]);
+  const update = () => {
+    if (!shown.current || drawn.current === latest.current.table) return;
+    drawn.current = latest.current.table;
+    void shown.current.replaceData(rowsOf(latest.current.table)).then(filter);
+  };
+  useEffect(update, [props.table]);
+  useEffect(filter, [props.accept]);
   return <div class={`data-table ${props.pick ? 'pickable' : ''}`} ref={box} />;
 }

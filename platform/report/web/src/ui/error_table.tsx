@@ -20,25 +20,59 @@ export function ErrorTable({ scores, trial, choose }: Props) {
   const trials = [...new Set(scores.map((one) => one.trial))];
   const channels = [...new Map(scores.map((one) => [one.channel, one.unit])).keys()];
   const at = (name: string, channel: string) => scores.find((one) => one.trial === name && one.channel === channel);
-  const columns = ['trial', 'held_out', 'channel', 'unit', 'rmse', 'floor', 'times_floor', 'max_error', 'max_error_time'] as const;
-  const keep = () => saveCsv([...columns], scores.map((one) => columns.map((column) => one[column])), 'errors by trial and channel');
+  const columns = [
+    'trial',
+    'held_out',
+    'channel',
+    'unit',
+    'rmse',
+    'floor',
+    'times_floor',
+    'max_error',
+    'max_error_time',
+  ] as const;
+  const keep = () =>
+    saveCsv(
+      [...columns],
+      scores.map((one) => columns.map((column) => one[column])),
+      'errors by trial and channel',
+    );
   return (
-    <Figure title="Error by trial and channel" note="RMSE of a free run, and in multiples of the noise floor; darker is farther above it. The largest error and when it was stand below." downloads={[{ label: 'CSV', run: keep }]}>
+    <Figure
+      title="Error by trial and channel"
+      note="RMSE of a free run, and in multiples of the noise floor; darker is farther above it. The largest error and when it was stand below."
+      downloads={[{ label: 'CSV', run: keep }]}
+    >
       <div class="scrolls">
         <table class="grid errors">
-          <thead><tr><th scope="col">trial</th>{channels.map((one) => <th key={one} scope="col">{one}</th>)}</tr></thead>
+          <thead>
+            <tr>
+              <th scope="col">trial</th>
+              {channels.map((one) => (
+                <th key={one} scope="col">
+                  {one}
+                </th>
+              ))}
+            </tr>
+          </thead>
           <tbody>
             {trials.map((name) => (
               <tr key={name} class={name === trial ? 'chosen' : ''}>
-                <th scope="row"><button class="link" onClick={() => choose(name)}>{name}</button>
-                  {scores.some((one) => one.trial === name && one.held_out === 1) && <span class="tag">held out</span>}</th>
+                <th scope="row">
+                  <button class="link" onClick={() => choose(name)}>
+                    {name}
+                  </button>
+                  {scores.some((one) => one.trial === name && one.held_out === 1) && <span class="tag">held out</span>}
+                </th>
                 {channels.map((channel) => {
                   const score = at(name, channel);
                   if (!score) return <td key={channel} />;
                   return (
                     <td key={channel} class={`number shade-${shade(score.times_floor)}`}>
                       <span class="big">{times(score.times_floor)}</span> {quantity(score.rmse, score.unit)}
-                      <span class="small">{quantity(score.max_error, score.unit)} at {quantity(score.max_error_time, 's')}</span>
+                      <span class="small">
+                        {quantity(score.max_error, score.unit)} at {quantity(score.max_error_time, 's')}
+                      </span>
                     </td>
                   );
                 })}

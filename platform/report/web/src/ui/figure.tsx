@@ -15,7 +15,9 @@ export function Figure({ title, note, downloads = [], children }: Props) {
       <figcaption>
         <span class="figure-title">{title}</span>
         {downloads.map((one) => (
-          <button key={one.label} class="quiet download" title={`Download as ${one.label}`} onClick={one.run}>{one.label}</button>
+          <button key={one.label} class="quiet download" title={`Download as ${one.label}`} onClick={one.run}>
+            {one.label}
+          </button>
         ))}
       </figcaption>
       {children}

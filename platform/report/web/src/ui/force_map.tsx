@@ -1,6 +1,6 @@
 import { useRef } from 'preact/hooks';
 import type { ForceCurve } from '../pages/diagnose_data';
-import { saveSvg } from '../kit/download';
+import { saveCsv, saveSvg } from '../kit/download';
 import { plain, prefixFor, quantity, unitText } from '../kit/format';
 import { Chart, useWidth } from './chart';
 import { Figure } from './figure';
@@ -16,10 +16,18 @@ function heat(share: number): string {
 /** The force that the residual shows: a curve a feature, and a map where it is known over velocity at several positions. */
 export function ForceMap({ curves }: { curves: ForceCurve[] }) {
   const groups = grouped(curves);
-  return <>{groups.map(([name, members]) => {
-    const placed = members.filter((one) => one.position !== undefined);
-    return placed.length > 2 ? <Heat key={name} title={`Force on ${name} and position`} curves={placed} /> : <Curve key={name} title={`Force on ${name}`} curves={members} />;
-  })}</>;
+  return (
+    <>
+      {groups.map(([name, members]) => {
+        const placed = members.filter((one) => one.position !== undefined);
+        return placed.length > 2 ? (
+          <Heat key={name} title={`Force on ${name} and position`} curves={placed} />
+        ) : (
+          <Curve key={name} title={`Force on ${name}`} curves={members} />
+        );
+      })}
+    </>
+  );
 }
 
 function grouped(curves: ForceCurve[]): [string, ForceCurve[]][] {
@@ -31,16 +39,56 @@ function grouped(curves: ForceCurve[]): [string, ForceCurve[]][] {
   return [...groups];
 }
 
+/** Position is over the velocity that it is the integral of. */
+const positionUnit = (curve: ForceCurve) => curve.unit.replace(/\/s$/, '');
+
+const keep = (curves: ForceCurve[], title: string) =>
+  saveCsv(
+    ['joint', 'of', 'at', 'unit', 'position', 'position_unit', 'force', 'standard_error', 'force_unit'],
+    curves.flatMap((one) =>
+      one.at.map((at, i) => [
+        one.joint,
+        one.of,
+        at,
+        one.unit,
+        one.position,
+        positionUnit(one),
+        one.force[i],
+        one.standard_error[i],
+        one.force_unit,
+      ]),
+    ),
+    title,
+  );
+
 function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
   const first = curves[0];
   const colours = ['residual', 'predicted', 'truth'] as const;
   return (
-    <Chart title={title} x={{ label: first.of, unit: first.unit }} y={{ label: 'force', unit: first.force_unit, include: [0] }}
+    <Chart
+      title={title}
+      x={{ label: first.of, unit: first.unit }}
+      y={{ label: 'force', unit: first.force_unit, include: [0] }}
       note="A force of free form that explains the residual best, with twice its standard error."
       series={curves.flatMap((one, i) => [
-        { name: '', kind: 'band' as const, colour: colours[i % 3], x: one.at, y: one.force, lower: one.force.map((f, k) => f - 2 * one.standard_error[k]), upper: one.force.map((f, k) => f + 2 * one.standard_error[k]) },
-        { name: one.position === undefined ? one.of : `at position ${plain(one.position)}`, kind: 'both' as const, colour: colours[i % 3], x: one.at, y: one.force },
-      ])} />
+        {
+          name: '',
+          kind: 'band' as const,
+          colour: colours[i % 3],
+          x: one.at,
+          y: one.force,
+          lower: one.force.map((f, k) => f - 2 * one.standard_error[k]),
+          upper: one.force.map((f, k) => f + 2 * one.standard_error[k]),
+        },
+        {
+          name: one.position === undefined ? one.of : `at position ${quantity(one.position, positionUnit(one))}`,
+          kind: 'both' as const,
+          colour: colours[i % 3],
+          x: one.at,
+          y: one.force,
+        },
+      ])}
+    />
   );
 }
 
@@ -51,30 +99,64 @@ function Heat({ title, curves }: { title: string; curves: ForceCurve[] }) {
   const columns = Math.max(...rows.map((one) => one.at.length));
   const most = Math.max(...rows.flatMap((one) => one.force.map(Math.abs)), 1e-300);
   const [left, bottom, cell] = [70, 44, 30];
-  const wide = Math.max(width, 200), each = (wide - left - 10) / columns;
+  const wide = Math.max(width, 200),
+    each = (wide - left - 10) / columns;
   const prefix = prefixFor(most, rows[0].force_unit);
   return (
-    <Figure title={title} downloads={[{ label: 'SVG', run: () => saveSvg(picture.current!, title) }]}
-      note={`Orange pushes in the positive direction, blue in the negative; ${quantity(most, rows[0].force_unit)} is full colour. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}>
+    <Figure
+      title={title}
+      downloads={[
+        { label: 'SVG', run: () => saveSvg(picture.current!, title) },
+        { label: 'CSV', run: () => keep(curves, title) },
+      ]}
+      note={`Orange pushes in the positive direction, blue in the negative; ${quantity(most, rows[0].force_unit)} is full colour. Numbers in ${prefix.symbol}${unitText(rows[0].force_unit)}.`}
+    >
       <div class="chart" ref={box}>
         {width > 0 && (
           <svg ref={picture} width={wide} height={rows.length * cell + bottom} role="img" aria-label={title}>
             {rows.map((row, r) => (
               <g key={r}>
-                <text x={left - 6} y={r * cell + cell / 2 + 4} text-anchor="end">{plain(row.position)}</text>
+                <text x={left - 6} y={r * cell + cell / 2 + 4} text-anchor="end">
+                  {plain(row.position)}
+                </text>
                 {row.force.map((force, c) => (
                   <g key={c}>
                     <rect x={left + c * each} y={r * cell} width={each - 1} height={cell - 1} fill={heat(force / most)}>
                       <title>{`${quantity(force, row.force_unit)} ± ${quantity(row.standard_error[c], row.force_unit)}`}</title>
                     </rect>
-                    {each > 34 && <text class="on-heat" x={left + (c + 0.5) * each} y={r * cell + cell / 2 + 4} text-anchor="middle">{plain(force * prefix.factor, 2)}</text>}
+                    {each > 34 && (
+                      <text
+                        class="on-heat"
+                        x={left + (c + 0.5) * each}
+                        y={r * cell + cell / 2 + 4}
+                        text-anchor="middle"
+                      >
+                        {plain(force * prefix.factor, 2)}
+                      </text>
+                    )}
                   </g>
                 ))}
               </g>
             ))}
-            {rows[0].at.map((at, c) => (c % Math.ceil(columns / 8) === 0) && <text key={c} x={left + (c + 0.5) * each} y={rows.length * cell + 14} text-anchor="middle">{plain(at)}</text>)}
-            <text class="axis-title" x={(left + wide) / 2} y={rows.length * cell + 36} text-anchor="middle">{`${rows[0].of} / ${unitText(rows[0].unit)}`}</text>
-            <text class="axis-title" text-anchor="middle" transform={`translate(12 ${(rows.length * cell) / 2}) rotate(-90)`}>position</text>
+            {rows[0].at.map(
+              (at, c) =>
+                c % Math.ceil(columns / 8) === 0 && (
+                  <text key={c} x={left + (c + 0.5) * each} y={rows.length * cell + 14} text-anchor="middle">
+                    {plain(at)}
+                  </text>
+                ),
+            )}
+            <text
+              class="axis-title"
+              x={(left + wide) / 2}
+              y={rows.length * cell + 36}
+              text-anchor="middle"
+            >{`${rows[0].of} / ${unitText(rows[0].unit)}`}</text>
+            <text
+              class="axis-title"
+              text-anchor="middle"
+              transform={`translate(12 ${(rows.length * cell) / 2}) rotate(-90)`}
+            >{`position / ${unitText(positionUnit(rows[0]))}`}</text>
           </svg>
         )}
       </div>

@@ -1,5 +1,5 @@
 import { useRef } from 'preact/hooks';
-import { saveSvg } from '../kit/download';
+import { saveCsv, saveSvg } from '../kit/download';
 import { plain } from '../kit/format';
 import { linearTicks } from '../kit/ticks';
 import { useWidth } from './chart';
@@ -35,31 +35,73 @@ export function Forest({ title, rows, label, chance, note }: Props) {
   const names = Math.min(wide * 0.42, 300);
   const letters = Math.floor(names / 6.6);
   const unit = Math.max(chance ?? 1, 1);
-  const all = rows.flatMap((row) => [row.value, row.lower, row.upper]).concat([0, chance]).filter((one): one is number => one !== null && Number.isFinite(one));
+  const all = rows
+    .flatMap((row) => [row.value, row.lower, row.upper])
+    .concat([0, chance])
+    .filter((one): one is number => one !== null && Number.isFinite(one));
   const [low, high] = [Math.min(...all), Math.max(...all)];
   const [from, to] = [squeeze(low, unit), squeeze(high, unit)];
-  const place = (value: number) => names + 12 + ((wide - names - 30) * (squeeze(value, unit) - from)) / Math.max(to - from, 1e-9);
+  const place = (value: number) =>
+    names + 12 + ((wide - names - 30) * (squeeze(value, unit) - from)) / Math.max(to - from, 1e-9);
   const candidates = high > 20 * unit ? [-1e4, -1e3, -100, -10, 0, 10, 100, 1e3, 1e4, 1e5] : linearTicks(low, high, 5);
-  const ticks = candidates.filter((one) => one >= low && one <= high)
-    .filter((one, i, list) => one === 0 || list.slice(0, i).every((other) => Math.abs(place(other) - place(one)) > 30 || other === one));
+  const ticks = candidates
+    .filter((one) => one >= low && one <= high)
+    .filter(
+      (one, i, list) =>
+        one === 0 || list.slice(0, i).every((other) => Math.abs(place(other) - place(one)) > 30 || other === one),
+    );
   const height = rows.length * kRow + kBottom + 6;
   return (
-    <Figure title={title} note={note} downloads={[{ label: 'SVG', run: () => saveSvg(picture.current!, title) }]}>
+    <Figure
+      title={title}
+      note={note}
+      downloads={[
+        { label: 'SVG', run: () => saveSvg(picture.current!, title) },
+        {
+          label: 'CSV',
+          run: () =>
+            saveCsv(
+              ['name', label, 'lower', 'upper'],
+              rows.map((row) => [row.name, row.value, row.lower, row.upper]),
+              title,
+            ),
+        },
+      ]}
+    >
       <div class="chart" ref={box}>
         {width > 0 && (
           <svg ref={picture} width={wide} height={height} role="img" aria-label={title}>
-            <g class="grid">{ticks.map((tick) => <line key={tick} x1={place(tick)} x2={place(tick)} y1={4} y2={height - kBottom} />)}</g>
-            <g class="ticks">{ticks.map((tick) => <text key={tick} x={place(tick)} y={height - kBottom + 14} text-anchor="middle">{plain(tick, 1)}</text>)}</g>
-            <text class="axis-title" x={(names + wide) / 2} y={height - 6} text-anchor="middle">{label}</text>
-            {chance !== null && <g class="ink-floor">
-              <line class="line dashed" x1={place(chance)} x2={place(chance)} y1={4} y2={height - kBottom} />
-            </g>}
+            <g class="grid">
+              {ticks.map((tick) => (
+                <line key={tick} x1={place(tick)} x2={place(tick)} y1={4} y2={height - kBottom} />
+              ))}
+            </g>
+            <g class="ticks">
+              {ticks.map((tick) => (
+                <text key={tick} x={place(tick)} y={height - kBottom + 14} text-anchor="middle">
+                  {plain(tick, 1)}
+                </text>
+              ))}
+            </g>
+            <text class="axis-title" x={(names + wide) / 2} y={height - 6} text-anchor="middle">
+              {label}
+            </text>
+            {chance !== null && (
+              <g class="ink-floor">
+                <line class="line dashed" x1={place(chance)} x2={place(chance)} y1={4} y2={height - kBottom} />
+              </g>
+            )}
             {rows.map((row, i) => {
               const y = 6 + i * kRow + kRow / 2;
               return (
                 <g key={i} class={i === 0 ? 'ink-predicted' : 'ink-floor'}>
-                  <text class="row-name" x={names} y={y + 4} text-anchor="end"><title>{row.name}</title>{row.name.length > letters ? `${row.name.slice(0, letters - 1)}…` : row.name}</text>
-                  {row.lower !== null && row.upper !== null && <line class="whisker thick" x1={place(row.lower)} x2={place(row.upper)} y1={y} y2={y} />}
+                  <text class="row-name" x={names} y={y + 4} text-anchor="end">
+                    <title>{row.name}</title>
+                    {row.name.length > letters ? `${row.name.slice(0, letters - 1)}…` : row.name}
+                  </text>
+                  {row.lower !== null && row.upper !== null && (
+                    <line class="whisker thick" x1={place(row.lower)} x2={place(row.upper)} y1={y} y2={y} />
+                  )}
                   {row.value !== null && <circle class="point" cx={place(row.value)} cy={y} r={4.5} />}
                 </g>
               );

@@ -10,6 +10,10 @@ export class Guard extends Component<{ children: ComponentChildren }, { error: s
 
   override render() {
     if (this.state.error === null) return this.props.children;
-    return <p class="error" role="alert">This page cannot show what the database has: {this.state.error}</p>;
+    return (
+      <p class="error" role="alert">
+        This page cannot show what the database has: {this.state.error}
+      </p>
+    );
   }
 }

@@ -1,4 +1,5 @@
-import { Chart } from './chart';
+import { kindOf, type Spread } from '../pages/run_data';
+import { Chart, type ChartSeries } from './chart';
 
 export interface BestValue {
   pass: number;
@@ -12,22 +13,73 @@ export interface BestValue {
   upper: number;
 }
 
+interface Props {
+  /** Of one kind and unit, over all passes. */
+  rows: BestValue[];
+  pass: number;
+  /** By address. */
+  spread: Map<string, Spread[]> | undefined;
+}
+
+const kLetters = 16;
+
+/** What tells an address from the others: without the first word and the kind that all have. */
+function shortNames(addresses: string[]): string[] {
+  const words = addresses.map((one) => one.split('.').slice(1, -1).join('.') || one);
+  const cut = words.map((one) => (one.length > kLetters ? `${one.slice(0, kLetters - 1)}…` : one));
+  return new Set(cut).size === addresses.length ? cut : addresses;
+}
+
 /** Values on their way to the truth: faint those of earlier passes, strong the chosen one's. */
-export function ParameterChart({ unit, rows, pass }: { unit: string; rows: BestValue[]; pass: number }) {
+export function ParameterChart({ rows, pass, spread }: Props) {
   const addresses = [...new Set(rows.map((one) => one.address))];
   const place = (address: string) => addresses.indexOf(address);
-  const short = addresses.map((one) => one.replace(/^(body|sensor|joint|actuator|effect)\./, '').replace(/\.(mass|delay)$/, '').replace(/front/, 'f').replace(/back|rear|hind/, 'b').replace(/_left/, 'l').replace(/_right/, 'r').replace(/_upper/, ' u').replace(/_lower/, ' l').slice(0, 8));
-  const chosen = rows.filter((one) => one.pass === pass);
+  const earlier = rows.filter((one) => one.pass < pass),
+    chosen = rows.filter((one) => one.pass === pass);
   const truth = chosen.filter((one) => one.truth !== null);
-  const kind = /\.(\w+)$/.exec(addresses[0])?.[1] ?? 'value';
+  const spreads = addresses.map((address) => spread?.get(address)?.find((one) => one.pass === pass));
+  const kind = kindOf(addresses[0]);
+  const series: ChartSeries[] = [
+    {
+      name: 'earlier passes',
+      kind: 'points',
+      colour: 'floor',
+      faint: true,
+      x: earlier.map((one) => place(one.address) - 0.3 + (0.6 * one.pass) / Math.max(pass, 1)),
+      y: earlier.map((one) => one.value ?? NaN),
+    },
+    {
+      name: `pass ${pass}`,
+      kind: 'points',
+      colour: 'predicted',
+      x: chosen.map((one) => place(one.address) + 0.3),
+      y: chosen.map((one) => one.value ?? NaN),
+    },
+    {
+      name: 'truth',
+      kind: 'points',
+      colour: 'truth',
+      x: truth.map((one) => place(one.address)),
+      y: truth.map((one) => one.truth ?? NaN),
+    },
+    {
+      name: 'median and 80 % of the last generation',
+      kind: 'points',
+      colour: 'other',
+      x: addresses.map((one) => place(one) + 0.4),
+      y: spreads.map((one) => one?.middle ?? NaN),
+      lower: spreads.map((one) => one?.lower ?? NaN),
+      upper: spreads.map((one) => one?.upper ?? NaN),
+    },
+  ];
   return (
-    <Chart title={`Parameters towards the truth: ${kind}`} height={280}
-      x={{ label: '', unit: '1', whole: true, names: short }} y={{ label: kind, unit, include: [rows[0].lower, rows[0].upper] }}
+    <Chart
+      title={`Parameters towards the truth: ${kind}`}
+      height={280}
+      x={{ label: '', unit: '1', whole: true, names: shortNames(addresses) }}
+      y={{ label: kind, unit: rows[0].unit, include: rows.flatMap((one) => [one.lower, one.upper]) }}
       note="Small: the best models of earlier passes, in their order from left to right."
-      series={[
-        { name: 'earlier passes', kind: 'points', colour: 'floor', faint: true, x: rows.map((one) => place(one.address) - 0.3 + (0.6 * one.pass) / Math.max(pass, 1)).filter((_, i) => rows[i].pass < pass), y: rows.filter((one) => one.pass < pass).map((one) => one.value ?? NaN) },
-        { name: `pass ${pass}`, kind: 'points', colour: 'predicted', x: chosen.map((one) => place(one.address) + 0.3), y: chosen.map((one) => one.value ?? NaN) },
-        ...(truth.length > 0 ? [{ name: 'truth', kind: 'points' as const, colour: 'truth' as const, x: truth.map((one) => place(one.address)), y: truth.map((one) => one.truth ?? NaN) }] : []),
-      ]} />
+      series={series.filter((one) => one.y.some(Number.isFinite))}
+    />
   );
 }

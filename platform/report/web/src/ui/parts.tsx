@@ -1,15 +1,26 @@
-import type { ComponentChildren } from 'preact';
+import { Fragment, type ComponentChildren } from 'preact';
 import type { Loaded } from '../data/use';
 
 export function Empty({ children }: { children: ComponentChildren }) {
   return <p class="empty">{children}</p>;
 }
 
-/** What was loaded, or why it could not be. */
+/** What was loaded, or why it could not be; what was there before stays. */
 export function Show<Value>({ of, children }: { of: Loaded<Value>; children: (value: Value) => ComponentChildren }) {
-  if (of.error !== null) return <p class="error" role="alert">{of.error}</p>;
-  if (of.value === undefined) return <p class="empty loading">loading …</p>;
-  return <>{children(of.value)}</>;
+  return (
+    <>
+      {of.error !== null && (
+        <p class="error" role="alert">
+          {of.error}
+        </p>
+      )}
+      {of.value !== undefined ? (
+        <Fragment key="value">{children(of.value)}</Fragment>
+      ) : (
+        of.error === null && <p class="empty loading">loading …</p>
+      )}
+    </>
+  );
 }
 
 interface SelectProps {
@@ -24,7 +35,11 @@ export function Select({ label, value, options, change }: SelectProps) {
     <label class="select">
       <span>{label}</span>
       <select value={value} onChange={(event) => change(event.currentTarget.value)}>
-        {options.map((one) => <option key={one.value} value={one.value}>{one.label}</option>)}
+        {options.map((one) => (
+          <option key={one.value} value={one.value}>
+            {one.label}
+          </option>
+        ))}
       </select>
     </label>
   );

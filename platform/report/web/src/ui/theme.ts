@@ -17,7 +17,11 @@ export function useTheme(): [Theme, () => void] {
   const [theme, setTheme] = useState<Theme>(remembered);
   useEffect(() => {
     document.documentElement.dataset.theme = theme;
-    try { localStorage.setItem('lacuna-theme', theme); } catch { /* it is asked again next time */ }
+    try {
+      localStorage.setItem('lacuna-theme', theme);
+    } catch {
+      /* it is asked again next time */
+    }
     dispatchEvent(new Event('lacuna-theme'));
     const system = matchMedia('(prefers-color-scheme: dark)');
     const changed = () => dispatchEvent(new Event('lacuna-theme'));

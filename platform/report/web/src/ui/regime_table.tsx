@@ -1,0 +1,70 @@
+import { saveCsv } from '../kit/download';
+import { plain, times } from '../kit/format';
+import type { RegimeRow } from '../pages/compare_data';
+import { Figure } from './figure';
+
+interface Props {
+  regimes: RegimeRow[];
+  chosen: string;
+  choose: (key: string | null) => void;
+}
+
+const percent = (share: number) => `${plain(100 * share, 2)} %`;
+const kOf: Record<string, string> = { acceleration: 'unexplained acceleration' };
+
+/** Error by regime: how much of it is in how many samples. */
+export function RegimeTable({ regimes, chosen, choose }: Props) {
+  if (regimes.length === 0) return null;
+  const keep = () =>
+    saveCsv(
+      ['of', 'regime', 'share_of_error', 'share_of_samples', 'times_floor'],
+      regimes.map((one) => [one.view, one.sentence, one.share, one.share_of_samples, one.times_floor]),
+      'errors by regime',
+    );
+  return (
+    <Figure
+      title="Error by regime"
+      downloads={[{ label: 'CSV', run: keep }]}
+      note="On the fit trials. A click lights up the samples of a regime."
+    >
+      <div class="scrolls">
+        <table class="grid regimes">
+          <thead>
+            <tr>
+              <th scope="col">regime</th>
+              <th scope="col">of</th>
+              <th scope="col" class="number">
+                error
+              </th>
+              <th scope="col" class="number">
+                samples
+              </th>
+              <th scope="col" class="number">
+                × floor
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {regimes.map((one) => (
+              <tr key={one.key} class={one.key === chosen ? 'chosen' : ''}>
+                <th scope="row">
+                  {one.stretches ? (
+                    <button class="link" onClick={() => choose(one.key === chosen ? null : one.key)}>
+                      {one.sentence}
+                    </button>
+                  ) : (
+                    one.sentence
+                  )}
+                </th>
+                <td class="muted">{kOf[one.view] ?? 'squared error'}</td>
+                <td class="number">{percent(one.share)}</td>
+                <td class="number">{percent(one.share_of_samples)}</td>
+                <td class="number">{times(one.times_floor)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </Figure>
+  );
+}

@@ -1,0 +1,136 @@
+#include "report/page_server.h"
+
+#include "report/pages.h"
+#include "report/processor_share.h"
+#include "storage/page_database.h"
+#include "storage/result_store.h"
+#include "support/test_folder.h"
+
+#include <lacuna/error.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <nlohmann/json.hpp>
+
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+TEST(ProcessorShare, IsPaidOffByTime) {
+  ProcessorShare share(0.02);
+  const ProcessorShare::Clock::time_point begin = ProcessorShare::Clock::now();
+  EXPECT_TRUE(share.is_paid_off(begin));
+  share.spend(1.0, begin);
+  share.spend(1.0, begin);
+  EXPECT_FALSE(share.is_paid_off(begin + 99s));
+  EXPECT_TRUE(share.is_paid_off(begin + 101s));
+  share.spend(0.1, begin + 1000s);  // rest is not saved up
+  EXPECT_FALSE(share.is_paid_off(begin + 1004s));
+  EXPECT_TRUE(share.is_paid_off(begin + 1006s));
+}
+
+/// A server that answers until the test ends.
+class Answering {
+ public:
+  explicit Answering(PageServerOptions options) : server_(std::move(options)), thread_([this] { server_.run(); }) {
+    while (!client().Post("/state", "{}", "application/json")) std::this_thread::sleep_for(1ms);
+  }
+  ~Answering() {
+    server_.stop();
+    thread_.join();
+  }
+  Json ask(const char* path, const Json& question) const {
+    const httplib::Result answer = client().Post(path, question.dump(), "application/json");
+    return answer ? Json::parse(answer->body) : Json("no answer");
+  }
+  int port() const { return server_.port(); }
+
+ private:
+  httplib::Client client() const { return httplib::Client("127.0.0.1", server_.port()); }
+  PageServer server_;
+  std::thread thread_;
+};
+
+class PageServerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_pages()) GTEST_SKIP() << "built without pages";
+  }
+  PageServerOptions options() const {
+    return {.database = file_,
+            .pages = folder_ / "pages.db",
+            .prepare_replay = [](std::int64_t run, std::int64_t trial) { return 10 * run + trial; }};
+  }
+  void commit() {
+    ResultStore store(database_);
+    store.begin_run({.command = "lacuna fit rig.toml", .seed = 1, .threads = 1}, provenance_of_this_program());
+    store.end_run(RunEnding::done);
+  }
+
+  TestFolder folder_;
+  std::filesystem::path file_ = folder_ / "rig.db";
+  Database database_ = Database::open(file_);
+  PageDatabase pages_{folder_ / "pages.db"};
+};
+
+TEST_F(PageServerTest, DoesNotShareAPort) {
+  PageServerOptions second = options();
+  const Answering first(options());
+  second.port = first.port();
+  EXPECT_THROW(PageServer{second}, Error);
+}
+
+TEST_F(PageServerTest, PrintsAddressesThatBrowsersTake) {
+  PageServerOptions six = options();
+  six.host = "::1";
+  try {
+    const PageServer server(six);
+    EXPECT_THAT(server.address(), HasSubstr("http://[::1]:"));
+    six.host = "::";
+    EXPECT_THAT(PageServer(six).address(), HasSubstr("http://[::1]:"));
+  } catch (const Error&) {
+    GTEST_SKIP() << "this machine has no IPv6";
+  }
+}
+
+TEST_F(PageServerTest, SendsLargeIntegersAsTheyAreAndSizesOfBytes) {
+  const Answering server(options());
+  const Json answer = server.ask(
+      "/sql", {{"sql", "SELECT 9007199254740993, 9007199254740992, x'0102', 'a' || char(0) || 'b'"}, {"sizes", true}});
+  EXPECT_EQ(answer.at("rows"), Json::parse(R"([["9007199254740993", 9007199254740992, {"bytes": 2}, "a\u0000b"]])"));
+  EXPECT_EQ(server.ask("/sql", {{"sql", "SELECT x'0102'"}}).at("rows"), Json::parse(R"([[{"base64": "AQI="}]])"));
+  EXPECT_THAT(server.ask("/sql", {{"sql", "DELETE FROM run"}}).at("error"), HasSubstr("only reading is allowed here"));
+}
+
+TEST_F(PageServerTest, TellsAChangeToAllViewersWhenTheLastOneIsPaidFor) {
+  const Answering server(options());
+  const Json before = server.ask("/state", {});
+  // Two viewers' work, of which one fails: some milliseconds, for which 2 % take a while.
+  const char* work = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 100000) ";
+  server.ask("/sql", {{"sql", std::string(work) + "SELECT count(*) FROM n"}});
+  EXPECT_TRUE(server.ask("/sql", {{"sql", std::string(work) + "SELECT abs(-9223372036854775808 + 0 * sum(i)) FROM n"}})
+                  .contains("error"));
+  commit();
+  EXPECT_EQ(server.ask("/state", {}), before);
+  Json after = before;
+  for (int i = 0; i < 600 && after == before; ++i) {
+    std::this_thread::sleep_for(100ms);
+    after = server.ask("/state", {});
+  }
+  EXPECT_NE(after, before);
+}
+
+TEST_F(PageServerTest, PreparesReplays) {
+  const Answering server(options());
+  EXPECT_EQ(server.ask("/replay", {{"run", 2}, {"trial", 3}}), Json::parse(R"({"replay": 23})"));
+  EXPECT_TRUE(server.ask("/replay", {{"run", "x"}}).contains("error"));
+}
+
+}  // namespace
+}  // namespace lacuna
