@@ -251,5 +251,19 @@ TEST_F(Run, DrawsNoShapesOfRunsThatHaveNone) {
   EXPECT_THAT(outcome.errors, HasSubstr("estimation.objective = \"part_distance\""));
 }
 
+/// Unless they are asked for.
+TEST_F(Run, PassesRunsWithoutShapesOverBesideOthers) {
+  program_.write("small_shape.toml", kSmallShape);
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "both.db"}).exit_code, kDone);
+  ASSERT_EQ(program_.run({"run", "small_shape.toml", "--db", "both.db"}).exit_code, kDone);
+  const Outcome all = program_.run({"shapes", "both.db"});
+  EXPECT_EQ(all.exit_code, kDone) << all.errors;
+  EXPECT_THAT(all.output, ContainsRegex("small_shape +1 "));
+  EXPECT_THAT(all.output, Not(ContainsRegex("small +1 ")));
+  const Outcome named = program_.run({"shapes", "both.db", "--experiment", "small"});
+  EXPECT_EQ(named.exit_code, kBadInput);
+  EXPECT_THAT(named.errors, HasSubstr("the runs of small do not say"));
+}
+
 }  // namespace
 }  // namespace lacuna
