@@ -34,7 +34,7 @@ Eigen::Index frame_stride(const Eigen::VectorXd& times) {
 
 /// The trials of a run, each once: the newest, the first, then those between.
 std::vector<std::int64_t> by_interest(std::vector<std::int64_t> trials) {
-  if (trials.size() > 2) std::rotate(trials.rbegin(), trials.rbegin() + 1, trials.rend());
+  if (trials.size() > 1) std::rotate(trials.rbegin(), trials.rbegin() + 1, trials.rend());
   if (trials.size() > 2) std::reverse(trials.begin() + 2, trials.end());
   return trials;
 }
