@@ -202,6 +202,7 @@ def main():
         except FileExistsError:
             crash("another one has the rig")
         atexit.register(os.remove, "lock")
+        time.sleep(0.5)  # in which another one would come
     if FAULT == "reads nothing":
         time.sleep(1000)
     if FAULT == "floods standard error":
