@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { copyFileSync, existsSync, readFileSync, renameSync, rmSync, statSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import {
@@ -18,6 +19,7 @@ import {
   serve,
   shortRun,
   shots,
+  source,
   startBrowser,
 } from './support.mjs';
 
@@ -103,6 +105,7 @@ function pagesOf(way, open) {
       assert.match(await page.textContent('.lead'), /lacks something that no effect of the library explains/);
       assert.ok((await page.locator('.chart .whisker.thick').count()) >= 3);
       assert.ok((await page.locator('rect title').count()) > 10, 'a map of the force');
+      assert.match(await page.textContent('main'), /position \/ rad/);
       assert.match(await page.textContent('main'), /q\^2\*v/);
       await page.locator('button.link', { hasText: 'position' }).first().click();
       await page.waitForFunction(() => document.body.textContent.includes('over position'));
@@ -297,6 +300,48 @@ describe('a report', () => {
     assert.equal(await page.locator('.figure-title:has-text("Spread")').count(), 0);
     assert.match(await page.textContent('.notes'), /no pass's best/);
     await page.waitForSelector('.figure-title:has-text("Error of the best model")');
+    noFaults(page);
+    await page.close();
+  });
+});
+
+describe('on other robots and machines', () => {
+  it('robots of cylinders move, with their contacts', async () => {
+    copyFileSync(join(source, 'experiments/topology-range-1.toml'), at('cylinders.toml'));
+    const small = ['generations=2', 'population=10', 'pairs=5'].flatMap((one) => [
+      '--set',
+      `estimation.parameters.${one}`,
+    ]);
+    const words = ['--replicates', '1', '--set', 'experiment.passes=1', ...small, '--quiet'];
+    lacuna('run', 'cylinders.toml', '--db', 'cylinders.db', ...words);
+    lacuna('report', 'cylinders.db', '--out', 'cylinders.html', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('cylinders.html'), '#/replay');
+    await page.waitForSelector('.stage canvas');
+    assert.match(await page.textContent('main'), /over the target.*touch the ground glow/s);
+    await shot(page, 'cylinders');
+    noFaults(page);
+    await page.close();
+  });
+
+  it('a finger pans curves and leaves the page to scroll', async () => {
+    const page = await newPage(browser, { hasTouch: true, viewport: { width: 390, height: 800 } });
+    await go(page, url('rig.html'), '#/compare?experiment=damped-flap');
+    await page.waitForSelector('.trial-curves canvas');
+    await page.keyboard.press('+');
+    await page.waitForTimeout(300);
+    const before = await picture(page, '.trial-curves canvas');
+    await page.evaluate(() => {
+      const over = document.querySelector('.u-over');
+      const touch = (type, x) => {
+        const finger = new Touch({ identifier: 1, target: over, clientX: x, clientY: 100 });
+        over.dispatchEvent(new TouchEvent(type, { touches: [finger], bubbles: true }));
+      };
+      touch('touchstart', 250);
+      touch('touchmove', 150);
+    });
+    await page.waitForFunction((old) => document.querySelector('.trial-curves canvas').toDataURL() !== old, before);
+    assert.equal(await page.$eval('.u-over', (over) => getComputedStyle(over).touchAction), 'pan-y');
     noFaults(page);
     await page.close();
   });
