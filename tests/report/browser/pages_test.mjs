@@ -261,6 +261,23 @@ describe('a report', () => {
     assert.ok(readFileSync(at('again.html')).equals(readFileSync(at('rig.html'))));
   });
 
+  it('says where the fitted model fails, not the one as it is written', async () => {
+    const document =
+      '{"findings": [{"kind": "x", "share": 1, "sentence": "1 as written", "view": "error"}], "where": null}';
+    await edit('rig.db', 'as-is.db', (database) => {
+      const into = "INSERT INTO comparison SELECT max(id) + 1, revision, 'as_written', NULL, NULL, step, findings";
+      database.run(`${into} FROM comparison WHERE revision = (SELECT max(revision) FROM comparison)`);
+      database.run('INSERT INTO where_it_fails SELECT max(id), ? FROM comparison', [document]);
+    });
+    lacuna('report', 'as-is.db', '--out', 'as-is.html', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('as-is.html'), '#/compare?experiment=damped-flap');
+    await page.waitForSelector('.finding');
+    assert.doesNotMatch(await page.textContent('.findings'), /as written/);
+    noFaults(page);
+    await page.close();
+  });
+
   it('survives a query without an end', async () => {
     const page = await newPage(browser);
     const endless = 'WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n';
