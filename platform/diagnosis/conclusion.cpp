@@ -14,7 +14,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kCounts = 1e-3;  ///< of the stronger force's power
+constexpr double kCounts = 1e-3;   ///< of the stronger force's power
+constexpr double kByChance = 2.0;  ///< nats
 
 /// Of what a force does to a motion, roughly: its power at low frequencies.
 double power_of(const RandomForce& force) { return force.deviation * force.deviation * force.duration; }
@@ -40,7 +41,8 @@ Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const
   const double free = diagnosis.free_force_gain.lower_95;
   const bool is_law = diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best);
   if (is_law && (contender.added.empty() || !answer_is_most(diagnosis))) return Verdict::not_in_library;
-  if (!contender.added.empty()) return Verdict::effect_found;
+  if (!contender.added.empty())
+    return diagnosis.answer_gain.value > kByChance ? Verdict::effect_found : Verdict::cannot_tell;
   return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
 }
 

@@ -1,5 +1,6 @@
 #include "diagnosis/diagnosis_findings.h"
 
+#include "diagnosis/search_state.h"
 #include "diagnosis/selection.h"
 #include "foundation/unit.h"
 
@@ -71,6 +72,14 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
   const bool tested = !last.forces.joints.empty();
   switch (diagnosis.verdict) {
     case Verdict::cannot_tell:
+      if (!contender.added.empty()) {
+        findings.push_back(
+            fmt::format("what the search ended with, {}, explains no more than chance would, {:.1f} nats over the "
+                        "model alone: more "
+                        "trials, or livelier ones, would tell",
+                        fmt::join(names_of(contender.added), " and "), diagnosis.answer_gain.value));
+        break;
+      }
       if (last.screening.p > kFirstLevel) break;
       findings.emplace_back(
           "something departs from noise, but no effect predicts what was left out better than the model alone: more "

@@ -33,6 +33,7 @@ class Contest {
     if (!none.valid) return std::nullopt;
     none_ = held_out_deviance(none, task_.now.folds);
     all_ = gain(none_, task_.now.held_out, task_.seed);
+    if (all_.value <= kByChance) return std::nullopt;
     add_rivals();
     add_parts();
     for (std::size_t size = 1; size < task_.answer.added.size(); ++size)

@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kClippedRun = 5;
 constexpr std::size_t kFewestLevels = 20;
 constexpr double kClippedShare = 0.01;
+constexpr double kDeep = 3.0;  ///< of a quantiser's steps
 constexpr Eigen::Index kStretches = 50;
 
 std::vector<double> values_of(const TimeSeries& series, Eigen::Index channel) {
@@ -30,28 +31,39 @@ bool has_many_levels(const std::vector<double>& values) {
   return false;
 }
 
-/// A change over two samples that is full motion: half the usual one, and more than a quantiser's
-/// step, since a slow turn on a grid stays at its last value too.
-double full_motion(const std::vector<double>& values) {
+struct Pace {
+  double quantum = 0.0;  ///< the smallest change of a sample
+  double motion = 0.0;   ///< over two samples: half the usual change, and more than a quantum
+};
+
+Pace pace_of(const std::vector<double>& values) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
-  if (steps.empty()) return 0.0;
+  if (steps.empty()) return {};
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(0.5 * *middle, 1.5 * *std::min_element(steps.begin(), middle + 1));
+  const double quantum = *std::min_element(steps.begin(), middle + 1);
+  return {quantum, std::max(0.5 * *middle, 1.5 * quantum)};
+}
+
+/// Whether a turn so quick and so long would have gone well beyond the limit: a slow turn on a grid stays at its last
+/// value too. `in`, `out`: changes over the two samples before and after; a parabola through them is meant.
+bool goes_beyond(double in, double out, std::size_t samples, const Pace& pace) {
+  const double speed = 0.25 * (in + out);  // a sample
+  return 0.25 * speed * static_cast<double>(samples) > kDeep * pace.quantum;
 }
 
 /// Runs at `limit` that were entered and left in full motion.
-void count_clipped(const std::vector<double>& values, double limit, double motion, std::size_t& samples,
+void count_clipped(const std::vector<double>& values, double limit, const Pace& pace, std::size_t& samples,
                    std::size_t& runs) {
   for (std::size_t i = 2; i < values.size(); ++i) {
     if (values[i] != limit || values[i - 1] == limit) continue;
     std::size_t end = i;
     while (end < values.size() && values[end] == limit) ++end;
-    const bool fast_in = std::abs(values[i - 2] - limit) >= motion;
-    const bool fast_out = end + 1 >= values.size() || std::abs(values[end + 1] - limit) >= motion;
-    if (end - i < kClippedRun || !fast_in || !fast_out) continue;
+    const double in = std::abs(values[i - 2] - limit);
+    const double out = end + 1 < values.size() ? std::abs(values[end + 1] - limit) : in;
+    if (end - i < kClippedRun || std::min(in, out) < pace.motion || !goes_beyond(in, out, end - i, pace)) continue;
     samples += end - i;
     ++runs;
   }
@@ -68,10 +80,10 @@ SignalShape shape_of(const TimeSeries& series, Eigen::Index channel) {
   shape.lowest = *lowest;
   shape.highest = *highest;
   if (!has_many_levels(values)) return shape;
-  const double motion = full_motion(values);
+  const Pace pace = pace_of(values);
   std::size_t low = 0, high = 0, low_runs = 0, high_runs = 0;
-  count_clipped(values, shape.lowest, motion, low, low_runs);
-  count_clipped(values, shape.highest, motion, high, high_runs);
+  count_clipped(values, shape.lowest, pace, low, low_runs);
+  count_clipped(values, shape.highest, pace, high, high_runs);
   if (static_cast<double>(low + high) < kClippedShare * static_cast<double>(values.size())) return shape;
   shape.clipped = low + high;
   shape.clipped_runs = low_runs + high_runs;

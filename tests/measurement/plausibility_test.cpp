@@ -91,6 +91,13 @@ TEST_F(Plausibility, AnEncoderThatTurnsRoundIsNotSaturated) {
   EXPECT_THAT(notes(recorded(swing)), Not(HasSubstr("saturated")));
 }
 
+/// Coarse steps and a quick turn: five samples are alike, and the two before and after are far from them.
+TEST_F(Plausibility, AQuickTurnOfACoarseEncoderIsNotSaturated) {
+  Swing swing;
+  swing.angle = [](double t) { return 0.012 * std::round(std::sin(5.0 * t) / 0.012); };
+  EXPECT_THAT(notes(recorded(swing)), Not(HasSubstr("saturated")));
+}
+
 TEST_F(Plausibility, AUnitInTheColumnsNameCounts) {
   RecordingSource source = recorded({}, "t,q [deg],u_Nm,w");
   source.sensors[0].column = "q [deg]";

@@ -16,6 +16,7 @@ namespace {
 using Verdicts = std::vector<const JudgedVerdict*>;
 
 constexpr std::size_t kCasesPerFigure = 5;
+constexpr std::size_t kFewestVerdicts = 10;  ///< of a kind: how often rarer ones are right is not known
 
 /// Figures that all of them have.
 std::vector<std::string> common_evidence(const Verdicts& verdicts) {
@@ -65,7 +66,8 @@ lacuna::Calibration calibrate(const std::vector<JudgedVerdict>& verdicts) {
   std::map<std::string, Verdicts> by_verdict;
   for (const JudgedVerdict& one : verdicts) by_verdict[one.verdict].push_back(&one);
   lacuna::Calibration calibration;
-  for (const auto& [verdict, all] : by_verdict) calibration[verdict] = calibrated(all);
+  for (const auto& [verdict, all] : by_verdict)
+    if (all.size() >= kFewestVerdicts) calibration[verdict] = calibrated(all);
   return calibration;
 }
 

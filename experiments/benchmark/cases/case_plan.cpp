@@ -35,7 +35,7 @@ const std::vector<SetPlan>& sets() {
        77003,
        5.0,
        {{"one_joint", 600}, {"two_joint", 200}, {"nothing", 400}, {"two_effects", 100}, {"withheld", 100}}},
-      {"fixed", 4001, 2.5, {{"one_joint", 30}, {"nothing", 10}}}};
+      {"fixed", 4001, 2.0, {{"one_joint", 30}, {"nothing", 10}}}};
   return all;
 }
 

@@ -20,14 +20,18 @@ struct CalibrateOptions {
   fs::path database, out;
 };
 
+/// Of a verdict that was too rare to be calibrated nothing is stated.
+void add_stated(const lacuna::Calibration& calibration, const JudgedVerdict& one, std::vector<Stated>& to) {
+  const auto known = calibration.find(one.verdict);
+  if (known != calibration.end()) to.push_back({known->second.probability(one.evidence), one.is_right});
+}
+
 /// How far off the probabilities are on the rigs that they were not fitted to, and on the cases that they were.
 void tell_errors(const std::vector<JudgedVerdict>& verdicts, const lacuna::ShippedCalibration& calibration) {
   std::vector<Stated> own, left_out;
   for (const JudgedVerdict& one : verdicts) {
-    own.push_back({calibration.all.at(one.verdict).probability(one.evidence), one.is_right});
-    const lacuna::Calibration& without = calibration.without.at(one.rig);
-    if (const auto known = without.find(one.verdict); known != without.end())
-      left_out.push_back({known->second.probability(one.evidence), one.is_right});
+    add_stated(calibration.all, one, own);
+    add_stated(calibration.without.at(one.rig), one, left_out);
   }
   fmt::print("{} verdicts; calibration error {:.3f}, on rigs left out {:.3f} (Brier score {:.3f} and {:.3f})\n",
              own.size(), calibration_error(own), calibration_error(left_out), brier_score(own), brier_score(left_out));
