@@ -18,8 +18,8 @@ inline constexpr double kForceLimit = 6.0;      ///< N, of the motor
 inline constexpr double kPositionNoise = 1e-3;  ///< m, standard deviation
 inline constexpr double kAngleNoise = 2e-3;     ///< rad
 
-/// A cart with a hanging pole, integrated by MuJoCo. What a model of it without friction lacks is the dry friction of the
-/// cart on its rail.
+/// A cart with a hanging pole, integrated by MuJoCo. What a model of it without friction lacks is the dry friction of
+/// the cart on its rail.
 class CartPole {
  public:
   CartPole();

@@ -34,7 +34,8 @@ struct ModelProposal {
   std::vector<double> values;  ///< of `ModelSpace::free`, in its order, SI, within their bounds
   /// None: the experiment's robot. Otherwise one with the same bodies, joints, actuators and sensors, by name, kind and
   /// in order, so that channels, effects and addresses keep their meaning; where they are and what hangs on what may
-  /// differ, but sensors and actuators of joints stay on joints of their kind. Shared: a model that is handed on outlives the genome it came from.
+  /// differ, but sensors and actuators of joints stay on joints of their kind. Shared: a model that is handed on
+  /// outlives the genome it came from.
   std::shared_ptr<const RobotSpec> robot = nullptr;
 };
 
