@@ -25,6 +25,7 @@ class NoJournal : public EeaJournal {
   void add(TargetTrialRow, const Trial&) override {}
   void add_prediction(std::uint64_t, int, const TimeSeries&, const TimeSeries&) override {}
   void add(PassRow) override {}
+  void note_failure(const FailedTrialRecord&) override {}
   void checkpoint(const EeaState&, bool) override {}
 };
 
