@@ -38,10 +38,12 @@ TEST(Limits, AreNotLeftByGoingToSIAndBack) {
   Hello hello;
   for (int limit = 1; limit <= 360; ++limit) {
     const std::string stated = std::to_string(limit);
-    const std::string text =
-        R"({"type": "hello", "protocol": "lacuna-process/1", "name": "servo", "modes": ["exchange"],)"
-        R"("sensors": [], "actuators": [{"name": "servo", "unit": "deg", "lower": -)" +
-        stated + ", \"upper\": " + stated + "}]}";
+    std::string text = R"({"type": "hello", "protocol": "lacuna-process/1", "name": "servo", "modes": ["exchange"],)"
+                       R"("sensors": [], "actuators": [{"name": "servo", "unit": "deg", "lower": -)";
+    text += stated;
+    text += ", \"upper\": ";
+    text += stated;
+    text += "}]}";
     hello = read_hello(text);
     for (const double command : {hello.actuators[0].lower, hello.actuators[0].upper}) {
       const auto sent = nlohmann::json::parse(commands_message(hello, std::array{command}));
