@@ -12,8 +12,8 @@ struct PageServerOptions {
   std::filesystem::path database;
   std::filesystem::path pages;  ///< a `PageDatabase`'s file; others may be made beside it
   std::string host = "127.0.0.1";
-  int port = 0;       ///< 0: the system chooses
-  std::string token;  ///< that every question must carry; empty: none, for this machine alone
+  int port = 0;         ///< 0: the system chooses
+  std::string token{};  ///< that every question must carry; empty: none, for this machine alone
   /// Has the robots of that trial simulated, into `pages`, unless they are there; returns their key there. Called by
   /// several threads.
   std::function<std::int64_t(std::int64_t run, std::int64_t trial)> prepare_replay;

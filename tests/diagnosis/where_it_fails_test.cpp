@@ -160,9 +160,9 @@ TEST(WhereItFails, AForceNearReversalsIsARegime) {
 }
 
 TEST(WhereItFails, NoiseAloneIsNowhere) {
-  constexpr int kRepeats = 12;
+  constexpr int kDraws = 12;
   int findings = 0;
-  for (std::uint64_t seed = 0; seed < kRepeats; ++seed)
+  for (std::uint64_t seed = 0; seed < kDraws; ++seed)
     findings += asked(rig_lacking([](double, double, double) { return 0.0; }, seed)).findings.empty() ? 0 : 1;
   EXPECT_LE(findings, 1);  // promised: one in a hundred
 }

@@ -130,7 +130,7 @@ TEST(OnePointCrossover, CutsBetweenRows) {
 
 /// Half the children have a new uniform value, the others moved by a distance whose logarithm is uniform.
 TEST(ResetOrNudge, ResetsHalfAndMovesTheOthersByStepsOfAllSizes) {
-  constexpr double kRange = 4.0, kStart = 1.0;
+  constexpr double kRange = 4.0, kMiddle = 1.0;
   const auto& mutation = built_catalog().get<MutationOperator>("reset_or_nudge");
   const GenomeLayout layout = layout_of(1, kReal);
   int small = 0, up = 0;
@@ -138,7 +138,7 @@ TEST(ResetOrNudge, ResetsHalfAndMovesTheOthersByStepsOfAllSizes) {
   for (std::uint64_t key = 0; key < kChildren; ++key) {
     RandomStream random = stream_of(key);
     const double moved =
-        mutation.vary(std::array{Genome{kStart}}, layout, std::array{0.5, 1.0, 7.0}, random)[0] - kStart;
+        mutation.vary(std::array{Genome{kMiddle}}, layout, std::array{0.5, 1.0, 7.0}, random)[0] - kMiddle;
     if (std::abs(moved) > 0.1 * kRange) {
       resets += 1.0;
       continue;
