@@ -22,14 +22,22 @@ struct FreeParameter {
   Scale scale = Scale::linear;
 };
 
-/// What an encoding's models are made from.
-struct ModelSpace {
-  const RobotSpec& robot;           ///< the experiment's robot, start values in place
-  std::vector<FreeParameter> free;  ///< what the experiment frees, effects' parameters included
+/// An effect of the experiment's model.
+struct ModelEffect {
+  std::string id;
+  bool optional = false;            ///< a model may do without it
+  std::vector<std::size_t> values;  ///< its parameters, as indices into `ModelSpace::free`
 };
 
-/// A model as a genome says it: values for what the experiment frees and, of an encoding that builds robots, the robot
-/// that takes the place of the experiment's.
+/// What an encoding's models are made from.
+struct ModelSpace {
+  const RobotSpec& robot;                 ///< the experiment's robot, start values in place
+  std::vector<FreeParameter> free;        ///< what the experiment frees, effects' parameters included
+  std::vector<ModelEffect> effects = {};  ///< of the experiment's model, in its order
+};
+
+/// A model as a genome says it: values for what the experiment frees, the effects that it does without and, of an
+/// encoding that builds robots, the robot that takes the place of the experiment's.
 struct ModelProposal {
   std::vector<double> values;  ///< of `ModelSpace::free`, in its order, SI, within their bounds
   /// None: the experiment's robot. Otherwise one with the same bodies, joints, actuators and sensors, by name, kind and
@@ -37,6 +45,12 @@ struct ModelProposal {
   /// differ, but sensors and actuators of joints stay on joints of their kind. Shared: a model that is handed on
   /// outlives the genome it came from.
   std::shared_ptr<const RobotSpec> robot = nullptr;
+  /// Effects that the model does without, as ascending indices into `ModelSpace::effects`, optional ones alone; what
+  /// `values` says of their parameters means nothing.
+  std::vector<std::size_t> without = {};
+  /// Which hypothesis the model is of: a tree of parts, a set of effects. Models of different structures are rivals, of
+  /// which the algorithm keeps the best of each; empty: there is only one. Short, for people to read.
+  std::string structure = {};
 };
 
 /// What a genome of models means. Const and shared by threads; the same genome gives the same model.
