@@ -1,5 +1,6 @@
 #include "app/stored_model.h"
 
+#include "eea/delays.h"
 #include "eea/recorded_trials.h"
 #include "foundation/problem.h"
 
@@ -39,6 +40,7 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
   StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
   const std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();
+  std::vector<ScoredTrial> observed;
   const std::vector<int> set_aside = set_aside_in(store, row->pass);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
@@ -47,11 +49,12 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
     const Test drive = rows[i].test
                            ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trials[i])
                            : Test{trials[i].commands, end, {}};
-    model.trials.push_back(definition.scored(drive, with_known_start(definition, std::move(trials[i])), row->pass));
+    const Trial trial = with_known_start(definition, std::move(trials[i]));
+    model.trials.push_back(definition.scored(drive, trial, row->pass));
+    observed.push_back(definition.observed(drive, trial));
     model.numbers.push_back(rows[i].number);
   }
-  if (!definition.profiled.empty())
-    if (ModelScore score = score_again(model); !score.values.empty()) model.model.values = std::move(score.values);
+  if (!definition.profiled.empty()) Delays(definition, std::move(observed)).find(model.model);
   return model;
 }
 

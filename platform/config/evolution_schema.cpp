@@ -78,7 +78,8 @@ Table<EstimationSection> estimation_keys() {
       .key("sensors", &EstimationSection::sensors, list_of(text()),
            "what models are scored by, as in \"sensor.range*\"; without it all sensors that are measured")
       .key("seeds", &EstimationSection::seeds, whole_number<int>(0, 1000000),
-           "how many of the last pass's best models start the next one, beside random ones; of each restart, its own")
+           "how many of the last pass's best models start the next one, beside random ones; of several "
+           "restarts, the first")
       .key("restarts", &EstimationSection::restarts, whole_number<int>(1, 10000),
            "independent searches in each phase, each as long as one; the best of each are handed on first")
       .key("ensemble", &EstimationSection::ensemble, whole_number<int>(1, 10000),
@@ -92,7 +93,7 @@ Table<EstimationSection> estimation_keys() {
            "that follow; without it all of it")
       .key("profiled", &EstimationSection::profiled, list_of(text()),
            "free delays, as in \"sensor.*.delay\", that are no genes but found for each model by shifting what it "
-           "reads, at no further simulation; takes replay = true")
+           "reads, at no further simulation; in the end those of all sensors over whole trials; takes replay = true")
       .key("challenge", &EstimationSection::challenge, number("1").at_least(0.0),
            "a new trial on which the best model errs more than this many times as much as on those it was fitted to is "
            "set aside, and counts again once models come near enough, after three passes at the latest; 0: none is")

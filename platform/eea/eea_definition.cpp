@@ -271,6 +271,10 @@ ScoredTrial EeaDefinition::scored(Test drive, Trial trial, int pass) const {
     trial.measured =
         until(std::move(trial.measured), horizons[static_cast<std::size_t>(std::clamp(pass - 1, 0, last))]);
   }
+  return observed(std::move(drive), std::move(trial));
+}
+
+ScoredTrial EeaDefinition::observed(Test drive, Trial trial) const {
   if (replay) drive.drive = trial.commands;
   return {std::move(drive), std::move(trial), 0};
 }

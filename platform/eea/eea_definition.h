@@ -44,6 +44,8 @@ class EeaDefinition {
   /// A trial as models of a pass are held against it: with the sensors that the experiment scores, as far as the pass's
   /// horizon, and driven as the experiment says.
   ScoredTrial scored(Test drive, Trial trial, int pass) const;
+  /// The whole trial with all that it measured, driven as the experiment says.
+  ScoredTrial observed(Test drive, Trial trial) const;
 
   ModelDefinition model;
   std::unique_ptr<CompiledModel> compiled;

@@ -1,5 +1,6 @@
 #include "eea/estimation.h"
 
+#include "eea/delays.h"
 #include "eea/ensemble.h"
 #include "eea/scored_trials.h"
 #include "evaluation/model_evaluator.h"
@@ -93,13 +94,14 @@ class Estimation {
     return key;
   }
 
-  /// The best that the same restart found in the pass before. An approximate model has no genome.
+  /// The best of the pass before start the first search; the others begin anew, so that no phase is bound to where one
+  /// has led. An approximate model has no genome.
   std::vector<Genome> seeds() const {
     std::vector<Genome> seeds;
-    for (const KnownModel& known : state_.best)
-      if (seeds.size() < static_cast<std::size_t>(definition_.seeds) && known.restart == state_.restart &&
-          !known.genome.empty())
-        seeds.push_back(known.genome);
+    if (state_.restart > 0) return seeds;
+    const auto wanted = std::min(state_.best.size(), static_cast<std::size_t>(definition_.seeds));
+    for (std::size_t i = 0; i < wanted; ++i)
+      if (!state_.best[i].genome.empty()) seeds.push_back(state_.best[i].genome);
     return seeds;
   }
 
@@ -201,16 +203,16 @@ class Estimation {
     std::stable_sort(state_.best.begin(), state_.best.end(),
                      [](const KnownModel& a, const KnownModel& b) { return a.score < b.score; });
     state_.restart = 0;
-    if (!definition_.profiled.empty())
-      for (const std::size_t i : differing(state_.best, definition_.ensemble)) find_delays(state_.best[i]);
+    if (!definition_.profiled.empty()) find_delays();
   }
 
-  /// A genome does not say the delays that its score was found with.
-  void find_delays(KnownModel& known) {
-    ModelScore score;
-    scorer_.score(known.model, std::nullopt, 0, score);
-    state_.counts.steps += score.steps;
-    known.model.values = std::move(score.values);
+  void find_delays() {
+    std::vector<ScoredTrial> trials;
+    for (const TargetTrial& trial : state_.trials)
+      if (!trial.set_aside_in) trials.push_back(definition_.observed(trial.drive, trial.trial));
+    const Delays delays(definition_, std::move(trials));
+    for (const std::size_t i : differing(state_.best, definition_.ensemble))
+      state_.counts.steps += delays.find(state_.best[i].model);
   }
 
   const EeaRun& run_;

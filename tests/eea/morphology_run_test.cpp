@@ -23,7 +23,7 @@ bool same_digits(double a, double b) { return a == b || (std::isnan(a) && std::i
 ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::size_t number) {
   const EeaDefinition& definition = bench.definition();
   const Genome& test = journal.tests[*journal.trial_rows[number].test].genome;
-  return definition.scored(definition.decode_test(test), journal.trials[number]);
+  return definition.scored(definition.decode_test(test), journal.trials[number], 1);
 }
 
 /// A little in the ground: of parts that just touch it, rounding decides which of them hold.
