@@ -137,35 +137,44 @@ TEST(EeaLoop, AbandoningAndReuseChangeNoSurvivor) {
   expect_same_tests(a.tests, b.tests);
 }
 
-TEST(EeaLoop, GoesOnFromEveryCheckpointWithTheSameRows) {
-  const auto bench = small_bench();
-  const MemoryJournal whole = run(*bench);
-  for (std::size_t at = 0; at < whole.checkpoints.size(); ++at) {
-    EeaState state = load_state(whole.checkpoints[at]);
-    for (const TargetTrialRow& row : whole.trial_rows) {
-      // The trials that were made before this checkpoint.
-      const bool made = row.number < state.pass - 1 || (row.number == state.pass - 1 && state.phase != Phase::trial &&
-                                                        !(state.phase == Phase::transfer && row.for_transfer));
-      if (!made && !(state.phase == Phase::finished)) continue;
-      const auto number = static_cast<std::size_t>(row.number);
-      state.trials.push_back(
-          {*row.test, bench->definition().decode_test(whole.tests[*row.test].genome), whole.trials[number]});
-    }
+/// From its checkpoints, every or every so many, a run comes to the same rows.
+void expect_resumable(const EeaBench& bench, std::size_t every = 1) {
+  const MemoryJournal whole = run(bench);
+  for (std::size_t at = 0; at < whole.checkpoints.size(); at += every) {
+    EeaState state = state_at(bench, whole, whole.checkpoints[at]);
     const std::uint64_t models_before = state.models;
-    if (state.phase == Phase::estimation && !state.search.empty())
-      for (const ModelRow& row : whole.models)
-        if (row.pass == state.pass && row.number < models_before) state.evaluated.push_back(row);
     MemoryJournal rest;
-    run(*bench, rest, state);
+    run(bench, rest, state);
     const std::vector<ModelRow> expected(whole.models.begin() + static_cast<std::ptrdiff_t>(models_before),
                                          whole.models.end());
     expect_same_models(rest.models, expected);
     if (rest.passes.empty()) continue;
     EXPECT_EQ(rest.passes.back().steps, whole.passes.back().steps);
     EXPECT_EQ(rest.passes.back().reused, whole.passes.back().reused);
+    EXPECT_EQ(rest.passes.back().set_aside, whole.passes.back().set_aside);
+    EXPECT_EQ(rest.passes.back().stopped, whole.passes.back().stopped);
     EXPECT_TRUE(same(rest.passes.back().best_values, whole.passes.back().best_values));
   }
 }
+
+TEST(EeaLoop, GoesOnFromEveryCheckpointWithTheSameRows) { expect_resumable(*small_bench()); }
+
+const std::vector<std::string> kSeveralModels = {"estimation.restarts=2", "exploration.fitness=model_disagreement",
+                                                 "exploration.fitness_parameters={models=3}", "experiment.passes=3"};
+
+std::vector<std::string> with(std::vector<std::string> overrides, const std::vector<std::string>& more) {
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return overrides;
+}
+
+TEST(EeaLoop, GoesOnFromEveryCheckpointWithRestartsAndTrialsSetAside) {
+  expect_resumable(*small_bench(with(kSeveralModels, {"estimation.challenge=1.0001", "estimation.patience=1"})), 5);
+}
+
+const std::vector<std::string> kReplayed = {"estimation.replay=true", "estimation.profiled=['sensor.*.delay']",
+                                            "estimation.horizons=[0.1,0.2]"};
+
+TEST(EeaLoop, GoesOnFromEveryCheckpointWithDelaysThatNoGeneSays) { expect_resumable(*small_bench(kReplayed)); }
 
 TEST(EeaLoop, AnApproximateModelBeginsWithExploration) {
   const auto bench = small_bench({"model.approximate=true"});

@@ -20,6 +20,12 @@ EeaState some_state() {
   state.search = {1.0, 2.0, 3.0};
   state.search_begin = 5;
   state.counts.steps = 123456789;
+  state.restart = 1;
+  state.found = {{42, {5.0, 6.0}, {{5.0, 6.0}}, 0.5, 1}};
+  state.trials.resize(3);
+  state.trials[1].set_aside_in = 2;
+  state.least_surprise = 0.75;
+  state.passes_without_progress = 1;
   return state;
 }
 
@@ -31,6 +37,11 @@ TEST(EeaState, ComesBackAsItWasSaved) {
   EXPECT_EQ(loaded.next_test->genome, state.next_test->genome);
   EXPECT_EQ(loaded.best[1].model.values, state.best[1].model.values);
   EXPECT_EQ(loaded.counts.steps, state.counts.steps);
+  EXPECT_EQ(loaded.found[0].restart, 1);
+  ASSERT_EQ(loaded.trials.size(), 3U);
+  EXPECT_EQ(loaded.trials[0].set_aside_in, std::nullopt);
+  EXPECT_EQ(loaded.trials[1].set_aside_in, 2);
+  EXPECT_EQ(loaded.least_surprise, 0.75);
 }
 
 TEST(EeaState, ACutOffCheckpointIsRefused) {

@@ -80,19 +80,8 @@ TEST(MorphologyRun, GoesOnFromEveryCheckpointWithTheSameRows) {
   const auto bench = small_bench({}, kSmallShape);
   const MemoryJournal whole = run(*bench);
   for (const std::vector<double>& checkpoint : whole.checkpoints) {
-    EeaState state = load_state(checkpoint);
-    for (const TargetTrialRow& row : whole.trial_rows) {
-      const bool made = row.number < state.pass - 1 || (row.number == state.pass - 1 && state.phase != Phase::trial &&
-                                                        !(state.phase == Phase::transfer && row.for_transfer));
-      if (!made && state.phase != Phase::finished) continue;
-      const auto number = static_cast<std::size_t>(row.number);
-      state.trials.push_back(
-          {*row.test, bench->definition().decode_test(whole.tests[*row.test].genome), whole.trials[number]});
-    }
+    EeaState state = state_at(*bench, whole, checkpoint);
     const std::uint64_t before = state.models;
-    if (state.phase == Phase::estimation && !state.search.empty())
-      for (const ModelRow& row : whole.models)
-        if (row.pass == state.pass && row.number < before) state.evaluated.push_back(row);
     MemoryJournal rest;
     run(*bench, rest, state);
     expect_same_models(rest.models, {whole.models.begin() + static_cast<std::ptrdiff_t>(before), whole.models.end()});

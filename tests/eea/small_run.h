@@ -75,4 +75,19 @@ inline MemoryJournal run(const EeaBench& bench, int threads = 1, std::uint64_t s
   return journal;
 }
 
+/// What a run that ended at one of its checkpoints goes on from: with the trials and models that it had stored by then.
+inline EeaState state_at(const EeaBench& bench, const MemoryJournal& whole, const std::vector<double>& checkpoint) {
+  EeaState state = load_state(checkpoint);
+  for (std::size_t i = 0; i < state.trials.size(); ++i) {
+    const std::uint64_t test = *whole.trial_rows[i].test;
+    state.trials[i].test = test;
+    state.trials[i].drive = bench.definition().decode_test(whole.tests[test].genome);
+    state.trials[i].trial = whole.trials[i];
+  }
+  if (state.phase == Phase::estimation && !state.search.empty())
+    for (const ModelRow& row : whole.models)
+      if (row.pass == state.pass && row.number < state.models) state.evaluated.push_back(row);
+  return state;
+}
+
 }  // namespace lacuna

@@ -55,7 +55,7 @@ TestPrediction readings(double first, double second) {
 
 TEST(ModelDisagreement, IsHalfTheSquaredDifferenceInNoiseDeviationsOverAllPairs) {
   const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
-  const std::vector<double> two = {2.0, 1.0}, three = {3.0, 0.5};
+  const std::vector<double> two = {2.0, 1.0, 0.0}, three = {3.0, 0.5, 0.0};
   EXPECT_EQ(disagreement.models(three), 3U);
   EXPECT_EQ(disagreement.score({}, std::vector{readings(1.0, 5.0), readings(4.0, 1.0)}, two), 12.5);  // (9 + 16) / 2
   const std::vector trio = {readings(0.0, 0.0), readings(1.0, 0.0), readings(0.0, 2.0)};
@@ -64,7 +64,7 @@ TEST(ModelDisagreement, IsHalfTheSquaredDifferenceInNoiseDeviationsOverAllPairs)
 
 TEST(ModelDisagreement, OfOneModelOrOfDifferentSensorsIsAnError) {
   const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
-  const std::vector<double> parameters = {2.0, 1.0};
+  const std::vector<double> parameters = {2.0, 1.0, 0.0};
   EXPECT_THAT([&] { disagreement.score({}, std::vector{readings(0.0, 0.0)}, parameters); },
               ThrowsMessage<Error>(HasSubstr("one model alone")));
   TestPrediction other;
@@ -74,6 +74,43 @@ TEST(ModelDisagreement, OfOneModelOrOfDifferentSensorsIsAnError) {
         disagreement.score({}, std::vector{readings(0.0, 0.0), other}, parameters);
       },
       ThrowsMessage<Error>(HasSubstr("same sensors")));
+}
+
+TEST(ModelDisagreement, WeighsEachChannelByItsOwnNoise) {
+  const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
+  const std::vector<double> own_noise = {2.0, 0.0, 0.0};
+  std::vector two = {readings(0.0, 0.0), readings(3.0, 8.0)};
+  two[0].noise = {1.0, 4.0};
+  EXPECT_DOUBLE_EQ(disagreement.score({}, two, own_noise), 0.5 * (9.0 + 4.0));
+  two[0].noise = {1.0, std::numeric_limits<double>::infinity()};
+  EXPECT_DOUBLE_EQ(disagreement.score({}, two, own_noise), 4.5) << "a channel that nobody scores";
+  two[0].noise.clear();
+  EXPECT_THAT([&] { disagreement.score({}, two, own_noise); }, ThrowsMessage<Error>(HasSubstr("noise = ")));
+}
+
+/// A model with one value whose slope is `slope` in both channels.
+TestPrediction fitted(double first, double second, double slope, double information) {
+  TestPrediction prediction = readings(first, second);
+  prediction.slopes = {TimeSeries::Samples::Constant(1, 2, slope)};
+  prediction.information = Eigen::MatrixXd::Constant(1, 1, information);
+  return prediction;
+}
+
+TEST(ModelDisagreement, CountsWhatARefitLeaves) {
+  const TestFitness& disagreement = built_catalog().get<TestFitness>("model_disagreement");
+  const std::vector<double> refit = {2.0, 1.0, 1.0};
+  EXPECT_TRUE(disagreement.wants_slopes(refit));
+  // A difference along the slope goes away, but for what the trials so far hold against it.
+  EXPECT_NEAR(disagreement.score({}, std::vector{fitted(0, 0, 1, 1e-9), fitted(3, 3, 1, 1e-9)}, refit), 0.0, 1e-7);
+  // min over v of 2 (3 - v)^2 + 2 v^2 is 9 at v = 1.5.
+  EXPECT_NEAR(disagreement.score({}, std::vector{fitted(0, 0, 1, 2.0), fitted(3, 3, 1, 2.0)}, refit), 4.5, 1e-12);
+  // A difference across it stays.
+  EXPECT_NEAR(disagreement.score({}, std::vector{fitted(0, 0, 1, 1e-9), fitted(3, -3, 1, 1e-9)}, refit), 9.0, 1e-7);
+  EXPECT_THAT(
+      [&] {
+        disagreement.score({}, std::vector{fitted(0, 0, 1, 1.0), readings(0, 0)}, refit);
+      },
+      testing::Not(testing::Throws<std::out_of_range>()));
 }
 
 }  // namespace
