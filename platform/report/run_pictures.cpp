@@ -52,17 +52,23 @@ Figure figure(const std::string& title, const std::string& x_label, std::vector<
   return made;
 }
 
+/// What passes say of several parameters at once, each name once; figures of effects come and go with these.
+std::vector<ObjectiveRow> groups_of(const std::vector<PassRow>& passes) {
+  std::vector<ObjectiveRow> groups;
+  for (const PassRow& pass : passes)
+    for (const ObjectiveRow& row : pass.objective)
+      if (row.name.find('*') != std::string::npos &&
+          std::none_of(groups.begin(), groups.end(), [&](const ObjectiveRow& one) { return one.name == row.name; }))
+        groups.push_back(row);
+  return groups;
+}
+
 std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
   std::vector<Panel> panels(1);
   panels[0].y_label = "error of the best model";
   add_by_pass(panels[0].series, by_pass(runs, [](const PassRow& pass) { return pass.best_score; }), "", kBlue);
   if (panels[0].series.empty()) return {};
-  std::vector<ObjectiveRow> groups;
-  for (const PassRow& pass : runs.front().passes)
-    if (groups.empty())
-      std::copy_if(pass.objective.begin(), pass.objective.end(), std::back_inserter(groups),
-                   [](const ObjectiveRow& row) { return row.name.find('*') != std::string::npos; });
-  for (const ObjectiveRow& group : groups) {
+  for (const ObjectiveRow& group : groups_of(runs.front().passes)) {
     Panel& panel = panels.emplace_back();
     panel.y_label = group.name + " off by (" + group.unit + ")";
     const auto value = [&](const PassRow& pass) {
