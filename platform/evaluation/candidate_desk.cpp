@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kSetsOfEffects = 32;  // kept compiled, a few hundred kB at most
+constexpr std::size_t kSetsOfEffects = 32;  // kept compiled: 30 kB each of a quadruped, which takes 0.2 ms to compile
 
 }  // namespace
 

@@ -59,7 +59,7 @@ class ProposedModel : public testing::Test {
     throw Error("no effect " + id);
   }
 
-  static Test push() {
+  static lacuna::Test push() {
     CommandSeries commands;
     commands.series.channels = {{"motor", "N*m"}};
     commands.series.times = Eigen::VectorXd::Zero(1);
@@ -166,13 +166,14 @@ class ProposedModelEvaluation : public ProposedModel {
 TEST_F(ProposedModelEvaluation, ValuesOfEffectsThatAreLeftOutAreNoOtherModel) {
   ModelEvaluator evaluator(*scorer_, definition_, {});
   ModelProposal one = without("b"), other = one, whole = proposal();
-  for (const std::size_t value : model_effects(definition_)[1].values) other.values[value] += 1.0;
+  const std::vector<ModelEffect> effects = model_effects(definition_);
+  for (const std::size_t value : effects[1].values) other.values[value] += 1.0;
   ModelProposal less = proposal(~0b11U), third = without("a");
   const auto evaluated = evaluator.evaluate({one, other, whole, less, third}, std::nullopt);
   EXPECT_TRUE(evaluated[1].reused);
   EXPECT_EQ(evaluated[1].score.total, evaluated[0].score.total);
   for (const std::size_t i : {2U, 3U, 4U}) EXPECT_FALSE(evaluated[i].reused) << i;
-  EXPECT_EQ(evaluated[2].score.total, 0.0);
+  EXPECT_EQ(evaluated[2].score.total, 0.0) << evaluated[2].score.reason;
   EXPECT_GT(evaluated[0].score.total, 0.0);
   EXPECT_TRUE(evaluator.evaluate({third}, std::nullopt)[0].reused);
 }
