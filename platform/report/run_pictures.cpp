@@ -154,12 +154,12 @@ Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::
     spread.y.push_back(over_runs.mean - over_runs.deviation);
     spread.y2.push_back(over_runs.mean + over_runs.deviation);
   }
-  panel.series = {spread, found};
-  if (!truth.x.empty()) panel.series.push_back(truth);
+  for (Series* series : {&spread, &found, &truth})
+    if (!series->x.empty()) panel.series.push_back(std::move(*series));
   return panel;
 }
 
-/// One figure for each kind of parameter: "mass", "delay".
+/// One figure for each kind of parameter: "mass", "delay"; none of parameters that no model and no target has.
 std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, const std::string& title) {
   const std::vector<FreeValueRecord>& free = runs.front().record.free;
   std::map<std::string, std::vector<std::size_t>> kinds;
@@ -167,7 +167,8 @@ std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, co
     kinds[free[i].address.substr(free[i].address.rfind('.') + 1)].push_back(i);
   std::vector<NamedFigure> figures;
   for (const auto& [kind, which] : kinds)
-    figures.push_back({"parameters_" + kind, figure(title, "", {parameter_panel(runs, which)})});
+    if (Panel panel = parameter_panel(runs, which); !panel.series.empty())
+      figures.push_back({"parameters_" + kind, figure(title, "", {std::move(panel)})});
   return figures;
 }
 

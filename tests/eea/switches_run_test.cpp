@@ -45,7 +45,7 @@ duration = 0.8
 
 [estimation]
 objective = "parameter_error"
-parameters = { population = 30, keep = 15, generations = 12 }
+parameters = { population = 40, keep = 20, generations = 20 }
 
 [exploration]
 fitness = "random"
