@@ -18,14 +18,16 @@ ModelEvaluator::ModelEvaluator(const ModelScorer& scorer, const ModelDefinition&
 }
 
 ModelEvaluator::Phenotype ModelEvaluator::phenotype_of(const ModelProposal& model) const {
-  std::vector<double> key = model.values;
+  std::vector<double> key;
+  key.reserve(model.values.size() + 1 + model.without.size());
+  key = model.values;
   for (std::size_t i = 0; i < key.size(); ++i)
     if (whole_steps_[i]) key[i] = std::round(key[i] / step_);
+  key.push_back(static_cast<double>(model.without.size()));
   for (const std::size_t effect : model.without) {
     for (const std::size_t value : effects_[effect].values) key[value] = 0.0;
     key.push_back(static_cast<double>(effect));
   }
-  key.push_back(static_cast<double>(model.without.size()));
   Phenotype phenotype(reinterpret_cast<const char*>(key.data()), key.size() * sizeof(double));
   if (model.robot) append_key(*model.robot, phenotype);
   return phenotype;

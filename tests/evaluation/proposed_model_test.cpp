@@ -115,6 +115,18 @@ TEST_F(ProposedModel, WithoutAnEffectItIsTheModelThatNeverHadIt) {
   }
 }
 
+TEST_F(ProposedModel, ItsStructureAndTheValuesOfThatAreWhatADeskSimulates) {
+  CandidateDesk desk(*shared_, &definition_);
+  const ModelProposal candidate = proposal(0b101010U);
+  const ModelStructure structure = structure_of(candidate, definition_);
+  EXPECT_EQ(structure.effects.size(), 3U);
+  const auto compiled = compile(structure, definition_.engine);
+  SimulationResult result;
+  compiled->simulate(structure_values(candidate, definition_), push(), options(), *compiled->make_workspace(), result);
+  EXPECT_EQ(result.readings.samples, readings(desk, candidate));
+  EXPECT_EQ(structure_values(proposal(), definition_), definition_.start_values());
+}
+
 /// More sets than stay compiled, each twice, in another order than a desk that has seen nothing else.
 TEST_F(ProposedModel, WhatCameBeforeChangesNothing) {
   CandidateDesk used(*shared_, &definition_);
