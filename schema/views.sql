@@ -218,6 +218,31 @@ JOIN pass ON pass.id = objective_score.pass
 JOIN eea_run ON eea_run.run = pass.run
 JOIN experiment ON experiment.id = eea_run.experiment;
 
+-- One row a free value of a model that a pass handed on, beside the hidden truth; the best of each structure and restart first.
+-- example: SELECT pass, rank, structure, address, value, truth, unit FROM ensembles WHERE pass = 2 ORDER BY run, rank, position;
+CREATE VIEW ensembles AS
+SELECT experiment.name AS experiment, pass.run, eea_run.replicate, pass.number AS pass, ensemble_model.rank,
+       (ensemble_model.model & 1099511627775) - 1 AS model, ensemble_model.structure, ensemble_model.score,
+       free_value.position, free_value.address, ensemble_value.value, free_value.unit, free_value.truth
+FROM ensemble_model
+JOIN pass ON pass.id = ensemble_model.pass
+JOIN eea_run ON eea_run.run = pass.run
+JOIN experiment ON experiment.id = eea_run.experiment
+LEFT JOIN ensemble_value ON ensemble_value.pass = ensemble_model.pass AND ensemble_value.rank = ensemble_model.rank
+LEFT JOIN free_value ON free_value.run = pass.run AND free_value.position = ensemble_value.position;
+
+-- One row a trial that a run carried out: how well the best model so far foretold it, and in how many passes it was set aside.
+-- example: SELECT run, trial, surprise, metric, passes_set_aside FROM foretold ORDER BY run, trial;
+CREATE VIEW foretold AS
+SELECT experiment.name AS experiment, target_trial.run, eea_run.replicate, target_trial.number AS trial,
+       target_trial.surprise, metric.name AS metric, target_trial.for_transfer,
+       (SELECT count(*) FROM set_aside WHERE set_aside.trial = target_trial.trial
+          AND set_aside.pass >> 40 = target_trial.run) AS passes_set_aside
+FROM target_trial
+JOIN eea_run ON eea_run.run = target_trial.run
+JOIN experiment ON experiment.id = eea_run.experiment
+JOIN metric ON metric.id = eea_run.metric;
+
 -- One row a test that was carried out on the target: what the models that chose it predicted, and what the target did.
 -- example: SELECT run, pass, predicted, measured, gap FROM transfer_gap ORDER BY run, trial;
 CREATE VIEW transfer_gap AS

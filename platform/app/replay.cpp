@@ -41,9 +41,11 @@ std::string values_text(const StoredModel& model) {
 std::string scores_text(const StoredModel& model, const ModelScore& score) {
   std::vector<std::vector<std::string>> table = {{"trial", "stored", "replayed"}};
   const std::vector<double>& stored = model.row.trial_scores;
-  for (std::size_t i = 0; i < model.trials.size(); ++i)
-    table.push_back({std::to_string(model.numbers[i]), i < stored.size() ? fmt::format("{:.17g}", stored[i]) : "-",
+  for (std::size_t i = 0; i < model.trials.size(); ++i) {
+    const auto number = static_cast<std::size_t>(model.numbers[i]);
+    table.push_back({std::to_string(number), number < stored.size() ? fmt::format("{:.17g}", stored[number]) : "-",
                      i < score.trials.size() ? fmt::format("{:.17g}", score.trials[i]) : "-"});
+  }
   table.push_back({"all", fmt::format("{:.17g}", model.row.score), fmt::format("{:.17g}", score.total)});
   return text_table(table);
 }

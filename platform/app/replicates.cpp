@@ -71,8 +71,8 @@ EeaRunRecord Replicates::record(int replicate) const {
   record.model_genes = names_of(definition.estimation.layout());
   record.passes = definition.passes;
   if (!bench_.takes_tests()) return record;
-  record.fitness = definition.fitness.origin.name;
-  record.fitness_unit = definition.fitness->unit();
+  record.fitness = definition.value.name();
+  record.fitness_unit = definition.value.unit();
   record.test_genes = names_of(definition.exploration.layout());
   return record;
 }

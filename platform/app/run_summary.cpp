@@ -38,8 +38,8 @@ std::string run_summary(const EeaBench& bench) {
                     fmt::format("{}, {}, {}", definition.estimation.strategy.origin.name,
                                 counted(definition.estimation.layout().size(), "gene"), definition.metric.origin.name));
   if (!bench.takes_tests()) return text;
-  text += fact_line("explore",
-                    fmt::format("{}, {}", definition.exploration.strategy.origin.name, definition.fitness.origin.name));
+  text +=
+      fact_line("explore", fmt::format("{}, {}", definition.exploration.strategy.origin.name, definition.value.name()));
   return text + fact_line("run", fmt::format("{}, {}", counted(static_cast<std::size_t>(definition.passes), "pass"),
                                              counted(static_cast<std::size_t>(experiment.replicates), "replicate")));
 }

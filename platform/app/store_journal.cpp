@@ -18,8 +18,9 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
   EeaState state = load_state(checkpoint->state);
   const std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();
+  state.trials.resize(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    TargetTrial& trial = state.trials.emplace_back();
+    TargetTrial& trial = state.trials[i];
     trial.trial = with_known_start(definition, std::move(trials[i]));
     const double end = trial.trial.measured.times(trial.trial.measured.times.size() - 1);
     trial.drive = rows[i].test

@@ -14,6 +14,19 @@ namespace {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
+/// Trials that did not count in a pass. Of a pass that has not ended nothing is known.
+std::vector<int> set_aside_in(const EeaStore& store, int pass) {
+  for (PassRow& row : store.passes())
+    if (row.number == pass) return std::move(row.set_aside);
+  return {};
+}
+
+/// What was stored of each trial that counted.
+std::vector<double> without_gaps(std::vector<double> scores) {
+  std::erase_if(scores, [](double score) { return std::isnan(score); });
+  return scores;
+}
+
 }  // namespace
 
 StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition, std::uint64_t number) {
@@ -26,21 +39,25 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
   StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
   const std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();
+  const std::vector<int> set_aside = set_aside_in(store, row->pass);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
+    if (std::find(set_aside.begin(), set_aside.end(), rows[i].number) != set_aside.end()) continue;
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
     const Test drive = rows[i].test
                            ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trials[i])
                            : Test{trials[i].commands, end, {}};
-    model.trials.push_back(definition.scored(drive, with_known_start(definition, std::move(trials[i]))));
+    model.trials.push_back(definition.scored(drive, with_known_start(definition, std::move(trials[i])), row->pass));
     model.numbers.push_back(rows[i].number);
   }
+  if (!definition.profiled.empty())
+    if (ModelScore score = score_again(model); !score.values.empty()) model.model.values = std::move(score.values);
   return model;
 }
 
 ModelScore score_again(const StoredModel& model) {
   const ModelScorer scorer(*model.definition.compiled, model.trials, model.definition.metric, 1,
-                           &model.definition.model);
+                           &model.definition.model, model.definition.profiled);
   ModelScore score;
   scorer.score(model.model, std::nullopt, 0, score);
   return score;
@@ -52,9 +69,9 @@ bool agrees(const ModelRow& stored, const ModelScore& score) {
     case EvaluationKind::abandoned: return score.kind == ScoreKind::full && score.total >= stored.score;
     case EvaluationKind::full: break;
   }
+  const std::vector<double> trials = without_gaps(score.trials), then = without_gaps(stored.trial_scores);
   return score.kind == ScoreKind::full && same(score.total, stored.score) &&
-         std::equal(score.trials.begin(), score.trials.end(), stored.trial_scores.begin(), stored.trial_scores.end(),
-                    same);
+         std::equal(trials.begin(), trials.end(), then.begin(), then.end(), same);
 }
 
 }  // namespace lacuna

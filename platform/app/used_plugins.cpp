@@ -42,6 +42,7 @@ Components of_run(const Experiment& experiment) {
   add<FitnessMetric>(used, experiment.estimation.metric.name);
   add<ObjectiveMetric>(used, experiment.estimation.objective);
   add<TestFitness>(used, experiment.exploration.fitness.name);
+  for (const MixEntry& entry : experiment.exploration.mix) add<TestFitness>(used, entry.fitness.name);
   return used;
 }
 

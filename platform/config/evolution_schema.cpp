@@ -1,5 +1,7 @@
 #include "config/experiment_schema.h"
 
+#include <limits>
+
 namespace lacuna {
 namespace {
 
@@ -31,6 +33,17 @@ Table<MutationEntry> mutation_keys() {
           "parameters", map_of("PARAMETER", number("")), {},
           [](MutationEntry& entry, Parameters&& read) { entry.mutation.parameters = std::move(read); },
           "of that plugin");
+}
+
+Table<MixEntry> mix_keys() {
+  return Table<MixEntry>()
+      .required<std::string>(
+          "fitness", element_name(), [](MixEntry& entry, std::string&& name) { entry.fitness.name = std::move(name); },
+          "a test fitness plugin's name")
+      .key("weight", &MixEntry::weight, number("1"), "what its score is multiplied by before it is added")
+      .key<Parameters>(
+          "parameters", map_of("PARAMETER", number("")), {},
+          [](MixEntry& entry, Parameters&& read) { entry.fitness.parameters = std::move(read); }, "of that plugin");
 }
 
 Table<SearchSection> search_keys() {
@@ -65,7 +78,27 @@ Table<EstimationSection> estimation_keys() {
       .key("sensors", &EstimationSection::sensors, list_of(text()),
            "what models are scored by, as in \"sensor.range*\"; without it all sensors that are measured")
       .key("seeds", &EstimationSection::seeds, whole_number<int>(0, 1000000),
-           "how many of the last pass's best models start the next one, beside random ones")
+           "how many of the last pass's best models start the next one, beside random ones; of each restart, its own")
+      .key("restarts", &EstimationSection::restarts, whole_number<int>(1, 10000),
+           "independent searches in each phase, each as long as one; the best of each are handed on first")
+      .key("ensemble", &EstimationSection::ensemble, whole_number<int>(1, 10000),
+           "how many models that differ are kept of each pass, the best of each structure and restart first; those "
+           "that judge tests are kept in any case")
+      .key("replay", &EstimationSection::replay, boolean(),
+           "drive models by the commands that the target received, not by the test's controller, which would answer to "
+           "the model's own readings")
+      .key("horizons", &EstimationSection::horizons, list_of<double>(number("s").above(0.0)),
+           "how much of each trial counts, from its start: in the first pass, the second and so on, the last for all "
+           "that follow; without it all of it")
+      .key("profiled", &EstimationSection::profiled, list_of(text()),
+           "free delays, as in \"sensor.*.delay\", that are no genes but found for each model by shifting what it "
+           "reads, at no further simulation; takes replay = true")
+      .key("challenge", &EstimationSection::challenge, number("1").at_least(0.0),
+           "a new trial on which the best model errs more than this many times as much as on those it was fitted to is "
+           "set aside, and counts again once models come near enough, after three passes at the latest; 0: none is")
+      .key("patience", &EstimationSection::patience, whole_number<int>(0, 1000000),
+           "the run stops after this many passes in which models have not foretold a new trial any better; 0: it does "
+           "not")
       .key("abandon", &EstimationSection::abandon, boolean(),
            "end an evaluation as soon as its error cannot get under the generation's bar; changes no survivor")
       .key("reuse", &EstimationSection::reuse, boolean(), "simulate identical models once; changes no score");
@@ -73,9 +106,15 @@ Table<EstimationSection> estimation_keys() {
 
 Table<ExplorationSection> exploration_keys() {
   return choice_keys<ExplorationSection>(
-      Table<ExplorationSection>().merged(&ExplorationSection::search, search_keys()), "fitness", "fitness_parameters",
-      [](ExplorationSection& section) -> ComponentChoice& { return section.fitness; },
-      "what makes a test good: a test fitness plugin's name");
+             Table<ExplorationSection>().merged(&ExplorationSection::search, search_keys()), "fitness",
+             "fitness_parameters", [](ExplorationSection& section) -> ComponentChoice& { return section.fitness; },
+             "what makes a test good: a test fitness plugin's name")
+      .key("mix", &ExplorationSection::mix, list_of(mix_keys().value()),
+           "Further fitnesses, each added with its weight, such as a behaviour that is wanted beside disagreement.")
+      .key<double>(
+          "stop_below", number(""), std::numeric_limits<double>::quiet_NaN(),
+          [](ExplorationSection& section, double&& read) { section.stop_below = read; },
+          "the run stops where no test is worth more than this, in the fitness's unit; without it it does not");
 }
 
 }  // namespace lacuna

@@ -89,13 +89,28 @@ struct EstimationSection {
   std::string objective;             ///< objective metric; empty: none
   std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
   int seeds = 0;        ///< how many of the last pass's best models start the next; the seed's experiment takes none
-  bool abandon = true;  ///< end an evaluation that cannot get under the generation's bar
-  bool reuse = true;    ///< simulate identical models once
+  int restarts = 1;     ///< independent searches in each phase
+  int ensemble = 10;    ///< how many models that differ are kept of each pass
+  bool replay = false;  ///< drive models by the commands that the target received
+  std::vector<double> horizons;       ///< s, of each trial, one a pass; the last for all that follow; none: all of it
+  std::vector<std::string> profiled;  ///< patterns of delays that are found for each model instead of searched
+  double challenge = 0.0;             ///< a trial this many times as surprising as usual is set aside; 0: none is
+  int patience = 0;                   ///< passes without progress until the run stops; 0: it does not
+  bool abandon = true;                ///< end an evaluation that cannot get under the generation's bar
+  bool reuse = true;                  ///< simulate identical models once
+};
+
+/// A further fitness that counts beside the first.
+struct MixEntry {
+  ComponentChoice fitness;
+  double weight = 1.0;
 };
 
 struct ExplorationSection {
   SearchSection search;
   ComponentChoice fitness = {"forward_distance", {}};
+  std::vector<MixEntry> mix;
+  std::optional<double> stop_below;  ///< fitness of the best test below which the run stops
 };
 
 /// How free values are found (fitting/).

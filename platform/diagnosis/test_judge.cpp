@@ -110,6 +110,7 @@ TestJudge::TestJudge(const NextTestTask& task)
       encoding_(component<TestEncoding>(task.catalog, kEncoding)),
       fitness_(component<TestFitness>(task.catalog, kFitness)),
       rivals_{predictor(task, 0), predictor(task, 1)} {
+  set(fitness_, "noise", 1.0);  // it is given deviations
   const double lowest = std::max(1.0 / task.space.duration, 1e-3);
   set(encoding_, "lowest_frequency", lowest);
   set(encoding_, "highest_frequency", std::max(lowest, std::min(kFastest, 0.25 / task.space.control_period)));

@@ -9,6 +9,7 @@
 #include "foundation/unit.h"
 #include "storage/eea_records.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -72,6 +73,16 @@ std::vector<AppliedMutation> mutations_of(const std::vector<MutationEntry>& entr
   return mutations;
 }
 
+/// The series from its start on for so many seconds.
+TimeSeries until(TimeSeries series, double seconds) {
+  constexpr double kRounding = 1e-9;  // s
+  Eigen::Index rows = 0;
+  while (rows < series.times.size() && series.times(rows) <= series.times(0) + seconds + kRounding) ++rows;
+  series.times.conservativeResize(rows);
+  series.samples.conservativeResize(rows, Eigen::NoChange);
+  return series;
+}
+
 /// The layout that an encoding makes of its space, and the breeder of its genomes.
 template <class Encoding, class Space>
 std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, const Space& space,
@@ -128,14 +139,23 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
     : model(std::move(of_model)),
       compiled(compile(model.structure, model.engine)),
       model_space{model.structure.robot, free_parameters(model), model_effects(model)},
+      gene_space(model_space),
       passes(takes_tests ? experiment.passes : 1),
       seeds(experiment.estimation.seeds),
+      restarts(experiment.estimation.restarts),
+      replay(experiment.estimation.replay),
+      horizons(experiment.estimation.horizons),
+      challenge(experiment.estimation.challenge),
+      patience(experiment.estimation.patience),
+      stop_below(experiment.exploration.stop_below),
       approximate(takes_tests && experiment.model.approximate),
       target_is_program(experiment.target.kind == "process"),
       abandon(experiment.estimation.abandon),
       reuse(experiment.estimation.reuse) {
   Complaints complaints(experiment);
+  find_profiled(experiment.estimation, complaints);
   define_estimation(experiment, catalog, complaints);
+  ensemble = static_cast<std::size_t>(experiment.estimation.ensemble);
   if (takes_tests) define_exploration(experiment, catalog, complaints);
   complaints.throw_if_any();
 }
@@ -154,9 +174,9 @@ void EeaDefinition::define_estimation(const Experiment& experiment, const Plugin
                                                {"estimation.search", "estimation.parameters"}, complaints);
   std::vector<AppliedMutation> mutations = mutations_of(estimate.search.mutation, "estimation", catalog, complaints);
   // Where the file leaves the encoding of values as it is, what is missing is something to encode.
-  const bool only_free = model.free.empty() && experiment.model.encoding.name == ModelSection{}.encoding.name;
+  const bool only_free = gene_space.free.empty() && experiment.model.encoding.name == ModelSection{}.encoding.name;
   if (model_encoding.component)
-    estimation.breeder = breeder_for(model_encoding, model_space, only_free ? "model.free" : "model.encoding",
+    estimation.breeder = breeder_for(model_encoding, gene_space, only_free ? "model.free" : "model.encoding",
                                      std::move(mutations), complaints);
   try_search(estimation, "estimation", complaints);
   const std::vector<Channel> channels = sensor_channels(model.structure.robot);
@@ -184,24 +204,74 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
                                         "; shorten it, or set engine.control_period");
   test_encoding =
       choose<TestEncoding>(catalog, experiment.test.encoding, {"test.encoding", "test.parameters"}, complaints);
-  fitness = choose<TestFitness>(catalog, explore.fitness, {"exploration.fitness", "exploration.fitness_parameters"},
-                                complaints);
+  choose_fitnesses(explore, catalog, complaints);
   exploration.strategy = choose<SearchStrategy>(catalog, explore.search.search,
                                                 {"exploration.search", "exploration.parameters"}, complaints);
   std::vector<AppliedMutation> of_tests = mutations_of(explore.search.mutation, "exploration", catalog, complaints);
   if (test_encoding.component)
     exploration.breeder = breeder_for(test_encoding, test_space, "test.encoding", std::move(of_tests), complaints);
   try_search(exploration, "exploration", complaints);
-  if (fitness.component)
-    models_for_tests = guarded_call(fitness.origin, "models", [&] { return fitness->models(fitness.parameters); });
+}
+
+void EeaDefinition::choose_fitnesses(const ExplorationSection& explore, const PluginCatalog& catalog,
+                                     Complaints& complaints) {
+  std::vector<TestValue::Part> parts;
+  parts.push_back({choose<TestFitness>(catalog, explore.fitness,
+                                       {"exploration.fitness", "exploration.fitness_parameters"}, complaints),
+                   1.0});
+  for (std::size_t i = 0; i < explore.mix.size(); ++i) {
+    const std::string key = "exploration.mix[" + std::to_string(i) + "]";
+    parts.push_back(
+        {choose<TestFitness>(catalog, explore.mix[i].fitness, {key + ".fitness", key + ".parameters"}, complaints),
+         explore.mix[i].weight});
+  }
+  for (const TestValue::Part& part : parts)
+    if (!part.fitness.component) return;  // a complaint of its own
+  value = TestValue(std::move(parts));
+  ensemble = std::max(ensemble, value.models());
+}
+
+/// Delays of sensors that are no genes.
+void EeaDefinition::find_profiled(const EstimationSection& estimate, Complaints& complaints) {
+  std::vector<bool> is_profiled(model_space.free.size(), false);
+  for (std::size_t i = 0; i < estimate.profiled.size(); ++i) {
+    const std::string key = "estimation.profiled[" + std::to_string(i) + "]";
+    bool found = false;
+    for (std::size_t v = 0; v < model_space.free.size(); ++v) {
+      const FreeParameter& free = model_space.free[v];
+      if (!matches(estimate.profiled[i], free.address)) continue;
+      found = true;
+      if (!matches("sensor.*.delay", free.address))
+        complaints.add(key, free.address + " is no delay of a sensor; only those are found without simulating");
+      else if (free.lower > 0.0)
+        complaints.add(key, free.address + " begins at " + format_quantity(free.lower, "s") +
+                                "; its range must begin at 0 s, for models are simulated without it");
+      else
+        is_profiled[v] = true;
+    }
+    if (!found) complaints.add(key, "no free value is called \"" + estimate.profiled[i] + "\"; see [model.free]");
+  }
+  if (!estimate.profiled.empty() && !estimate.replay)
+    complaints.add("estimation.profiled",
+                   "a controller answers to delayed readings, so delays change what a model does; write replay = true");
+  gene_space.free.clear();
+  for (std::size_t v = 0; v < model_space.free.size(); ++v)
+    if (is_profiled[v])
+      profiled.push_back(v);
+    else
+      gene_space.free.push_back(model_space.free[v]);
+  for (ModelEffect& effect : gene_space.effects)  // whose parameters stand behind all values of the robot
+    for (std::size_t& value : effect.values) value -= profiled.size();
 }
 
 ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
   ModelProposal decoded = guarded_call(model_encoding.origin, "decode", [&] {
-    return model_encoding->decode(model_space, model_encoding.parameters, genome);
+    return model_encoding->decode(gene_space, model_encoding.parameters, genome);
   });
-  if (const std::string fault = misfit_of(decoded, model_space); !fault.empty())
+  if (const std::string fault = misfit_of(decoded, gene_space); !fault.empty())
     throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
+  for (const std::size_t v : profiled)  // in ascending order, so that each stands at its place
+    decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
   for (const std::size_t effect : decoded.without)
     for (const std::size_t value : model_space.effects[effect].values) decoded.values[value] = kNotKnown;
   return decoded;
@@ -218,8 +288,14 @@ Test EeaDefinition::drive_of(Test test, const Trial& trial) const {
   return test;
 }
 
-ScoredTrial EeaDefinition::scored(Test drive, Trial trial) const {
+ScoredTrial EeaDefinition::scored(Test drive, Trial trial, int pass) const {
   if (!scored_channels.empty()) trial = with_channels(std::move(trial), scored_channels);
+  if (!horizons.empty()) {
+    const auto last = static_cast<int>(horizons.size()) - 1;
+    trial.measured =
+        until(std::move(trial.measured), horizons[static_cast<std::size_t>(std::clamp(pass - 1, 0, last))]);
+  }
+  if (replay) drive.drive = trial.commands;
   return {std::move(drive), std::move(trial), 0};
 }
 

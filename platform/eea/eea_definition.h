@@ -3,8 +3,8 @@
 #include <lacuna/model_encoding.h>
 #include <lacuna/objective_metric.h>
 #include <lacuna/test_encoding.h>
-#include <lacuna/test_fitness.h>
 
+#include "eea/test_value.h"
 #include "evaluation/component_choice.h"
 #include "evaluation/model_definition.h"
 #include "evaluation/model_scorer.h"
@@ -42,31 +42,42 @@ class EeaDefinition {
   /// What models are driven by to be held against a trial of that test: the commands that a program took, which may
   /// have been late or clipped, where the test is a series of them; else the test itself.
   Test drive_of(Test test, const Trial& trial) const;
-  /// A trial as models are held against it: with the sensors that the experiment scores.
-  ScoredTrial scored(Test drive, Trial trial) const;
+  /// A trial as models of a pass are held against it: with the sensors that the experiment scores, as far as the pass's
+  /// horizon, and driven as the experiment says.
+  ScoredTrial scored(Test drive, Trial trial, int pass) const;
 
   ModelDefinition model;
   std::unique_ptr<CompiledModel> compiled;
   ModelSpace model_space;
+  std::vector<std::size_t> profiled;  ///< of its free values, those that are no genes but found for each model
+  ModelSpace gene_space;              ///< without them
   TestSpace test_space;
   Chosen<ModelEncoding> model_encoding;
   Chosen<TestEncoding> test_encoding;
   Chosen<FitnessMetric> metric;
-  Chosen<TestFitness> fitness;
+  TestValue value;
   std::optional<Chosen<ObjectiveMetric>> objective;
   std::vector<std::string> scored_channels;  ///< names; none: all that a trial has measured
   std::vector<std::size_t> seen_channels;    ///< by a test's controller, of the robot's channels; none: all
   SearchPlan estimation, exploration;
-  std::size_t models_for_tests = 0;  ///< how many of the best models judge a test
+  std::size_t ensemble = 1;          ///< how many models that differ a pass keeps
   std::vector<double> sample_times;  ///< of a test, s
   int passes = 1;
   int seeds = 0;
+  int restarts = 1;
+  bool replay = false;           ///< models are driven by the commands that the target received
+  std::vector<double> horizons;  ///< s, one a pass; the last for all that follow; none: whole trials
+  double challenge = 0.0;        ///< 0: no trial is set aside
+  int patience = 0;              ///< passes; 0: without end
+  std::optional<double> stop_below;
   bool approximate = false;
   bool target_is_program = false;  ///< that keeps its own time
   bool abandon = true, reuse = true;
 
  private:
   void define_estimation(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);
+  void find_profiled(const EstimationSection& estimate, Complaints& complaints);
+  void choose_fitnesses(const ExplorationSection& explore, const PluginCatalog& catalog, Complaints& complaints);
   void define_exploration(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);
 };
 

@@ -1,7 +1,10 @@
 #include "eea/eea_loop.h"
 
+#include "eea/challenge.h"
+#include "eea/ensemble.h"
 #include "eea/estimation.h"
 #include "eea/exploration.h"
+#include "eea/stopping.h"
 
 #include <utility>
 
@@ -24,11 +27,32 @@ void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
   for (const ObjectiveScore& score : scores) pass.objective.push_back({score.name, score.unit, score.value});
 }
 
-/// Writes the pass down and begins the next one.
-void end_pass(const EeaRun& run, EeaState& state) {
+/// The models that differ, as they are handed on.
+void note_ensemble(const EeaDefinition& definition, const EeaState& state, PassRow& pass) {
+  for (const std::size_t i : differing(state.best, definition.ensemble)) {
+    const KnownModel& known = state.best[i];
+    if (known.genome.empty()) continue;  // the approximate model
+    pass.ensemble.push_back({known.number, known.score, known.model.structure, known.model.values});
+  }
+}
+
+/// Trials that the pass left out.
+void note_set_aside(const EeaState& state, PassRow& pass) {
+  for (std::size_t t = 0; t < state.trials.size(); ++t)
+    if (state.trials[t].set_aside_in) pass.set_aside.push_back(static_cast<int>(t));
+}
+
+/// Writes the pass down; what comes next.
+Phase end_pass(const EeaRun& run, EeaState& state) {
   sum_up(run, state, state.counts);
+  note_ensemble(run.definition, state, state.counts);
+  note_set_aside(state, state.counts);
+  if (state.pass < run.definition.passes) state.counts.stopped = reason_to_stop(run, state);
+  const bool stop = !state.counts.stopped.empty();
+  recall_trials(run, state);
   run.journal.add(std::exchange(state.counts, {}));
   ++state.pass;
+  return stop ? Phase::finished : state.pass <= run.definition.passes ? Phase::trial : Phase::transfer;
 }
 
 void go_on_with(Phase phase, const EeaRun& run, EeaState& state) {
@@ -45,7 +69,11 @@ void go_on_after_trial(Phase phase, const EeaRun& run, const EeaTarget& target, 
 /// A state that was stored has genomes and values only.
 void decode_again(const EeaDefinition& definition, std::vector<KnownModel>& models) {
   for (KnownModel& known : models)
-    if (!known.genome.empty()) known.model = definition.decode_model(known.genome);
+    if (!known.genome.empty()) {
+      std::vector<double> values = std::move(known.model.values);  // with delays that no gene says
+      known.model = definition.decode_model(known.genome);
+      known.model.values = std::move(values);
+    }
 }
 
 }  // namespace
@@ -61,6 +89,7 @@ EeaState first_state(const EeaDefinition& definition) {
 
 void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
   decode_again(run.definition, state.best);
+  decode_again(run.definition, state.found);
   while (state.phase != Phase::finished) switch (state.phase) {
       case Phase::trial:  // steps 1 and 2: a test, the first one random, is sent to the target
         if (!state.next_test) choose_random_test(run, state, 0);
@@ -77,8 +106,7 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
         break;
       case Phase::exploration:  // step 4: the test that the models choose
         explore(run, state);
-        end_pass(run, state);
-        go_on_with(state.pass <= run.definition.passes ? Phase::trial : Phase::transfer, run, state);
+        go_on_with(end_pass(run, state), run, state);
         break;
       case Phase::transfer:  // how the last test does on the target
         carry_out_test(run, target, state, true);

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kVersion = 1.0;
+constexpr double kVersion = 2.0;
 constexpr double kLargestCount = 9007199254740992.0;  // 2^53, the last that a double counts to
 
 /// Writes numbers one after the other.
@@ -88,7 +88,29 @@ void archive_scalars(Archive& archive, State& state) {
   archive.number(state.tests);
   archive.number(state.search_begin);
   archive.list(state.search);
+  archive.number(state.restart);
+  archive.number(state.passes_without_progress);
   archive_counts(archive, state.counts);
+}
+
+template <class Archive, class Known>
+void archive_model(Archive& archive, Known& model) {
+  archive.number(model.number);
+  archive.list(model.genome);
+  archive.list(model.model.values);
+  archive.number(model.score);
+  archive.number(model.restart);
+}
+
+void archive_models(Writer& writer, const std::vector<KnownModel>& models) {
+  writer.number(models.size());
+  for (const KnownModel& model : models) archive_model(writer, model);
+}
+
+void read_models(Reader& reader, std::vector<KnownModel>& models) {
+  std::size_t count = 0;
+  reader.number(count);
+  for (std::size_t i = 0; i < count; ++i) archive_model(reader, models.emplace_back());
 }
 
 }  // namespace
@@ -115,13 +137,12 @@ std::vector<double> save(const EeaState& state) {
     writer.list(state.next_test->genome);
     writer.number(state.next_test->predicted_fitness);
   }
-  writer.number(state.best.size());
-  for (const KnownModel& model : state.best) {
-    writer.number(model.number);
-    writer.list(model.genome);
-    writer.list(model.model.values);
-    writer.number(model.score);
-  }
+  archive_models(writer, state.best);
+  archive_models(writer, state.found);
+  writer.number(state.least_surprise);
+  std::vector<double> set_aside;  // one a trial; 0: it counts
+  for (const TargetTrial& trial : state.trials) set_aside.push_back(trial.set_aside_in.value_or(0));
+  writer.list(set_aside);
   return std::move(writer.numbers);
 }
 
@@ -130,7 +151,6 @@ EeaState load_state(std::span<const double> saved) {
   EeaState state;
   double version = 0.0;
   int phase = 0, has_test = 0;
-  std::size_t models = 0;
   reader.number(version);
   if (version != kVersion) Reader::fail();
   reader.number(phase);
@@ -143,13 +163,15 @@ EeaState load_state(std::span<const double> saved) {
     reader.list(test.genome);
     reader.number(test.predicted_fitness);
   }
-  reader.number(models);
-  for (std::size_t i = 0; i < models; ++i) {
-    KnownModel& model = state.best.emplace_back();
-    reader.number(model.number);
-    reader.list(model.genome);
-    reader.list(model.model.values);
-    reader.number(model.score);
+  read_models(reader, state.best);
+  read_models(reader, state.found);
+  reader.number(state.least_surprise);
+  std::vector<double> set_aside;
+  reader.list(set_aside);
+  for (const double pass : set_aside) {
+    if (!(pass >= 0.0 && pass <= std::numeric_limits<int>::max())) Reader::fail();
+    TargetTrial& trial = state.trials.emplace_back();
+    if (pass > 0.0) trial.set_aside_in = static_cast<int>(pass);
   }
   if (!reader.ended()) Reader::fail();
   return state;

@@ -23,6 +23,7 @@ struct KnownModel {
   Genome genome;
   ModelProposal model;
   double score = 0.0;
+  int restart = 0;  ///< of the estimation phase that found it
 };
 
 /// A test that is to be carried out.
@@ -37,6 +38,7 @@ struct TargetTrial {
   std::uint64_t test = 0;
   Test drive;
   Trial trial;
+  std::optional<int> set_aside_in = {};  ///< the pass in which it was found too hard (challenge.h); none: it counts
 };
 
 /// All that the algorithm knows between two generations: to go on from here gives the same digits as not to have
@@ -47,11 +49,15 @@ struct EeaState {
   std::uint64_t models = 0, tests = 0;  ///< numbered so far
   std::optional<NextTest> next_test;
   std::vector<TargetTrial> trials;
-  std::vector<KnownModel> best;     ///< of the last estimation phase, best first
-  std::vector<double> search;       ///< of the phase under way; empty: it has not begun
-  std::uint64_t search_begin = 0;   ///< number of the first individual of that search
-  PassRow counts;                   ///< of this pass so far
-  std::vector<ModelRow> evaluated;  ///< models of this pass, where a run goes on in the midst of one
+  std::vector<KnownModel> best;       ///< of the last estimation phase, best first
+  std::vector<double> search;         ///< of the phase under way; empty: it has not begun
+  std::uint64_t search_begin = 0;     ///< number of the first individual of that search
+  int restart = 0;                    ///< of the estimation phase under way
+  std::vector<KnownModel> found;      ///< by its earlier restarts
+  double least_surprise = kNotKnown;  ///< score of a best model on a trial that was new to it, the smallest so far
+  int passes_without_progress = 0;    ///< since it became smaller
+  PassRow counts;                     ///< of this pass so far
+  std::vector<ModelRow> evaluated;    ///< models of this pass, where a run goes on in the midst of one
 };
 
 /// Everything but `trials` and `evaluated`, which stand in the database as rows, and the models' own robots, which

@@ -1,22 +1,19 @@
 #include "eea/estimation.h"
 
+#include "eea/ensemble.h"
+#include "eea/scored_trials.h"
 #include "evaluation/model_evaluator.h"
-#include "evaluation/test_predictor.h"
 #include "evolution/search_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lacuna {
 namespace {
 
 constexpr double kWorst = std::numeric_limits<double>::infinity();
-
-std::vector<ScoredTrial> scored_trials(const EeaDefinition& definition, const EeaState& state) {
-  std::vector<ScoredTrial> scored;
-  for (const TargetTrial& trial : state.trials) scored.push_back(definition.scored(trial.drive, trial.trial));
-  return scored;
-}
 
 EvaluationKind kind_of(ScoreKind kind) {
   switch (kind) {
@@ -30,7 +27,8 @@ EvaluationKind kind_of(ScoreKind kind) {
 ModelScore score_of(const ModelRow& row) {
   ModelScore score;
   score.total = row.kind == EvaluationKind::invalid ? kWorst : row.score;
-  score.trials = row.trial_scores;
+  for (const double of_trial : row.trial_scores)
+    if (!std::isnan(of_trial)) score.trials.push_back(of_trial);  // what is set aside has none
   score.kind = row.kind == EvaluationKind::full        ? ScoreKind::full
                : row.kind == EvaluationKind::abandoned ? ScoreKind::abandoned
                                                        : ScoreKind::invalid;
@@ -58,25 +56,24 @@ class Estimation {
         definition_(run.definition),
         state_(state),
         scorer_(*definition_.compiled, scored_trials(definition_, state), definition_.metric, run.threads,
-                &definition_.model),
+                &definition_.model, definition_.profiled),
         evaluator_(scorer_, definition_.model, {definition_.abandon, definition_.reuse}) {}
 
   void run() {
-    begin();
-    run_search(
-        *search_, definition_.estimation.strategy.origin,
-        [this](const auto& individuals, auto bar) { return score(individuals, bar); }, [this] { end(); });
+    for (; state_.restart < definition_.restarts; ++state_.restart) {
+      begin();
+      run_search(
+          *search_, definition_.estimation.strategy.origin,
+          [this](const auto& individuals, auto bar) { return score(individuals, bar); }, [this] { end(); });
+      keep_found();
+    }
     hand_on();
   }
 
  private:
   void begin() {
     const Chosen<SearchStrategy>& strategy = definition_.estimation.strategy;
-    SearchTask task{
-        definition_.estimation.layout(), *definition_.estimation.breeder, run_.key(Phase::estimation, state_.pass), {}};
-    const auto seeds = std::min(state_.best.size(), static_cast<std::size_t>(definition_.seeds));
-    for (std::size_t i = 0; i < seeds; ++i)
-      if (!state_.best[i].genome.empty()) task.seeds.push_back(state_.best[i].genome);  // an approximate model has none
+    SearchTask task{definition_.estimation.layout(), *definition_.estimation.breeder, key(), seeds()};
     search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
     if (state_.search.empty()) {
       state_.search_begin = state_.models;
@@ -87,6 +84,23 @@ class Estimation {
       if (const DecodedModel model = decode_model(row.genome); model.reason.empty())
         evaluator_.remember(model.model, score_of(row));
     state_.evaluated.clear();
+  }
+
+  /// Each restart has random numbers of its own; the first has those of a phase without restarts.
+  std::vector<std::uint64_t> key() const {
+    std::vector<std::uint64_t> key = run_.key(Phase::estimation, state_.pass);
+    if (state_.restart > 0) key.push_back(static_cast<std::uint64_t>(state_.restart));
+    return key;
+  }
+
+  /// The best that the same restart found in the pass before. An approximate model has no genome.
+  std::vector<Genome> seeds() const {
+    std::vector<Genome> seeds;
+    for (const KnownModel& known : state_.best)
+      if (seeds.size() < static_cast<std::size_t>(definition_.seeds) && known.restart == state_.restart &&
+          !known.genome.empty())
+        seeds.push_back(known.genome);
+    return seeds;
   }
 
   std::vector<double> score(const std::vector<Individual>& individuals, std::optional<double> bar) {
@@ -147,7 +161,7 @@ class Estimation {
     row.kind = kind_of(evaluated.score.kind);
     row.reused = evaluated.reused;
     row.score = row.kind == EvaluationKind::invalid ? kNotKnown : evaluated.score.total;
-    row.trial_scores = std::move(evaluated.score.trials);
+    row.trial_scores = by_trial(state_, evaluated.score.trials);
     row.reason = std::move(evaluated.score.reason);
     state_.models = std::max(state_.models, row.number + 1);
     run_.journal.add(std::move(row));
@@ -166,21 +180,37 @@ class Estimation {
                                  .invalid = state_.counts.invalid});
   }
 
+  /// Of a restart that has ended. Those that cannot be scored come last; they judge no test.
+  void keep_found() {
+    for (const ScoredIndividual& scored : search_->best()) {
+      if (!std::isfinite(scored.score)) break;
+      const Individual& individual = scored.individual;
+      state_.found.push_back({state_.search_begin + individual.number, individual.genome,
+                              definition_.decode_model(individual.genome), scored.score, state_.restart});
+    }
+    state_.search.clear();
+  }
+
   void hand_on() {
-    const std::vector<ScoredIndividual> found = search_->best();
-    if (found.empty() || !std::isfinite(found.front().score)) {
+    if (state_.found.empty()) {
       run_.journal.checkpoint(state_, true);  // with the rows that say why
       throw Error("pass " + std::to_string(state_.pass) + ": no model of " + std::to_string(state_.counts.evaluations) +
                   " can be scored; the view invalid_evaluations says why");
     }
-    state_.best.clear();
-    for (const ScoredIndividual& scored : found) {
-      if (!std::isfinite(scored.score)) break;  // those that cannot be scored come last; they judge no test
-      const Individual& individual = scored.individual;
-      state_.best.push_back({state_.search_begin + individual.number, individual.genome,
-                             definition_.decode_model(individual.genome), scored.score});
-    }
-    state_.search.clear();
+    state_.best = std::exchange(state_.found, {});
+    std::stable_sort(state_.best.begin(), state_.best.end(),
+                     [](const KnownModel& a, const KnownModel& b) { return a.score < b.score; });
+    state_.restart = 0;
+    if (!definition_.profiled.empty())
+      for (const std::size_t i : differing(state_.best, definition_.ensemble)) find_delays(state_.best[i]);
+  }
+
+  /// A genome does not say the delays that its score was found with.
+  void find_delays(KnownModel& known) {
+    ModelScore score;
+    scorer_.score(known.model, std::nullopt, 0, score);
+    state_.counts.steps += score.steps;
+    known.model.values = std::move(score.values);
   }
 
   const EeaRun& run_;

@@ -1,13 +1,12 @@
 #include "eea/exploration.h"
 
-#include "evaluation/test_predictor.h"
+#include "eea/judges.h"
 #include "evolution/search_run.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace lacuna {
 namespace {
@@ -28,9 +27,8 @@ class Exploration {
       : run_(run),
         definition_(run.definition),
         state_(state),
-        judges_(std::min(definition_.models_for_tests, state.best.size())),
-        predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model, judges_),
-        predictions_(static_cast<std::size_t>(predictor_.workers()), std::vector<TestPrediction>(judges_)) {}
+        judges_(run, state),
+        predictions_(static_cast<std::size_t>(judges_.workers()), std::vector<TestPrediction>(judges_.size())) {}
 
   void run() {
     begin();
@@ -57,7 +55,7 @@ class Exploration {
   /// Searches look for small scores; of tests the fitness is to be large.
   std::vector<double> score(const std::vector<Individual>& individuals) {
     std::vector<JudgedTest> judged(individuals.size());
-    parallel_for(individuals.size(), predictor_.workers(),
+    parallel_for(individuals.size(), judges_.workers(),
                  [&](std::size_t i, int worker) { judge(individuals[i].genome, worker, judged[i]); });
     std::vector<double> scores;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
@@ -82,11 +80,8 @@ class Exploration {
 
   void find_fitness(const Test& test, int worker, JudgedTest& judged) {
     std::vector<TestPrediction>& predictions = predictions_[static_cast<std::size_t>(worker)];
-    for (std::size_t m = 0; m < judges_; ++m)
-      if (!predictor_.predict(state_.best[m].model, test, worker, predictions[m], judged.steps, judged.reason)) return;
-    const Chosen<TestFitness>& fitness = definition_.fitness;
-    judged.fitness =
-        guarded_call(fitness.origin, "score", [&] { return fitness->score(test, predictions, fitness.parameters); });
+    if (!judges_.predict(test, worker, predictions, judged.steps, judged.reason)) return;
+    judged.fitness = definition_.value.score(test, predictions);
     if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
   }
 
@@ -136,8 +131,7 @@ class Exploration {
   const EeaRun& run_;
   const EeaDefinition& definition_;
   EeaState& state_;
-  std::size_t judges_;
-  TestPredictor predictor_;
+  Judges judges_;
   std::vector<std::vector<TestPrediction>> predictions_;  // per worker, one a judge
   std::unique_ptr<Search> search_;
 };
@@ -145,7 +139,7 @@ class Exploration {
 }  // namespace
 
 void explore(const EeaRun& run, EeaState& state) {
-  if (run.definition.models_for_tests > 0)
+  if (run.definition.value.models() > 0)
     Exploration(run, state).run();
   else
     choose_random_test(run, state, 0);

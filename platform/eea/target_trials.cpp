@@ -1,7 +1,9 @@
 #include "eea/target_trials.h"
 
+#include "eea/challenge.h"
 #include "eea/exploration.h"
 #include "eea/recorded_trials.h"
+#include "eea/stopping.h"
 #include "evaluation/test_predictor.h"
 #include "foundation/interrupt.h"
 
@@ -27,10 +29,9 @@ Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
 
 /// The test's fitness as the target showed it; not known where it takes several models.
 double measured_fitness(const EeaDefinition& definition, const Test& drive, const Trial& trial) {
-  if (definition.models_for_tests != 1 || trial.centre_of_mass.times.size() == 0) return kNotKnown;
+  if (definition.value.models() != 1 || trial.centre_of_mass.times.size() == 0) return kNotKnown;
   const std::array<TestPrediction, 1> seen = {TestPrediction{trial.measured, trial.centre_of_mass}};
-  const Chosen<TestFitness>& fitness = definition.fitness;
-  return guarded_call(fitness.origin, "score", [&] { return fitness->score(drive, seen, fitness.parameters); });
+  return definition.value.score(drive, seen);
 }
 
 /// A test and what the target did.
@@ -86,10 +87,14 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
   const auto number = static_cast<int>(state.trials.size());
   CarriedOut done = carry_out_or_replace(run, target, state, number);
   const NextTest& test = *state.next_test;
-  run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness},
+  TargetTrial trial{test.number, done.drive, with_known_start(run.definition, done.trial)};
+  const double surprise = surprise_of(run, state, trial);
+  run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness, surprise},
                   done.trial);
   if (!state.best.empty()) note_prediction(run, state, number, done.drive);
-  state.trials.push_back({test.number, std::move(done.drive), with_known_start(run.definition, std::move(done.trial))});
+  state.trials.push_back(std::move(trial));
+  note_surprise(state, surprise);
+  if (!for_transfer) set_aside_if_too_hard(run, state, surprise);
   state.next_test.reset();
 }
 

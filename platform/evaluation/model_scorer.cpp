@@ -46,12 +46,14 @@ struct ModelScorer::Desk {
   std::unique_ptr<ScoreAccumulator> total = {};
   std::vector<std::unique_ptr<ScoreAccumulator>> trials = {};
   std::vector<double> predicted = {};
+  TrialReadings readings = {};  // of the trials, where delays are found for a candidate
+  ModelProposal unlagged = {};
 };
 
 /// Compares samples while they are simulated.
 struct ModelScorer::Tally {
   const ScoredTrial& scored;
-  const std::vector<Eigen::Index>& map;
+  std::span<const Eigen::Index> map;  // of the trial's channels to the model's
   const ComponentOrigin& metric;
   ScoreAccumulator& total;
   ScoreAccumulator& of_trial;
@@ -65,11 +67,16 @@ struct ModelScorer::Tally {
     const auto row = static_cast<Eigen::Index>(sample);
     if (row < scored.first_sample) return false;
     for (std::size_t i = 0; i < map.size(); ++i) predicted[i] = readings[static_cast<std::size_t>(map[i])];
+    return add(row, predicted);
+  }
+
+  /// The same of readings that are in the order of what was measured.
+  bool add(Eigen::Index row, std::span<const double> ordered) {
     const TimeSeries::Samples& measured = scored.trial.measured.samples;
     try {
-      const std::span<const double> of_row(measured.data() + row * measured.cols(), map.size());
-      total.add(predicted, of_row);
-      of_trial.add(predicted, of_row);
+      const std::span<const double> of_row(measured.data() + row * measured.cols(), ordered.size());
+      total.add(ordered, of_row);
+      of_trial.add(ordered, of_row);
       abandoned = total.bound() > bar;
     } catch (...) {
       fault = describe_current_exception(metric, "its accumulator");
@@ -79,7 +86,7 @@ struct ModelScorer::Tally {
 };
 
 ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric,
-                         int workers, const ModelDefinition* definition)
+                         int workers, const ModelDefinition* definition, const std::vector<std::size_t>& profiled)
     : trials_(std::move(trials)), metric_(std::move(metric)) {
   for (const ScoredTrial& scored : trials_) {
     maps_.push_back(match_channels(scored.trial, model.channels()));
@@ -87,6 +94,7 @@ ModelScorer::ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> tr
       throw Error("trial " + scored.trial.name + " measures other channels than trial " + trials_.front().trial.name +
                   "; one score needs the same channels in all of them");
   }
+  if (definition) lags_ = LagProfile(*definition, profiled, trials_);
   const auto accumulator = [&](std::span<const ScoredTrial> of) {
     return guarded_call(metric_.origin, "accumulator",
                         [&] { return metric_->accumulator(shape_of(of), metric_.parameters); });
@@ -117,8 +125,12 @@ void ModelScorer::score(const ModelProposal& candidate, std::optional<double> ba
   result.kind = ScoreKind::full;
   result.reason.clear();
   result.steps = 0;
+  result.values.clear();
   desk.total->reset();
-  score_trials(candidate, bar.value_or(kWorst), desk, result);
+  if (lags_.empty())
+    score_trials(candidate, bar.value_or(kWorst), desk, result);
+  else
+    score_with_lags(candidate, bar.value_or(kWorst), desk, result);
   switch (result.kind) {
     case ScoreKind::full: result.total = desk.total->score(); break;
     case ScoreKind::abandoned: result.total = desk.total->bound(); break;
@@ -150,13 +162,62 @@ void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore&
   };
   desk.candidate.simulate(trials_[t].test, options, desk.result);
   result.steps += desk.result.steps;
-  if (desk.result.ending == Ending::invalid || !tally.fault.empty()) {
+  if (desk.result.ending == Ending::invalid && tally.fault.empty()) tally.fault = desk.result.reason;
+  end_trial(t, tally, result);
+}
+
+void ModelScorer::end_trial(std::size_t t, const Tally& tally, ModelScore& result) const {
+  if (!tally.fault.empty()) {
     result.kind = ScoreKind::invalid;
-    result.reason = "trial " + std::to_string(t) + ", " + (tally.fault.empty() ? desk.result.reason : tally.fault);
+    result.reason = "trial " + std::to_string(t) + ", " + tally.fault;
   } else if (tally.abandoned) {
     result.kind = ScoreKind::abandoned;
   }
-  result.trials.push_back(result.kind == ScoreKind::full ? of_trial.score() : of_trial.bound());
+  result.trials.push_back(result.kind == ScoreKind::full ? tally.of_trial.score() : tally.of_trial.bound());
+}
+
+/// All trials are simulated first: a delay is one for all of them.
+void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
+  desk.unlagged = candidate;
+  lags_.clear_delays(desk.unlagged.values);
+  if (!read_trials(desk.unlagged, desk, result)) return;
+  result.values = candidate.values;
+  lags_.fit(desk.readings, result.values);
+  for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) {
+    ScoreAccumulator& of_trial = *desk.trials[t];
+    of_trial.reset();
+    Tally tally{trials_[t], {}, metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
+    const TimeSeries::Samples& readings = desk.readings[t];
+    for (Eigen::Index row = trials_[t].first_sample; row < readings.rows(); ++row)
+      if (tally.add(row, {readings.data() + row * readings.cols(), static_cast<std::size_t>(readings.cols())})) break;
+    end_trial(t, tally, result);
+  }
+}
+
+bool ModelScorer::read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const {
+  desk.readings.resize(trials_.size());
+  try {
+    desk.candidate.take(candidate);
+  } catch (const Error& error) {
+    result.kind = ScoreKind::invalid;
+    result.reason = error.what();
+    return false;
+  }
+  for (std::size_t t = 0; t < trials_.size(); ++t) {
+    desk.options[t].stop_when = nullptr;
+    desk.candidate.simulate(trials_[t].test, desk.options[t], desk.result);
+    result.steps += desk.result.steps;
+    if (desk.result.ending == Ending::invalid) {
+      result.kind = ScoreKind::invalid;
+      result.reason = "trial " + std::to_string(t) + ", " + desk.result.reason;
+      return false;
+    }
+    const TimeSeries::Samples& all = desk.result.readings.samples;
+    desk.readings[t].resize(all.rows(), static_cast<Eigen::Index>(maps_[t].size()));
+    for (std::size_t c = 0; c < maps_[t].size(); ++c)
+      desk.readings[t].col(static_cast<Eigen::Index>(c)) = all.col(maps_[t][c]);
+  }
+  return true;
 }
 
 }  // namespace lacuna

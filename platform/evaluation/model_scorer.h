@@ -1,10 +1,10 @@
 #pragma once
 
 #include <lacuna/fitness_metric.h>
-#include <lacuna/trial.h>
-
 #include "evaluation/candidate_desk.h"
 #include "evaluation/component_choice.h"
+#include "evaluation/lag_profile.h"
+#include "evaluation/scored_trial.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,13 +14,6 @@
 #include <vector>
 
 namespace lacuna {
-
-/// A trial with what is needed to repeat it on a model.
-struct ScoredTrial {
-  Test test;  ///< closed loop: the controller that was used; otherwise the commands
-  Trial trial;
-  Eigen::Index first_sample = 0;  ///< the samples before it are not scored
-};
 
 enum class ScoreKind : std::uint8_t {
   full,
@@ -35,6 +28,8 @@ struct ModelScore {
   ScoreKind kind = ScoreKind::full;
   std::string reason;
   std::uint64_t steps = 0;  ///< integration steps
+  /// The model's free values with the delays that were found for it; empty where none are looked for.
+  std::vector<double> values = {};
 };
 
 /// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
@@ -42,9 +37,13 @@ struct ModelScore {
 /// it.
 class ModelScorer {
  public:
-  /// Makes a workspace for each of `workers` threads. Throws `Error` where a trial measures what the model does not.
+  /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and are not
+  /// the candidates', but found for each of them (lag_profile.h), which takes a definition. Throws `Error` where a
+  /// trial measures what the model does not.
   ModelScorer(const CompiledModel& model, std::vector<ScoredTrial> trials, Chosen<FitnessMetric> metric, int workers,
-              const ModelDefinition* definition = nullptr);
+              const ModelDefinition* definition = nullptr, const std::vector<std::size_t>& profiled = {});
+  ModelScorer(const ModelScorer&) = delete;
+  ModelScorer& operator=(const ModelScorer&) = delete;
   ~ModelScorer();
 
   std::size_t trials() const { return trials_.size(); }
@@ -59,10 +58,14 @@ class ModelScorer {
   struct Tally;
   void score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
   void score_trial(std::size_t trial, double bar, Desk& desk, ModelScore& result) const;
+  void score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
+  void end_trial(std::size_t trial, const Tally& tally, ModelScore& result) const;
+  bool read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const;
 
   std::vector<ScoredTrial> trials_;
   std::vector<std::vector<Eigen::Index>> maps_;  ///< per trial: measured channel → model channel
   Chosen<FitnessMetric> metric_;
+  LagProfile lags_;
   std::vector<std::unique_ptr<Desk>> desks_;
 };
 

@@ -24,7 +24,7 @@ constexpr Content kContents[] = {
      "SELECT position, address, unit, lower, upper, start, truth FROM free_value WHERE run = ?1 ORDER BY position"},
     {"pass",
      "SELECT id - (?1 << 40), number, ended, best_model - (?1 << 40), best_score, best_test - (?1 << 40), best_fitness,"
-     " evaluations, abandoned, reused, invalid, steps, test_evaluations, invalid_tests, test_steps FROM pass"
+     " evaluations, abandoned, reused, invalid, steps, test_evaluations, invalid_tests, test_steps, stopped FROM pass"
      " WHERE run = ?1 ORDER BY id"},
     {"best_value",
      "SELECT pass - (?1 << 40), position, value FROM best_value"
@@ -32,6 +32,16 @@ constexpr Content kContents[] = {
     {"objective_score",
      "SELECT pass - (?1 << 40), position, name, unit, value FROM objective_score"
      " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, position"},
+    {"ensemble_model",
+     "SELECT pass - (?1 << 40), rank, model - (?1 << 40), score, structure FROM ensemble_model"
+     " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, rank"},
+    {"ensemble_value",
+     "SELECT pass - (?1 << 40), rank, position, value FROM ensemble_value"
+     " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, rank, position"},
+    {"set_aside",
+     "SELECT pass - (?1 << 40), target_trial.number FROM set_aside"
+     " JOIN target_trial ON target_trial.run = ?1 AND target_trial.trial = set_aside.trial"
+     " WHERE pass BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY pass, target_trial.number"},
     {"test",
      "SELECT id - (?1 << 40), pass - (?1 << 40), generation, parent - (?1 << 40), other_parent - (?1 << 40), genome,"
      " valid FROM test WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY id"},
@@ -42,7 +52,8 @@ constexpr Content kContents[] = {
      "SELECT test - (?1 << 40) FROM invalid_test"
      " WHERE test BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 ORDER BY test"},
     {"target_trial",
-     "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, digest,"
+     "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, surprise,"
+     " digest,"
      " held_out, duration, samples, hold, initial, sensor_noise, command_noise FROM target_trial"
      " JOIN trial ON trial.id = target_trial.trial JOIN trial_condition ON trial_condition.trial = trial.id"
      " WHERE run = ?1 ORDER BY target_trial.number"},

@@ -84,6 +84,20 @@ void add_best_values(const Database& database, std::int64_t pass, PassRow& into)
   while (objective.step()) into.objective.push_back({objective.text(0), objective.text(1), objective.real(2)});
 }
 
+void add_ensemble(const Database& database, std::int64_t pass, PassRow& into) {
+  Statement member(database, "SELECT model, score, structure FROM ensemble_model WHERE pass = ? ORDER BY rank");
+  member.with(pass);
+  while (member.step()) into.ensemble.push_back({number_of(member.integer(0)), member.real(1), member.text(2), {}});
+  Statement value(database, "SELECT rank, value FROM ensemble_value WHERE pass = ? ORDER BY rank, position");
+  value.with(pass);
+  while (value.step()) into.ensemble.at(static_cast<std::size_t>(value.integer(0)) - 1).values.push_back(value.real(1));
+  Statement trial(database,
+                  "SELECT target_trial.number FROM set_aside JOIN target_trial ON target_trial.trial = set_aside.trial"
+                  " AND target_trial.run = set_aside.pass >> 40 WHERE pass = ? ORDER BY target_trial.number");
+  trial.with(pass);
+  while (trial.step()) into.set_aside.push_back(trial.number(0));
+}
+
 }  // namespace
 
 void EeaStore::begin(const EeaRunRecord& record) {
@@ -114,9 +128,10 @@ EeaRunRecord EeaStore::record() const {
 
 std::vector<TargetTrialRow> EeaStore::trial_rows() const {
   const std::lock_guard lock(writing_);
-  Statement row(database_,
-                "SELECT number, test, file, for_transfer, predicted_fitness, measured_fitness FROM target_trial"
-                " JOIN trial ON trial.id = target_trial.trial WHERE run = ? ORDER BY number");
+  Statement row(
+      database_,
+      "SELECT number, test, file, for_transfer, predicted_fitness, measured_fitness, surprise FROM target_trial"
+      " JOIN trial ON trial.id = target_trial.trial WHERE run = ? ORDER BY number");
   row.with(run_);
   std::vector<TargetTrialRow> rows;
   while (row.step()) {
@@ -125,7 +140,8 @@ std::vector<TargetTrialRow> EeaStore::trial_rows() const {
                     .file = row.text(2),
                     .for_transfer = row.flag(3),
                     .predicted_fitness = row.real(4),
-                    .measured_fitness = row.real(5)});
+                    .measured_fitness = row.real(5),
+                    .surprise = row.real(6)});
   }
   return rows;
 }
@@ -186,8 +202,8 @@ std::vector<PassRow> EeaStore::passes() const {
   const std::lock_guard lock(writing_);
   Statement row(database_,
                 "SELECT id, number, best_model, best_score, best_test, best_fitness, evaluations, abandoned, reused,"
-                " invalid, steps, test_evaluations, invalid_tests, test_steps FROM pass WHERE id BETWEEN ? AND ?"
-                " AND ended ORDER BY id");
+                " invalid, steps, test_evaluations, invalid_tests, test_steps, coalesce(stopped, '') FROM pass"
+                " WHERE id BETWEEN ? AND ? AND ended ORDER BY id");
   row.with(key_base(run_), last_key(run_));
   std::vector<PassRow> passes;
   while (row.step()) {
@@ -205,7 +221,9 @@ std::vector<PassRow> EeaStore::passes() const {
     pass.test_evaluations = count_at(row, 11);
     pass.invalid_tests = count_at(row, 12);
     pass.test_steps = count_at(row, 13);
+    pass.stopped = row.text(14);
     add_best_values(database_, row.integer(0), pass);
+    add_ensemble(database_, row.integer(0), pass);
   }
   return passes;
 }

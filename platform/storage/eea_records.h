@@ -56,6 +56,7 @@ struct TargetTrialRow {
   bool for_transfer = false;               ///< carried out after the last pass, to see how its test transfers
   double predicted_fitness = kNotKnown;    ///< of the test, by the models that chose it
   double measured_fitness = kNotKnown;     ///< of the same test on the target
+  double surprise = kNotKnown;             ///< score, on this trial alone, of the best model before it was fitted to it
 };
 
 /// One figure of the objective metric about the best model of a pass.
@@ -63,6 +64,14 @@ struct ObjectiveRow {
   std::string name;  ///< address, pattern of addresses, or what the metric calls it
   std::string unit;
   double value = kNotKnown;
+};
+
+/// One of the models that a pass hands on, which differ: the best of each structure and restart first.
+struct EnsembleRow {
+  std::uint64_t model = 0;
+  double score = kNotKnown;
+  std::string structure = {};       ///< which hypothesis it is of; empty: there is only one
+  std::vector<double> values = {};  ///< in the order of the run's free values, SI
 };
 
 /// How a pass ended. Counts are of this pass alone.
@@ -78,6 +87,9 @@ struct PassRow {
   std::uint64_t test_evaluations = 0, invalid_tests = 0, test_steps = 0;
   std::vector<double> best_values = {};  ///< of the best model, in the order of the run's free values, SI
   std::vector<ObjectiveRow> objective = {};
+  std::vector<EnsembleRow> ensemble = {};
+  std::vector<int> set_aside = {};  ///< numbers of trials that were too hard and did not count
+  std::string stopped = {};         ///< why the run ended with it, before its last pass; a sentence
 };
 
 /// What a run is about, stored once when it begins.

@@ -8,6 +8,8 @@
 
 #include <lacuna/error.h>
 
+#include <cmath>
+
 namespace lacuna {
 namespace {
 
@@ -90,10 +92,10 @@ void EeaWriter::insert(const TargetTrialRow& row, const Trial& trial) {
   keep(TraceKind::commands, trial.commands.series);
   if (!trial.centre_of_mass.channels.empty()) keep(TraceKind::centre_of_mass, trial.centre_of_mass);
   Statement(database_,
-            "INSERT INTO target_trial (run, number, trial, test, for_transfer, predicted_fitness, measured_fitness)"
-            " VALUES (?, ?, ?, ?, ?, ?, ?)")
+            "INSERT INTO target_trial (run, number, trial, test, for_transfer, predicted_fitness, measured_fitness,"
+            " surprise) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
       .run_with(run_, row.number, id, key_of_some(row.test), row.for_transfer, row.predicted_fitness,
-                row.measured_fitness);
+                row.measured_fitness, row.surprise);
   trials_.push_back(id);
 }
 
@@ -103,7 +105,8 @@ void EeaWriter::insert(const ModelRow& model) {
                          key_of_some(model.parents[1]), number_bytes(model.genome), to_string(model.kind), model.reused,
                          model.score);
   for (std::size_t trial = 0; trial < model.trial_scores.size(); ++trial) {
-    insert_model_score_.run_with(key, trial_of(static_cast<int>(trial)), metric_, model.trial_scores[trial]);
+    if (!std::isnan(model.trial_scores[trial]))  // what is set aside has no row
+      insert_model_score_.run_with(key, trial_of(static_cast<int>(trial)), metric_, model.trial_scores[trial]);
   }
   if (!model.reason.empty()) insert_invalid_model_.run_with(key, model.reason);
 }
@@ -119,11 +122,11 @@ void EeaWriter::insert(const PassRow& pass) {
   Statement(database_,
             "UPDATE pass SET ended = 1, best_model = ?, best_score = ?, best_test = ?, best_fitness = ?,"
             " evaluations = ?, abandoned = ?, reused = ?, invalid = ?, steps = ?, test_evaluations = ?,"
-            " invalid_tests = ?, test_steps = ? WHERE id = ?")
+            " invalid_tests = ?, test_steps = ?, stopped = nullif(?, '') WHERE id = ?")
       .run_with(key_of_some(pass.best_model), pass.best_score, key_of_some(pass.best_test), pass.best_fitness,
                 count(pass.evaluations), count(pass.abandoned), count(pass.reused), count(pass.invalid),
                 count(pass.steps), count(pass.test_evaluations), count(pass.invalid_tests), count(pass.test_steps),
-                key);
+                pass.stopped, key);
   Statement value(database_, "INSERT INTO best_value (pass, position, value) VALUES (?, ?, ?)");
   int position = 0;
   for (const double best : pass.best_values) value.run_with(key, position++, best);
@@ -131,6 +134,22 @@ void EeaWriter::insert(const PassRow& pass) {
                       "INSERT INTO objective_score (pass, position, name, unit, value) VALUES (?, ?, ?, ?, ?)");
   position = 0;
   for (const ObjectiveRow& row : pass.objective) objective.run_with(key, position++, row.name, row.unit, row.value);
+  insert_ensemble(key, pass.ensemble);
+  Statement set_aside(database_, "INSERT INTO set_aside (pass, trial) VALUES (?, ?)");
+  for (const int trial : pass.set_aside) set_aside.run_with(key, trial_of(trial));
+}
+
+void EeaWriter::insert_ensemble(std::int64_t pass, const std::vector<EnsembleRow>& ensemble) {
+  Statement member(database_,
+                   "INSERT INTO ensemble_model (pass, rank, model, score, structure) VALUES (?, ?, ?, ?, ?)");
+  Statement value(database_, "INSERT INTO ensemble_value (pass, rank, position, value) VALUES (?, ?, ?, ?)");
+  int rank = 1;
+  for (const EnsembleRow& row : ensemble) {
+    member.run_with(pass, rank, key_of(run_, row.model), row.score, row.structure);
+    int position = 0;
+    for (const double of_member : row.values) value.run_with(pass, rank, position++, of_member);
+    ++rank;
+  }
 }
 
 }  // namespace lacuna

@@ -26,6 +26,7 @@ class EeaWriter {
   void insert(const PassRow& pass);
 
  private:
+  void insert_ensemble(std::int64_t pass, const std::vector<EnsembleRow>& ensemble);
   std::int64_t pass_key(int number);
   std::optional<std::int64_t> key_of_some(std::optional<std::uint64_t> number) const;
   TrialId trial_of(int number) const;

@@ -63,7 +63,8 @@ Choices everything() { return {{"checkpoint", "SELECT run, commits, seconds, x''
 
 /// Only what the best models and tests of passes and the tests of trials need.
 void leave_out_candidates(Choices& choices) {
-  const std::string models = "(SELECT best_model FROM pass WHERE best_model IS NOT NULL)";
+  const std::string models =
+      "(SELECT best_model FROM pass WHERE best_model IS NOT NULL UNION SELECT model FROM ensemble_model)";
   const std::string tests =
       "(SELECT best_test FROM pass WHERE best_test IS NOT NULL UNION SELECT test FROM target_trial WHERE test IS NOT "
       "NULL)";

@@ -1,21 +1,26 @@
 #include "model_disagreement.h"
 
+#include "pair_difference.h"
+
 #include <lacuna/count_parameter.h>
 #include <lacuna/error.h>
 #include <lacuna/plugin.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace lacuna {
 namespace {
 
-enum Parameter : std::size_t { kModels, kNoise };
+enum Parameter : std::size_t { kModels, kNoise, kRefit };
 
-double squared_difference(const TestPrediction& one, const TestPrediction& other) {
-  const TimeSeries::Samples &a = one.sensors.samples, &b = other.sensors.samples;
-  if (a.rows() != b.rows() || a.cols() != b.cols())
-    throw Error("the models predict " + std::to_string(a.rows()) + " × " + std::to_string(a.cols()) + " and " +
-                std::to_string(b.rows()) + " × " + std::to_string(b.cols()) +
-                " readings; they must be of one test and the same sensors");
-  return (a - b).squaredNorm();
+/// Of each channel: the one that the file gives for all, or what the predictions come with.
+std::vector<double> noise_of(const TestPrediction& prediction, double for_all) {
+  std::vector<double> noise = prediction.noise;
+  if (for_all > 0.0) noise.assign(static_cast<std::size_t>(prediction.sensors.samples.cols()), for_all);
+  if (noise.empty() || !std::all_of(noise.begin(), noise.end(), [](double deviation) { return deviation > 0.0; }))
+    throw Error("nothing is known of the sensors' noise; state it with fitness_parameters = { noise = ... }");
+  return noise;
 }
 
 }  // namespace
@@ -25,24 +30,35 @@ std::string ModelDisagreement::summary() const {
 }
 
 ParameterDeclarations ModelDisagreement::parameters() const {
-  return {{"models", "1", 2.0, 2.0, 100.0, Scale::linear, "Number of the best models that are held against each other"},
-          {"noise", "1", 1.0, 1e-12, 1e12, Scale::logarithmic,
-           "Standard deviation of a reading, in the SI unit of its channel"}};
+  return {{"models", "1", 2.0, 2.0, 100.0, Scale::linear, "Number of models that are held against each other"},
+          {"noise", "1", 0.0, 0.0, 1e12, Scale::linear,
+           "Standard deviation of a reading, in the SI unit of its channel, for all channels alike; 0: each channel's "
+           "own, as it is declared or as the trials so far show it"},
+          {"refit", "1", 0.0, 0.0, 1.0, Scale::linear,
+           "1: only what a refit of the wrong model would leave of a difference counts; 0: all of it"}};
 }
 
 std::size_t ModelDisagreement::models(std::span<const double> parameters) const {
   return count_parameter(this->parameters()[kModels], parameters[kModels]);
 }
 
+bool ModelDisagreement::wants_slopes(std::span<const double> parameters) const {
+  return count_parameter(this->parameters()[kRefit], parameters[kRefit]) == 1;
+}
+
 double ModelDisagreement::score(const Test&, std::span<const TestPrediction> predictions,
                                 std::span<const double> parameters) const {
   if (predictions.size() < 2)
     throw Error("one model alone disagrees with nobody; raise the population, or the number kept, to two at least");
+  const std::vector<double> noise = noise_of(predictions.front(), parameters[kNoise]);
+  const bool refit = wants_slopes(parameters);
   double sum = 0.0, pairs = 0.0;
   for (std::size_t i = 0; i < predictions.size(); ++i)
-    for (std::size_t j = i + 1; j < predictions.size(); ++j, ++pairs)
-      sum += squared_difference(predictions[i], predictions[j]);
-  return 0.5 * sum / (pairs * parameters[kNoise] * parameters[kNoise]);
+    for (std::size_t j = i + 1; j < predictions.size(); ++j, ++pairs) {
+      const PairDifference difference(predictions[i], predictions[j], noise);
+      sum += refit ? difference.squared_after_refit() : difference.squared();
+    }
+  return 0.5 * sum / pairs;
 }
 
 }  // namespace lacuna

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <lacuna/test_fitness.h>
+
+#include "eea/eea_run.h"
+#include "evaluation/test_predictor.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Models that judge tests, with what the trials so far say of the sensors' noise and, where the experiment's test
+/// fitness asks for it, of the models' free values. Const and shared by threads, each with a worker of its own.
+class Judges {
+ public:
+  /// The ensemble of the state's last estimation phase, as many as the test fitness takes. Run and state must outlive
+  /// it; simulates on `run.threads` threads.
+  Judges(const EeaRun& run, const EeaState& state);
+
+  std::size_t size() const { return judges_.size(); }
+  int workers() const { return predictor_.workers(); }
+  /// Fills one prediction a judge, whose memory is reused, and counts the steps taken onto `steps`. False: a judge
+  /// cannot carry the test out; `reason` says why.
+  bool predict(const Test& test, int worker, std::span<TestPrediction> predictions, std::uint64_t& steps,
+               std::string& reason) const;
+
+ private:
+  struct Judge {
+    ModelProposal model;
+    std::vector<double> moves = {};  ///< of each free value for its slope, in ranges; 0: it cannot move
+    Eigen::MatrixXd information = {};
+  };
+
+  void find_noise(const std::vector<ScoredTrial>& trials);
+  void find_information(const std::vector<ScoredTrial>& trials, Judge& judge) const;
+  bool add_slopes(const TestPredictor& predictor, const Judge& judge, const Test& test, int worker,
+                  TestPrediction& prediction, std::uint64_t& steps, std::string& reason) const;
+
+  const EeaDefinition& definition_;
+  std::vector<Judge> judges_;
+  TestPredictor predictor_;
+  std::vector<double> noise_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,36 @@
+#include "eea/stopping.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kBetter = 0.99;  // of the least surprise so far, to count as progress
+
+}  // namespace
+
+void note_surprise(EeaState& state, double surprise) {
+  if (std::isnan(surprise)) return;
+  if (std::isnan(state.least_surprise) || surprise < kBetter * state.least_surprise) {
+    state.least_surprise = surprise;
+    state.passes_without_progress = 0;
+  } else {
+    ++state.passes_without_progress;
+  }
+}
+
+std::string reason_to_stop(const EeaRun& run, const EeaState& state) {
+  const EeaDefinition& definition = run.definition;
+  const double fitness = state.counts.best_fitness;
+  if (definition.stop_below && fitness < *definition.stop_below)
+    return fmt::format("no test is worth more than {:.3g} {}, which is below exploration.stop_below = {:g}", fitness,
+                       definition.value.name(), *definition.stop_below);
+  if (definition.patience > 0 && state.passes_without_progress >= definition.patience)
+    return fmt::format("the models have not foretold a new trial better for {} passes (least error {:.3g})",
+                       state.passes_without_progress, state.least_surprise);
+  return {};
+}
+
+}  // namespace lacuna
