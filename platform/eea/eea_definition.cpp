@@ -261,7 +261,7 @@ void EeaDefinition::find_profiled(const EstimationSection& estimate, Complaints&
     else
       gene_space.free.push_back(model_space.free[v]);
   for (ModelEffect& effect : gene_space.effects)  // whose parameters stand behind all values of the robot
-    for (std::size_t& value : effect.values) value -= profiled.size();
+    for (std::size_t& v : effect.values) v -= profiled.size();
 }
 
 ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
@@ -273,7 +273,7 @@ ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
   for (const std::size_t v : profiled)  // in ascending order, so that each stands at its place
     decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
   for (const std::size_t effect : decoded.without)
-    for (const std::size_t value : model_space.effects[effect].values) decoded.values[value] = kNotKnown;
+    for (const std::size_t v : model_space.effects[effect].values) decoded.values[v] = kNotKnown;
   return decoded;
 }
 

@@ -116,11 +116,12 @@ TEST(SwitchesRun, GoesOnWithTheSameRows) {
   for (const std::vector<double>& checkpoint : whole.checkpoints) {
     EeaState state = load_state(checkpoint);
     if (state.phase != Phase::estimation) continue;
-    for (int trial = 0; trial < state.pass; ++trial) {
-      const auto number = static_cast<std::size_t>(trial);
+    std::vector<TargetTrial> trials;
+    for (std::size_t number = 0; number < static_cast<std::size_t>(state.pass); ++number) {
       const std::uint64_t test = *whole.trial_rows[number].test;
-      state.trials.push_back({test, bench->definition().decode_test(whole.tests[test].genome), whole.trials[number]});
+      trials.push_back({test, bench->definition().decode_test(whole.tests[test].genome), whole.trials[number]});
     }
+    state.trials = std::move(trials);
     const std::uint64_t before = state.models;
     if (!state.search.empty())
       for (const ModelRow& row : whole.models)
@@ -138,6 +139,21 @@ TEST(SwitchesRun, AnEncodingWithoutSwitchesTakesAllEffects) {
   const MemoryJournal journal = run(*bench);
   EXPECT_EQ(bench->definition().estimation.layout().size(), bench->definition().model.free.size());
   for (const double value : journal.passes[0].best_values) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST(SwitchesRun, ValuesKeepTheirPlacesWhereDelaysAreNoGenes) {
+  const auto bench = small_bench({"experiment.passes=1", "model.free.'sensor.*.delay'=[0,0.1]",
+                                  "estimation.profiled=['sensor.*.delay']", "estimation.replay=true"},
+                                 kStickyCart);
+  const EeaDefinition& definition = bench->definition();
+  const MemoryJournal journal = run(*bench);
+  const PassRow& pass = journal.passes.front();
+  const ModelProposal best = definition.decode_model(journal.models[*pass.best_model].genome);
+  for (std::size_t i = 0; i < definition.model.free.size(); ++i) {
+    const std::string& address = definition.model.free[i].address;
+    const bool absent = address.starts_with("effect.") && !address.starts_with("effect." + best.structure + ".");
+    EXPECT_EQ(std::isnan(pass.best_values[i]), absent) << address;
+  }
 }
 
 TEST(SwitchesRun, AModelWithoutAnOptionalEffectIsAMistakeOfTheFile) {
