@@ -207,7 +207,7 @@ JOIN free_value ON free_value.run = pass.run AND free_value.position = best_valu
 CREATE VIEW parameter_error_by_pass AS
 SELECT experiment, run, replicate, pass, address, abs(error) AS error, unit
 FROM best_model
-WHERE truth IS NOT NULL AND NOT EXISTS (
+WHERE truth IS NOT NULL AND value IS NOT NULL AND NOT EXISTS (
   SELECT * FROM objective_score
   WHERE objective_score.pass = (best_model.run << 40) + 1 + best_model.pass AND objective_score.name = best_model.address)
 UNION ALL

@@ -27,10 +27,10 @@ std::string summary_line(const std::string& head, const std::string& text) {
 std::string effect_lines(const EffectList& effects) {
   std::string text;
   for (const EffectEntry& effect : effects)
-    text +=
-        summary_line(text.empty() ? "effects" : "",
-                     fmt::format("{}: {} @ {}", effect.id, effect.effect,
-                                 effect.where.empty() ? "world" : fmt::format("{}", fmt::join(effect.where, ", "))));
+    text += summary_line(text.empty() ? "effects" : "",
+                         fmt::format("{}: {} @ {}{}", effect.id, effect.effect,
+                                     effect.where.empty() ? "world" : fmt::format("{}", fmt::join(effect.where, ", ")),
+                                     effect.optional ? ", optional" : ""));
   return text.empty() ? summary_line("effects", "none") : text;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -31,7 +32,8 @@ std::string values_text(const StoredModel& model) {
   std::vector<std::vector<std::string>> table;
   for (std::size_t i = 0; i < model.model.values.size(); ++i) {
     const FreeValue& free = model.definition.model.free[i];
-    table.push_back({free.address, format_quantity(model.model.values[i], free.unit)});
+    const double value = model.model.values[i];
+    table.push_back({free.address, std::isnan(value) ? "-" : format_quantity(value, free.unit)});
   }
   return text_table(table);
 }
@@ -100,6 +102,7 @@ void replay(const ReplayOptions& options) {
   if (!takes_standard_output(options.csv)) {
     fmt::print("run {} · model {} · pass {}, generation {}\n", run.run.value, number, model.row.pass,
                model.row.generation);
+    if (!model.model.structure.empty()) fmt::print("structure {}\n", model.model.structure);
     fmt::print("{}{}", values_text(model), scores_text(model, score));
   }
   if (options.csv) write_series(model, options);

@@ -1,6 +1,7 @@
 #include "app/replays.h"
 
 #include "app/posed_robot.h"
+#include "evaluation/proposed_model.h"
 #include "foundation/interrupt.h"
 #include "storage/canonical_text.h"
 #include "storage/without_folders.h"
@@ -96,8 +97,8 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
   const Eigen::Index stride = frame_stride(scored.trial.measured.times);
 
   const EeaBench& bench = *subject.stored.bench;
-  ModelStructure structure = bench.definition().model.structure;
-  if (model.model.robot) structure.robot = *model.model.robot;
+  const ModelDefinition& definition = bench.definition().model;
+  const ModelStructure structure = structure_of(model.model, definition);
   ReplayRecord replay{.experiment = subject.run.experiment,
                       .identity = subject.run.identity,
                       .run = subject.run.run.value,
@@ -107,7 +108,7 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
                       .robot = canonical_text(structure.robot),
                       .traces = {}};
   PosedRobot::Motion motion =
-      PosedRobot(structure, bench.definition().model.engine).move(model.model.values, scored.test, times);
+      PosedRobot(structure, definition.engine).move(structure_values(model.model, definition), scored.test, times);
   add_motion(replay, "model", motion, stride);
   replay.traces.emplace_back("predicted", std::move(motion.readings));
   replay.traces.emplace_back("measured", scored.trial.measured);

@@ -9,6 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -24,9 +26,15 @@ struct ReproduceOptions {
   std::vector<std::filesystem::path> plugin_paths;
 };
 
+/// Values that are not known are equal.
+bool same_values(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
 bool differ(const PassRow& a, const PassRow& b) {
   return a.best_model != b.best_model || a.best_score != b.best_score || a.best_test != b.best_test ||
-         a.best_fitness != b.best_fitness || a.steps != b.steps || a.best_values != b.best_values;
+         a.best_fitness != b.best_fitness || a.steps != b.steps || !same_values(a.best_values, b.best_values);
 }
 
 /// Where the two begin to differ, as far as the passes tell.

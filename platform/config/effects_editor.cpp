@@ -40,10 +40,10 @@ bool same_effect(const TomlNode& node, const EffectEntry& effect) {
   ProblemList problems;
   Reading reading(problems, {});
   EffectEntry read;
-  static const Value<EffectEntry> kKeys = effect_keys().value();
+  static const Value<EffectEntry> kKeys = model_effect_keys().value();
   return kKeys.read(node, reading, read) && read.id == effect.id && read.effect == effect.effect &&
          read.where == effect.where && read.start == effect.start && read.fixed == effect.fixed &&
-         read.range == effect.range;
+         read.range == effect.range && read.optional == effect.optional;
 }
 
 /// The tree with an effect taken out; an empty list counts as none.

@@ -80,8 +80,15 @@ Table<EffectEntry> effect_keys() {
       .check({}, complete_effect);
 }
 
+Table<EffectEntry> model_effect_keys() {
+  return effect_keys().key("optional", &EffectEntry::optional, boolean(),
+                           "a run whose encoding has switches, as parameters_and_effects, may leave it out of models; "
+                           "everything else takes it as it is");
+}
+
 Table<ModelSection> system_keys(const std::string& whose) {
-  const std::string kind = whose == "target" ? "simulated: " : "";
+  const bool of_model = whose == "model";
+  const std::string kind = of_model ? "" : "simulated: ";
   return Table<ModelSection>()
       .key("robot", &ModelSection::robot, element_name(),
            kind + "a robot plugin's name; \"declared\" where file is given")
@@ -89,9 +96,9 @@ Table<ModelSection> system_keys(const std::string& whose) {
       .key("file", &ModelSection::file, existing_file(), kind + "of a declared robot")
       .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
            kind + "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
-      .key("effects", &ModelSection::effects, list_of(effect_keys().value()),
-           "Physical effects that the " + std::string(kind.empty() ? "" : "simulated ") + whose + " includes." +
-               (whose == "model" ? " `lacuna add` and `undo` edit this list and nothing else in the file." : ""))
+      .key("effects", &ModelSection::effects, list_of((of_model ? model_effect_keys() : effect_keys()).value()),
+           "Physical effects that the " + std::string(of_model ? "" : "simulated ") + whose + " includes." +
+               (of_model ? " `lacuna add` and `undo` edit this list and nothing else in the file." : ""))
       .check({"effects"}, check_ids);
 }
 

@@ -67,6 +67,7 @@ std::vector<std::pair<std::string, std::string>> keys_of(const EffectEntry& effe
     range += (range.empty() ? "" : ", ") + toml_key(name) + " = [" + toml_number(bounds.first) + ", " +
              toml_number(bounds.second) + "]";
   if (!range.empty()) keys.emplace_back("range", "{ " + range + " }");
+  if (effect.optional) keys.emplace_back("optional", "true");
   return keys;
 }
 

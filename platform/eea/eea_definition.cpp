@@ -1,11 +1,13 @@
 #include "eea/eea_definition.h"
 
 #include "evaluation/channel_choice.h"
+#include "evaluation/proposed_model.h"
 #include "evaluation/robot_key.h"
 #include "evaluation/target_simulator.h"
 #include "evaluation/test_space.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
+#include "storage/eea_records.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +24,30 @@ std::vector<FreeParameter> free_parameters(const ModelDefinition& model) {
   for (const FreeValue& value : model.free)
     free.push_back({value.address, value.unit, value.lower, value.upper, value.start, value.scale});
   return free;
+}
+
+/// What is wrong with the effects that a decoded model does without. Empty: nothing.
+std::string misfit_of_effects(const std::vector<std::size_t>& without, const std::vector<ModelEffect>& effects) {
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    if (without[i] >= effects.size())
+      return "it left out effect " + std::to_string(without[i]) + " of a model that has " +
+             std::to_string(effects.size());
+    if (!effects[without[i]].optional)
+      return "it left out the effect \"" + effects[without[i]].id + "\", which is not optional";
+    if (i > 0 && without[i] <= without[i - 1]) return "the effects that it left out are not in ascending order";
+  }
+  return {};
+}
+
+/// What is wrong with a decoded model. Empty: nothing.
+std::string misfit_of(const ModelProposal& decoded, const ModelSpace& space) {
+  if (decoded.values.size() != space.free.size())
+    return "it decoded " + std::to_string(decoded.values.size()) + " values instead of " +
+           std::to_string(space.free.size());
+  if (decoded.robot)
+    if (const std::string problem = misfit(*decoded.robot, space.robot); !problem.empty())
+      return "the robot that it built " + problem;
+  return misfit_of_effects(decoded.without, space.effects);
 }
 
 /// Complains about actuators whose commands have no limits.
@@ -112,7 +138,7 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
                              bool takes_tests)
     : model(std::move(of_model)),
       compiled(compile(model.structure, model.engine)),
-      model_space{model.structure.robot, free_parameters(model)},
+      model_space{model.structure.robot, free_parameters(model), model_effects(model)},
       gene_space(model_space),
       passes(takes_tests ? experiment.passes : 1),
       seeds(experiment.estimation.seeds),
@@ -234,23 +260,21 @@ void EeaDefinition::find_profiled(const EstimationSection& estimate, Complaints&
       profiled.push_back(v);
     else
       gene_space.free.push_back(model_space.free[v]);
+  for (ModelEffect& effect : gene_space.effects)  // whose parameters stand behind all values of the robot
+    for (std::size_t& v : effect.values) v -= profiled.size();
 }
 
 ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
   ModelProposal decoded = guarded_call(model_encoding.origin, "decode", [&] {
     return model_encoding->decode(gene_space, model_encoding.parameters, genome);
   });
-  std::string fault;
-  if (decoded.values.size() != gene_space.free.size())
-    fault = "it decoded " + std::to_string(decoded.values.size()) + " values instead of " +
-            std::to_string(gene_space.free.size());
-  else if (decoded.robot)
-    if (const std::string problem = misfit(*decoded.robot, model.structure.robot); !problem.empty())
-      fault = "the robot that it built " + problem;
+  if (const std::string fault = misfit_of(decoded, gene_space); !fault.empty())
+    throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
   for (const std::size_t v : profiled)  // in ascending order, so that each stands at its place
-    if (fault.empty()) decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
-  if (fault.empty()) return decoded;
-  throw Error(to_string(model_encoding.origin) + ": " + fault + "; that is a fault of the plugin: repair it");
+    decoded.values.insert(decoded.values.begin() + static_cast<std::ptrdiff_t>(v), 0.0);
+  for (const std::size_t effect : decoded.without)
+    for (const std::size_t v : model_space.effects[effect].values) decoded.values[v] = kNotKnown;
+  return decoded;
 }
 
 Test EeaDefinition::decode_test(const Genome& genome) const {

@@ -35,7 +35,8 @@ class EeaDefinition {
   EeaDefinition(const EeaDefinition&) = delete;
   EeaDefinition& operator=(const EeaDefinition&) = delete;
 
-  /// A genome's model. Throws `Error` that names the encoding where it fails.
+  /// A genome's model; values of effects that it does without are not known. Throws `Error` that names the encoding
+  /// where it fails.
   ModelProposal decode_model(const Genome& genome) const;
   Test decode_test(const Genome& genome) const;
   /// What models are driven by to be held against a trial of that test: the commands that a program took, which may

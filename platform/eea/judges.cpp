@@ -23,7 +23,7 @@ std::vector<double> moves_of(const ModelProposal& model, const std::vector<FreeV
   std::vector<double> moves;
   for (std::size_t k = 0; k < free.size(); ++k) {
     const double range = free[k].upper - free[k].lower;
-    const bool can_move = std::isfinite(range) && range > 0.0;
+    const bool can_move = std::isfinite(range) && range > 0.0 && !std::isnan(model.values[k]);  // of an absent effect
     const bool below_middle = model.values[k] < free[k].lower + 0.5 * range;
     moves.push_back(!can_move ? 0.0 : below_middle ? kMove : -kMove);
   }

@@ -1,5 +1,6 @@
 #include "evaluation/model_evaluator.h"
 
+#include "evaluation/proposed_model.h"
 #include "evaluation/robot_key.h"
 #include "foundation/address.h"
 #include "foundation/parallel.h"
@@ -9,7 +10,7 @@
 namespace lacuna {
 
 ModelEvaluator::ModelEvaluator(const ModelScorer& scorer, const ModelDefinition& definition, EvaluationOptions options)
-    : scorer_(scorer), options_(options), step_(definition.engine.step) {
+    : scorer_(scorer), options_(options), effects_(model_effects(definition)), step_(definition.engine.step) {
   const bool rounds = definition.engine.delay_rounding == DelayRounding::step;
   for (const FreeValue& value : definition.free)
     whole_steps_.push_back(rounds &&
@@ -17,9 +18,16 @@ ModelEvaluator::ModelEvaluator(const ModelScorer& scorer, const ModelDefinition&
 }
 
 ModelEvaluator::Phenotype ModelEvaluator::phenotype_of(const ModelProposal& model) const {
-  std::vector<double> key = model.values;
+  std::vector<double> key;
+  key.reserve(model.values.size() + 1 + model.without.size());
+  key = model.values;
   for (std::size_t i = 0; i < key.size(); ++i)
     if (whole_steps_[i]) key[i] = std::round(key[i] / step_);
+  key.push_back(static_cast<double>(model.without.size()));
+  for (const std::size_t effect : model.without) {
+    for (const std::size_t value : effects_[effect].values) key[value] = 0.0;
+    key.push_back(static_cast<double>(effect));
+  }
   Phenotype phenotype(reinterpret_cast<const char*>(key.data()), key.size() * sizeof(double));
   if (model.robot) append_key(*model.robot, phenotype);
   return phenotype;

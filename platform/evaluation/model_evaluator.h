@@ -23,8 +23,8 @@ struct EvaluatedModel {
 };
 
 /// Scores generations of models, in parallel, with the same results for any number of threads. Remembers phenotypes:
-/// models whose simulations cannot differ, because their robots and values are equal, or, where delays are rounded to
-/// whole steps, equal after rounding.
+/// models whose simulations cannot differ, because their robots, effects and values of these are equal, or, where
+/// delays are rounded to whole steps, equal after rounding.
 class ModelEvaluator {
  public:
   /// The scorer must outlive it; its trials are the same for all that is remembered.
@@ -36,12 +36,13 @@ class ModelEvaluator {
   void remember(const ModelProposal& model, const ModelScore& score);
 
  private:
-  using Phenotype = std::string;  // the bytes of its values and of its own robot
+  using Phenotype = std::string;  // the bytes of its values, of what it does without and of its own robot
   Phenotype phenotype_of(const ModelProposal& model) const;
   const ModelScore* recall(const Phenotype& phenotype, std::optional<double> bar) const;
 
   const ModelScorer& scorer_;
   EvaluationOptions options_;
+  std::vector<ModelEffect> effects_;
   std::vector<bool> whole_steps_;  ///< per value: only whole steps of it count
   double step_;                    ///< s
   std::unordered_map<Phenotype, ModelScore> memory_;

@@ -33,7 +33,8 @@ struct ModelScore {
 };
 
 /// Holds models against trials by a metric. Deterministic: a score depends on the arguments of `score` alone. The
-/// compiled model, and the definition where models may bring a robot of their own, must outlive it.
+/// compiled model, and the definition where models may bring a robot of their own or do without effects, must outlive
+/// it.
 class ModelScorer {
  public:
   /// Makes a workspace for each of `workers` threads. `profiled`: free values that are delays of sensors and are not

@@ -13,8 +13,8 @@
 
 namespace lacuna {
 
-/// Says what models would do in tests that nobody has carried out. The compiled model, and the
-/// definition where models may bring a robot of their own, must outlive it.
+/// Says what models would do in tests that nobody has carried out. The compiled model, and the definition where models
+/// may bring a robot of their own or do without effects, must outlive it.
 class TestPredictor {
  public:
   /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,

@@ -52,17 +52,23 @@ Figure figure(const std::string& title, const std::string& x_label, std::vector<
   return made;
 }
 
+/// What passes say of several parameters at once, each name once; figures of effects come and go with these.
+std::vector<ObjectiveRow> groups_of(const std::vector<PassRow>& passes) {
+  std::vector<ObjectiveRow> groups;
+  for (const PassRow& pass : passes)
+    for (const ObjectiveRow& row : pass.objective)
+      if (row.name.find('*') != std::string::npos &&
+          std::none_of(groups.begin(), groups.end(), [&](const ObjectiveRow& one) { return one.name == row.name; }))
+        groups.push_back(row);
+  return groups;
+}
+
 std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
   std::vector<Panel> panels(1);
   panels[0].y_label = "error of the best model";
   add_by_pass(panels[0].series, by_pass(runs, [](const PassRow& pass) { return pass.best_score; }), "", kBlue);
   if (panels[0].series.empty()) return {};
-  std::vector<ObjectiveRow> groups;
-  for (const PassRow& pass : runs.front().passes)
-    if (groups.empty())
-      std::copy_if(pass.objective.begin(), pass.objective.end(), std::back_inserter(groups),
-                   [](const ObjectiveRow& row) { return row.name.find('*') != std::string::npos; });
-  for (const ObjectiveRow& group : groups) {
+  for (const ObjectiveRow& group : groups_of(runs.front().passes)) {
     Panel& panel = panels.emplace_back();
     panel.y_label = group.name + " off by (" + group.unit + ")";
     const auto value = [&](const PassRow& pass) {
@@ -148,12 +154,12 @@ Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::
     spread.y.push_back(over_runs.mean - over_runs.deviation);
     spread.y2.push_back(over_runs.mean + over_runs.deviation);
   }
-  panel.series = {spread, found};
-  if (!truth.x.empty()) panel.series.push_back(truth);
+  for (Series* series : {&spread, &found, &truth})
+    if (!series->x.empty()) panel.series.push_back(std::move(*series));
   return panel;
 }
 
-/// One figure for each kind of parameter: "mass", "delay".
+/// One figure for each kind of parameter: "mass", "delay"; none of parameters that no model and no target has.
 std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, const std::string& title) {
   const std::vector<FreeValueRecord>& free = runs.front().record.free;
   std::map<std::string, std::vector<std::size_t>> kinds;
@@ -161,7 +167,8 @@ std::vector<NamedFigure> parameter_figures(const std::vector<DrawnRun>& runs, co
     kinds[free[i].address.substr(free[i].address.rfind('.') + 1)].push_back(i);
   std::vector<NamedFigure> figures;
   for (const auto& [kind, which] : kinds)
-    figures.push_back({"parameters_" + kind, figure(title, "", {parameter_panel(runs, which)})});
+    if (Panel panel = parameter_panel(runs, which); !panel.series.empty())
+      figures.push_back({"parameters_" + kind, figure(title, "", {std::move(panel)})});
   return figures;
 }
 

@@ -18,8 +18,8 @@ std::string run_figure(double value, int digits = 4) {
   return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
 }
 
-/// Figures over several parameters; those of single ones would fill the page.
-bool is_group(const ObjectiveRow& row) { return row.name.find('*') != std::string::npos; }
+/// Figures over several parameters, or of all effects; those of single parameters would fill the page.
+bool is_group(const ObjectiveRow& row) { return row.name.find('*') != std::string::npos || row.name == "effects"; }
 
 /// The trial that the test of this pass became.
 const TargetTrialRow* trial_of(const PassRow& pass, const std::vector<TargetTrialRow>& trials) {
@@ -31,10 +31,24 @@ const TargetTrialRow* trial_of(const PassRow& pass, const std::vector<TargetTria
 
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-std::vector<std::string> head(const std::vector<PassRow>& passes) {
+/// Of all passes, each once: models that do without effects have no figures of these.
+std::vector<std::string> group_names(const std::vector<PassRow>& passes) {
+  std::vector<std::string> names;
+  for (const PassRow& pass : passes)
+    for (const ObjectiveRow& row : pass.objective)
+      if (is_group(row) && std::find(names.begin(), names.end(), row.name) == names.end()) names.push_back(row.name);
+  return names;
+}
+
+std::string group_figure(const PassRow& pass, const std::string& name) {
+  for (const ObjectiveRow& row : pass.objective)
+    if (row.name == name) return row.unit == "1" ? run_figure(row.value, 3) : format_quantity(row.value, row.unit);
+  return "-";
+}
+
+std::vector<std::string> head(const std::vector<std::string>& groups) {
   std::vector<std::string> cells = {"pass", "error"};
-  for (const ObjectiveRow& row : passes.back().objective)
-    if (is_group(row)) cells.push_back(row.name + " off by");
+  for (const std::string& group : groups) cells.push_back(group + " off by");
   for (const char* name : {"test predicted", "on target", "models", "abandoned", "reused", "invalid", "steps"})
     cells.emplace_back(name);
   return cells;
@@ -44,12 +58,11 @@ std::vector<std::string> head(const std::vector<PassRow>& passes) {
 
 std::string passes_text(const std::vector<PassRow>& passes, const std::vector<TargetTrialRow>& trials) {
   if (passes.empty()) return "no pass has ended\n";
-  std::vector<std::vector<std::string>> table = {head(passes)};
+  const std::vector<std::string> groups = group_names(passes);
+  std::vector<std::vector<std::string>> table = {head(groups)};
   for (const PassRow& pass : passes) {
     std::vector<std::string> cells = {std::to_string(pass.number), run_figure(pass.best_score)};
-    for (const ObjectiveRow& row : pass.objective)
-      if (is_group(row)) cells.push_back(format_quantity(row.value, row.unit));
-    cells.resize(table.front().size() - 7, "-");  // before the first estimation phase there is no best model
+    for (const std::string& group : groups) cells.push_back(group_figure(pass, group));
     const TargetTrialRow* trial = trial_of(pass, trials);
     cells.push_back(run_figure(pass.best_fitness));
     cells.push_back(trial ? run_figure(trial->measured_fitness) : "-");

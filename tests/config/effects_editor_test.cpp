@@ -133,6 +133,17 @@ TEST(EffectsEditor, WritesAnEffectThatReadsBackTheSame) {
   EXPECT_NO_THROW(insert_effect("[model]\neffects = []\n", full));
 }
 
+TEST(EffectsEditor, KeepsWhatIsOptional) {
+  EffectEntry optional = kFriction;
+  optional.optional = true;
+  EXPECT_THAT(effect_as_toml(optional), HasSubstr(", optional = true }"));
+  EXPECT_THAT(effect_as_toml(kFriction), testing::Not(HasSubstr("optional")));
+  const std::string before = "[model]\n[[model.effects]]\neffect = \"a\"\noptional = true\n";
+  const std::string inserted = insert_effect(before, optional);
+  EXPECT_THAT(inserted, HasSubstr("start = { torque = 0.1 }\noptional = true\n"));
+  EXPECT_EQ(remove_effect(inserted, "friction"), before);
+}
+
 std::string complaint_of_editing(const std::function<void()>& action) {
   try {
     action();

@@ -90,6 +90,19 @@ TEST(ReadExperiment, ReadsEffects) {
   EXPECT_EQ(effects[1].where.size(), 2U);
 }
 
+TEST(ReadExperiment, EffectsOfAModelAloneMayBeOptional) {
+  const auto with = [](const std::string& model, const std::string& target) {
+    return read_experiment_text("[experiment]\nname = \"small\"\n[target]\nkind = \"simulated\"\nrobot = \"r\"\n" +
+                                    target + "[model]\nrobot = \"r\"\n" + model,
+                                "small.toml");
+  };
+  const std::string effects = "effects = [{ effect = \"a\", optional = true }, { effect = \"b\" }]\n";
+  const EffectList read = with(effects, "").model.effects;
+  EXPECT_TRUE(read[0].optional);
+  EXPECT_FALSE(read[1].optional);
+  EXPECT_THROW(with("", effects), BadInput);
+}
+
 TEST(ReadExperiment, ReadsEngineFitAndNoise) {
   const Experiment experiment = complete();
   EXPECT_DOUBLE_EQ(experiment.engine.step, 0.0005);

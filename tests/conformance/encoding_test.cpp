@@ -20,7 +20,9 @@ class EncodingConformance : public testing::Test {
     for (const char* name : {"torso", "leg", "arm"}) add_part(name);
     models_.free = {{"body.torso.mass", "kg", 1.0, 7.0, 2.0, Scale::linear},
                     {"joint.knee.damping", "N*m*s/rad", 1e-4, 10.0, 0.1, Scale::logarithmic},
-                    {"sensor.t1.delay", "s", 0.0, 0.2, 0.0, Scale::linear}};
+                    {"sensor.t1.delay", "s", 0.0, 0.2, 0.0, Scale::linear},
+                    {"effect.grease.damping", "N*m*s/rad", 0.0, 2.0, 0.5, Scale::linear}};
+    models_.effects = {{"stays", false, {}}, {"grease", true, {3}}, {"tilt", true, {}}};
     tests_.sensors = {{"touch", "1"}, {"angle", "rad"}, {"speed", "rad/s"}};
     tests_.actuators = {{"hip", "rad"}, {"knee", "rad"}};
     tests_.lower = {-1.0, 0.25};
@@ -132,6 +134,18 @@ void check_robot(const ModelProposal& model, const ModelProposal& again, const R
   EXPECT_EQ(parents_of(*model.robot), parents_of(*again.robot));
 }
 
+/// Left-out effects are optional ones, in order; the structure is the genome's alone.
+void check_effects(const ModelProposal& model, const ModelProposal& again, const ModelSpace& space) {
+  EXPECT_EQ(model.structure, again.structure);
+  EXPECT_EQ(model.without, again.without);
+  EXPECT_TRUE(std::is_sorted(model.without.begin(), model.without.end()));
+  EXPECT_EQ(std::adjacent_find(model.without.begin(), model.without.end()), model.without.end());
+  for (const std::size_t effect : model.without) {
+    ASSERT_LT(effect, space.effects.size());
+    EXPECT_TRUE(space.effects[effect].optional) << space.effects[effect].id;
+  }
+}
+
 TEST_F(EncodingConformance, AGenomeIsOneModelWithinItsBounds) {
   on_every<ModelEncoding>([&](const ModelEncoding& encoding, const std::vector<double>& parameters) {
     const GenomeLayout layout = encoding.layout(models_, parameters);
@@ -142,6 +156,7 @@ TEST_F(EncodingConformance, AGenomeIsOneModelWithinItsBounds) {
       const ModelProposal again = encoding.decode(models_, parameters, genome);
       EXPECT_EQ(model.values, again.values);
       check_robot(model, again, robot_);
+      check_effects(model, again, models_);
       ASSERT_EQ(model.values.size(), models_.free.size());
       for (std::size_t i = 0; i < model.values.size(); ++i) {
         EXPECT_GE(model.values[i], models_.free[i].lower) << models_.free[i].address;
@@ -184,6 +199,7 @@ TEST_F(EncodingConformance, GenomesOfAnotherLengthAreRefused) {
 
 TEST_F(EncodingConformance, WhereThereIsNothingToEncodeASentenceSaysSo) {
   models_.free.clear();
+  models_.effects.clear();
   robot_ = {};
   on_every<ModelEncoding>([&](const ModelEncoding& encoding, const std::vector<double>& parameters) {
     EXPECT_THROW(encoding.layout(models_, parameters), Error);

@@ -72,5 +72,19 @@ TEST_F(ObjectiveConformance, WhatTheTargetDoesNotHaveIsNoError) {
   });
 }
 
+TEST_F(ObjectiveConformance, ValuesOfEffectsThatTheModelDoesWithoutDoNotCount) {
+  space_.free.push_back({"effect.grease.damping", "N*m*s/rad", 0.0, 2.0, 0.5, Scale::linear});
+  space_.effects = {{"grease", true, {4}}};
+  std::vector<double> truth = truth_;
+  truth.push_back(kNanOfObjective);
+  ModelProposal model{truth};
+  model.without = {0};
+  on_every<ObjectiveMetric>([&](const ObjectiveMetric& metric, const std::vector<double>& parameters) {
+    const auto scores = metric.score(space_, model, hidden(truth), parameters);
+    EXPECT_FALSE(scores.empty());
+    for (const ObjectiveScore& score : scores) EXPECT_EQ(score.value, 0.0) << score.name;
+  });
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -35,6 +35,70 @@ TEST(ParametersEncoding, WantsFiniteBounds) {
               ThrowsMessage<Error>(HasSubstr("contact.friction")));
 }
 
+/// A mass, then an effect that stays, one without free parameters and two with one each that are optional.
+class ParametersAndEffectsTest : public testing::Test {
+ protected:
+  ModelProposal decode(const Genome& genome, double at_most = 0.0) const {
+    return encoding_.decode(space_, std::array{at_most}, genome);
+  }
+
+  const RobotSpec robot_;
+  ModelSpace space_{robot_,
+                    {{"body.torso.mass", "kg", 1.0, 7.0, 1.0, Scale::linear},
+                     {"effect.grease.damping", "N*m*s/rad", 0.0, 2.0, 0.0, Scale::linear},
+                     {"effect.stick.torque", "N*m", 0.0, 5.0, 0.0, Scale::linear}},
+                    {{"stays", false, {}}, {"tilt", true, {}}, {"grease", true, {1}}, {"stick", true, {2}}}};
+  const ModelEncoding& encoding_ = built_catalog().get<ModelEncoding>("parameters_and_effects");
+};
+
+TEST_F(ParametersAndEffectsTest, HasTheGenesOfParametersAndThenASwitchAnOptionalEffect) {
+  const GenomeLayout layout = encoding_.layout(space_, std::array{0.0});
+  const GenomeLayout values = built_catalog().get<ModelEncoding>("parameters").layout(space_, {});
+  ASSERT_EQ(layout.size(), 6U);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(layout.genes[i].name, values.genes[i].name);
+  std::vector<std::string> switches;
+  for (std::size_t i = values.size(); i < layout.size(); ++i) {
+    switches.push_back(layout.genes[i].name);
+    EXPECT_TRUE(layout.genes[i].lower == 0.0 && layout.genes[i].upper == 1.0);
+  }
+  EXPECT_THAT(switches, testing::ElementsAre("effect.tilt", "effect.grease", "effect.stick"));
+}
+
+TEST_F(ParametersAndEffectsTest, WhatIsOffIsLeftOutAndWhatIsOnIsTheStructure) {
+  const ModelProposal two = decode({9.0, 0.5, 1.0, 0.2, 0.9, 0.6});
+  EXPECT_EQ(two.values, (std::vector{7.0, 0.5, 1.0}));
+  EXPECT_THAT(two.without, testing::ElementsAre(1U));
+  EXPECT_EQ(two.structure, "grease + stick");
+  const ModelProposal none = decode({2.0, 0.5, 1.0, 0.5, 0.0, 0.1});
+  EXPECT_THAT(none.without, testing::ElementsAre(1U, 2U, 3U)) << "0.5 is off";
+  EXPECT_EQ(none.structure, "no optional effect");
+  EXPECT_TRUE(decode({2.0, 0.5, 1.0, 0.51, 1.0, 0.8}).without.empty());
+}
+
+TEST_F(ParametersAndEffectsTest, AtMostSoManyHaveTheLargestSwitches) {
+  const Genome genome = {2.0, 0.5, 1.0, 0.7, 0.9, 0.8};
+  EXPECT_EQ(decode(genome, 1.0).structure, "grease");
+  EXPECT_EQ(decode(genome, 2.0).structure, "grease + stick");
+  EXPECT_EQ(decode(genome, 3.0).structure, "tilt + grease + stick");
+  EXPECT_EQ(decode(genome, 9.0).structure, "tilt + grease + stick");
+  EXPECT_EQ(decode({2.0, 0.5, 1.0, 0.8, 0.8, 0.8}, 2.0).structure, "tilt + grease") << "ties by order";
+  EXPECT_EQ(decode({2.0, 0.5, 1.0, 0.1, 0.3, 0.4}, 2.0).structure, "no optional effect");
+}
+
+TEST_F(ParametersAndEffectsTest, SaysWhatItMisses) {
+  EXPECT_THAT([&] { encoding_.layout(space_, std::array{1.5}); }, ThrowsMessage<Error>(HasSubstr("at_most")));
+  for (ModelEffect& effect : space_.effects) effect.optional = false;
+  EXPECT_THAT([&] { encoding_.layout(space_, std::array{0.0}); },
+              ThrowsMessage<Error>(HasSubstr("write optional = true")));
+}
+
+TEST_F(ParametersAndEffectsTest, NeedsNoFreeParameter) {
+  space_.free.clear();
+  space_.effects = {{"tilt", true, {}}};
+  EXPECT_EQ(encoding_.layout(space_, std::array{0.0}).size(), 1U);
+  EXPECT_EQ(decode({0.8}).structure, "tilt");
+}
+
 class RecurrentNetworkTest : public testing::Test {
  protected:
   static TestSpace space(std::size_t sensors, std::size_t actuators) {

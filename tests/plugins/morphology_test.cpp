@@ -201,6 +201,22 @@ TEST_F(PartDistanceTest, TheTopologyIsWhichEndsMeet) {
   EXPECT_EQ(topology_wrong(genome), 1.0);
 }
 
+/// As the figure topology_wrong has it.
+TEST_F(PartDistanceTest, AStructureIsWhichEndsMeet) {
+  const auto structure = [&](const Genome& genome) {
+    return encoding_.decode({target_, {}}, parameters_, genome).structure;
+  };
+  Genome genome = five_cylinders_genome();
+  EXPECT_EQ(structure(genome), "0h 0t 0h 0h");
+  gene(genome, 4, 2) = 0.3, gene(genome, 4, 4) = 0.3;
+  gene(genome, 3, 0) = 0.4, gene(genome, 3, 1) = 0.0;
+  EXPECT_EQ(structure(genome), "0h 0t 0h 0h") << "a sibling's tail is the parent's head";
+  gene(genome, 3, 1) = 1.0;
+  EXPECT_EQ(structure(genome), "0h 0t 1h 0h");
+  gene(genome, 2, 1) = 1.0;
+  EXPECT_EQ(structure(genome), "0h 0h 1h 0h");
+}
+
 TEST_F(PartDistanceTest, AnArmOnTheMiddleOfAPartIsOnNoEnd) {
   const RobotSpec literal = five_with({{"arms_in_middle", 1.0}});
   EXPECT_LT((literal.bodies[3].position - Vector3d(1.0, 0.4, kHeight)).norm(), kPlace);

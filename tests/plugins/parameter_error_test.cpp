@@ -14,10 +14,14 @@ constexpr double kErrorTolerance = 1e-15;  // of values of order one
 class ParameterErrorTest : public testing::Test {
  protected:
   /// Scores by "name unit".
-  std::map<std::string, double> scores(const std::vector<double>& model, const std::vector<double>& truth) const {
+  std::map<std::string, double> scores(const std::vector<double>& model, const std::vector<double>& truth,
+                                       const std::vector<std::size_t>& without = {}) const {
+    ModelProposal proposal;
+    proposal.values = model;
+    proposal.without = without;
     std::map<std::string, double> scores;
     for (const ObjectiveScore& score :
-         built_catalog().get<ObjectiveMetric>("parameter_error").score(space_, {model}, {truth, robot_}, {}))
+         built_catalog().get<ObjectiveMetric>("parameter_error").score(space_, proposal, {truth, robot_}, {}))
       scores[score.name + " " + score.unit] = score.value;
     return scores;
   }
@@ -56,6 +60,25 @@ TEST_F(ParameterErrorTest, AddsNoNewtonMetresToNewtons) {
   free("joint.slider.damping", "N*s/m");
   EXPECT_THAT(scores({1.0, 1.0}, {2.0, 3.0}), testing::ElementsAre(testing::Pair("joint.hinge.damping N*m*s/rad", 1.0),
                                                                    testing::Pair("joint.slider.damping N*s/m", 2.0)));
+}
+
+TEST_F(ParameterErrorTest, CountsEffectsThatAreOnOrOffAndShouldNotBe) {
+  free("body.torso.mass", "kg");
+  for (const char* effect : {"grease", "stick", "spring"}) free(std::string("effect.") + effect + ".size", "1");
+  space_.effects = {{"grease", true, {1}}, {"stick", true, {2}}, {"spring", false, {3}}, {"fixed", true, {}}};
+  const std::vector<double> truth = {2.0, 0.5, kUnknown, kUnknown};
+  EXPECT_EQ(scores({2.0, 0.5, 1.0, 1.0}, truth).at("effects 1"), 1.0) << "stick is on; spring is no choice";
+  EXPECT_EQ(scores({2.0, 0.5, 1.0, 1.0}, truth, {1}).at("effects 1"), 0.0);
+  EXPECT_EQ(scores({2.0, 0.5, 1.0, 1.0}, truth, {1, 3}).at("effects 1"), 0.0) << "of fixed nobody knows";
+  EXPECT_EQ(scores({2.0, 0.5, 1.0, 1.0}, truth, {0}).at("effects 1"), 2.0);
+}
+
+TEST_F(ParameterErrorTest, LeavesOutTheParametersOfEffectsThatTheModelDoesWithout) {
+  for (const char* effect : {"a", "b", "c"}) free(std::string("effect.") + effect + ".size", "1");
+  space_.effects = {{"a", true, {0}}, {"b", true, {1}}, {"c", true, {2}}};
+  const auto errors = scores({1.0, 2.0, kUnknown}, {3.0, 3.0, 3.0}, {2});
+  EXPECT_THAT(errors, testing::ElementsAre(testing::Pair("effect.*.size 1", 1.5), testing::Pair("effect.a.size 1", 2.0),
+                                           testing::Pair("effect.b.size 1", 1.0), testing::Pair("effects 1", 1.0)));
 }
 
 TEST_F(ParameterErrorTest, RefusesATruthOfAnotherLength) {

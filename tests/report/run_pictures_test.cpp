@@ -50,5 +50,13 @@ TEST(RunPictures, ShowErrorsWhereEachRunHidesValuesOfItsOwn) {
   EXPECT_EQ(panel.y_label, "mass, found minus hidden (kg)");
 }
 
+TEST(RunPictures, LeaveOutWhatNoModelAndNoTargetHas) {
+  for (const NamedFigure& named : run_figures({run_with(kNotKnown, kNotKnown)}, "title"))
+    EXPECT_NE(named.name, "parameters_mass") << "the effect that has it is left out";
+  const Panel truth_alone = mass_panel({run_with(2.0, kNotKnown)});
+  ASSERT_EQ(truth_alone.series.size(), 1U);
+  EXPECT_EQ(truth_alone.series[0].label, "truth");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -62,6 +62,13 @@ TEST_F(EeaViews, WhatTheObjectiveMetricSaysOfAnAddressCounts) {
             "pass,error\n1,7.5\n2,7.5\n");
 }
 
+TEST_F(EeaViews, AValueThatTheBestModelDoesNotHaveHasNoError) {
+  filled_.database.execute("UPDATE best_value SET value = NULL WHERE position = 0");
+  EXPECT_EQ(ask("SELECT address, value, error FROM best_model WHERE pass = 2 AND position = 0"),
+            "address,value,error\nbody.torso.mass,,\n");
+  EXPECT_EQ(ask("SELECT count(*) AS n FROM parameter_error_by_pass WHERE address = 'body.torso.mass'"), "n\n0\n");
+}
+
 TEST_F(EeaViews, TheTransferGapIsOfTestsThatModelsPredicted) {
   EXPECT_EQ(ask("SELECT pass, trial, test, fitness, predicted, measured, gap FROM transfer_gap ORDER BY trial LIMIT 1"),
             "pass,trial,test,fitness,predicted,measured,gap\n2,1,11,forward_distance,2.5,2,-0.5\n");

@@ -62,7 +62,7 @@ class ModelEncoding {
   virtual std::string summary() const = 0;
   virtual ParameterDeclarations parameters() const { return {}; }
   /// Throws `Error` where the space has nothing to encode: without free parameters an encoding of values, without
-  /// bodies and joints one of robots.
+  /// optional effects one that switches them, without bodies and joints one of robots.
   virtual GenomeLayout layout(const ModelSpace& space, std::span<const double> parameters) const = 0;
   /// A genome of a random model; uniform within the genes' bounds unless an encoding knows better.
   virtual Genome random(const GenomeLayout& layout, RandomStream& random) const {

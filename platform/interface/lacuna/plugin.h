@@ -20,7 +20,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 4;
+inline constexpr std::uint32_t kInterfaceVersion = 5;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -99,6 +99,8 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(RandomStream),
     LACUNA_LAYOUT_(Gene),
     LACUNA_LAYOUT_(GenomeLayout),
+    LACUNA_LAYOUT_(FreeParameter),
+    LACUNA_LAYOUT_(ModelEffect),
     LACUNA_LAYOUT_(ModelSpace),
     LACUNA_LAYOUT_(ModelProposal),
     LACUNA_LAYOUT_(TestSpace),

@@ -6,10 +6,10 @@
 #include <lacuna/cylinder.h>
 #include <lacuna/error.h>
 #include <lacuna/plugin.h>
+#include <lacuna/value_genes.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -132,11 +132,7 @@ GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double>
     for (std::size_t which = 0; which < kGenesPerPart; ++which)
       layout.genes.push_back(gene_of(body, which, parameters));
   layout.row = space.free.empty() ? kGenesPerPart : 0;
-  for (const FreeParameter& free : space.free) {
-    if (!std::isfinite(free.lower) || !std::isfinite(free.upper) || free.lower > free.upper)
-      throw Error(free.address + " has no finite search range; give its bounds under [model.free]");
-    layout.genes.push_back({free.address, free.unit, GeneKind::real, free.lower, free.upper});
-  }
+  append_value_genes(space.free, layout.genes);
   return layout;
 }
 
@@ -160,9 +156,9 @@ ModelProposal Morphology::decode(const ModelSpace& space, std::span<const double
   if (parameters[kLift] >= 0.5) lift(*robot);
   place_touch_sensors(*robot, parts);
   ModelProposal model;
-  for (std::size_t i = 0; i < space.free.size(); ++i)
-    model.values.push_back(std::clamp(genome[shape_genes + i], space.free[i].lower, space.free[i].upper));
+  model.values = values_of_genes(space.free, genome.subspan(shape_genes));
   model.robot = std::move(robot);
+  model.structure = topology_of(parts);
   return model;
 }
 

@@ -58,6 +58,17 @@ std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_
   return parts;
 }
 
+std::string topology_of(const std::vector<PlacedPart>& parts) {
+  std::vector<std::size_t> tails(parts.size(), 0);  // where each part's tail is: 0 the first one's, k + 1 the k-th head
+  std::string text;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    tails[i] = parts[i].at_head ? parts[i].parent + 1 : tails[parts[i].parent];
+    if (i > 1) text += ' ';
+    text += tails[i] == 0 ? "0t" : std::to_string(tails[i] - 1) + 'h';
+  }
+  return text;
+}
+
 void aim_at_centres(std::span<double> genome, std::span<const Gene> genes, std::span<const Vector3d> centres,
                     double root_height) {
   std::vector<PlacedPart> parts(genome.size() / kGenesPerPart);

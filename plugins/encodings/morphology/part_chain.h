@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -32,6 +33,10 @@ struct PlacedPart {
 /// The parts of a genome of `kGenesPerPart` genes each: lengths in m, all others within [0, 1]. The first lies along x
 /// with its centre at `root_height` above the origin, m.
 std::vector<PlacedPart> place_parts(std::span<const double> genome, double root_height);
+
+/// Which ends meet, as in "0h 0t 2h": for each part but the first the part, counted from 0, on whose head or tail it
+/// hangs. What hangs on the tail of another part hangs where that one does, so equal texts are equal topologies.
+std::string topology_of(const std::vector<PlacedPart>& parts);
 
 /// Writes the genes of length, roll and turn of every part but the first so that its centre comes as near as the genes'
 /// bounds allow to the one given, where the parts before it lie; parents, ends and the first part's length stay as the

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -33,10 +35,43 @@ void add(std::vector<Group>& groups, const ObjectiveScore& score) {
   group->sum += score.value;
 }
 
+enum class Presence : unsigned char { absent, present, cannot_tell };
+
+/// Whether the target has an effect: it does where it has one of its parameters.
+Presence in_target(const ModelEffect& effect, std::span<const double> truth) {
+  if (effect.values.empty()) return Presence::cannot_tell;
+  const bool any =
+      std::any_of(effect.values.begin(), effect.values.end(), [&](std::size_t i) { return !std::isnan(truth[i]); });
+  return any ? Presence::present : Presence::absent;
+}
+
+/// How many optional effects are on that the target lacks, or off that it has; nothing where none can be compared.
+std::optional<ObjectiveScore> wrong_effects(const ModelSpace& space, const ModelProposal& model,
+                                            std::span<const double> truth) {
+  ObjectiveScore wrong{"effects", "1", 0.0};
+  bool any = false;
+  for (std::size_t i = 0; i < space.effects.size(); ++i) {
+    const Presence target = in_target(space.effects[i], truth);
+    if (!space.effects[i].optional || target == Presence::cannot_tell) continue;
+    any = true;
+    const bool on = !std::binary_search(model.without.begin(), model.without.end(), i);
+    if (on != (target == Presence::present)) wrong.value += 1.0;
+  }
+  return any ? std::optional(wrong) : std::nullopt;
+}
+
+/// For each free parameter whether the model has it.
+std::vector<bool> present_values(const ModelSpace& space, const ModelProposal& model) {
+  std::vector<bool> present(space.free.size(), true);
+  for (const std::size_t effect : model.without)
+    for (const std::size_t value : space.effects.at(effect).values) present.at(value) = false;
+  return present;
+}
+
 }  // namespace
 
 std::string ParameterError::summary() const {
-  return "|value - truth| of each free parameter, and its mean for each kind of parameter";
+  return "|value - truth| of each free parameter, its mean for each kind of parameter, and how many effects are wrong";
 }
 
 std::vector<ObjectiveScore> ParameterError::score(const ModelSpace& space, const ModelProposal& model,
@@ -45,15 +80,17 @@ std::vector<ObjectiveScore> ParameterError::score(const ModelSpace& space, const
   if (model.values.size() != space.free.size() || truth.size() != space.free.size())
     throw Error("a model of " + std::to_string(model.values.size()) + " values and a truth of " +
                 std::to_string(truth.size()) + " do not fit " + std::to_string(space.free.size()) + " free parameters");
+  const std::vector<bool> present = present_values(space, model);
   std::vector<ObjectiveScore> scores;
   std::vector<Group> groups;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (std::isnan(truth[i])) continue;
+    if (std::isnan(truth[i]) || !present[i]) continue;
     scores.push_back({space.free[i].address, space.free[i].unit, std::abs(model.values[i] - truth[i])});
     add(groups, scores.back());
   }
   for (const Group& group : groups)
     if (group.members >= 2 && group.one_unit) scores.push_back({group.name, group.unit, group.sum / group.members});
+  if (const auto wrong = wrong_effects(space, model, truth)) scores.push_back(*wrong);
   return scores;
 }
 
