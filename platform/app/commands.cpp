@@ -61,7 +61,9 @@ int run_program(int argc, char** argv) {
   add_trial_command(program);
   add_run_command(program);
   add_runs_command(program);
+  add_predict_command(program);
   add_plot_command(program);
+  add_curves_command(program);
   add_shapes_command(program);
   add_replay_command(program);
   add_reproduce_command(program);

@@ -1,6 +1,8 @@
 #include "app/store_journal.h"
 
-#include "eea/recorded_trials.h"
+#include "app/run_trials.h"
+
+#include <utility>
 
 namespace lacuna {
 
@@ -16,17 +18,12 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
   const std::optional<CheckpointRow> checkpoint = store.checkpoint();
   if (!checkpoint) return std::nullopt;
   EeaState state = load_state(checkpoint->state);
-  const std::vector<TargetTrialRow> rows = store.trial_rows();
-  std::vector<Trial> trials = store.trials();
-  state.trials.resize(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    TargetTrial& trial = state.trials[i];
-    trial.trial = with_known_start(definition, std::move(trials[i]));
-    const double end = trial.trial.measured.times(trial.trial.measured.times.size() - 1);
-    trial.drive = rows[i].test
-                      ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trial.trial)
-                      : Test{trial.trial.commands, end, {}};
-    trial.test = rows[i].test.value_or(0);
+  std::vector<RunTrial> stored = run_trials(store, definition);
+  state.trials.resize(stored.size());
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    state.trials[i].trial = std::move(stored[i].trial);
+    state.trials[i].drive = std::move(stored[i].drive);
+    state.trials[i].test = stored[i].row.test.value_or(0);
   }
   if (state.phase == Phase::estimation && !state.search.empty()) state.evaluated = store.models(state.pass);
   return state;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -24,6 +25,16 @@ std::unique_ptr<EeaBench> open_bench(const CommonOptions& options, const std::st
   }
 }
 
+std::string key_of_override(const std::string& text) { return text.substr(0, text.find('=')); }
+
+/// A key that is set anew loses its old value.
+std::vector<std::string> put_over(std::vector<std::string> overrides, const std::vector<std::string>& newer) {
+  for (const std::string& one : newer)
+    std::erase_if(overrides, [&](const std::string& old) { return key_of_override(old) == key_of_override(one); });
+  overrides.insert(overrides.end(), newer.begin(), newer.end());
+  return overrides;
+}
+
 }  // namespace
 
 EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> number) {
@@ -39,19 +50,24 @@ EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> n
   return *found;
 }
 
-StoredBench open_stored(const Database& database, const EeaRunListing& run,
-                        const std::vector<std::filesystem::path>& plugin_paths) {
+StoredBench open_stored(const Database& database, const EeaRunListing& run, CommonOptions options) {
   StoredBench stored;
   stored.listing = run;
   stored.run = stored_run(database, run.run);
-  CommonOptions options;
-  options.experiment = stored.run.experiment.file;
-  options.overrides = stored.run.experiment.overrides;
-  auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(plugin_paths));
+  if (options.experiment.empty()) options.experiment = stored.run.experiment.file;
+  options.overrides = put_over(stored.run.experiment.overrides, options.overrides);
+  auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
   stored.bench = open_bench(options, stored.run.experiment.text, catalog);
   for (const std::string& changed : changed_files(stored.run, stored.bench->rig().experiment, *catalog))
     stored.doubts.push_back(fmt::format("run {} was begun with {}; digits may differ", run.run.value, changed));
   return stored;
+}
+
+StoredBench open_stored(const Database& database, const EeaRunListing& run,
+                        const std::vector<std::filesystem::path>& plugin_paths) {
+  CommonOptions options;
+  options.plugin_paths = plugin_paths;
+  return open_stored(database, run, std::move(options));
 }
 
 }  // namespace lacuna

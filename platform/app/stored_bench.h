@@ -23,7 +23,10 @@ struct StoredBench {
 /// The run of that number, or the only one there is. Throws `BadInput` where there is no such run or several.
 EeaRunListing choose_run(const Database& database, std::optional<std::int64_t> number);
 
-/// Reads the experiment from the database, not from the file, which may have changed since.
+/// Reads the experiment from the database, not from the file, which may have changed since. What it names is looked for
+/// where `options.experiment` lies, or, if that is empty, where the run's file lay; `options.overrides` are put over
+/// the run's.
+StoredBench open_stored(const Database& database, const EeaRunListing& run, CommonOptions options);
 StoredBench open_stored(const Database& database, const EeaRunListing& run,
                         const std::vector<std::filesystem::path>& plugin_paths);
 

@@ -1,7 +1,7 @@
 #include "app/stored_model.h"
 
+#include "app/run_trials.h"
 #include "eea/delays.h"
-#include "eea/recorded_trials.h"
 #include "foundation/problem.h"
 
 #include <fmt/format.h>
@@ -38,21 +38,15 @@ StoredModel stored_model(const EeaStore& store, const EeaDefinition& definition,
                               "from 0",
                               number));
   StoredModel model{definition, number, *row, definition.decode_model(row->genome), {}, {}};
-  const std::vector<TargetTrialRow> rows = store.trial_rows();
-  std::vector<Trial> trials = store.trials();
   std::vector<ScoredTrial> observed;
   const std::vector<int> set_aside = set_aside_in(store, row->pass);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].test && (rows[i].for_transfer || rows[i].number >= row->pass)) continue;
-    if (std::find(set_aside.begin(), set_aside.end(), rows[i].number) != set_aside.end()) continue;
-    const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
-    const Test drive = rows[i].test
-                           ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trials[i])
-                           : Test{trials[i].commands, end, {}};
-    const Trial trial = with_known_start(definition, std::move(trials[i]));
-    model.trials.push_back(definition.scored(drive, trial, row->pass));
-    observed.push_back(definition.observed(drive, trial));
-    model.numbers.push_back(rows[i].number);
+  for (RunTrial& stored : run_trials(store, definition)) {
+    const int trial = stored.row.number;
+    if (stored.row.test && (stored.row.for_transfer || trial >= row->pass)) continue;
+    if (std::find(set_aside.begin(), set_aside.end(), trial) != set_aside.end()) continue;
+    model.trials.push_back(definition.scored(stored.drive, stored.trial, row->pass));
+    observed.push_back(definition.observed(std::move(stored.drive), std::move(stored.trial)));
+    model.numbers.push_back(trial);
   }
   if (!definition.profiled.empty()) Delays(definition, std::move(observed)).find(model.model);
   return model;

@@ -3,10 +3,9 @@
 #include "app/output.h"
 #include "app/rig.h"
 #include "app/run_inputs.h"
+#include "app/test_reading.h"
 #include "app/trial_target.h"
 #include "app/used_plugins.h"
-#include "config/quantity.h"
-#include "diagnosis/test_line.h"
 #include "evaluation/test_space.h"
 #include "foundation/counted.h"
 #include "measurement/command_file.h"
@@ -19,7 +18,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -27,44 +25,10 @@ namespace lacuna {
 namespace {
 
 struct TrialOptions : CommonOptions {
-  std::string test;
-  std::string duration;  ///< "" or a quantity
+  AskedTest asked;
   bool held_out = false;
   std::optional<std::string> csv;
 };
-
-std::optional<double> wanted_duration(const TrialOptions& options) {
-  if (options.duration.empty()) return std::nullopt;
-  try {
-    const Quantity duration = parse_quantity(options.duration);
-    const bool is_time = duration.unit == "1" || duration.parsed.same_dimension(*parse_unit("s"));
-    if (is_time && std::isfinite(duration.value_in_si) && duration.value_in_si > 0.0) return duration.value_in_si;
-  } catch (const Error&) {
-  }
-  throw_problem({}, fmt::format("--duration {}: is no duration above 0; write one such as \"20 s\"", options.duration));
-}
-
-bool is_file(const std::string& test) {
-  std::error_code ignored;
-  return test.ends_with(".csv") || std::filesystem::is_regular_file(test, ignored);
-}
-
-void check_limits(const TestSpace& space, const CommandSeries& commands, const std::string& file) {
-  ProblemList problems;
-  const TimeSeries& series = commands.series;
-  for (std::size_t c = 0; c < series.channels.size(); ++c)
-    for (std::size_t a = 0; a < space.actuators.size(); ++a) {
-      if (space.actuators[a].name != series.channels[c].name) continue;
-      const auto column = series.samples.col(static_cast<Eigen::Index>(c));
-      if (column.minCoeff() < space.lower[a] || column.maxCoeff() > space.upper[a])
-        problems.add({file},
-                     fmt::format("commands of {0} from {1:.4g} to {2:.4g} {5} are beyond its limits, {3:.4g} to "
-                                 "{4:.4g} {5}; scale them down",
-                                 space.actuators[a].name, column.minCoeff(), column.maxCoeff(), space.lower[a],
-                                 space.upper[a], space.actuators[a].unit));
-    }
-  problems.throw_if_any();
-}
 
 /// Without what comes after the end, and with a last row at the end, which tells how long the last command is held.
 CommandSeries until(CommandSeries commands, double end) {
@@ -77,29 +41,6 @@ CommandSeries until(CommandSeries commands, double end) {
   series.times(rows) = end;
   series.samples.row(rows) = series.samples.row(rows - 1);
   return commands;
-}
-
-Test test_of_file(const TrialOptions& options, const TestSpace& space) {
-  Test test;
-  CommandSeries commands = read_command_file(options.test, space.actuators);
-  check_limits(space, commands, options.test);
-  test.duration = wanted_duration(options).value_or(commands.series.times(commands.series.times.size() - 1));
-  if (test.duration < space.control_period)
-    throw_problem({options.test}, fmt::format("a test of {:.4g} s is shorter than a control period, {:.4g} s",
-                                              test.duration, space.control_period));
-  test.drive = std::move(commands);
-  return test;
-}
-
-Test test_of_line(const TrialOptions& options, TestSpace space, const PluginCatalog& catalog) {
-  TestLine line = parse_test_line(space, options.test);
-  space.duration = wanted_duration(options).value_or(line.duration);
-  if (space.duration != line.duration) line = parse_test_line(space, test_line(space, line.genome));
-  const TestEncoding& encoding = catalog.get<TestEncoding>("command_series");
-  std::vector<double> parameters;
-  for (const ParameterDeclaration& declaration : encoding.parameters()) parameters.push_back(declaration.default_value);
-  return guarded_call(catalog.origin<TestEncoding>("command_series"), "decode",
-                      [&] { return encoding.decode(space, parameters, line.genome); });
 }
 
 /// What a trial is stored in: a run of its own, begun in a transaction of the caller's.
@@ -130,7 +71,7 @@ void keep(const TrialOptions& options, const Rig& rig, const TrialTarget& target
   Transaction transaction(database);
   const TrialRun entered = begin_run(rig, seed, store);
   trial.name = name_of(next_number(database, rig));
-  record_carried_out(database, entered.run, entered.experiment, trial, {options.test, target.digest()});
+  record_carried_out(database, entered.run, entered.experiment, trial, {options.asked.test, target.digest()});
   store.end_run(RunEnding::done);
   transaction.commit();
 }
@@ -140,7 +81,7 @@ void keep_failure(const TrialOptions& options, const Rig& rig, std::uint64_t see
   ResultStore store(database);
   Transaction transaction(database);
   const TrialRun entered = begin_run(rig, seed, store);
-  record_failed_trial(database, entered.run, entered.experiment, {name, options.test, reason});
+  record_failed_trial(database, entered.run, entered.experiment, {name, options.asked.test, reason});
   store.end_run(RunEnding::failed);
   transaction.commit();
 }
@@ -169,14 +110,14 @@ Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target
 void report(const TrialOptions& options, const Rig& rig, const Trial& trial, double duration) {
   const Eigen::Index samples = trial.measured.times.size();
   if (!takes_standard_output(options.json)) {
-    fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "", options.test,
-               duration, counted(static_cast<std::size_t>(samples), "sample"),
+    fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "",
+               options.asked.test, duration, counted(static_cast<std::size_t>(samples), "sample"),
                counted(trial.measured.channels.size(), "channel"));
     fmt::print("→ lacuna fit {}\n", shell_word(options.experiment.string()));
   }
   if (options.json)
     write_output(*options.json, nlohmann::json{{"trial", trial.name},
-                                               {"test", options.test},
+                                               {"test", options.asked.test},
                                                {"duration", duration},
                                                {"samples", samples},
                                                {"held_out", options.held_out},
@@ -206,7 +147,7 @@ void write_commands(const TrialOptions& options, const Test& test, bool takes_te
   std::fputs(advice(options, takes_tests).c_str(),
              file.empty() || takes_standard_output(options.json) ? stderr : stdout);
   if (options.json)
-    write_output(*options.json, nlohmann::json{{"test", options.test},
+    write_output(*options.json, nlohmann::json{{"test", options.asked.test},
                                                {"duration", test.duration},
                                                {"samples", commands.series.times.size()},
                                                {"held_out", options.held_out},
@@ -222,7 +163,7 @@ void run_trial(const TrialOptions& options) {
   TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
   const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;
   const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
-  const Test test = is_file(options.test) ? test_of_file(options, space) : test_of_line(options, space, *rig.catalog);
+  const Test test = read_test(options.asked, space, *rig.catalog);
   if (target.takes_tests() && !options.csv)
     report(options, rig, carry_out(options, rig, target, test), test.duration);
   else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
@@ -241,13 +182,9 @@ void add_trial_command(CLI::App& program) {
       program.add_subcommand("trial", "Carry a test out on a target that takes tests, or write its commands for a rig");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
-  command
-      ->add_option(
-          "--test", options->test,
-          "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands")
-      ->required()
-      ->option_text("TEST");
-  command->add_option("--duration", options->duration, "Duration, instead of the test's")->option_text("TIME");
+  add_test_options(
+      *command, options->asked,
+      "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", or a CSV file of commands");
   command->add_flag("--holdout", options->held_out, "Keep the trial from every fit");
   add_result_option(*command, "csv", options->csv,
                     "Write the commands as CSV, to standard output or FILE, and carry nothing out");

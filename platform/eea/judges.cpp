@@ -1,9 +1,8 @@
 #include "eea/judges.h"
 
 #include "eea/ensemble.h"
-#include "eea/reading_noise.h"
+#include "eea/ensemble_prediction.h"
 #include "eea/scored_trials.h"
-#include "evaluation/channel_map.h"
 
 #include <cmath>
 
@@ -54,22 +53,9 @@ Judges::Judges(const EeaRun& run, const EeaState& state)
   for (const std::size_t i : differing(state.best, definition_.value.models()))
     judges_.push_back({state.best[i].model});
   const std::vector<ScoredTrial> trials = scored_trials(definition_, state);
-  find_noise(trials);
+  if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials);
   if (!definition_.value.wants_slopes()) return;
   for (Judge& judge : judges_) find_information(trials, judge);
-}
-
-void Judges::find_noise(const std::vector<ScoredTrial>& trials) {
-  ReadingNoise noise(definition_.compiled->channels().size());
-  std::uint64_t steps = 0;
-  std::string reason;
-  for (const ScoredTrial& scored : trials) {
-    const TestPredictor predictor(*definition_.compiled, times_of(scored), 1, &definition_.model);
-    TestPrediction best;
-    if (!judges_.empty() && predictor.predict(judges_.front().model, scored.test, 0, best, steps, reason))
-      noise.add(scored.trial, match_channels(scored.trial, definition_.compiled->channels()), best.sensors);
-  }
-  noise_ = noise.deviations();
 }
 
 void Judges::find_information(const std::vector<ScoredTrial>& trials, Judge& judge) const {

@@ -34,7 +34,6 @@ class Judges {
     Eigen::MatrixXd information = {};
   };
 
-  void find_noise(const std::vector<ScoredTrial>& trials);
   void find_information(const std::vector<ScoredTrial>& trials, Judge& judge) const;
   bool add_slopes(const TestPredictor& predictor, const Judge& judge, const Test& test, int worker,
                   TestPrediction& prediction, std::uint64_t& steps, std::string& reason) const;

@@ -15,10 +15,11 @@ struct TestPredictor::Desk {
 };
 
 TestPredictor::TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
-                             const ModelDefinition* definition, std::size_t models)
+                             const ModelDefinition* definition, std::size_t models, double start)
     : times_(std::move(times)) {
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
     auto desk = std::make_unique<Desk>(Desk{CandidateDesk(model, definition, models)});
+    desk->options.start_time = start;
     desk->options.end_time = times_.back();
     desk->options.output_times = times_;
     desk->options.record_centre_of_mass = true;

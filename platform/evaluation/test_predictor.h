@@ -18,9 +18,9 @@ namespace lacuna {
 class TestPredictor {
  public:
   /// `times`: when sensors are read, s; makes a workspace for each of `workers` threads. `models`: how many take turns,
-  /// whose own robots stay compiled.
+  /// whose own robots stay compiled. `start`: when tests begin, s.
   TestPredictor(const CompiledModel& model, std::vector<double> times, int workers,
-                const ModelDefinition* definition = nullptr, std::size_t models = 1);
+                const ModelDefinition* definition = nullptr, std::size_t models = 1, double start = 0.0);
   ~TestPredictor();
 
   int workers() const { return static_cast<int>(desks_.size()); }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "eea/eea_definition.h"
+#include "storage/eea_store.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// A trial of a stored run.
+struct RunTrial {
+  TargetTrialRow row;
+  Test drive;   ///< what was done
+  Trial trial;  ///< with a start that can be simulated from
+};
+
+/// All trials of the run, by number.
+std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& definition);
+
+}  // namespace lacuna

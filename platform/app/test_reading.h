@@ -1,0 +1,33 @@
+#pragma once
+
+#include <lacuna/test.h>
+#include <lacuna/test_encoding.h>
+
+#include "loading/plugin_catalog.h"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace lacuna {
+
+/// A test as a user writes it.
+struct AskedTest {
+  std::string test;      ///< a line such as "triangle motor 0.3 N*m 0.1 Hz 20 s", or a CSV file of commands
+  std::string duration;  ///< instead of the test's, a quantity; empty: the test's
+};
+
+/// Adds --test and --duration. `description`: of --test.
+void add_test_options(CLI::App& command, AskedTest& asked, const std::string& description);
+
+/// The duration that was asked for, s; nothing where the test's own counts. Throws `BadInput` where it is none.
+std::optional<double> asked_duration(const AskedTest& asked);
+
+/// The series of commands that is meant. Of `space` its duration does not count. Throws `BadInput` with everything that
+/// is wrong: actuators that are not there, commands beyond their limits, units, tests that are too short.
+Test read_test(const AskedTest& asked, const TestSpace& space, const PluginCatalog& catalog);
+
+}  // namespace lacuna

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "eea/ensemble_prediction.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+
+/// The trial that a test became, where it was carried out.
+struct MeasuredTest {
+  int trial = 0;        ///< its number in the run
+  bool fitted = false;  ///< the models were fitted to it
+  TimeSeries measured;
+};
+
+/// What several models of a run say of a test, and what that is worth.
+struct PredictionReport {
+  std::string experiment;
+  std::int64_t run = 0;
+  int pass = 0;
+  std::string test;                                             ///< as it was asked for
+  double duration = 0.0;                                        ///< s
+  std::vector<std::pair<std::string, std::size_t>> structures;  ///< of the models, and how many have it
+  std::size_t copies = 0;                                       ///< of models, which do not count
+  std::vector<double> noise;                                    ///< of a reading, one a channel (PassEnsemble)
+  EnsemblePrediction prediction;                                ///< the band is as wide as `support` says
+  BandSupport support;
+  std::optional<MeasuredTest> measured = {};
+};
+
+}  // namespace lacuna
