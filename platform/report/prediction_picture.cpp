@@ -1,5 +1,6 @@
 #include "report/prediction_picture.h"
 
+#include "foundation/counted.h"
 #include "report/thinning.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kBandColumns = 500;  // of pixels, in each of which a band has a few corners
+constexpr double kThinnest = 1e-6;         // of the values: a thinner band would make an axis of nothing but it
 constexpr int kMostBelowEachOther = 3;
 constexpr int kPanelHeight = 210, kRoomAround = 130;  // px
 
@@ -50,21 +52,25 @@ Panel prediction_panel(const PredictionReport& report, std::size_t channel) {
   const Eigen::VectorXd mean = prediction.band.mean.col(column), half_width = prediction.band.half_width.col(column);
   const std::vector<double> times = listed(prediction.times);
   Panel panel{prediction.channels[channel].name + " [" + prediction.channels[channel].unit + "]", {}, 1.0, {}};
-  panel.series.push_back(band_series(times, listed(mean - half_width), listed(mean + half_width),
-                                     report.support.enough() ? "95 % band" : "95 % band, uncalibrated"));
+  if (half_width.maxCoeff() > kThinnest * mean.cwiseAbs().maxCoeff())
+    panel.series.push_back(band_series(times, listed(mean - half_width), listed(mean + half_width),
+                                       report.support.enough() ? "95 % band" : "95 % band, uncalibrated"));
   if (report.measured) add_measured(report.measured->measured, prediction.channels[channel].name, panel);
   panel.series.push_back(
-      {fmt::format("mean of {} models", prediction.models), Mark::line, kBlue, times, listed(mean), {}});
+      {"mean of " + counted(prediction.models, "model"), Mark::line, kBlue, times, listed(mean), {}});
   return panel;
 }
 
 /// Two columns, whose panels are named below and have one legend.
 void put_side_by_side(Figure& figure) {
   figure.columns = 2;
+  const auto legend = std::max_element(figure.panels.begin(), figure.panels.end(), [](const Panel& a, const Panel& b) {
+    return a.series.size() < b.series.size();
+  });
   for (Panel& panel : figure.panels) {
     panel.x_label = panel.y_label + ", time [s]";
     panel.y_label.clear();
-    if (&panel != &figure.panels.front())
+    if (&panel != &*legend)
       for (Series& series : panel.series) series.label.clear();
   }
 }

@@ -81,20 +81,28 @@ bool is_widened(const BandSupport& support) {
                      [](const ChannelSupport& channel) { return channel.widening() >= kWorthASay; });
 }
 
-std::string support_lines(const BandSupport& support) {
-  if (!support.enough())
-    return fmt::format(
-        "uncalibrated: {} {} new to the models at the time, and it takes {} to tell whether a spread is right; the "
-        "band "
-        "is the spread between the models and the noise of a reading\n",
-        counted(support.all.trials, "trial"), support.all.trials == 1 ? "was" : "were", kFewestHeldOut);
+std::string too_few(std::size_t trials) {
+  return fmt::format(
+      "uncalibrated: {} {} new to the models at the time, and it takes {} to tell whether a spread is right; the band "
+      "is the spread between the models and the noise of a reading\n",
+      counted(trials, "trial"), trials == 1 ? "was" : "were", kFewestHeldOut);
+}
+
+std::string support_lines(const PredictionReport& report) {
+  const BandSupport& support = report.support;
+  if (!support.enough()) return too_few(support.all.trials);
+  const bool single = report.prediction.models == 1;
   std::string text = fmt::format("{} that were new to the models at the time: {} of readings within the 95 % band\n",
                                  counted(support.all.trials, "trial"), share_text(support.all.inside));
-  if (!is_widened(support)) return text + "the models are as right as they agree: the band is their spread\n";
-  return text + fmt::format(
-                    "the models agree more than they are right: the band is {} × their spread; with factors that the "
-                    "other trials alone give, it holds {} of a trial's readings\n",
-                    widenings(support), share_text(support.widened));
+  if (!is_widened(support))
+    return text + (single ? "the band is the noise of a reading\n"
+                          : "the models are as right as they agree: the band is their spread\n");
+  return text +
+         fmt::format("{} × {}; with factors that the other trials alone give, it holds {} of a trial's readings\n",
+                     (single ? "the model errs by more than the noise of a reading: the band is "
+                             : "the models agree more than they are right: the band is ") +
+                         widenings(support),
+                     single ? "that" : "their spread", share_text(support.widened));
 }
 
 std::string minded_lines(const PredictionReport& report) {
@@ -110,8 +118,8 @@ std::string minded_lines(const PredictionReport& report) {
                         report.copies == 1 ? "is a copy" : "are copies", report.copies == 1 ? "does" : "do");
   if (prediction.models == 1)
     text +=
-        "a single model agrees with itself: its band has no spread, only the noise of a reading; "
-        "estimation.ensemble = 8 keeps more of a run\n";
+        "a single model has nothing to agree with: its band has no spread; estimation.ensemble = 8 keeps more of a "
+        "run\n";
   for (std::size_t c = 0; c < report.noise.size(); ++c)
     if (!std::isfinite(report.noise[c]))
       text += fmt::format("no trial measured {}: its band has no noise of a reading\n", prediction.channels[c].name);
@@ -121,7 +129,7 @@ std::string minded_lines(const PredictionReport& report) {
 }  // namespace
 
 std::string prediction_text(const PredictionReport& report) {
-  return title_line(report) + band_table(report) + structure_table(report) + support_lines(report.support) +
+  return title_line(report) + band_table(report) + structure_table(report) + support_lines(report) +
          minded_lines(report);
 }
 

@@ -54,6 +54,13 @@ TEST(PredictionText, LeavesABandThatHolds) {
   EXPECT_THAT(text, testing::HasSubstr("the models are as right as they agree"));
 }
 
+TEST(PredictionText, DoesNotSpeakOfAgreementOfOneModel) {
+  PredictionReport report = report_with(4, 2.0);
+  report.prediction.models = 1;
+  EXPECT_THAT(prediction_text(report),
+              testing::HasSubstr("the model errs by more than the noise of a reading: the band is 2 × that; with"));
+}
+
 TEST(PredictionText, SaysWhereTooFewTrialsSupportASpread) {
   const std::string text = prediction_text(report_with(2, 2.0));
   EXPECT_THAT(text, testing::HasSubstr("uncalibrated: 2 trials were new to the models at the time, and it takes 3"));
@@ -74,7 +81,7 @@ TEST(PredictionText, NamesStructuresLostModelsAndWhatWasNotMeasured) {
   EXPECT_THAT(text, testing::HasSubstr("dry friction       5\n-                  3\n"));
   EXPECT_THAT(text, testing::HasSubstr("1 of 2 models cannot carry the test out and is left out: it exploded"));
   EXPECT_THAT(text, testing::HasSubstr("3 of 5 models are copies of another and do not count"));
-  EXPECT_THAT(text, testing::HasSubstr("a single model agrees with itself"));
+  EXPECT_THAT(text, testing::HasSubstr("a single model has nothing to agree with"));
   EXPECT_THAT(text, testing::HasSubstr("no trial measured angle"));
 }
 
@@ -98,6 +105,12 @@ TEST(PredictionPicture, DrawsBandMeanAndReadings) {
   EXPECT_EQ(figure.panels[0].series[0].label, "95 % band, uncalibrated");
   EXPECT_EQ(figure.panels[0].series[0].y2[1], 1.004);
   EXPECT_EQ(figure.panels[0].series[1].label, "measured");
+}
+
+TEST(PredictionPicture, LeavesABandOutThatCannotBeSeen) {
+  PredictionReport report = report_with(4, 2.0);
+  report.prediction.band.half_width.setConstant(1e-9);
+  EXPECT_EQ(prediction_figure(report).panels[0].series.size(), 1U);
 }
 
 TEST(PredictionPicture, PutsManyChannelsSideBySide) {
