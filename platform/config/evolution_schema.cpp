@@ -82,6 +82,9 @@ Table<EstimationSection> estimation_keys() {
            "restarts, the first")
       .key("restarts", &EstimationSection::restarts, whole_number<int>(1, 10000),
            "independent searches in each phase, each as long as one; the best of each are handed on first")
+      .key("rivals", &EstimationSection::rivals, boolean(),
+           "each restart looks for the best model of another structure (another set of effects, another tree of parts) "
+           "than those that the restarts before it ended with")
       .key("ensemble", &EstimationSection::ensemble, whole_number<int>(1, 10000),
            "how many models that differ are kept of each pass, the best of each structure and restart first; those "
            "that judge tests are kept in any case")

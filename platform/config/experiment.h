@@ -90,6 +90,7 @@ struct EstimationSection {
   std::vector<std::string> sensors;  ///< patterns: what models are scored by; none: all that is measured
   int seeds = 0;        ///< how many of the last pass's best models start the next; the seed's experiment takes none
   int restarts = 1;     ///< independent searches in each phase
+  bool rivals = false;  ///< each restart looks for another structure
   int ensemble = 10;    ///< how many models that differ are kept of each pass
   bool replay = false;  ///< drive models by the commands that the target received
   std::vector<double> horizons;       ///< s, of each trial, one a pass; the last for all that follow; none: all of it

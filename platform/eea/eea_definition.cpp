@@ -143,6 +143,7 @@ EeaDefinition::EeaDefinition(const Experiment& experiment, const PluginCatalog& 
       passes(takes_tests ? experiment.passes : 1),
       seeds(experiment.estimation.seeds),
       restarts(experiment.estimation.restarts),
+      rivals(experiment.estimation.rivals),
       replay(experiment.estimation.replay),
       horizons(experiment.estimation.horizons),
       challenge(experiment.estimation.challenge),

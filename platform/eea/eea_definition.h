@@ -67,6 +67,7 @@ class EeaDefinition {
   int passes = 1;
   int seeds = 0;
   int restarts = 1;
+  bool rivals = false;           ///< each restart looks for another structure
   bool replay = false;           ///< models are driven by the commands that the target received
   std::vector<double> horizons;  ///< s, one a pass; the last for all that follow; none: whole trials
   double challenge = 0.0;        ///< 0: no trial is set aside

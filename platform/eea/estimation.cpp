@@ -2,6 +2,7 @@
 
 #include "eea/delays.h"
 #include "eea/ensemble.h"
+#include "eea/rival_breeder.h"
 #include "eea/scored_trials.h"
 #include "evaluation/model_evaluator.h"
 #include "evolution/search_run.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace lacuna {
@@ -74,7 +76,8 @@ class Estimation {
  private:
   void begin() {
     const Chosen<SearchStrategy>& strategy = definition_.estimation.strategy;
-    SearchTask task{definition_.estimation.layout(), *definition_.estimation.breeder, key(), seeds()};
+    breeder_.emplace(definition_, definition_.rivals ? structures_found() : std::set<std::string>());
+    const SearchTask task{definition_.estimation.layout(), *breeder_, key(), seeds()};
     search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
     if (state_.search.empty()) {
       state_.search_begin = state_.models;
@@ -94,14 +97,24 @@ class Estimation {
     return key;
   }
 
-  /// The best of the pass before start the first search; the others begin anew, so that no phase is bound to where one
-  /// has led. An approximate model has no genome.
+  /// Of the best models of the restarts before.
+  std::set<std::string> structures_found() const {
+    std::set<std::string> structures;
+    int restart = -1;
+    for (const KnownModel& known : state_.found)  // of each restart, best first
+      if (std::exchange(restart, known.restart) != known.restart) structures.insert(known.model.structure);
+    return structures;
+  }
+
+  /// The best of the pass before start the first search. Others begin anew, so that no phase is bound to where one has
+  /// led, unless they look for rivals, which have seeds of their own. An approximate model has no genome.
   std::vector<Genome> seeds() const {
     std::vector<Genome> seeds;
-    if (state_.restart > 0) return seeds;
-    const auto wanted = std::min(state_.best.size(), static_cast<std::size_t>(definition_.seeds));
-    for (std::size_t i = 0; i < wanted; ++i)
-      if (!state_.best[i].genome.empty()) seeds.push_back(state_.best[i].genome);
+    if (state_.restart > 0 && !definition_.rivals) return seeds;
+    for (const KnownModel& known : state_.best)
+      if (seeds.size() < static_cast<std::size_t>(definition_.seeds) && !known.genome.empty() &&
+          !breeder_->is_taken(known.model))
+        seeds.push_back(known.genome);
     return seeds;
   }
 
@@ -123,6 +136,8 @@ class Estimation {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       DecodedModel model = decode_model(individuals[i].genome);
+      if (model.reason.empty() && breeder_->is_taken(model.model))
+        model.reason = "an earlier restart has looked for its structure, " + model.model.structure;
       if (model.reason.empty()) {
         models.push_back(std::move(model.model));
         places.push_back(i);
@@ -220,7 +235,8 @@ class Estimation {
   EeaState& state_;
   ModelScorer scorer_;
   ModelEvaluator evaluator_;
-  std::unique_ptr<Search> search_;
+  std::optional<RivalBreeder> breeder_;  // of the restart under way
+  std::unique_ptr<Search> search_;       // that uses it
 };
 
 }  // namespace

@@ -148,12 +148,25 @@ std::string y_tick_names(const std::vector<std::string>& names) {
   return fmt::format("set ytics ({})\nset yrange [{}:-0.5]\n", text, static_cast<double>(names.size()) - 0.5);
 }
 
+constexpr int kPowerOfTen = 5;  ///< characters of "1e-06"
+
+/// Powers of ten are written as such.
+std::string scales(const Figure& figure, const Panel& panel) {
+  std::string text = panel.log_y ? "set logscale y\nset format y \"%.0e\"\n" : "";
+  if (figure.log_x) text += "set logscale x\nset format x \"%.0e\"\n";
+  return text;
+}
+
+std::string scales_undone(const Figure& figure, const Panel& panel) {
+  return panel.log_y || figure.log_x ? "unset logscale\nset format y \"%g\"\n" : "";
+}
+
 /// Where panels begin, as a share of the figure's width: the same for all, behind their longest numbers and the label.
 double left_of(const Figure& figure) {
   int characters = 0;
   double named = 0.0;
   for (const Panel& panel : figure.panels) {
-    characters = std::max(characters, tick_characters(y_range(panel)));
+    characters = std::max(characters, panel.log_y ? kPowerOfTen : tick_characters(y_range(panel)));
     for (const std::string& name : panel.y_names)
       named = std::max(named, kCharacter * static_cast<double>(name.size()));
   }
@@ -227,7 +240,7 @@ std::string panel_commands(const Figure& figure, std::size_t index, double top, 
   if (!panel.x_names.empty()) text += tick_names(panel.x_names);
   if (!panel.y_names.empty()) text += y_tick_names(panel.y_names);
   if (figure.whole_x) text += fmt::format("set xtics {}\n", whole_tick(figure));
-  return text + plot_command(panel, index);
+  return text + scales(figure, panel) + plot_command(panel, index) + scales_undone(figure, panel);
 }
 
 /// Within the panel, where one of its series has a label.

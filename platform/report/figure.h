@@ -37,6 +37,7 @@ struct Panel {
   std::vector<std::string> x_names;       ///< non-empty: x counts from 0 and these are written at 0, 1, ...
   std::vector<std::string> y_names = {};  ///< the same for y, downwards
   std::string x_label = {};               ///< of a panel in a column of several
+  bool log_y = false;                     ///< powers of ten apart; values must be above 0
 };
 
 struct Figure {
@@ -47,6 +48,7 @@ struct Figure {
   bool maps = false;     ///< x and y are places: one scale for both, and each panel has its own x axis
   int columns = 1;       ///< more: panels fill rows of so many, each with its own x axis
   bool same_y = false;   ///< panels in several columns have one range of y
+  bool log_x = false;    ///< powers of ten apart, of panels below each other; values must be above 0
   int width = 1000;      ///< px
   int height = 640;
 };

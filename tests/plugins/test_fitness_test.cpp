@@ -113,5 +113,29 @@ TEST(ModelDisagreement, CountsWhatARefitLeaves) {
       testing::Not(testing::Throws<std::out_of_range>()));
 }
 
+TEST(InformationGain, IsHalfTheLogarithmOfHowMuchSmallerTheVolumeGets) {
+  const TestFitness& gain = built_catalog().get<TestFitness>("information_gain");
+  TestPrediction prediction = readings(0.0, 0.0);
+  prediction.noise = {0.5, 2.0};
+  // The first value moves channel 1 by 4 deviations, the second channel 2 by 3; nothing else.
+  prediction.slopes = {TimeSeries::Samples::Zero(1, 2), TimeSeries::Samples::Zero(1, 2), {}};
+  prediction.slopes[0](0, 0) = 2.0;
+  prediction.slopes[1](0, 1) = 6.0;
+  prediction.information = 12.0 * Eigen::MatrixXd::Identity(3, 3);
+  const double expected = 0.5 * (std::log((12.0 + 16.0) / 12.0) + std::log((12.0 + 9.0) / 12.0));
+  EXPECT_NEAR(gain.score({}, {&prediction, 1}, std::vector{1.0}), expected, 1e-12);
+  // Of two models the mean; one without slopes learns nothing.
+  EXPECT_NEAR(gain.score({}, std::vector{prediction, readings(0.0, 0.0)}, std::vector{2.0}), 0.5 * expected, 1e-12);
+  prediction.noise[1] = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(gain.score({}, {&prediction, 1}, std::vector{1.0}), 0.5 * std::log(28.0 / 12.0), 1e-12);
+}
+
+TEST(InformationGain, WithoutNoiseOrPredictionIsAnError) {
+  const TestFitness& gain = built_catalog().get<TestFitness>("information_gain");
+  EXPECT_THAT([&] { gain.score({}, {}, std::vector{1.0}); }, ThrowsMessage<Error>(HasSubstr("no prediction")));
+  TestPrediction silent = fitted(0.0, 0.0, 1.0, 1.0);
+  EXPECT_THAT([&] { gain.score({}, {&silent, 1}, std::vector{1.0}); }, ThrowsMessage<Error>(HasSubstr("noise")));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,0 +1,133 @@
+#include "app/commands.h"
+#include "app/newest_setting.h"
+#include "app/output.h"
+#include "foundation/problem.h"
+#include "report/learning_curves.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+
+namespace lacuna {
+namespace {
+
+struct CurvesOptions {
+  std::vector<std::filesystem::path> databases;
+  std::vector<std::string> experiments;
+  std::string error;
+  std::string against;
+  std::filesystem::path folder;
+};
+
+/// The newest replicates of one experiment.
+struct NamedRuns {
+  std::string experiment;
+  std::vector<std::vector<PassRow>> passes;
+};
+
+void add_runs(Database& database, const CurvesOptions& options, std::vector<NamedRuns>& named) {
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
+  std::vector<std::string> names;
+  for (const EeaRunListing& run : runs)
+    if (std::find(names.begin(), names.end(), run.experiment) == names.end()) names.push_back(run.experiment);
+  for (const std::string& name : names) {
+    const std::vector<std::string>& wanted = options.experiments;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    std::vector<EeaRunListing> of_experiment;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
+                 [&](const EeaRunListing& run) { return run.experiment == name; });
+    NamedRuns& added = named.emplace_back(NamedRuns{name, {}});
+    std::mutex unused;
+    for (const EeaRunListing& run : newest_setting(database, of_experiment))
+      added.passes.push_back(EeaStore(database, unused, run.run, {}).passes());
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<NamedRuns>& named) {
+  std::vector<std::string> names;
+  for (const NamedRuns& runs : named) names.push_back(runs.experiment);
+  return names;
+}
+
+void check_names(const CurvesOptions& options, const std::vector<NamedRuns>& named) {
+  ProblemList problems;
+  const std::vector<std::string> there = names_of(named);
+  const auto check = [&](const std::string& option, const std::string& name) {
+    if (std::find(there.begin(), there.end(), name) == there.end())
+      problems.add(
+          {}, fmt::format("{} {}: no run of it has a pass that has ended{}", option, name, did_you_mean(name, there)));
+  };
+  for (const std::string& name : options.experiments) check("--experiment", name);
+  if (!options.against.empty()) check("--against", options.against);
+  if (named.empty() && options.experiments.empty())
+    problems.add({options.databases.front().string()},
+                 "has no run with a pass that has ended; lacuna run FILE makes one");
+  problems.throw_if_any();
+}
+
+/// What all experiments can be compared by.
+std::string chosen_error(const CurvesOptions& options, const std::vector<NamedRuns>& named) {
+  if (options.error == "score") return {};
+  std::vector<std::vector<PassRow>> all;
+  for (const NamedRuns& runs : named) all.insert(all.end(), runs.passes.begin(), runs.passes.end());
+  const std::vector<std::string> errors = errors_in(all);
+  if (options.error.empty()) return errors.empty() ? std::string() : errors.front();
+  if (std::find(errors.begin(), errors.end(), options.error) == errors.end())
+    throw_problem({}, fmt::format("--error {}: not all of these runs have it{}; there is score{}", options.error,
+                                  did_you_mean(options.error, errors),
+                                  errors.empty() ? "" : fmt::format(", {}", fmt::join(errors, ", "))));
+  return options.error;
+}
+
+void curves(const CurvesOptions& options) {
+  std::vector<NamedRuns> named;
+  for (const std::filesystem::path& file : options.databases) {
+    Database database = Database::open_read_only(file);
+    add_runs(database, options, named);
+  }
+  check_names(options, named);
+  const std::string error = chosen_error(options, named);
+  std::vector<LearningCurve> all;
+  for (const NamedRuns& runs : named) all.push_back(learning_curve(runs.experiment, runs.passes, error));
+  const auto against = std::find_if(all.begin(), all.end(),
+                                    [&](const LearningCurve& curve) { return curve.experiment == options.against; });
+  make_output_folder(options.folder);
+  fmt::print("{}", learning_table(all, against == all.end() ? nullptr : &*against));
+  for (const auto& [name, figure] :
+       {std::pair{"error_by_trials.svg", error_by_trials(all)}, std::pair{"error_by_steps.svg", error_by_steps(all)}}) {
+    const std::filesystem::path file = options.folder / name;
+    if (std::filesystem::is_directory(file))
+      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
+    write_svg(figure, file);
+    fmt::print("{}\n", file.string());
+  }
+}
+
+}  // namespace
+
+void add_curves_command(CLI::App& program) {
+  auto options = std::make_shared<CurvesOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand(
+      "curves", "How fast experiments learn: error by trials of the target and by simulated steps");
+  command->add_option("databases", options->databases, "Database files")->required()->option_text("DB...");
+  command->add_option("--experiment", options->experiments, "Only this one (default: all); may be given several times")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  command
+      ->add_option("--error", options->error,
+                   "Figure of the objective metric, such as \"body.*.mass\", or score (default: the first that all "
+                   "have)")
+      ->option_text("NAME");
+  command
+      ->add_option("--against", options->against,
+                   "Also say how many trials each needs for the error that this experiment ends with")
+      ->option_text("NAME");
+  command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");
+  command->callback([options] { curves(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,37 @@
+#include "eea/rival_breeder.h"
+
+#include <lacuna/error.h>
+
+namespace lacuna {
+namespace {
+
+constexpr int kMostTries = 100;
+
+}  // namespace
+
+Genome RivalBreeder::random(RandomStream& random) const {
+  Genome genome = breeder_.random(random);
+  for (int again = 1; again < kMostTries && is_taken(genome); ++again) genome = breeder_.random(random);
+  return genome;
+}
+
+Genome RivalBreeder::child(std::span<const Genome> parents, RandomStream& random,
+                           std::vector<std::size_t>& used) const {
+  Genome genome = breeder_.child(parents, random, used);
+  for (int again = 1; again < kMostTries && is_taken(genome); ++again) {
+    used.clear();
+    genome = breeder_.child(parents, random, used);
+  }
+  return genome;
+}
+
+bool RivalBreeder::is_taken(const Genome& genome) const {
+  if (taken_.empty()) return false;
+  try {
+    return is_taken(definition_.decode_model(genome));
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace lacuna

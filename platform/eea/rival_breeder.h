@@ -1,0 +1,33 @@
+#pragma once
+
+#include <lacuna/search_strategy.h>
+
+#include "eea/eea_definition.h"
+
+#include <set>
+#include <string>
+
+namespace lacuna {
+
+/// Makes genomes of models of other structures than those that are taken, as far as trying again helps. Definition and
+/// breeder must outlive it.
+class RivalBreeder : public Breeder {
+ public:
+  RivalBreeder(const EeaDefinition& definition, std::set<std::string> taken)
+      : definition_(definition), breeder_(*definition.estimation.breeder), taken_(std::move(taken)) {}
+
+  Genome random(RandomStream& random) const override;
+  Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const override;
+
+  bool is_taken(const ModelProposal& model) const { return taken_.contains(model.structure); }
+
+ private:
+  /// One that cannot be decoded is not taken.
+  bool is_taken(const Genome& genome) const;
+
+  const EeaDefinition& definition_;
+  const Breeder& breeder_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace lacuna
