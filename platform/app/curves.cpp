@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -22,29 +23,36 @@ struct CurvesOptions {
   std::filesystem::path folder;
 };
 
-/// The newest replicates of one experiment.
+/// The newest replicates of one experiment in one database.
 struct NamedRuns {
   std::string experiment;
+  std::filesystem::path database;
   std::vector<std::vector<PassRow>> passes;
 };
 
-void add_runs(Database& database, const CurvesOptions& options, std::vector<NamedRuns>& named) {
+void add_runs(Database& database, std::vector<NamedRuns>& named) {
   std::vector<EeaRunListing> runs = eea_runs(database);
   std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
   std::vector<std::string> names;
   for (const EeaRunListing& run : runs)
     if (std::find(names.begin(), names.end(), run.experiment) == names.end()) names.push_back(run.experiment);
   for (const std::string& name : names) {
-    const std::vector<std::string>& wanted = options.experiments;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
     std::vector<EeaRunListing> of_experiment;
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
                  [&](const EeaRunListing& run) { return run.experiment == name; });
-    NamedRuns& added = named.emplace_back(NamedRuns{name, {}});
+    NamedRuns& added = named.emplace_back(NamedRuns{name, database.file(), {}});
     std::mutex unused;
     for (const EeaRunListing& run : newest_setting(database, of_experiment))
       added.passes.push_back(EeaStore(database, unused, run.run, {}).passes());
   }
+}
+
+/// Experiments that several databases have are told apart by these.
+void tell_apart(std::vector<NamedRuns>& named) {
+  std::map<std::string, int> times;
+  for (const NamedRuns& runs : named) ++times[runs.experiment];
+  for (NamedRuns& runs : named)
+    if (times[runs.experiment] > 1) runs.experiment += " in " + runs.database.filename().string();
 }
 
 std::vector<std::string> names_of(const std::vector<NamedRuns>& named) {
@@ -53,20 +61,32 @@ std::vector<std::string> names_of(const std::vector<NamedRuns>& named) {
   return names;
 }
 
-void check_names(const CurvesOptions& options, const std::vector<NamedRuns>& named) {
-  ProblemList problems;
-  const std::vector<std::string> there = names_of(named);
-  const auto check = [&](const std::string& option, const std::string& name) {
-    if (std::find(there.begin(), there.end(), name) == there.end())
-      problems.add(
-          {}, fmt::format("{} {}: no run of it has a pass that has ended{}", option, name, did_you_mean(name, there)));
-  };
-  for (const std::string& name : options.experiments) check("--experiment", name);
-  if (!options.against.empty()) check("--against", options.against);
-  if (named.empty() && options.experiments.empty())
-    problems.add({options.databases.front().string()},
-                 "has no run with a pass that has ended; lacuna run FILE makes one");
-  problems.throw_if_any();
+bool is_there(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_name(const std::string& option, const std::string& name, const std::vector<std::string>& there) {
+  if (!is_there(name, there))
+    throw_problem(
+        {}, fmt::format("{} {}: no run of it has a pass that has ended{}", option, name, did_you_mean(name, there)));
+}
+
+/// What all databases have of the experiments that were asked for.
+std::vector<NamedRuns> read_runs(const CurvesOptions& options) {
+  std::vector<NamedRuns> named;
+  for (const std::filesystem::path& file : options.databases) {
+    Database database = Database::open_read_only(file);
+    add_runs(database, named);
+  }
+  if (named.empty())
+    throw_problem({options.databases.front().string()},
+                  "has no run with a pass that has ended; lacuna run FILE makes one");
+  for (const std::string& name : options.experiments) check_name("--experiment", name, names_of(named));
+  if (!options.experiments.empty())
+    std::erase_if(named, [&](const NamedRuns& runs) { return !is_there(runs.experiment, options.experiments); });
+  tell_apart(named);
+  if (!options.against.empty()) check_name("--against", options.against, names_of(named));
+  return named;
 }
 
 /// What all experiments can be compared by.
@@ -84,12 +104,7 @@ std::string chosen_error(const CurvesOptions& options, const std::vector<NamedRu
 }
 
 void curves(const CurvesOptions& options) {
-  std::vector<NamedRuns> named;
-  for (const std::filesystem::path& file : options.databases) {
-    Database database = Database::open_read_only(file);
-    add_runs(database, options, named);
-  }
-  check_names(options, named);
+  const std::vector<NamedRuns> named = read_runs(options);
   const std::string error = chosen_error(options, named);
   std::vector<LearningCurve> all;
   for (const NamedRuns& runs : named) all.push_back(learning_curve(runs.experiment, runs.passes, error));

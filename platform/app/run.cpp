@@ -21,9 +21,12 @@ namespace {
 std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& trials) {
   std::uint64_t evaluations = 0;
   for (const PassRow& pass : end.passes) evaluations += pass.evaluations + pass.test_evaluations;
-  return passes_text(end.passes, trials) + fmt::format("run {} · {} · {} evaluations · storage {:.1f} % of the time\n",
-                                                       end.planned.run.value, format_duration(end.seconds), evaluations,
-                                                       100.0 * end.storage_seconds / end.process_seconds);
+  const bool stopped = !end.passes.empty() && !end.passes.back().stopped.empty();
+  return passes_text(end.passes, trials) +
+         (stopped ? fmt::format("stopped after pass {}: {}\n", end.passes.back().number, end.passes.back().stopped)
+                  : "") +
+         fmt::format("run {} · {} · {} evaluations · storage {:.1f} % of the time\n", end.planned.run.value,
+                     format_duration(end.seconds), evaluations, 100.0 * end.storage_seconds / end.process_seconds);
 }
 
 /// Throws where a replicate did not reach its end.

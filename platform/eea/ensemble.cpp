@@ -8,13 +8,16 @@
 namespace lacuna {
 
 std::vector<std::size_t> differing(const std::vector<KnownModel>& models, std::size_t count) {
-  std::vector<std::size_t> chosen, left;
+  std::vector<std::size_t> chosen, others, copies;
   std::set<std::pair<int, std::string>> niches;
+  std::set<Genome> genomes;
   for (std::size_t i = 0; i < models.size(); ++i) {
+    const bool is_new = genomes.insert(models[i].genome).second;
     const bool first_of_its_niche = niches.insert({models[i].restart, models[i].model.structure}).second;
-    (first_of_its_niche ? chosen : left).push_back(i);
+    (!is_new ? copies : first_of_its_niche ? chosen : others).push_back(i);
   }
-  chosen.insert(chosen.end(), left.begin(), left.end());
+  chosen.insert(chosen.end(), others.begin(), others.end());
+  chosen.insert(chosen.end(), copies.begin(), copies.end());
   chosen.resize(std::min(count, chosen.size()));
   return chosen;
 }

@@ -8,7 +8,7 @@
 namespace lacuna {
 
 /// Of models that are sorted, best first, `count` that differ, as indices: the best of each structure and restart, best
-/// first, then the best of those that are left. Fewer where there are fewer.
+/// first, then the best of those that are left, copies of one genome last. Fewer where there are fewer.
 std::vector<std::size_t> differing(const std::vector<KnownModel>& models, std::size_t count);
 
 }  // namespace lacuna

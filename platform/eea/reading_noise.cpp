@@ -7,8 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLeastShare = 1e-3;  // of what a channel moves through
-constexpr double kLeastNoise = 1e-9;  // in its unit, of a channel that stands still
+constexpr double kLeastShare = 1e-3;  // of what a channel moves through, or stands at
 
 }  // namespace
 
@@ -35,8 +34,10 @@ std::vector<double> ReadingNoise::deviations() const {
   for (const Tally& tally : channels_) {
     double deviation = std::numeric_limits<double>::infinity();
     if (tally.samples > 0.0) {
-      const double seen = tally.declared > 0.0 ? tally.declared : std::sqrt(tally.squares / tally.samples);
-      deviation = std::max({seen, kLeastShare * (tally.highest - tally.lowest), kLeastNoise});
+      const double left = std::sqrt(tally.squares / tally.samples);
+      const double moved = std::max({tally.highest - tally.lowest, std::abs(tally.lowest), std::abs(tally.highest)});
+      if (const double seen = tally.declared > 0.0 ? tally.declared : std::max(left, kLeastShare * moved); seen > 0.0)
+        deviation = seen;
     }
     deviations.push_back(deviation);
   }

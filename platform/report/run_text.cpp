@@ -99,7 +99,8 @@ Json pass_json(const PassRow& pass) {
           {"steps", pass.steps},
           {"test_evaluations", pass.test_evaluations},
           {"invalid_tests", pass.invalid_tests},
-          {"test_steps", pass.test_steps}};
+          {"test_steps", pass.test_steps},
+          {"stopped", pass.stopped}};
 }
 
 Json runs_json(const std::vector<EeaRunListing>& runs) {

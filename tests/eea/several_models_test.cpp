@@ -19,8 +19,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
+/// Models with the same score have the same genome.
 KnownModel known(double score, int restart, const std::string& structure) {
   KnownModel model;
+  model.genome = {score};
   model.score = score;
   model.restart = restart;
   model.model.structure = structure;
@@ -34,6 +36,8 @@ TEST(Ensemble, TakesTheBestOfEachStructureAndRestartFirst) {
   EXPECT_THAT(differing(models, 4), ElementsAre(0, 2, 3, 1));
   EXPECT_THAT(differing(models, 9), ElementsAre(0, 2, 3, 1, 4));
   EXPECT_THAT(differing({}, 2), IsEmpty());
+  EXPECT_THAT(differing({known(1.0, 0, "a"), known(1.0, 0, "a"), known(2.0, 0, "a")}, 3), ElementsAre(0, 2, 1))
+      << "copies last";
 }
 
 TEST(SeveralModels, EachRestartSearchesAnewAndHandsItsBestOn) {
@@ -227,6 +231,78 @@ TEST(SeveralModels, ProfiledDelaysAreNoGenesAndAreFound) {
     EXPECT_LE(found[v], 0.2);
     EXPECT_NEAR(found[v] / 0.01, std::round(found[v] / 0.01), 1e-9) << "whole steps";
   }
+}
+
+/// A pendulum with dry friction, whose model has two optional effects.
+const std::string kRivals = R"([experiment]
+name = "rivals"
+passes = 2
+[target]
+kind = "simulated"
+file = "robots/servo-pendulum.toml"
+set = { "actuator.motor.force_limit" = 0.6 }
+effects = [ { id = "stick", effect = "coulomb_friction", where = "joint.hinge", start = { torque = 0.02 } } ]
+[model]
+file = "robots/servo-pendulum.toml"
+set = { "actuator.motor.force_limit" = 0.6 }
+encoding = "parameters_and_effects"
+encoding_parameters = { at_most = 1 }
+effects = [
+  { id = "stick", effect = "coulomb_friction", where = "joint.hinge", range = { torque = [0.0, 0.1] }, optional = true },
+  { id = "grease", effect = "viscous_friction", where = "joint.hinge", range = { damping = [0.0, 0.2] }, optional = true },
+]
+[model.free]
+"body.arm.mass" = [0.3, 0.7]
+[engine]
+step = "10 ms"
+[test]
+encoding = "command_series"
+duration = "1 s"
+[estimation]
+parameters = { population = 12, keep = 6, generations = 5 }
+seeds = 2
+restarts = 3
+rivals = true
+[exploration]
+fitness = "model_disagreement"
+fitness_parameters = { models = 3, refit = 1 }
+parameters = { population = 4, keep = 2, generations = 2 }
+)";
+
+TEST(Rivals, EachRestartLooksForAnotherStructure) {
+  const auto bench = small_bench({}, kRivals);
+  const MemoryJournal journal = run(*bench);
+  for (const PassRow& pass : journal.passes) {
+    std::set<std::string> structures;
+    for (std::size_t rank = 0; rank < 3; ++rank) structures.insert(pass.ensemble.at(rank).structure);
+    EXPECT_THAT(structures, ElementsAre("grease", "no optional effect", "stick"));
+    const std::size_t in_one_search = pass.evaluations / 3;
+    EXPECT_EQ(pass.invalid, 0U) << "children of structures that are taken are made again";
+    EXPECT_EQ(in_one_search, 12U + 4U * 6U);
+  }
+}
+
+TEST(Rivals, GoOnFromEveryCheckpointWithTheSameRows) {
+  const auto bench = small_bench({}, kRivals);
+  const MemoryJournal whole = run(*bench);
+  for (const std::vector<double>& checkpoint : whole.checkpoints) {
+    EeaState state = state_at(*bench, whole, checkpoint);
+    const std::size_t before = state.models;
+    MemoryJournal rest;
+    run(*bench, rest, state);
+    ASSERT_EQ(rest.models.size(), whole.models.size() - before);
+    for (std::size_t i = 0; i < rest.models.size(); ++i)
+      EXPECT_EQ(rest.models[i].genome, whole.models[before + i].genome) << before + i;
+    if (!rest.passes.empty()) EXPECT_EQ(rest.passes.back().best_fitness, whole.passes.back().best_fitness);
+  }
+}
+
+TEST(Rivals, WithoutAnotherStructureASearchFindsNothingAndTheRunGoesOn) {
+  const auto bench = small_bench({"estimation.restarts=2", "estimation.rivals=true"});
+  const MemoryJournal journal = run(*bench);
+  ASSERT_EQ(journal.passes.size(), 2U);
+  EXPECT_EQ(journal.passes[0].invalid, journal.passes[0].evaluations / 2);
+  EXPECT_THAT(journal.models[journal.passes[0].evaluations - 1].reason, HasSubstr("earlier restart"));
 }
 
 }  // namespace
