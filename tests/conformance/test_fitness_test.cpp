@@ -12,7 +12,7 @@ namespace {
 constexpr Eigen::Index kReadings = 50;
 constexpr double kPeriod = 0.01;  // s
 
-/// Models that go forward at different speeds.
+/// Models that go forward at different speeds, with all that a fitness may ask for.
 std::vector<TestPrediction> predictions(std::size_t models) {
   std::vector<TestPrediction> all;
   for (std::size_t m = 0; m < models; ++m) {
@@ -28,6 +28,9 @@ std::vector<TestPrediction> predictions(std::size_t models) {
       prediction.sensors.samples.row(i) << (std::sin(30.0 * t * speed) > 0.0 ? 1.0 : -1.0), std::cos(speed * t);
       prediction.centre_of_mass.samples.row(i) << speed * t, 0.1 * t, 0.85;
     }
+    prediction.noise = {0.5, 0.01};
+    prediction.slopes = {TimeSeries::Samples::Constant(kReadings, 2, 0.1), 0.2 * prediction.sensors.samples};
+    prediction.information = 12.0 * Eigen::MatrixXd::Identity(2, 2);
     all.push_back(prediction);
   }
   return all;

@@ -96,7 +96,8 @@ struct MadeUpRun {
             .file = "",
             .for_transfer = false,
             .predicted_fitness = pass == 1 ? kNotKnown : 3.0 - 1.0 / pass,
-            .measured_fitness = 3.0 - 2.0 / pass};
+            .measured_fitness = 3.0 - 2.0 / pass,
+            .surprise = pass == 1 ? kNotKnown : 0.25 / pass};
   }
 
   Trial made_up_trial(int pass) const {
@@ -129,7 +130,11 @@ struct MadeUpRun {
             .invalid_tests = 1,
             .test_steps = 10'000,
             .best_values = {2.5 + 1.0 / pass, 0.05},
-            .objective = {{"body.*.mass", "kg", 1.0 / pass}, {"sensor.*.delay", "s", 0.01}}};
+            .objective = {{"body.*.mass", "kg", 1.0 / pass}, {"sensor.*.delay", "s", 0.01}},
+            .ensemble = {{model_number(pass, generations - 1, 0), 0.5 / pass, "grease", {2.5 + 1.0 / pass, 0.05}},
+                         {model_number(pass, 0, 1), 0.75 / pass, "no optional effect", {3.0, kNotKnown}}},
+            .set_aside = {pass - 1},
+            .stopped = pass == passes ? "the models no longer improve" : ""};
   }
 
   void end_pass(EeaStore& store, int pass) const {
