@@ -64,7 +64,8 @@ const std::string kBadId = kAddWith + "--id a.b", kBadStart = kAddWith + "--star
 INSTANTIATE_TEST_SUITE_P(
     CommandLines, BadInputTest,
     testing::Values(
-        BadInputCase{"NoCommand", "", 2, "lacuna: name a command: check, new, trial, run, runs, predict, plot, curves,"},
+        BadInputCase{"NoCommand", "", 2,
+                     "lacuna: name a command: check, new, trial, run, runs, predict, plot, curves,"},
         BadInputCase{"UnknownCommand", "histroy", 2,
                      "lacuna: there is no command \"histroy\" (did you mean \"history\"?)"},
         BadInputCase{
