@@ -42,7 +42,7 @@ class ParametersAndEffectsTest : public testing::Test {
     return encoding_.decode(space_, std::array{at_most}, genome);
   }
 
-  const RobotSpec robot_;
+  const RobotSpec robot_{};
   ModelSpace space_{robot_,
                     {{"body.torso.mass", "kg", 1.0, 7.0, 1.0, Scale::linear},
                      {"effect.grease.damping", "N*m*s/rad", 0.0, 2.0, 0.0, Scale::linear},
