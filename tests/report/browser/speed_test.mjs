@@ -26,16 +26,22 @@ after(async () => {
   await server?.stop();
 });
 
+/** Genes that no axis has room for: their distance is not finite. */
+const farGenome = new Uint8Array(Float64Array.from({ length: 17 }, (_, i) => (i % 2 ? 1 : -1) * Number.MAX_VALUE).buffer);
+
 /** 31 000 models on 16 trials and more scores, as a run of the paper leaves them. */
-const manyScores = (database) =>
-  database.run(`
+function manyScores(database) {
+  const insertModels = `
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 31250)
-  INSERT INTO model SELECT (SELECT max(id) FROM model) + i, (SELECT max(pass) FROM model), i / 1000, NULL, NULL, randomblob(136), 'full', 0, 1.0 + abs(random() % 1000) / 1000.0 FROM n;
+  INSERT INTO model SELECT (SELECT max(id) FROM model) + i, (SELECT max(pass) FROM model), i / 1000, NULL, NULL, ?, 'full', 0, 1.0 + abs(random() % 1000) / 1000.0 FROM n`;
+  database.run(insertModels, [farGenome]);
+  database.run(`
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 14)
   INSERT INTO trial SELECT 100 + i, experiment, 'made up ' || i, '', printf('%064d', i), 0, 1.0, 10 FROM n, (SELECT experiment FROM trial LIMIT 1);
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 14)
   INSERT OR IGNORE INTO model_score SELECT model.id, 100 + i, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, n;
   INSERT OR IGNORE INTO model_score SELECT model.id, trial.id, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, trial WHERE trial.id >> 40 = 1;`);
+}
 
 const kSamples = 60_000,
   kChannels = 8;

@@ -58,6 +58,20 @@ interface Scale {
   place: (value: number) => number;
 }
 
+const kFarthest = 1e300; // a scale of 2e308 would overflow
+
+/** Values that no scale holds are gaps. */
+function withoutFarValues(series: ChartSeries[]): ChartSeries[] {
+  const near = (values: number[]) => values.map((one) => (Math.abs(one) < kFarthest ? one : NaN));
+  return series.map((one) => ({
+    ...one,
+    x: near(one.x),
+    y: near(one.y),
+    lower: one.lower && near(one.lower),
+    upper: one.upper && near(one.upper),
+  }));
+}
+
 function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale {
   const finite = values.concat(axis.include ?? []).filter((one) => Number.isFinite(one) && (!axis.log || one > 0));
   let low = finite.reduce((a, b) => Math.min(a, b), Infinity),
@@ -125,7 +139,8 @@ const axisTitle = (axis: Axis, symbol: string) => {
 
 /** A small picture of lines, points and bands, drawn as SVG. */
 export function Chart(props: ChartProps) {
-  const { title, series, levels = [], height = 240 } = props;
+  const { title, levels = [], height = 240 } = props;
+  const series = useMemo(() => withoutFarValues(props.series), [props.series]);
   const [box, width] = useWidth();
   const picture = useRef<SVGSVGElement>(null);
   const [near, setNear] = useState<{ series: number; index: number } | null>(null);
