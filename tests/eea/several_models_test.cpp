@@ -116,7 +116,9 @@ TEST(Judges, KnowTheNoiseOfEachChannel) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const bool is_scored = channels[c].name.starts_with("angle");
     EXPECT_EQ(std::isfinite(predictions[0].noise[c]), is_scored) << channels[c].name;
-    if (is_scored) EXPECT_GT(predictions[0].noise[c], 0.0);
+    if (is_scored) {
+      EXPECT_GT(predictions[0].noise[c], 0.0);
+    }
   }
   const auto declared = std::find_if(channels.begin(), channels.end(),
                                      [](const Channel& channel) { return channel.name == "angle_front_left"; });
@@ -177,7 +179,9 @@ TEST(Challenge, ATrialThatIsTooHardIsSetAsideAndComesBack) {
   EXPECT_THAT(journal.passes[4].set_aside, ElementsAre(2, 3, 4));
   EXPECT_THAT(journal.passes[5].set_aside, ElementsAre(3, 4, 5)) << "after three passes at the latest it counts";
   for (const ModelRow& model : journal.models)
-    if (model.pass == 3 && model.kind == EvaluationKind::full) EXPECT_EQ(model.trial_scores.size(), 2U);
+    if (model.pass == 3 && model.kind == EvaluationKind::full) {
+      EXPECT_EQ(model.trial_scores.size(), 2U);
+    }
 }
 
 TEST(Challenge, WithoutItEveryTrialCounts) {
@@ -293,7 +297,9 @@ TEST(Rivals, GoOnFromEveryCheckpointWithTheSameRows) {
     ASSERT_EQ(rest.models.size(), whole.models.size() - before);
     for (std::size_t i = 0; i < rest.models.size(); ++i)
       EXPECT_EQ(rest.models[i].genome, whole.models[before + i].genome) << before + i;
-    if (!rest.passes.empty()) EXPECT_EQ(rest.passes.back().best_fitness, whole.passes.back().best_fitness);
+    if (!rest.passes.empty()) {
+      EXPECT_EQ(rest.passes.back().best_fitness, whole.passes.back().best_fitness);
+    }
   }
 }
 
