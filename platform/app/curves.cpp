@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/newest_setting.h"
 #include "app/output.h"
+#include "foundation/counted.h"
 #include "foundation/problem.h"
 #include "report/learning_curves.h"
 
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -28,11 +30,11 @@ struct NamedRuns {
   std::string experiment;
   std::filesystem::path database;
   std::vector<std::vector<PassRow>> passes;
+  std::size_t unfinished = 0;  ///< runs, which are left out: they would seem to have stopped learning
 };
 
 void add_runs(Database& database, std::vector<NamedRuns>& named) {
   std::vector<EeaRunListing> runs = eea_runs(database);
-  std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
   std::vector<std::string> names;
   for (const EeaRunListing& run : runs)
     if (std::find(names.begin(), names.end(), run.experiment) == names.end()) names.push_back(run.experiment);
@@ -40,10 +42,14 @@ void add_runs(Database& database, std::vector<NamedRuns>& named) {
     std::vector<EeaRunListing> of_experiment;
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
                  [&](const EeaRunListing& run) { return run.experiment == name; });
-    NamedRuns& added = named.emplace_back(NamedRuns{name, database.file(), {}});
+    NamedRuns added{name, database.file(), {}};
     std::mutex unused;
     for (const EeaRunListing& run : newest_setting(database, of_experiment))
-      added.passes.push_back(EeaStore(database, unused, run.run, {}).passes());
+      if (run.ending == "done")
+        added.passes.push_back(EeaStore(database, unused, run.run, {}).passes());
+      else
+        ++added.unfinished;
+    named.push_back(std::move(added));
   }
 }
 
@@ -67,8 +73,18 @@ bool is_there(const std::string& name, const std::vector<std::string>& names) {
 
 void check_name(const std::string& option, const std::string& name, const std::vector<std::string>& there) {
   if (!is_there(name, there))
-    throw_problem(
-        {}, fmt::format("{} {}: no run of it has a pass that has ended{}", option, name, did_you_mean(name, there)));
+    throw_problem({}, fmt::format("{} {}: no run of it has ended{}", option, name, did_you_mean(name, there)));
+}
+
+void leave_out_unfinished(std::vector<NamedRuns>& named) {
+  for (const NamedRuns& runs : named)
+    if (runs.unfinished > 0)
+      std::fprintf(stderr, "%s\n",
+                   fmt::format("{}: {} of {} {} not ended and {} left out; lacuna run FILE --resume goes on",
+                               runs.experiment, runs.unfinished, counted(runs.unfinished + runs.passes.size(), "run"),
+                               runs.unfinished == 1 ? "has" : "have", runs.unfinished == 1 ? "is" : "are")
+                       .c_str());
+  std::erase_if(named, [](const NamedRuns& runs) { return runs.passes.empty(); });
 }
 
 /// What all databases have of the experiments that were asked for.
@@ -78,9 +94,9 @@ std::vector<NamedRuns> read_runs(const CurvesOptions& options) {
     Database database = Database::open_read_only(file);
     add_runs(database, named);
   }
+  leave_out_unfinished(named);
   if (named.empty())
-    throw_problem({options.databases.front().string()},
-                  "has no run with a pass that has ended; lacuna run FILE makes one");
+    throw_problem({options.databases.front().string()}, "has no run that has ended; lacuna run FILE makes one");
   for (const std::string& name : options.experiments) check_name("--experiment", name, names_of(named));
   if (!options.experiments.empty())
     std::erase_if(named, [&](const NamedRuns& runs) { return !is_there(runs.experiment, options.experiments); });

@@ -24,6 +24,8 @@
 namespace lacuna {
 namespace {
 
+constexpr int kMostSupported = static_cast<int>(kFewestHeldOut);  // passes that may leave a band without support
+
 struct PredictOptions : CommonOptions {
   AskedTest asked;
   std::optional<std::int64_t> run;
@@ -77,9 +79,9 @@ struct AskedRun {
   const Rig& rig() const { return stored.bench->rig(); }
 };
 
-/// A test that was carried out is predicted as it was, from its start on and when it was measured.
+/// A test that was carried out is predicted as it was asked for, from its start on and when it was measured.
 WantedTest carried_out_test(const AskedRun& run, const RunTrial& trial, const AskedTest& asked) {
-  const ScoredTrial observed = run.definition().observed(trial.drive, trial.trial);
+  const ScoredTrial observed = as_foretold(trial);
   const Eigen::VectorXd& times = observed.trial.measured.times;
   WantedTest wanted{as_carried_out(observed),
                     {times.begin(), times.end()},
@@ -149,6 +151,7 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
           .duration = wanted.times.back(),
           .structures = structures_of(ensemble),
           .copies = ensemble.copies,
+          .refuted = ensemble.refuted,
           .noise = ensemble.noise,
           .prediction = std::move(prediction),
           .support = std::move(support),
@@ -158,7 +161,7 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
 /// What a reader may do next.
 std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
   const std::string experiment = shell_word(options.experiment.string());
-  if (!report.support.enough() && run.stored.bench->takes_tests())
+  if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.bench->takes_tests())
     return fmt::format("→ more passes support the band: lacuna run {} --set experiment.passes={}\n", experiment,
                        kFewestHeldOut + 1);
   if (!test_number(options.asked.test))

@@ -6,6 +6,8 @@
 
 namespace lacuna {
 
+ScoredTrial as_foretold(const RunTrial& trial) { return {trial.drive, trial.trial, 0}; }
+
 std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& definition) {
   std::vector<TargetTrialRow> rows = store.trial_rows();
   std::vector<Trial> trials = store.trials();

@@ -14,6 +14,10 @@ struct RunTrial {
   Trial trial;  ///< with a start that can be simulated from
 };
 
+/// As a test whose outcome nobody knows: where it has a controller, that answers to the model, whatever commands the
+/// target received.
+ScoredTrial as_foretold(const RunTrial& trial);
+
 /// All trials of the run, by number.
 std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& definition);
 

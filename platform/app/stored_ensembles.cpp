@@ -9,6 +9,8 @@
 namespace lacuna {
 namespace {
 
+constexpr double kMuchWorse = 2.0;  // times the error of the best, on the trials that both were fitted to
+
 /// The genome's model with the values that are stored beside it: delays of sensors may be no genes.
 ModelProposal model_of(const EeaStore& store, const EeaDefinition& definition, const EnsembleRow& row) {
   const std::optional<ModelRow> stored = store.model(row.model);
@@ -19,7 +21,8 @@ ModelProposal model_of(const EeaStore& store, const EeaDefinition& definition, c
   return model;
 }
 
-/// All that the trial measured, as far as models of that pass were held against it.
+/// All that the trial measured, and replayed where the experiment says so, as far as models of that pass were held
+/// against it.
 ScoredTrial all_that_counted(const EeaDefinition& definition, const RunTrial& stored, int pass) {
   ScoredTrial observed = definition.observed(stored.drive, stored.trial);
   const Eigen::Index rows = definition.scored(stored.drive, stored.trial, pass).trial.measured.times.size();
@@ -37,7 +40,10 @@ StoredEnsembles::StoredEnsembles(const EeaStore& store, const EeaDefinition& def
     Pass pass{std::move(row), {}};
     pass.ensemble.pass = pass.row.number;
     for (const EnsembleRow& member : pass.row.ensemble)
-      add_unless_copy(pass.ensemble, member.model, model_of(store, definition, member));
+      if (member.score > kMuchWorse * pass.row.ensemble.front().score)
+        ++pass.ensemble.refuted;
+      else
+        add_unless_copy(pass.ensemble, member.model, model_of(store, definition, member), definition.phenotypes);
     passes_.push_back(std::move(pass));
   }
 }
@@ -54,7 +60,8 @@ PassEnsemble StoredEnsembles::with_noise(const Pass& pass) const {
   for (const RunTrial& trial : trials_)
     if (counts(trial, pass.row)) fitted.push_back(all_that_counted(definition_, trial, pass.row.number));
   PassEnsemble ensemble = pass.ensemble;
-  ensemble.noise = noise_of_readings(definition_, ensemble.models.front(), fitted);
+  std::uint64_t steps = 0;
+  ensemble.noise = noise_of_readings(definition_, ensemble.models.front(), fitted, steps);
   return ensemble;
 }
 
@@ -68,8 +75,7 @@ std::vector<HeldOutTrial> StoredEnsembles::held_out(int threads) const {
   parallel_for(pairs.size(), threads, [&](std::size_t i, int) {
     throw_if_interrupted();
     const auto& [pass, trial] = pairs[i];
-    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number,
-                               definition_.observed(trial->drive, trial->trial));
+    held_out[i] = held_against(definition_, with_noise(*pass), trial->row.number, as_foretold(*trial));
   });
   return held_out;
 }

@@ -79,7 +79,7 @@ Table<EstimationSection> estimation_keys() {
            "what models are scored by, as in \"sensor.range*\"; without it all sensors that are measured")
       .key("seeds", &EstimationSection::seeds, whole_number<int>(0, 1000000),
            "how many of the last pass's best models start the next one, beside random ones; of several "
-           "restarts, the first")
+           "restarts the first alone, of rivals each")
       .key("restarts", &EstimationSection::restarts, whole_number<int>(1, 10000),
            "independent searches in each phase, each as long as one; the best of each are handed on first")
       .key("rivals", &EstimationSection::rivals, boolean(),
@@ -92,17 +92,19 @@ Table<EstimationSection> estimation_keys() {
            "drive models by the commands that the target received, not by the test's controller, which would answer to "
            "the model's own readings")
       .key("horizons", &EstimationSection::horizons, list_of<double>(number("s").above(0.0)),
-           "how much of each trial counts, from its start: in the first pass, the second and so on, the last for all "
-           "that follow; without it all of it")
+           "how much of each trial counts, from its start: in the first pass, the second and so on, each at least as "
+           "long as the one before, the last for all that follow; without it all of it")
       .key("profiled", &EstimationSection::profiled, list_of(text()),
            "free delays, as in \"sensor.*.delay\", that are no genes but found for each model by shifting what it "
-           "reads, at no further simulation; in the end those of all sensors over whole trials; takes replay = true")
+           "reads, at no further simulation; in the end those of all sensors over whole trials; between two readings "
+           "it goes along a straight line, so "
+           "that a sensor that jumps wants a reading at every step; takes replay = true")
       .key("challenge", &EstimationSection::challenge, number("1").at_least(0.0),
            "a new trial on which the best model errs more than this many times as much as on those it was fitted to is "
            "set aside, and counts again once models come near enough, after three passes at the latest; 0: none is")
       .key("patience", &EstimationSection::patience, whole_number<int>(0, 1000000),
-           "the run stops after this many passes in which models have not foretold a new trial any better; 0: it does "
-           "not")
+           "the run stops, before it looks for another test, after this many passes in which models have not foretold "
+           "a new trial any better; 0: it does not")
       .key("abandon", &EstimationSection::abandon, boolean(),
            "end an evaluation as soon as its error cannot get under the generation's bar; changes no survivor")
       .key("reuse", &EstimationSection::reuse, boolean(), "simulate identical models once; changes no score");

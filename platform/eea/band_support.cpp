@@ -96,7 +96,8 @@ std::vector<double> factors_without(const std::vector<HeldOutTrial>& trials, con
   std::vector<double> factors;
   for (std::size_t c = 0; c < trial.ratios.size(); ++c) {
     const std::vector<Ratios> others = of_channel(trials, c, &trial);
-    factors.push_back(others.empty() ? 1.0 : std::max(1.0, factor_of(others)));
+    const double factor = others.empty() ? 1.0 : factor_of(others);
+    factors.push_back(factor > 1.0 && std::isfinite(factor) ? factor : 1.0);
   }
   return factors;
 }
@@ -111,7 +112,9 @@ Coverage widened_coverage(const std::vector<HeldOutTrial>& trials, std::uint64_t
 
 }  // namespace
 
-double ChannelSupport::widening() const { return trials >= kFewestHeldOut && factor > 1.0 ? factor : 1.0; }
+double ChannelSupport::widening() const {
+  return trials >= kFewestHeldOut && factor > 1.0 && std::isfinite(factor) ? factor : 1.0;
+}
 
 std::vector<std::vector<double>> band_ratios(const EnsembleBand& band, const Trial& trial,
                                              const std::vector<Eigen::Index>& map) {
@@ -120,7 +123,7 @@ std::vector<std::vector<double>> band_ratios(const EnsembleBand& band, const Tri
     for (Eigen::Index row = 0; row < trial.measured.samples.rows(); ++row) {
       const double off = std::abs(trial.measured.samples(row, static_cast<Eigen::Index>(c)) - band.mean(row, map[c]));
       const double half_width = band.half_width(row, map[c]);
-      if (std::isfinite(off) && half_width > 0.0) ratios[static_cast<std::size_t>(map[c])].push_back(off / half_width);
+      if (std::isfinite(off)) ratios[static_cast<std::size_t>(map[c])].push_back(off > 0.0 ? off / half_width : 0.0);
     }
   return ratios;
 }

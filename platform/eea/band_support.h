@@ -36,8 +36,9 @@ struct ChannelSupport {
   Coverage inside;           ///< readings within the band
   double error = kNotKnown;  ///< root mean square of (measured − mean) / (half-width / 1.96); 1 where the band is right
   double factor = kNotKnown;  ///< by which the band would hold 95 % of the readings; above 1 it is too narrow
+                              ///< infinite: none does, for it has no width where readings lie off it
 
-  /// By which the band is to be wider: 1 where it is wide enough, or where too few trials say so.
+  /// By which the band is to be wider: 1 where it is wide enough, where too few trials say so, or where none helps.
   double widening() const;
 };
 
@@ -52,7 +53,7 @@ struct BandSupport {
 };
 
 /// How far each reading lies from the mean, in half-widths: `HeldOutTrial::ratios`. `map`: channel of the band's, for
-/// each of the trial's. What was not measured, or has a band without width, is left out.
+/// each of the trial's. What was not measured is left out; what lies off a band without width is infinitely far.
 std::vector<std::vector<double>> band_ratios(const EnsembleBand& band, const Trial& trial,
                                              const std::vector<Eigen::Index>& map);
 

@@ -12,11 +12,13 @@ constexpr int kLongestWait = 3;          // passes
 constexpr std::size_t kFirstTrials = 2;  // are what everything begins with
 constexpr double kSmallError = 0.01;     // of what a model that never moves would get: less is no challenge
 
-double score_on(const EeaRun& run, const KnownModel& model, const ScoredTrial& trial) {
+/// Of the best model.
+double score_on(const EeaRun& run, EeaState& state, const ScoredTrial& trial) {
   const EeaDefinition& definition = run.definition;
   const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, 1, &definition.model);
   ModelScore score;
-  scorer.score(model.model, std::nullopt, 0, score);
+  scorer.score(state.best.front().model, std::nullopt, 0, score);
+  state.counts.test_steps += score.steps;
   return score.kind == ScoreKind::full ? score.total : kNotKnown;
 }
 
@@ -45,21 +47,24 @@ bool too_hard(const EeaRun& run, const EeaState& state, const ScoredTrial& score
   return score > run.definition.challenge * usual;
 }
 
+/// Before a pass's estimation its models are those of the pass before.
+int pass_of_best(const EeaState& state) { return state.pass - 1; }
+
 bool is_managed(const EeaRun& run, const EeaState& state) {
   return run.definition.challenge > 0.0 && !state.best.empty() && std::isfinite(state.best.front().score);
 }
 
 }  // namespace
 
-double surprise_of(const EeaRun& run, const EeaState& state, const TargetTrial& trial) {
+double surprise_of(const EeaRun& run, EeaState& state, const TargetTrial& trial) {
   if (state.best.empty()) return kNotKnown;
-  return score_on(run, state.best.front(), run.definition.scored(trial.drive, trial.trial, state.pass));
+  return score_on(run, state, run.definition.scored(trial.drive, trial.trial, pass_of_best(state)));
 }
 
 void set_aside_if_too_hard(const EeaRun& run, EeaState& state, double surprise) {
   if (!is_managed(run, state) || state.trials.size() <= kFirstTrials) return;
   TargetTrial& newest = state.trials.back();
-  if (too_hard(run, state, run.definition.scored(newest.drive, newest.trial, state.pass), surprise))
+  if (too_hard(run, state, run.definition.scored(newest.drive, newest.trial, pass_of_best(state)), surprise))
     newest.set_aside_in = state.pass;
 }
 
@@ -69,7 +74,7 @@ void recall_trials(const EeaRun& run, EeaState& state) {
     if (!trial.set_aside_in) continue;
     const ScoredTrial scored = run.definition.scored(trial.drive, trial.trial, state.pass);
     const bool waited = state.pass - *trial.set_aside_in + 1 >= kLongestWait;
-    if (waited || !too_hard(run, state, scored, score_on(run, state.best.front(), scored))) trial.set_aside_in.reset();
+    if (waited || !too_hard(run, state, scored, score_on(run, state, scored))) trial.set_aside_in.reset();
   }
 }
 

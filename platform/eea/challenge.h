@@ -9,9 +9,9 @@ namespace lacuna {
 /// Managed challenge (J. Bongard, H. Lipson: tests that are too hard for the present models are set aside and come
 /// back): keeps a trial that the models cannot make anything of yet from spoiling what they have learnt.
 
-/// Of a trial that has just been carried out: the score of the best model so far on it alone. Not known where there is
-/// no model or it cannot be simulated.
-double surprise_of(const EeaRun& run, const EeaState& state, const TargetTrial& trial);
+/// Of a trial that has just been carried out: the score of the best model so far on as much of it as of the trials that
+/// it was fitted to. Not known where there is no model or it cannot be simulated.
+double surprise_of(const EeaRun& run, EeaState& state, const TargetTrial& trial);
 
 /// Sets the newest trial aside where its surprise is more than the experiment's `challenge` times the best model's
 /// score on what it was fitted to. The first trials are never set aside.

@@ -8,6 +8,7 @@
 #include "evaluation/component_choice.h"
 #include "evaluation/model_definition.h"
 #include "evaluation/model_scorer.h"
+#include "evaluation/phenotypes.h"
 #include "evolution/operator_breeder.h"
 
 #include <cstdint>
@@ -47,8 +48,11 @@ class EeaDefinition {
   ScoredTrial scored(Test drive, Trial trial, int pass) const;
   /// The whole trial with all that it measured, driven as the experiment says.
   ScoredTrial observed(Test drive, Trial trial) const;
+  /// How much of a trial counts in a pass, s; infinite: all of it.
+  double horizon(int pass) const;
 
   ModelDefinition model;
+  Phenotypes phenotypes;
   std::unique_ptr<CompiledModel> compiled;
   ModelSpace model_space;
   std::vector<std::size_t> profiled;  ///< of its free values, those that are no genes but found for each model
@@ -79,6 +83,8 @@ class EeaDefinition {
 
  private:
   void define_estimation(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);
+  void check_rivals(Complaints& complaints) const;
+  void check_horizons(bool takes_tests, Complaints& complaints) const;
   void find_profiled(const EstimationSection& estimate, Complaints& complaints);
   void choose_fitnesses(const ExplorationSection& explore, const PluginCatalog& catalog, Complaints& complaints);
   void define_exploration(const Experiment& experiment, const PluginCatalog& catalog, Complaints& complaints);

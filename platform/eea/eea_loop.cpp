@@ -29,7 +29,7 @@ void sum_up(const EeaRun& run, const EeaState& state, PassRow& pass) {
 
 /// The models that differ, as they are handed on.
 void note_ensemble(const EeaDefinition& definition, const EeaState& state, PassRow& pass) {
-  for (const std::size_t i : differing(state.best, definition.ensemble)) {
+  for (const std::size_t i : differing(state.best, definition.ensemble, definition.phenotypes)) {
     const KnownModel& known = state.best[i];
     if (known.genome.empty()) continue;  // the approximate model
     pass.ensemble.push_back({known.number, known.score, known.model.structure, known.model.values});
@@ -42,12 +42,21 @@ void note_set_aside(const EeaState& state, PassRow& pass) {
     if (state.trials[t].set_aside_in) pass.set_aside.push_back(static_cast<int>(t));
 }
 
+/// Step 4, unless there is no use in another test, which the pass then says; the last pass and an approximate model's
+/// first test are never too many.
+void explore_or_stop(const EeaRun& run, EeaState& state) {
+  const bool may_stop = state.pass > 0 && state.pass < run.definition.passes;
+  if (may_stop) state.counts.stopped = lost_patience(run, state);
+  if (!state.counts.stopped.empty()) return;
+  explore(run, state);
+  if (may_stop) state.counts.stopped = too_little_to_learn(run, state);
+}
+
 /// Writes the pass down; what comes next.
 Phase end_pass(const EeaRun& run, EeaState& state) {
   sum_up(run, state, state.counts);
   note_ensemble(run.definition, state, state.counts);
   note_set_aside(state, state.counts);
-  if (state.pass < run.definition.passes) state.counts.stopped = reason_to_stop(run, state);
   const bool stop = !state.counts.stopped.empty();
   recall_trials(run, state);
   run.journal.add(std::exchange(state.counts, {}));
@@ -105,7 +114,7 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
         go_on_with(target.system.takes_tests() ? Phase::exploration : Phase::finished, run, state);
         break;
       case Phase::exploration:  // step 4: the test that the models choose
-        explore(run, state);
+        explore_or_stop(run, state);
         go_on_with(end_pass(run, state), run, state);
         break;
       case Phase::transfer:  // how the last test does on the target

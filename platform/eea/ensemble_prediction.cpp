@@ -2,7 +2,6 @@
 
 #include "eea/reading_noise.h"
 #include "evaluation/channel_map.h"
-#include "evaluation/robot_key.h"
 #include "evaluation/test_predictor.h"
 #include "foundation/parallel.h"
 
@@ -10,28 +9,15 @@
 #include <utility>
 
 namespace lacuna {
-namespace {
 
 std::vector<double> sampled_at(const ScoredTrial& scored) {
   return {scored.trial.measured.times.begin(), scored.trial.measured.times.end()};
 }
 
-std::string key_of_robot(const ModelProposal& model) {
-  std::string key;
-  if (model.robot) append_key(*model.robot, key);
-  return key;
-}
-
-/// Whether no simulation could tell them apart.
-bool alike(const ModelProposal& a, const ModelProposal& b) {
-  return a.values == b.values && a.without == b.without && key_of_robot(a) == key_of_robot(b);
-}
-
-}  // namespace
-
-void add_unless_copy(PassEnsemble& ensemble, std::uint64_t number, ModelProposal model) {
+void add_unless_copy(PassEnsemble& ensemble, std::uint64_t number, ModelProposal model, const Phenotypes& phenotypes) {
+  const std::string phenotype = phenotypes.of(model);
   if (std::any_of(ensemble.models.begin(), ensemble.models.end(),
-                  [&](const ModelProposal& other) { return alike(other, model); })) {
+                  [&](const ModelProposal& other) { return phenotypes.of(other) == phenotype; })) {
     ++ensemble.copies;
     return;
   }
@@ -76,13 +62,12 @@ EnsemblePrediction predict_test(const EeaDefinition& definition, const PassEnsem
 }
 
 std::vector<double> noise_of_readings(const EeaDefinition& definition, const ModelProposal& best,
-                                      const std::vector<ScoredTrial>& fitted) {
+                                      const std::vector<ScoredTrial>& fitted, std::uint64_t& steps) {
   ReadingNoise noise(definition.compiled->channels().size());
   for (const ScoredTrial& scored : fitted) {
     const TestPredictor predictor(*definition.compiled, sampled_at(scored), 1, &definition.model, 1,
                                   scored.trial.measured.times(0));
     TestPrediction predicted;
-    std::uint64_t steps = 0;
     std::string reason;
     if (predictor.predict(best, as_carried_out(scored), 0, predicted, steps, reason))
       noise.add(scored.trial, match_channels(scored.trial, definition.compiled->channels()), predicted.sensors);

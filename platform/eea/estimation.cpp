@@ -64,6 +64,8 @@ class Estimation {
 
   void run() {
     for (; state_.restart < definition_.restarts; ++state_.restart) {
+      breed();
+      if (!breeder_->can_breed(key())) break;
       begin();
       run_search(
           *search_, definition_.estimation.strategy.origin,
@@ -74,9 +76,10 @@ class Estimation {
   }
 
  private:
+  void breed() { breeder_.emplace(definition_, definition_.rivals ? structures_found() : std::set<std::string>()); }
+
   void begin() {
     const Chosen<SearchStrategy>& strategy = definition_.estimation.strategy;
-    breeder_.emplace(definition_, definition_.rivals ? structures_found() : std::set<std::string>());
     const SearchTask task{definition_.estimation.layout(), *breeder_, key(), seeds()};
     search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
     if (state_.search.empty()) {
@@ -226,7 +229,7 @@ class Estimation {
     for (const TargetTrial& trial : state_.trials)
       if (!trial.set_aside_in) trials.push_back(definition_.observed(trial.drive, trial.trial));
     const Delays delays(definition_, std::move(trials));
-    for (const std::size_t i : differing(state_.best, definition_.ensemble))
+    for (const std::size_t i : differing(state_.best, definition_.ensemble, definition_.phenotypes))
       state_.counts.steps += delays.find(state_.best[i].model);
   }
 

@@ -46,10 +46,12 @@ class Exploration {
                           run_.key(Phase::exploration, state_.pass),
                           {}};
     search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
-    if (state_.search.empty())
+    if (state_.search.empty()) {
       state_.search_begin = state_.tests;
-    else
+      state_.counts.test_steps += judges_.steps();
+    } else {
       guarded_call(strategy.origin, "load", [&] { search_->load(state_.search); });
+    }
   }
 
   /// Searches look for small scores; of tests the fitness is to be large.
@@ -139,7 +141,8 @@ class Exploration {
 }  // namespace
 
 void explore(const EeaRun& run, EeaState& state) {
-  if (run.definition.value.models() > 0)
+  const TestValue& value = run.definition.value;
+  if (value.models() > 0 && !(value.takes_trials() && state.trials.empty()))
     Exploration(run, state).run();
   else
     choose_random_test(run, state, 0);

@@ -3,7 +3,9 @@
 #include "eea/ensemble.h"
 #include "eea/ensemble_prediction.h"
 #include "eea/scored_trials.h"
+#include "evaluation/channel_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -12,32 +14,37 @@ namespace {
 constexpr double kMove = 1e-3;       // of a free value's range, for a slope
 constexpr double kFlatPrior = 12.0;  // the inverse of the variance of what lies anywhere within 0 ... 1
 
-std::vector<double> times_of(const ScoredTrial& scored) {
-  const Eigen::VectorXd& times = scored.trial.measured.times;
-  return {times.data(), times.data() + times.size()};
+/// How far a value moves for its slope, in ranges: towards the middle, which it always can, and a whole step where
+/// nothing less counts. 0: it cannot move.
+double move_of(const FreeValue& value, double at, const EngineSettings& engine) {
+  const double range = value.upper - value.lower;
+  if (!std::isfinite(range) || range <= 0.0 || std::isnan(at)) return 0.0;  // not known: of an absent effect
+  const double move = counts_in_steps(value, engine) ? std::max(kMove, engine.step / range) : kMove;
+  if (move > 0.5) return 0.0;
+  return at < value.lower + 0.5 * range ? move : -move;
 }
 
-/// Towards the middle of its range a value can always move.
-std::vector<double> moves_of(const ModelProposal& model, const std::vector<FreeValue>& free) {
+std::vector<double> moves_of(const ModelProposal& model, const ModelDefinition& definition) {
   std::vector<double> moves;
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    const double range = free[k].upper - free[k].lower;
-    const bool can_move = std::isfinite(range) && range > 0.0 && !std::isnan(model.values[k]);  // of an absent effect
-    const bool below_middle = model.values[k] < free[k].lower + 0.5 * range;
-    moves.push_back(!can_move ? 0.0 : below_middle ? kMove : -kMove);
-  }
+  for (std::size_t k = 0; k < definition.free.size(); ++k)
+    moves.push_back(move_of(definition.free[k], model.values[k], definition.engine));
   return moves;
 }
 
-/// Squared deviations that a value's whole range would make, of the channels that the trial measured.
-Eigen::MatrixXd information_in(const TestPrediction& prediction, const std::vector<double>& noise) {
+/// What a trial tells of the values: products of the deviations that each one's whole range would make, in those
+/// readings that were measured. `map`: channel of the prediction's, for each of the trial's.
+Eigen::MatrixXd information_in(const TestPrediction& prediction, const Trial& trial,
+                               const std::vector<Eigen::Index>& map, const std::vector<double>& noise) {
   const auto values = static_cast<Eigen::Index>(prediction.slopes.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(values, values);
-  for (std::size_t c = 0; c < noise.size(); ++c) {
-    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(prediction.sensors.samples.rows(), values);
+  for (std::size_t c = 0; c < map.size(); ++c) {
+    const auto measured = trial.measured.samples.col(static_cast<Eigen::Index>(c)).array();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(measured.size(), values);
     for (Eigen::Index k = 0; k < values; ++k) {
       const TimeSeries::Samples& slope = prediction.slopes[static_cast<std::size_t>(k)];
-      if (slope.size() > 0) slopes.col(k) = slope.col(static_cast<Eigen::Index>(c)) / noise[c];
+      if (slope.size() > 0)
+        slopes.col(k) =
+            measured.isFinite().select(slope.col(map[c]).array() / noise[static_cast<std::size_t>(map[c])], 0.0);
     }
     information += slopes.transpose() * slopes;
   }
@@ -50,26 +57,29 @@ Judges::Judges(const EeaRun& run, const EeaState& state)
     : definition_(run.definition),
       predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model,
                  definition_.value.models()) {
-  for (const std::size_t i : differing(state.best, definition_.value.models()))
+  for (const std::size_t i : differing(state.best, definition_.value.models(), definition_.phenotypes))
     judges_.push_back({state.best[i].model});
   const std::vector<ScoredTrial> trials = scored_trials(definition_, state);
-  if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials);
+  if (!judges_.empty()) noise_ = noise_of_readings(definition_, judges_.front().model, trials, steps_);
+  std::replace(noise_.begin(), noise_.end(), 0.0, kInfinity);  // what never moved tells nothing
   if (!definition_.value.wants_slopes()) return;
   for (Judge& judge : judges_) find_information(trials, judge);
 }
 
-void Judges::find_information(const std::vector<ScoredTrial>& trials, Judge& judge) const {
-  judge.moves = moves_of(judge.model, definition_.model.free);
+void Judges::find_information(const std::vector<ScoredTrial>& trials, Judge& judge) {
+  judge.moves = moves_of(judge.model, definition_.model);
   const auto values = static_cast<Eigen::Index>(judge.moves.size());
   judge.information = kFlatPrior * Eigen::MatrixXd::Identity(values, values);
-  std::uint64_t steps = 0;
   std::string reason;
   for (const ScoredTrial& scored : trials) {
-    const TestPredictor predictor(*definition_.compiled, times_of(scored), 1, &definition_.model);
+    const TestPredictor predictor(*definition_.compiled, sampled_at(scored), 1, &definition_.model, 1,
+                                  scored.trial.measured.times(0));
+    const Test test = as_carried_out(scored);
     TestPrediction prediction;
-    if (predictor.predict(judge.model, scored.test, 0, prediction, steps, reason) &&
-        add_slopes(predictor, judge, scored.test, 0, prediction, steps, reason))
-      judge.information += information_in(prediction, noise_);
+    if (predictor.predict(judge.model, test, 0, prediction, steps_, reason) &&
+        add_slopes(predictor, judge, test, 0, prediction, steps_, reason))
+      judge.information += information_in(prediction, scored.trial,
+                                          match_channels(scored.trial, definition_.compiled->channels()), noise_);
   }
 }
 

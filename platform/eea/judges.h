@@ -22,6 +22,8 @@ class Judges {
 
   std::size_t size() const { return judges_.size(); }
   int workers() const { return predictor_.workers(); }
+  /// That it took to find out what the trials say.
+  std::uint64_t steps() const { return steps_; }
   /// Fills one prediction a judge, whose memory is reused, and counts the steps taken onto `steps`. False: a judge
   /// cannot carry the test out; `reason` says why.
   bool predict(const Test& test, int worker, std::span<TestPrediction> predictions, std::uint64_t& steps,
@@ -34,7 +36,7 @@ class Judges {
     Eigen::MatrixXd information = {};
   };
 
-  void find_information(const std::vector<ScoredTrial>& trials, Judge& judge) const;
+  void find_information(const std::vector<ScoredTrial>& trials, Judge& judge);
   bool add_slopes(const TestPredictor& predictor, const Judge& judge, const Test& test, int worker,
                   TestPrediction& prediction, std::uint64_t& steps, std::string& reason) const;
 
@@ -42,6 +44,7 @@ class Judges {
   std::vector<Judge> judges_;
   TestPredictor predictor_;
   std::vector<double> noise_;
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace lacuna

@@ -32,14 +32,10 @@ void ReadingNoise::add(const Trial& trial, const std::vector<Eigen::Index>& map,
 std::vector<double> ReadingNoise::deviations() const {
   std::vector<double> deviations;
   for (const Tally& tally : channels_) {
-    double deviation = std::numeric_limits<double>::infinity();
-    if (tally.samples > 0.0) {
-      const double left = std::sqrt(tally.squares / tally.samples);
-      const double moved = std::max({tally.highest - tally.lowest, std::abs(tally.lowest), std::abs(tally.highest)});
-      if (const double seen = tally.declared > 0.0 ? tally.declared : std::max(left, kLeastShare * moved); seen > 0.0)
-        deviation = seen;
-    }
-    deviations.push_back(deviation);
+    const double left = std::sqrt(tally.squares / std::max(1.0, tally.samples));
+    const double moved = std::max({tally.highest - tally.lowest, std::abs(tally.lowest), std::abs(tally.highest)});
+    const double seen = tally.declared > 0.0 ? tally.declared : std::max(left, kLeastShare * moved);
+    deviations.push_back(tally.samples > 0.0 ? seen : std::numeric_limits<double>::infinity());
   }
   return deviations;
 }

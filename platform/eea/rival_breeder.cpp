@@ -9,6 +9,12 @@ constexpr int kMostTries = 100;
 
 }  // namespace
 
+bool RivalBreeder::can_breed(const std::vector<std::uint64_t>& key) const {
+  if (taken_.empty()) return true;
+  RandomStream stream(key);
+  return !is_taken(random(stream));
+}
+
 Genome RivalBreeder::random(RandomStream& random) const {
   Genome genome = breeder_.random(random);
   for (int again = 1; again < kMostTries && is_taken(genome); ++again) genome = breeder_.random(random);

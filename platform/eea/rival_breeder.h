@@ -4,8 +4,10 @@
 
 #include "eea/eea_definition.h"
 
+#include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
@@ -15,6 +17,9 @@ class RivalBreeder : public Breeder {
  public:
   RivalBreeder(const EeaDefinition& definition, std::set<std::string> taken)
       : definition_(definition), breeder_(*definition.estimation.breeder), taken_(std::move(taken)) {}
+
+  /// Whether trying again finds a structure that is not taken; `key`: of the random numbers.
+  bool can_breed(const std::vector<std::uint64_t>& key) const;
 
   Genome random(RandomStream& random) const override;
   Genome child(std::span<const Genome> parents, RandomStream& random, std::vector<std::size_t>& used) const override;

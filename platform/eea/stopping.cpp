@@ -11,7 +11,12 @@ constexpr double kBetter = 0.99;  // of the least surprise so far, to count as p
 
 }  // namespace
 
-void note_surprise(EeaState& state, double surprise) {
+void note_surprise(const EeaRun& run, EeaState& state, double surprise) {
+  const int pass_of_best = state.pass - 1;
+  if (run.definition.horizon(pass_of_best) != run.definition.horizon(pass_of_best - 1)) {
+    state.least_surprise = kNotKnown;
+    state.passes_without_progress = 0;
+  }
   if (std::isnan(surprise)) return;
   if (std::isnan(state.least_surprise) || surprise < kBetter * state.least_surprise) {
     state.least_surprise = surprise;
@@ -21,16 +26,19 @@ void note_surprise(EeaState& state, double surprise) {
   }
 }
 
-std::string reason_to_stop(const EeaRun& run, const EeaState& state) {
+std::string lost_patience(const EeaRun& run, const EeaState& state) {
+  const int patience = run.definition.patience;
+  if (patience == 0 || state.passes_without_progress < patience) return {};
+  return fmt::format("the models have not foretold a new trial better for {} passes (least error {:.3g})",
+                     state.passes_without_progress, state.least_surprise);
+}
+
+std::string too_little_to_learn(const EeaRun& run, const EeaState& state) {
   const EeaDefinition& definition = run.definition;
   const double fitness = state.counts.best_fitness;
-  if (definition.stop_below && fitness < *definition.stop_below)
-    return fmt::format("no test is worth more than {:.3g} {}, which is below exploration.stop_below = {:g}", fitness,
-                       definition.value.name(), *definition.stop_below);
-  if (definition.patience > 0 && state.passes_without_progress >= definition.patience)
-    return fmt::format("the models have not foretold a new trial better for {} passes (least error {:.3g})",
-                       state.passes_without_progress, state.least_surprise);
-  return {};
+  if (!definition.stop_below || !(fitness < *definition.stop_below)) return {};
+  return fmt::format("no test is worth more than {:.3g} {}, which is below exploration.stop_below = {:g}", fitness,
+                     definition.value.name(), *definition.stop_below);
 }
 
 }  // namespace lacuna

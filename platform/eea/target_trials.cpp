@@ -27,9 +27,10 @@ Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
   return trial;
 }
 
-/// The test's fitness as the target showed it; not known where it takes several models.
+/// The test's fitness as the target showed it; not known where it takes several models or their slopes.
 double measured_fitness(const EeaDefinition& definition, const Test& drive, const Trial& trial) {
-  if (definition.value.models() != 1 || trial.centre_of_mass.times.size() == 0) return kNotKnown;
+  if (definition.value.models() != 1 || definition.value.wants_slopes() || trial.centre_of_mass.times.size() == 0)
+    return kNotKnown;
   const std::array<TestPrediction, 1> seen = {TestPrediction{trial.measured, trial.centre_of_mass}};
   return definition.value.score(drive, seen);
 }
@@ -93,17 +94,16 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
                   done.trial);
   if (!state.best.empty()) note_prediction(run, state, number, done.drive);
   state.trials.push_back(std::move(trial));
-  note_surprise(state, surprise);
+  note_surprise(run, state, surprise);
   if (!for_transfer) set_aside_if_too_hard(run, state, surprise);
   state.next_test.reset();
 }
 
-void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive) {
+void note_prediction(const EeaRun& run, EeaState& state, int trial, const Test& drive) {
   const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1, &run.definition.model);
   TestPrediction prediction;
-  std::uint64_t steps = 0;
   std::string reason;
-  if (predictor.predict(state.best.front().model, drive, 0, prediction, steps, reason))
+  if (predictor.predict(state.best.front().model, drive, 0, prediction, state.counts.test_steps, reason))
     run.journal.add_prediction(state.best.front().number, trial, prediction.sensors, prediction.centre_of_mass);
 }
 

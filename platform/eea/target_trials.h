@@ -24,6 +24,6 @@ struct EeaTarget {
 void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer);
 
 /// What the best model says about the trial, for the record.
-void note_prediction(const EeaRun& run, const EeaState& state, int trial, const Test& drive);
+void note_prediction(const EeaRun& run, EeaState& state, int trial, const Test& drive);
 
 }  // namespace lacuna

@@ -28,6 +28,8 @@ class TestValue {
   /// How many models must predict a test: the most that a part asks for.
   std::size_t models() const { return models_; }
   bool wants_slopes() const { return wants_slopes_; }
+  /// Whether it compares models, or holds them against noise, of which nothing is known before the first trial.
+  bool takes_trials() const { return models_ > 1 || wants_slopes_; }
   /// `predictions`: `models()` of them.
   double score(const Test& test, std::span<const TestPrediction> predictions) const;
 

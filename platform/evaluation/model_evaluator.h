@@ -2,6 +2,7 @@
 
 #include "evaluation/model_definition.h"
 #include "evaluation/model_scorer.h"
+#include "evaluation/phenotypes.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,9 +23,8 @@ struct EvaluatedModel {
   bool reused = false;  ///< an identical model was scored before; its score counts
 };
 
-/// Scores generations of models, in parallel, with the same results for any number of threads. Remembers phenotypes:
-/// models whose simulations cannot differ, because their robots, effects and values of these are equal, or, where
-/// delays are rounded to whole steps, equal after rounding.
+/// Scores generations of models, in parallel, with the same results for any number of threads. Remembers
+/// phenotypes.
 class ModelEvaluator {
  public:
   /// The scorer must outlive it; its trials are the same for all that is remembered.
@@ -36,16 +36,12 @@ class ModelEvaluator {
   void remember(const ModelProposal& model, const ModelScore& score);
 
  private:
-  using Phenotype = std::string;  // the bytes of its values, of what it does without and of its own robot
-  Phenotype phenotype_of(const ModelProposal& model) const;
-  const ModelScore* recall(const Phenotype& phenotype, std::optional<double> bar) const;
+  const ModelScore* recall(const std::string& phenotype, std::optional<double> bar) const;
 
   const ModelScorer& scorer_;
   EvaluationOptions options_;
-  std::vector<ModelEffect> effects_;
-  std::vector<bool> whole_steps_;  ///< per value: only whole steps of it count
-  double step_;                    ///< s
-  std::unordered_map<Phenotype, ModelScore> memory_;
+  Phenotypes phenotypes_;
+  std::unordered_map<std::string, ModelScore> memory_;
 };
 
 }  // namespace lacuna

@@ -1,9 +1,27 @@
 #include "evaluation/proposed_model.h"
 
+#include "evaluation/robot_key.h"
+
 #include <algorithm>
 #include <string>
 
 namespace lacuna {
+namespace {
+
+/// Of the effects that a proposal does without.
+std::string misfit_of_effects(const std::vector<std::size_t>& without, const std::vector<ModelEffect>& effects) {
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    if (without[i] >= effects.size())
+      return "it left out effect " + std::to_string(without[i]) + " of a model that has " +
+             std::to_string(effects.size());
+    if (!effects[without[i]].optional)
+      return "it left out the effect \"" + effects[without[i]].id + "\", which is not optional";
+    if (i > 0 && without[i] <= without[i - 1]) return "the effects that it left out are not in ascending order";
+  }
+  return {};
+}
+
+}  // namespace
 
 std::vector<ModelEffect> model_effects(const ModelDefinition& definition) {
   std::vector<ModelEffect> effects;
@@ -45,6 +63,16 @@ ModelStructure structure_of(const ModelProposal& proposal, const ModelDefinition
   for (const std::size_t value : kept_values(proposal, definition))
     structure.parameters.push_back(whole.parameters[value]);
   return structure;
+}
+
+std::string misfit(const ModelProposal& proposal, const ModelSpace& space) {
+  if (proposal.values.size() != space.free.size())
+    return "it decoded " + std::to_string(proposal.values.size()) + " values instead of " +
+           std::to_string(space.free.size());
+  if (proposal.robot)
+    if (const std::string problem = misfit(*proposal.robot, space.robot); !problem.empty())
+      return "the robot that it built " + problem;
+  return misfit_of_effects(proposal.without, space.effects);
 }
 
 }  // namespace lacuna

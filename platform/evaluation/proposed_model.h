@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -22,5 +23,9 @@ std::vector<std::size_t> kept_values(const ModelProposal& proposal, const ModelD
 
 /// Those values.
 std::vector<double> structure_values(const ModelProposal& proposal, const ModelDefinition& definition);
+
+/// What is wrong with a proposal that an encoding made for that space, which wants a value for each of its free ones, a
+/// robot that can take the place of its own, and all effects that are not optional. Empty: nothing.
+std::string misfit(const ModelProposal& proposal, const ModelSpace& space);
 
 }  // namespace lacuna

@@ -63,6 +63,7 @@ std::string prediction_json(const PredictionReport& report) {
       {"experiment", report.experiment}, {"run", report.run},          {"pass", report.pass}, {"test", report.test},
       {"duration", report.duration},     {"models", prediction.models}};
   json["copies"] = report.copies;
+  json["refuted"] = report.refuted;
   json["lost_models"] = OrderedJson::array();
   for (const LostModel& lost : prediction.lost)
     json["lost_models"].push_back({{"model", lost.number}, {"reason", lost.reason}});

@@ -112,6 +112,10 @@ std::string minded_lines(const PredictionReport& report) {
     text += fmt::format("{} of {} cannot carry the test out and {} left out: {}\n", prediction.lost.size(),
                         counted(prediction.models + prediction.lost.size(), "model"),
                         prediction.lost.size() == 1 ? "is" : "are", prediction.lost.front().reason);
+  if (report.refuted > 0)
+    text += fmt::format(
+        "{} of the run, which {} more than twice as much as the best on the trials so far, {} left out\n",
+        counted(report.refuted, "model"), report.refuted == 1 ? "errs" : "err", report.refuted == 1 ? "is" : "are");
   if (report.copies > 0)
     text += fmt::format("{} of {} {} of another and {} not count; several estimation.restarts find others\n",
                         report.copies, counted(report.copies + prediction.models + prediction.lost.size(), "model"),
@@ -123,6 +127,10 @@ std::string minded_lines(const PredictionReport& report) {
   for (std::size_t c = 0; c < report.noise.size(); ++c)
     if (!std::isfinite(report.noise[c]))
       text += fmt::format("no trial measured {}: its band has no noise of a reading\n", prediction.channels[c].name);
+  for (std::size_t c = 0; c < report.support.channels.size(); ++c)
+    if (report.support.enough() && std::isinf(report.support.channels[c].factor))
+      text += fmt::format("{} read what no model says where its band has no width, which no factor mends\n",
+                          prediction.channels[c].name);
   return text;
 }
 

@@ -94,5 +94,22 @@ TEST(BandRatios, LeaveOutWhatWasNotMeasured) {
   EXPECT_EQ(ratios[1], (std::vector<double>{0.5, 2.0}));
 }
 
+TEST(BandRatios, OffABandWithoutWidthIsOutsideAndNoFactorHelps) {
+  EnsembleBand band{TimeSeries::Samples::Zero(2, 1), TimeSeries::Samples::Zero(2, 1)};
+  Trial trial;
+  trial.measured.samples = TimeSeries::Samples(2, 1);
+  trial.measured.samples << 0.0, 1.0;
+  HeldOutTrial held_out;
+  held_out.ratios = band_ratios(band, trial, {0});
+  EXPECT_EQ(held_out.ratios[0].front(), 0.0);
+  const BandSupport support = support_of({held_out, held_out, held_out});
+  EXPECT_EQ(support.all.inside.share, 0.5);
+  EXPECT_TRUE(std::isinf(support.channels[0].factor));
+  EXPECT_EQ(support.channels[0].widening(), 1.0);
+  EXPECT_EQ(support.widened.share, 0.5);
+  widen(band, support);
+  EXPECT_EQ(band.half_width(0, 0), 0.0);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -1,4 +1,4 @@
-#include "eea/ensemble_prediction.h"
+#include "eea/ensemble_band.h"
 
 #include <lacuna/random_stream.h>
 
@@ -55,17 +55,6 @@ TEST(EnsembleBand, HoldsAReadingOfAnotherModelOfItsKindWith95Percent) {
     inside += std::abs(random.normal() - band.mean(0, 0)) <= band.half_width(0, 0) ? 1 : 0;
   }
   EXPECT_NEAR(static_cast<double>(inside) / kDraws, 0.95, kTolerance);
-}
-
-TEST(PassEnsemble, TakesNoCopies) {
-  PassEnsemble ensemble;
-  add_unless_copy(ensemble, 3, {{1.0, 2.0}});
-  add_unless_copy(ensemble, 5, {{1.0, 2.0}});
-  add_unless_copy(ensemble, 6, {{1.0, 2.5}});
-  add_unless_copy(ensemble, 7, {{1.0, 2.0}, nullptr, {0}, "without friction"});
-  EXPECT_EQ(ensemble.numbers, (std::vector<std::uint64_t>{3, 6, 7}));
-  EXPECT_EQ(ensemble.models.size(), 3U);
-  EXPECT_EQ(ensemble.copies, 1U);
 }
 
 }  // namespace

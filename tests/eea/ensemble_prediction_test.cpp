@@ -18,8 +18,10 @@ class EnsemblePredictionTest : public testing::Test {
     const PassRow& pass = journal_.passes.back();
     ensemble_.pass = pass.number;
     for (const EnsembleRow& row : pass.ensemble)
-      add_unless_copy(ensemble_, row.model, definition().decode_model(journal_.models.at(row.model).genome));
-    ensemble_.noise = noise_of_readings(definition(), ensemble_.models.front(), {observed(0)});
+      add_unless_copy(ensemble_, row.model, definition().decode_model(journal_.models.at(row.model).genome),
+                      definition().phenotypes);
+    std::uint64_t steps = 0;
+    ensemble_.noise = noise_of_readings(definition(), ensemble_.models.front(), {observed(0)}, steps);
   }
 
   const EeaDefinition& definition() const { return bench_->definition(); }

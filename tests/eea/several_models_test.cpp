@@ -1,4 +1,6 @@
+#include "eea/delays.h"
 #include "eea/ensemble.h"
+#include "eea/ensemble_prediction.h"
 #include "eea/judges.h"
 #include "eea/small_run.h"
 #include "eea/stopping.h"
@@ -19,25 +21,58 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-/// Models with the same score have the same genome.
+/// Models with the same score have the same mass.
 KnownModel known(double score, int restart, const std::string& structure) {
   KnownModel model;
   model.genome = {score};
   model.score = score;
   model.restart = restart;
-  model.model.structure = structure;
+  model.model = {{score}, {}, {}, structure};
   return model;
+}
+
+/// A model with a free mass and an optional effect that has a free value.
+ModelDefinition with_effect() {
+  ModelDefinition definition;
+  definition.free = {{"body.arm.mass", "kg", 0.0, 1.0}, {"effect.grease.damping", "N*m*s/rad", 0.0, 1.0}};
+  EffectEntry grease;
+  grease.id = "grease";
+  grease.optional = true;
+  definition.effects = {grease};
+  return definition;
 }
 
 TEST(Ensemble, TakesTheBestOfEachStructureAndRestartFirst) {
   const std::vector<KnownModel> models = {known(1.0, 0, "a"), known(2.0, 0, "a"), known(3.0, 1, "a"),
                                           known(4.0, 0, "b"), known(5.0, 1, "a")};
-  EXPECT_THAT(differing(models, 2), ElementsAre(0, 2));
-  EXPECT_THAT(differing(models, 4), ElementsAre(0, 2, 3, 1));
-  EXPECT_THAT(differing(models, 9), ElementsAre(0, 2, 3, 1, 4));
-  EXPECT_THAT(differing({}, 2), IsEmpty());
-  EXPECT_THAT(differing({known(1.0, 0, "a"), known(1.0, 0, "a"), known(2.0, 0, "a")}, 3), ElementsAre(0, 2, 1))
+  ModelDefinition definition;
+  definition.free = {{"body.arm.mass", "kg", 0.0, 9.0}};
+  const Phenotypes phenotypes(definition);
+  EXPECT_THAT(differing(models, 2, phenotypes), ElementsAre(0, 2));
+  EXPECT_THAT(differing(models, 4, phenotypes), ElementsAre(0, 2, 3, 1));
+  EXPECT_THAT(differing(models, 9, phenotypes), ElementsAre(0, 2, 3, 1, 4));
+  EXPECT_THAT(differing({}, 2, phenotypes), IsEmpty());
+  EXPECT_THAT(differing({known(1.0, 0, "a"), known(1.0, 0, "a"), known(2.0, 0, "a")}, 3, phenotypes),
+              ElementsAre(0, 2, 1))
       << "copies last";
+}
+
+TEST(Ensemble, ModelsWithoutAnEffectAreCopiesWhateverItsGenesAre) {
+  KnownModel a = known(1.0, 0, "none"), b = known(1.0, 0, "none"), other = known(2.0, 0, "none");
+  for (KnownModel* model : {&a, &b, &other}) {
+    model->model.values.push_back(kNotKnown);
+    model->model.without = {0};
+  }
+  b.genome = {1.0, 0.3};
+  EXPECT_THAT(differing({a, b, other}, 3, Phenotypes(with_effect())), ElementsAre(0, 2, 1));
+  PassEnsemble ensemble;
+  for (const KnownModel& model : {a, b, other}) add_unless_copy(ensemble, 0, model.model, Phenotypes(with_effect()));
+  ModelProposal greased = a.model;
+  greased.values[1] = 0.5;
+  greased.without.clear();
+  add_unless_copy(ensemble, 7, greased, Phenotypes(with_effect()));
+  EXPECT_THAT(ensemble.numbers, ElementsAre(0, 0, 7));
+  EXPECT_EQ(ensemble.copies, 1U);
 }
 
 TEST(SeveralModels, EachRestartSearchesAnewAndHandsItsBestOn) {
@@ -74,7 +109,8 @@ TEST(SeveralModels, ATestIsJudgedByThoseThatDiffer) {
   EXPECT_EQ(bench->definition().value.models(), 3U);
   const MemoryJournal journal = run(*bench);
   EXPECT_GT(journal.passes[0].best_fitness, 0.0);
-  EXPECT_GT(journal.passes[0].test_steps, 0U);
+  // Each test is simulated on three models, 30 steps each; the noise takes one simulation more a trial.
+  EXPECT_GE(journal.passes[0].test_steps, 3U * 30U * journal.passes[0].test_evaluations);
 }
 
 /// A state with one trial and the best models of the first pass.
@@ -146,10 +182,44 @@ TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
     told += predictions[0].information(k, k) - 12.0;
   }
   EXPECT_GT(told, 0.0);
-  double largest = 0.0;
-  for (const TimeSeries::Samples& slope : predictions[0].slopes)
-    largest = std::max(largest, slope.cwiseAbs().maxCoeff());
-  EXPECT_GT(largest, 0.0);
+  // Against two simulations of another width: of a mass, and of a lag, of which only whole steps count.
+  const ModelProposal& judge = state.best.front().model;
+  const std::vector<FreeValue>& values = bench->definition().model.free;
+  const TestPredictor predictor(*bench->definition().compiled, bench->definition().sample_times, 1);
+  int lags = 0;
+  for (std::size_t k = 0; k < free; ++k) {
+    const bool is_lag = values[k].address.ends_with("delay");
+    const double range = values[k].upper - values[k].lower;
+    const double side = judge.values[k] < values[k].lower + 0.5 * range ? 1.0 : -1.0;
+    const double move = side * (is_lag ? 0.01 / range : 1e-3);  // the engine's step is 10 ms
+    ModelProposal moved = judge;
+    moved.values[k] += move * range;
+    TestPrediction there;
+    ASSERT_TRUE(predictor.predict(moved, state.trials[0].drive, 0, there, steps, reason)) << reason;
+    const TimeSeries::Samples expected = (there.sensors.samples - predictions[0].sensors.samples) / move;
+    EXPECT_LT((predictions[0].slopes[k] - expected).cwiseAbs().maxCoeff(),
+              1e-9 * (1.0 + expected.cwiseAbs().maxCoeff()))
+        << values[k].address;
+    if (is_lag && expected.cwiseAbs().maxCoeff() > 0.0) ++lags;
+  }
+  EXPECT_GT(lags, 0) << "a lag tells something";
+}
+
+TEST(Judges, OfTestsThatNeedSlopesNothingIsKnownOnTheTarget) {
+  const auto bench = small_bench({"exploration.fitness=information_gain"});
+  EXPECT_EQ(bench->definition().value.models(), 1U);
+  const MemoryJournal journal = run(*bench);
+  for (const TargetTrialRow& row : journal.trial_rows) EXPECT_TRUE(std::isnan(row.measured_fitness));
+}
+
+TEST(Judges, BeforeTheFirstTrialAnApproximateModelHasNothingToBeComparedWith) {
+  const auto bench =
+      small_bench({"model.approximate=true", "exploration.fitness=model_disagreement", "exploration.stop_below=1e9"});
+  const MemoryJournal journal = run(*bench);
+  EXPECT_EQ(journal.passes[0].number, 0);
+  EXPECT_EQ(journal.passes[0].test_evaluations, 0U) << "a random test";
+  EXPECT_EQ(journal.passes[0].stopped, "");
+  EXPECT_GT(journal.passes[1].test_evaluations, 0U);
 }
 
 TEST(TestValue, AddsWeightedFitnesses) {
@@ -204,11 +274,64 @@ TEST(Stopping, WhereModelsNoLongerImprove) {
   const auto bench = small_bench({"estimation.patience=2"});
   MemoryJournal journal;
   const EeaRun run = run_of(*bench, journal);
-  for (const double surprise : {0.5, 0.2, 0.3, 0.1999}) note_surprise(state, surprise);
+  for (const double surprise : {0.5, 0.2, 0.3, 0.1999}) note_surprise(run, state, surprise);
   EXPECT_EQ(state.passes_without_progress, 2) << "less than a hundredth better is no progress";
-  EXPECT_THAT(reason_to_stop(run, state), HasSubstr("2 passes"));
-  note_surprise(state, 0.1);
-  EXPECT_EQ(reason_to_stop(run, state), "");
+  EXPECT_THAT(lost_patience(run, state), HasSubstr("2 passes"));
+  note_surprise(run, state, 0.1);
+  EXPECT_EQ(lost_patience(run, state), "");
+}
+
+TEST(Stopping, LongerHorizonsBeginAnew) {
+  const auto bench = small_bench({"estimation.patience=1", "estimation.horizons=[0.1,0.1,0.3]"});
+  MemoryJournal journal;
+  const EeaRun run = run_of(*bench, journal);
+  EeaState state;
+  state.pass = 3;  // whose trial the models of the second pass foretell, over 0.1 s as those of the first
+  state.least_surprise = 0.1;
+  note_surprise(run, state, 0.5);
+  EXPECT_NE(lost_patience(run, state), "");
+  state.pass = 4;
+  note_surprise(run, state, 0.5);
+  EXPECT_EQ(lost_patience(run, state), "");
+}
+
+TEST(Stopping, WithoutPatienceNoOtherTestIsLookedFor) {
+  const MemoryJournal journal = run(*small_bench(
+      {"experiment.passes=9", "estimation.patience=1", "estimation.parameters={population=2,keep=1,generations=1}"}));
+  ASSERT_LT(journal.passes.size(), 9U) << "models of two guesses do not improve in every pass";
+  EXPECT_THAT(journal.passes.back().stopped, HasSubstr("foretold"));
+  EXPECT_EQ(journal.passes.back().test_evaluations, 0U);
+  EXPECT_GT(journal.passes.front().test_evaluations, 0U);
+}
+
+TEST(Horizons, CutWhatModelsAreHeldAgainst) {
+  const auto bench = small_bench({"experiment.passes=3", "estimation.horizons=[0.1,0.2]"});
+  const EeaDefinition& definition = bench->definition();
+  const MemoryJournal journal = run(*bench);
+  const std::vector<double> ends = {0.1, 0.2, 0.2};  // s, by pass
+  for (int pass = 1; pass <= 3; ++pass) {
+    const ScoredTrial scored = definition.scored({}, journal.trials[0], pass);
+    const Eigen::VectorXd& times = scored.trial.measured.times;
+    EXPECT_NEAR(times(times.size() - 1) - times(0), ends[static_cast<std::size_t>(pass - 1)], 1e-9);
+    EXPECT_EQ(scored.trial.measured.samples.rows(), times.size());
+  }
+  // 30 steps for the whole of a trial, 10 for what counts in the first pass.
+  EXPECT_LE(journal.passes[0].steps, 10U * journal.passes[0].evaluations);
+}
+
+TEST(Horizons, GrowAndAreLongerThanAStep) {
+  EXPECT_THAT([] { small_bench({"estimation.horizons=[0.2,0.1]"}); },
+              ThrowsMessage<BadInput>(HasSubstr("horizons grow")));
+  EXPECT_THAT([] { small_bench({"estimation.horizons=[0.001]"}); },
+              ThrowsMessage<BadInput>(HasSubstr("only the start would count")));
+}
+
+TEST(Stopping, ARandomTestIsWorthNothing) {
+  EXPECT_THAT(
+      [] {
+        small_bench({"exploration.fitness=random", "exploration.stop_below=1"});
+      },
+      ThrowsMessage<BadInput>(HasSubstr("exploration.stop_below")));
 }
 
 TEST(EeaDefinition, DelaysThatAreProfiledNeedReplayedCommands) {
@@ -235,6 +358,29 @@ TEST(SeveralModels, ProfiledDelaysAreNoGenesAndAreFound) {
     EXPECT_LE(found[v], 0.2);
     EXPECT_NEAR(found[v] / 0.01, std::round(found[v] / 0.01), 1e-9) << "whole steps";
   }
+}
+
+TEST(SeveralModels, TheDelaysOfTheRightMassesAreTheTargets) {
+  const auto bench =
+      small_bench({"estimation.replay=true", "estimation.profiled=['sensor.*.delay']", "test.duration=1"});
+  const EeaDefinition& definition = bench->definition();
+  const MemoryJournal journal = run(*bench);
+  const std::vector<double> truth = bench->truth(1);
+  ModelProposal model{truth};
+  for (const std::size_t v : definition.profiled) model.values[v] = 0.0;
+  std::vector<ScoredTrial> trials;
+  for (std::size_t t = 0; t < journal.trials.size(); ++t)
+    trials.push_back(definition.observed(definition.decode_test(journal.tests[*journal.trial_rows[t].test].genome),
+                                         journal.trials[t]));
+  EXPECT_GT(Delays(definition, std::move(trials)).find(model), 0U);
+  int angles = 0;
+  for (const std::size_t v : definition.profiled) {
+    const std::string& address = definition.model.free[v].address;
+    if (!address.starts_with("sensor.angle")) continue;  // feet may stand on the ground throughout
+    EXPECT_EQ(std::round(model.values[v] / 0.01), std::round(truth[v] / 0.01)) << address;
+    angles += truth[v] > 0.005 ? 1 : 0;
+  }
+  EXPECT_GE(angles, 3) << "with a lag";
 }
 
 /// A pendulum with dry friction, whose model has two optional effects.
@@ -303,12 +449,17 @@ TEST(Rivals, GoOnFromEveryCheckpointWithTheSameRows) {
   }
 }
 
-TEST(Rivals, WithoutAnotherStructureASearchFindsNothingAndTheRunGoesOn) {
-  const auto bench = small_bench({"estimation.restarts=2", "estimation.rivals=true"});
-  const MemoryJournal journal = run(*bench);
-  ASSERT_EQ(journal.passes.size(), 2U);
-  EXPECT_EQ(journal.passes[0].invalid, journal.passes[0].evaluations / 2);
-  EXPECT_THAT(journal.models[journal.passes[0].evaluations - 1].reason, HasSubstr("earlier restart"));
+TEST(Rivals, MoreRestartsThanStructuresEndThePhase) {
+  const MemoryJournal journal = run(*small_bench({"estimation.restarts=7"}, kRivals));
+  for (const PassRow& pass : journal.passes) {
+    EXPECT_EQ(pass.evaluations, 3U * (12U + 4U * 6U)) << "neither effect, one or the other";
+    EXPECT_EQ(pass.invalid, 0U);
+  }
+}
+
+TEST(Rivals, NeedSeveralStructuresAndRestarts) {
+  EXPECT_THAT([] { small_bench({"estimation.rivals=true"}); },
+              ThrowsMessage<BadInput>(AllOf(HasSubstr("restarts = 2"), HasSubstr("have one structure"))));
 }
 
 }  // namespace

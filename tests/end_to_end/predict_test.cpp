@@ -48,7 +48,8 @@ TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
   ASSERT_EQ(run().exit_code, 0);
   const Outcome told = predict(kLine, {"--csv=band.csv", "--out", "band.svg", "--json=band.json"});
   ASSERT_EQ(told.exit_code, 0) << told.errors;
-  EXPECT_THAT(told.output, HasSubstr("run 1, pass 3 · 4 models · triangle motor"));
+  EXPECT_THAT(told.output, HasSubstr("run 1, pass 3 · 2 models · triangle motor"));
+  EXPECT_THAT(told.output, HasSubstr("2 models of the run, which err more than twice as much as the best"));
   EXPECT_THAT(told.output, HasSubstr("3 trials that were new to the models at the time"));
   EXPECT_THAT(told.output, HasSubstr("→ lacuna trial smoke/simulated-pendulum.toml --test 'triangle"));
   EXPECT_THAT(program_.read("band.svg"), HasSubstr("95 % band"));
