@@ -1,4 +1,5 @@
-# Headers that nearly every source includes, compiled once for all rooms, once for all plugins and once for all tests.
+# Headers that nearly every source includes, compiled once for all rooms, once for cold ones, once for all plugins and
+# once for all tests.
 # What a source uses it still includes itself; clang-tidy compiles without these.
 
 add_library(lacuna_room_headers STATIC cmake/headers.cpp)
@@ -6,6 +7,11 @@ target_link_libraries(lacuna_room_headers PRIVATE Eigen3::Eigen fmt::fmt)
 set(LACUNA_ROOM_HEADERS
   <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>)
 target_precompile_headers(lacuna_room_headers PRIVATE ${LACUNA_ROOM_HEADERS})
+
+add_library(lacuna_cold_headers STATIC cmake/headers.cpp)
+target_link_libraries(lacuna_cold_headers PRIVATE Eigen3::Eigen fmt::fmt)
+lacuna_set_up_cold(lacuna_cold_headers)
+target_precompile_headers(lacuna_cold_headers PRIVATE ${LACUNA_ROOM_HEADERS})
 
 # Compiled as lacuna_add_plugin compiles a plugin, or its users could not take it.
 add_library(lacuna_plugin_headers STATIC cmake/headers.cpp)

@@ -58,6 +58,10 @@ struct RobotInFile {
 /// Turned about the fixed x, then y, then z by roll, pitch, yaw (rad).
 Eigen::Quaterniond orientation_from_rpy(const Eigen::Vector3d& rpy);
 
+/// The shortest turn of z onto a direction; of its opposite, half a turn about x. As Eigen's `FromTwoVectors`, whose
+/// decomposition takes longer to compile than all else in this room.
+Eigen::Quaterniond orientation_along(const Eigen::Vector3d& direction);
+
 /// The keys of a robot file, each declared once.
 Table<RobotInFile> robot_keys();
 

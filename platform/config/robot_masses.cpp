@@ -48,7 +48,7 @@ class BodyResolver {
     shape.size =
         written.size.value_or(Eigen::Vector3d(written.radius.value_or(0.0), written.length.value_or(0.0), 0.0));
     if (written.along && written.rpy) problem(name, "has both along and rpy; keep one of them");
-    if (written.along) shape.orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), *written.along);
+    if (written.along) shape.orientation = orientation_along(*written.along);
     if (written.rpy) shape.orientation = orientation_from_rpy(*written.rpy);
     if (written.mass && written.density) problem(name, "has both mass and density; keep one of them");
     return shape;

@@ -224,6 +224,16 @@ Value<std::vector<T>> elements(const std::string& hint, const Table<T>& keys, st
 
 }  // namespace
 
+Eigen::Quaterniond orientation_along(const Eigen::Vector3d& direction) {
+  constexpr double kOpposite = 1e-12;
+  const Eigen::Vector3d along = direction.normalized();
+  const double cosine_plus_one = 1.0 + along.z();
+  if (cosine_plus_one < kOpposite) return {0.0, 1.0, 0.0, 0.0};
+  const double s = std::sqrt(2.0 * cosine_plus_one);
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ().cross(along) / s;
+  return {0.5 * s, axis.x(), axis.y(), axis.z()};
+}
+
 Eigen::Quaterniond orientation_from_rpy(const Eigen::Vector3d& rpy) {
   return Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
          Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());

@@ -27,6 +27,8 @@ const url = (name) => pathToFileURL(at(name)).href;
 let browser;
 const servers = [];
 
+const ensemble = ['--set', 'estimation.ensemble=3'];
+
 before(async () => {
   copyExperiments();
   lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
@@ -34,7 +36,7 @@ before(async () => {
   lacuna('compare', 'first-steps.toml', '--db', 'rig.db', '--quiet');
   lacuna('compare', 'damped-flap.toml', '--db', 'rig.db', '--quiet');
   lacuna('diagnose', 'damped-flap.toml', '--db', 'rig.db', '--quiet');
-  lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', ...shortRun, '--quiet');
+  lacuna('run', 'walk.toml', '--db', 'walk.db', '--replicates', '2', ...shortRun, ...ensemble, '--quiet');
   lacuna('report', 'rig.db', '--out', 'rig.html', '--quiet');
   lacuna('report', 'walk.db', '--out', 'walk.html', '--quiet');
   browser = await startBrowser();
@@ -131,7 +133,9 @@ function pagesOf(way, open) {
         'Objective error: mass',
         'Transfer',
         'Spread',
+        'Trials foretold',
         'Parameters towards the truth: delay',
+        'Models that pass 2 handed on',
       ])
         await page.waitForSelector(`.figure-title:has-text("${title}")`);
       assert.match(await page.textContent('.facts'), /2 of 2/);
@@ -399,6 +403,8 @@ describe('hostile names', () => {
       run('UPDATE free_value SET address = ? || position, unit = ?', kNames.change, '<b>kg</b>');
       run('UPDATE objective_score SET name = ? || position', kNames.channel);
       run('UPDATE target_trial SET predicted_fitness = 0.1');
+      run('UPDATE ensemble_model SET structure = ?', kNames.sentence);
+      run('UPDATE pass SET stopped = ?', kNames.change);
       run('UPDATE run SET command = ?', kNames.sentence + kNames.trial);
     });
     for (const name of ['hostile', 'hostile-walk']) lacuna('report', `${name}.db`, '--out', `${name}.html`, '--quiet');
@@ -416,7 +422,8 @@ describe('hostile names', () => {
       }
       if (base.includes('walk') || base === walk.address) {
         await go(page, base, '#/run');
-        assert.ok((await page.textContent('main')).includes(kNames.experiment));
+        const text = await page.textContent('main');
+        for (const name of [kNames.experiment, kNames.sentence, kNames.change]) assert.ok(text.includes(name), name);
       } else {
         await go(page, base, `#/compare?experiment=${encodeURIComponent(kNames.experiment)}`);
         assert.ok((await page.textContent('main')).includes(kNames.channel));

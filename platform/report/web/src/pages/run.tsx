@@ -4,7 +4,8 @@ import { count, duration, plain } from '../kit/format';
 import { choose, linkTo } from '../kit/route';
 import { Chart } from '../ui/chart';
 import { Empty, Select, Show } from '../ui/parts';
-import { kindOf, kRuns, secondsLeft, type PassRow, type Run } from './run_data';
+import { kindOf, kRuns, passAxis, secondsLeft, type PassRow, type Run } from './run_data';
+import { Ensemble, Foretold, Spread } from './run_models';
 import { Best } from './run_values';
 
 /** One run of the algorithm; live while it runs. */
@@ -62,9 +63,11 @@ function OneRun({ run, all, pass }: { run: Run; all: Run[]; pass: string | undef
         <ErrorByPass run={run} />
         <Objective run={run} />
         <Transfer run={run} />
+        <Foretold run={run} />
         {run.selected === 0 && <Spread run={run} />}
       </div>
       <Best run={run} pass={pass} />
+      <Ensemble run={run} pass={pass} />
     </>
   );
 }
@@ -73,6 +76,10 @@ function State({ run }: { run: Run }) {
   const { source } = useContext(SharedContext);
   const rate = useRate(run);
   const running = run.ending === 'not ended';
+  const stopped = useRows<{ pass: number; stopped: string }>(
+    'SELECT number AS pass, stopped FROM pass WHERE run = ? AND stopped IS NOT NULL',
+    [run.run],
+  ).value?.[0];
   const facts: [string, string][] = [
     ['passes', `${run.passes_done} of ${run.passes}`],
     ['best error', plain(run.best_score, 4)],
@@ -98,6 +105,11 @@ function State({ run }: { run: Run }) {
           {running ? (source.live ? 'running or broken off' : 'not ended when this report was made') : run.ending}
         </strong>
       </p>
+      {stopped && (
+        <p>
+          Stopped after pass {stopped.pass}: {stopped.stopped}.
+        </p>
+      )}
       <progress value={run.passes_done} max={run.passes} aria-label="passes" />
       <dl class="facts">
         {facts.map(([name, value]) => (
@@ -111,7 +123,6 @@ function State({ run }: { run: Run }) {
   );
 }
 
-const passAxis = { label: 'pass', unit: '1', whole: true };
 const number = (value: number | null) => value ?? NaN;
 
 function ErrorByPass({ run }: { run: Run }) {
@@ -243,54 +254,6 @@ function Transfer({ run }: { run: Run }) {
             pick={(_, i) => {
               if (!all[i].for_transfer) location.hash = linkTo('replay', { run: run.run, trial: all[i].trial });
             }}
-          />
-        )
-      }
-    </Show>
-  );
-}
-
-/** How far the models of the last generation of each pass agree. */
-function Spread({ run }: { run: Run }) {
-  const rows = useRows<{ pass: number; least: number; middle: number; most: number }>(
-    `WITH own AS (SELECT pass, generation, score, row_number() OVER (PARTITION BY pass ORDER BY score) AS place, count(*) OVER (PARTITION BY pass) AS all_of
-       FROM model WHERE id BETWEEN ?1 << 40 AND (?1 << 40) + 1099511627775 AND kind = 'full' AND score IS NOT NULL)
-     SELECT (pass & 1099511627775) - 1 AS pass, min(score) AS least, max(iif(place = (all_of + 9) / 10, score, NULL)) AS middle, max(iif(place = (all_of + 1) / 2, score, NULL)) AS most
-     FROM own GROUP BY pass ORDER BY pass`,
-    [run.run],
-  );
-  return (
-    <Show of={rows}>
-      {(all) =>
-        all.length < 2 ? null : (
-          <Chart
-            title="Spread of the models"
-            x={passAxis}
-            y={{ label: 'error', unit: '1', log: true }}
-            note="Of all models of a pass that were scored to the end: the best, the best tenth and the median."
-            series={[
-              {
-                name: 'median',
-                kind: 'line',
-                colour: 'floor',
-                x: all.map((one) => one.pass),
-                y: all.map((one) => one.most),
-              },
-              {
-                name: 'best tenth',
-                kind: 'line',
-                colour: 'other',
-                x: all.map((one) => one.pass),
-                y: all.map((one) => one.middle),
-              },
-              {
-                name: 'best',
-                kind: 'line',
-                colour: 'predicted',
-                x: all.map((one) => one.pass),
-                y: all.map((one) => one.least),
-              },
-            ]}
           />
         )
       }

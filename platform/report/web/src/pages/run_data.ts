@@ -36,6 +36,8 @@ export const kRunColumns = `eea_runs.run, experiment, replicate, ending, passes_
 export const kRunsFrom = 'FROM eea_runs LEFT JOIN page_run ON page_run.run = eea_runs.run';
 export const kRuns = `SELECT ${kRunColumns}, fitness, page_run.run IS NOT NULL AS selected ${kRunsFrom} ORDER BY eea_runs.run`;
 
+export const passAxis = { label: 'pass', unit: '1', whole: true };
+
 /** Mean over replicates by pass, with the 95 % interval of the mean (Student's t). */
 export function meanBand(rows: { pass: number; value: number | null }[]): {
   x: number[];
