@@ -345,6 +345,24 @@ describe('on other robots and machines', () => {
     await page.close();
   });
 
+  it('a cart moves along its rail, model over target', async () => {
+    copyFileSync(join(source, 'experiments/outside-cart-pole.toml'), at('cart.toml'));
+    const target = '{kind="simulated",file="robots/cart-pole.toml",hidden={"body.cart.mass"={uniform=[0.5,2.0]}}}';
+    const keys = [`target=${target}`, 'experiment.passes=1', 'estimation.parameters.generations=3'];
+    lacuna('run', 'cart.toml', '--db', 'cart.db', ...keys.flatMap((one) => ['--set', one]), '--quiet');
+    lacuna('report', 'cart.db', '--out', 'cart.html', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('cart.html'), '#/replay');
+    await page.waitForSelector('.stage canvas');
+    assert.match(await page.textContent('main'), /over the target/);
+    const start = await picture(page, '.stage canvas');
+    await page.locator('input[type=range]').fill('2');
+    await page.waitForFunction((before) => document.querySelector('.stage canvas').toDataURL() !== before, start);
+    await shot(page, 'cart');
+    noFaults(page);
+    await page.close();
+  });
+
   it('a finger pans curves and leaves the page to scroll', async () => {
     const page = await newPage(browser, { hasTouch: true, viewport: { width: 390, height: 800 } });
     await go(page, url('rig.html'), '#/compare?experiment=damped-flap');

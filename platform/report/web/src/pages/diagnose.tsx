@@ -92,7 +92,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title="Candidates"
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}.`}
+        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. Weight: of these candidates against each other, by what they predict; the probability that the answer is right stands above.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -104,7 +104,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
                   error
                 </th>
                 <th scope="col" class="number">
-                  P
+                  weight
                 </th>
               </tr>
             </thead>
@@ -147,7 +147,7 @@ function saveCandidates(ranking: Ranked[]): void {
       'gain_lower',
       'gain_upper',
       'times_floor',
-      'probability',
+      'weight',
       'parameter',
       'value',
       'lower',
@@ -158,6 +158,10 @@ function saveCandidates(ranking: Ranked[]): void {
     'candidates',
   );
 }
+
+const kLeastShare = 0.001; // less is not worth its digits
+const shareText = (share: number | null) =>
+  share !== null && share < kLeastShare ? `< ${kLeastShare}` : plain(share, 2);
 
 function Candidate({ rank, model }: { rank: number; model: Ranked }) {
   return (
@@ -178,7 +182,7 @@ function Candidate({ rank, model }: { rank: number; model: Ranked }) {
         {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
       </td>
       <td class="number">{times(model.ratio_to_floor)}</td>
-      <td class="number">{plain(model.probability, 2)}</td>
+      <td class="number">{shareText(model.probability)}</td>
     </tr>
   );
 }
