@@ -163,7 +163,8 @@ SELECT eea_run.run, experiment.name AS experiment, eea_run.replicate, coalesce(r
        (SELECT coalesce(max(id) & 1099511627775, 0) FROM test
         WHERE id BETWEEN eea_run.run << 40 AND (eea_run.run << 40) + 1099511627775) AS tests,
        (SELECT count(*) FROM target_trial WHERE target_trial.run = eea_run.run) AS trials,
-       coalesce(last.evaluations, 0) AS evaluations, coalesce(last.steps, 0) AS steps, checkpoint.seconds, run.seed
+       coalesce(last.evaluations, 0) AS evaluations, coalesce(last.steps, 0) AS steps, checkpoint.seconds, run.seed,
+       (SELECT stopped FROM pass WHERE pass.run = eea_run.run AND stopped IS NOT NULL) AS stopped
 FROM eea_run
 JOIN run ON run.number = eea_run.run
 JOIN experiment ON experiment.id = eea_run.experiment

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 
 namespace lacuna {
 namespace {
@@ -31,6 +32,7 @@ struct NamedRuns {
   std::filesystem::path database;
   std::vector<std::vector<PassRow>> passes;
   std::size_t unfinished = 0;  ///< runs, which are left out: they would seem to have stopped learning
+  std::size_t others = 0;      ///< runs begun with other settings, or run again since
 };
 
 void add_runs(Database& database, std::vector<NamedRuns>& named) {
@@ -44,7 +46,9 @@ void add_runs(Database& database, std::vector<NamedRuns>& named) {
                  [&](const EeaRunListing& run) { return run.experiment == name; });
     NamedRuns added{name, database.file(), {}};
     std::mutex unused;
-    for (const EeaRunListing& run : newest_setting(database, of_experiment))
+    const std::vector<EeaRunListing> newest = newest_setting(database, of_experiment);
+    added.others = of_experiment.size() - newest.size();
+    for (const EeaRunListing& run : newest)
       if (run.ending == "done")
         added.passes.push_back(EeaStore(database, unused, run.run, {}).passes());
       else
@@ -53,12 +57,18 @@ void add_runs(Database& database, std::vector<NamedRuns>& named) {
   }
 }
 
-/// Experiments that several databases have are told apart by these.
+/// Experiments that several databases have are told apart by these: by their names, or where they lie.
 void tell_apart(std::vector<NamedRuns>& named) {
-  std::map<std::string, int> times;
-  for (const NamedRuns& runs : named) ++times[runs.experiment];
+  std::map<std::string, int> times, times_in_file;
+  for (const NamedRuns& runs : named) {
+    ++times[runs.experiment];
+    ++times_in_file[runs.experiment + runs.database.filename().string()];
+  }
   for (NamedRuns& runs : named)
-    if (times[runs.experiment] > 1) runs.experiment += " in " + runs.database.filename().string();
+    if (times[runs.experiment] > 1)
+      runs.experiment += " in " + (times_in_file[runs.experiment + runs.database.filename().string()] > 1
+                                       ? runs.database.string()
+                                       : runs.database.filename().string());
 }
 
 std::vector<std::string> names_of(const std::vector<NamedRuns>& named) {
@@ -73,28 +83,30 @@ bool is_there(const std::string& name, const std::vector<std::string>& names) {
 
 void check_name(const std::string& option, const std::string& name, const std::vector<std::string>& there) {
   if (!is_there(name, there))
-    throw_problem({}, fmt::format("{} {}: no run of it has ended{}", option, name, did_you_mean(name, there)));
+    throw_problem({}, fmt::format("{} {}: no run of it has ended{}; there is {}", option, name,
+                                  did_you_mean(name, there), fmt::join(there, ", ")));
 }
 
-void leave_out_unfinished(std::vector<NamedRuns>& named) {
-  for (const NamedRuns& runs : named)
-    if (runs.unfinished > 0)
-      std::fprintf(stderr, "%s\n",
-                   fmt::format("{}: {} of {} {} not ended and {} left out; lacuna run FILE --resume goes on",
-                               runs.experiment, runs.unfinished, counted(runs.unfinished + runs.passes.size(), "run"),
-                               runs.unfinished == 1 ? "has" : "have", runs.unfinished == 1 ? "is" : "are")
-                       .c_str());
-  std::erase_if(named, [](const NamedRuns& runs) { return runs.passes.empty(); });
+void say_what_is_left_out(const NamedRuns& runs) {
+  const auto say = [&](std::size_t count, const std::string& why) {
+    if (count > 0)
+      std::fprintf(stderr, "%s\n", fmt::format("{}: {} {}", runs.experiment, counted(count, "run"), why).c_str());
+  };
+  say(runs.unfinished, "left out, not ended; lacuna run FILE --resume goes on with what was interrupted");
+  say(runs.others, "left out, begun with other settings than the newest, or run again since");
 }
 
 /// What all databases have of the experiments that were asked for.
 std::vector<NamedRuns> read_runs(const CurvesOptions& options) {
   std::vector<NamedRuns> named;
+  std::set<std::filesystem::path> seen;
   for (const std::filesystem::path& file : options.databases) {
+    if (!seen.insert(std::filesystem::weakly_canonical(file)).second) continue;
     Database database = Database::open_read_only(file);
     add_runs(database, named);
   }
-  leave_out_unfinished(named);
+  for (const NamedRuns& runs : named) say_what_is_left_out(runs);
+  std::erase_if(named, [](const NamedRuns& runs) { return runs.passes.empty(); });
   if (named.empty())
     throw_problem({options.databases.front().string()}, "has no run that has ended; lacuna run FILE makes one");
   for (const std::string& name : options.experiments) check_name("--experiment", name, names_of(named));

@@ -44,6 +44,9 @@ bool takes_standard_output(const std::optional<std::string>& option) { return op
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other) {
   if (takes_standard_output(option) && takes_standard_output(other))
     throw_problem({}, "--json and --csv cannot both go to standard output; give one of them a file");
+  if (option && other && !option->empty() &&
+      fs::path(*option).lexically_normal() == fs::path(*other).lexically_normal())
+    refuse(*option, "is named by two options; give each its own file");
   for (const std::optional<std::string>& file : {option, other})
     if (file && !file->empty()) check_file(*file);
 }

@@ -14,7 +14,7 @@ void write_output(const std::string& to, const std::string& text);
 bool takes_standard_output(const std::optional<std::string>& option);
 
 /// Called before work that takes long: throws `BadInput` where the file of an output option could not
-/// be written at its end, or where both options would take standard output.
+/// be written at its end, or where both options name one file or standard output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
 
 /// The same for a folder, which is made where it is missing; an empty path is no folder.

@@ -133,6 +133,16 @@ std::vector<std::pair<std::string, std::size_t>> structures_of(const PassEnsembl
   return structures;
 }
 
+/// That no model was held against.
+std::vector<std::string> unscored_channels(const EeaDefinition& definition) {
+  std::vector<std::string> unscored;
+  const std::vector<std::string>& scored = definition.scored_channels;
+  for (const Channel& channel : definition.compiled->channels())
+    if (!scored.empty() && std::find(scored.begin(), scored.end(), channel.name) == scored.end())
+      unscored.push_back(channel.name);
+  return unscored;
+}
+
 PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
   const int threads = options.threads > 0 ? options.threads : default_threads();
   WantedTest wanted = wanted_test(run, options.asked);
@@ -152,24 +162,33 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
           .structures = structures_of(ensemble),
           .copies = ensemble.copies,
           .refuted = ensemble.refuted,
+          .unscored = unscored_channels(run.definition()),
           .noise = ensemble.noise,
           .prediction = std::move(prediction),
           .support = std::move(support),
           .measured = std::move(wanted.measured)};
 }
 
+/// The words that name the same database and, where it was asked for, the same duration.
+std::string same_words(const PredictOptions& options, bool with_duration) {
+  std::string words;
+  if (!options.database.empty()) words += " --db " + shell_word(options.database.string());
+  if (with_duration && !options.asked.duration.empty()) words += " --duration " + shell_word(options.asked.duration);
+  return words;
+}
+
 /// What a reader may do next.
 std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
   const std::string experiment = shell_word(options.experiment.string());
   if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.bench->takes_tests())
-    return fmt::format("→ more passes support the band: lacuna run {} --set experiment.passes={}\n", experiment,
-                       kFewestHeldOut + 1);
+    return fmt::format("→ more passes support the band: lacuna run {} --set experiment.passes={}{}\n", experiment,
+                       kFewestHeldOut + 1, same_words(options, false));
   if (!test_number(options.asked.test))
-    return fmt::format("→ lacuna trial {} --test {}{}\n", experiment, shell_word(options.asked.test),
-                       run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
+    return fmt::format("→ lacuna trial {} --test {}{}{}\n", experiment, shell_word(options.asked.test),
+                       same_words(options, true), run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
   if (!options.picture)
-    return fmt::format("→ lacuna predict {} --test {} --out prediction.svg\n", experiment,
-                       shell_word(options.asked.test));
+    return fmt::format("→ lacuna predict {} --test {}{} --out prediction.svg\n", experiment,
+                       shell_word(options.asked.test), same_words(options, true));
   return {};
 }
 
@@ -183,9 +202,22 @@ void write_report(const PredictOptions& options, const AskedRun& run, const Pred
   if (options.picture) write_svg(prediction_figure(report), *options.picture);
 }
 
+/// A run's genomes mean what they meant when it was begun.
+void check_overrides(const std::vector<std::string>& overrides) {
+  std::vector<Problem> problems;
+  for (const std::string& one : overrides)
+    if (!one.starts_with("experiment."))
+      problems.push_back({{},
+                          fmt::format("--set {}: the models and trials of a run are those of the experiment that it "
+                                      "was begun with; lacuna run --set makes a run with another",
+                                      one)});
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
 void predict(const PredictOptions& options) {
   check_output(options.json, options.csv);
   check_output(options.picture);
+  check_overrides(options.overrides);
   const Experiment experiment = read_experiment(options.experiment, options.overrides);
   CommonOptions common = options;
   common.database = database_of(options, experiment);
@@ -194,6 +226,9 @@ void predict(const PredictOptions& options) {
   const StoredBench stored = open_stored(database, listing, common);
   if (!options.quiet)
     for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+  if (!options.quiet && experiment.text != stored.run.experiment.text)
+    std::fprintf(stderr, "%s differs from what run %s was begun with, which is what counts here\n",
+                 options.experiment.c_str(), std::to_string(listing.run.value).c_str());
   std::mutex unused;
   const EeaStore store(database, unused, listing.run, {});
   const std::vector<RunTrial> trials = run_trials(store, stored.bench->definition());

@@ -66,7 +66,7 @@ void run(const RunOptions& options) {
       options.resume ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
   if (!options.quiet)
     for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
-  RunLines lines(options.json);  // a refused run leaves the file of an earlier one
+  RunLines lines(options.json, options.resume);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
   std::vector<ReplicateEnd> ends;
   {

@@ -18,6 +18,13 @@ bool same_files(const std::vector<File>& a, const std::vector<File>& b) {
                              [](const File& one, const File& other) { return one.sha256 == other.sha256; });
 }
 
+/// A plugin that the run did not use cannot have been another.
+bool was_loaded(const StoredRun& then, const std::filesystem::path& plugin) {
+  return std::any_of(then.plugins.begin(), then.plugins.end(), [&](const PluginFileRecord& file) {
+    return std::filesystem::path(file.file).filename() == plugin.filename();
+  });
+}
+
 }  // namespace
 
 std::vector<RobotFileRecord> robot_files_of(const Experiment& experiment) {
@@ -33,7 +40,8 @@ std::vector<std::string> changed_files(const StoredRun& then, const Experiment& 
   for (const RobotFileRecord& file : robot_files_of(now))
     if (!then.robots.empty() && !has(then.robots, file.sha256)) changed.push_back("another text of " + file.file);
   for (const PluginFileRecord& file : plugins_of_run(now, catalog))
-    if (!has(then.plugins, file.sha256)) changed.push_back("another build of " + file.file);
+    if (!has(then.plugins, file.sha256) && was_loaded(then, file.file))
+      changed.push_back("another build of " + file.file);
   return changed;
 }
 

@@ -23,9 +23,9 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 }  // namespace
 
-RunLines::RunLines(const std::optional<std::string>& to) : to_(to) {
+RunLines::RunLines(const std::optional<std::string>& to, bool goes_on) : to_(to) {
   if (!to_ || to_->empty()) return;
-  file_.open(*to_, std::ios::binary);
+  file_.open(*to_, goes_on ? std::ios::binary | std::ios::app : std::ios::binary);
   if (!file_) throw Error(*to_ + ": cannot be written; check that its folder exists and is writable");
 }
 

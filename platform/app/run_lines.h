@@ -16,9 +16,9 @@ namespace lacuna {
 /// `begin`, then for each replicate `trial`, `progress`, `pass` and `note`, and `end`. One thread at a time.
 class RunLines {
  public:
-  /// `to`: the option's value, "" for standard output; none: nothing is written. Throws `Error` where the file cannot
-  /// be opened.
-  explicit RunLines(const std::optional<std::string>& to);
+  /// `to`: the option's value, "" for standard output; none: nothing is written. `goes_on`: behind the lines that
+  /// a file has. Throws `Error` where it cannot be opened.
+  RunLines(const std::optional<std::string>& to, bool goes_on);
 
   void begin(const std::string& experiment, int threads, const std::vector<PlannedReplicate>& replicates);
   void trial(const PlannedReplicate& replicate, const TargetTrialRow& trial);

@@ -101,7 +101,8 @@ Table<EstimationSection> estimation_keys() {
            "that a sensor that jumps wants a reading at every step; takes replay = true")
       .key("challenge", &EstimationSection::challenge, number("1").at_least(0.0),
            "a new trial on which the best model errs more than this many times as much as on those it was fitted to is "
-           "set aside, and counts again once models come near enough, after three passes at the latest; 0: none is")
+           "set aside, and counts again once models come near enough, after three passes at the latest; never the "
+           "first two trials, nor where the error is below a hundredth of that of standing still; 0: none is")
       .key("patience", &EstimationSection::patience, whole_number<int>(0, 1000000),
            "the run stops, before it looks for another test, after this many passes in which models have not foretold "
            "a new trial any better; 0: it does not")
@@ -118,9 +119,9 @@ Table<ExplorationSection> exploration_keys() {
       .key("mix", &ExplorationSection::mix, list_of(mix_keys().value()),
            "Further fitnesses, each added with its weight, such as a behaviour that is wanted beside disagreement.")
       .key<double>(
-          "stop_below", number(""), std::numeric_limits<double>::quiet_NaN(),
+          "stop_below", number("1"), std::numeric_limits<double>::quiet_NaN(),
           [](ExplorationSection& section, double&& read) { section.stop_below = read; },
-          "the run stops where no test is worth more than this, in the fitness's unit; without it it does not");
+          "a bare number in the fitness's unit: the run stops where no test is worth more; without it it does not");
 }
 
 }  // namespace lacuna

@@ -144,6 +144,23 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
   try_search(exploration, "exploration", complaints);
 }
 
+namespace {
+
+/// Whether a fitness takes its parameters.
+bool try_fitness(const TestValue::Part& part, const std::string& key, Complaints& complaints) {
+  try {
+    const TestValue alone({part});
+    return true;
+  } catch (const BadInput&) {
+    throw;
+  } catch (const Error& error) {
+    complaints.add(key, error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
 void EeaDefinition::choose_fitnesses(const ExplorationSection& explore, const PluginCatalog& catalog,
                                      Complaints& complaints) {
   std::vector<TestValue::Part> parts;
@@ -156,8 +173,14 @@ void EeaDefinition::choose_fitnesses(const ExplorationSection& explore, const Pl
         {choose<TestFitness>(catalog, explore.mix[i].fitness, {key + ".fitness", key + ".parameters"}, complaints),
          explore.mix[i].weight});
   }
-  for (const TestValue::Part& part : parts)
-    if (!part.fitness.component) return;  // a complaint of its own
+  bool usable = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string key =
+        i == 0 ? "exploration.fitness_parameters" : "exploration.mix[" + std::to_string(i - 1) + "].parameters";
+    usable =
+        parts[i].fitness.component && try_fitness(parts[i], key, complaints) && usable;  // or a complaint of its own
+  }
+  if (!usable) return;
   value = TestValue(std::move(parts));
   if (value.models() == 0 && explore.stop_below)
     complaints.add("exploration.stop_below", "no test is worth more than another to " + value.name() +

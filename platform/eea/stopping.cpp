@@ -1,5 +1,7 @@
 #include "eea/stopping.h"
 
+#include "foundation/counted.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,16 +31,16 @@ void note_surprise(const EeaRun& run, EeaState& state, double surprise) {
 std::string lost_patience(const EeaRun& run, const EeaState& state) {
   const int patience = run.definition.patience;
   if (patience == 0 || state.passes_without_progress < patience) return {};
-  return fmt::format("the models have not foretold a new trial better for {} passes (least error {:.3g})",
-                     state.passes_without_progress, state.least_surprise);
+  return fmt::format("the models have not foretold a new trial better for {} (least error {:.3g})",
+                     counted(static_cast<std::size_t>(state.passes_without_progress), "pass"), state.least_surprise);
 }
 
 std::string too_little_to_learn(const EeaRun& run, const EeaState& state) {
   const EeaDefinition& definition = run.definition;
   const double fitness = state.counts.best_fitness;
   if (!definition.stop_below || !(fitness < *definition.stop_below)) return {};
-  return fmt::format("no test is worth more than {:.3g} {}, which is below exploration.stop_below = {:g}", fitness,
-                     definition.value.name(), *definition.stop_below);
+  return fmt::format("no test is worth more than {:.3g} {} ({}), which is below exploration.stop_below = {:g}", fitness,
+                     definition.value.unit(), definition.value.name(), *definition.stop_below);
 }
 
 }  // namespace lacuna

@@ -15,7 +15,9 @@ namespace lacuna {
 namespace {
 
 constexpr std::array<const char*, 6> kCurveColours = {kOrange, kBlue, kGreen, "#CC79A7", "#56B4E9", "#E69F00"};
-constexpr double kApart = 0.06;      // trials between the bars of two experiments
+constexpr double kApart = 0.06;      // trials between the bars of two experiments, of few
+constexpr double kMostApart = 0.3;   // of the first and the last
+constexpr std::size_t kFewest = 3;   // runs that say how far runs differ
 constexpr int kSamples = 1000;       // of the bootstrap
 constexpr std::uint64_t kSeed = 62;  // of the bootstrap
 
@@ -150,9 +152,11 @@ MeanError::Interval MeanError::after(const LearningCurve& curve, int trials) con
   for (const auto& run : curve.runs)
     if (const LearningCurve::Point* point = point_after(run, trials))
       errors.push_back(logarithmic_ ? std::log(point->error) : point->error);
-  const Spread spread = spread_of(errors);
+  Spread spread = spread_of(errors);
+  if (spread.count < kFewest) spread.half_width = kNotKnown;
   const auto back = [&](double value) { return logarithmic_ ? std::exp(value) : value; };
-  return {back(spread.mean), back(spread.mean - spread.half_width), back(spread.mean + spread.half_width)};
+  const double lower = back(spread.mean - spread.half_width);
+  return {back(spread.mean), lower < 0.0 ? 0.0 : lower, back(spread.mean + spread.half_width)};  // no error is negative
 }
 
 std::optional<int> MeanError::trials_to(const LearningCurve& curve, double error) const {
@@ -199,9 +203,10 @@ Figure error_by_trials(const std::vector<LearningCurve>& curves) {
   const MeanError mean(curves);
   Figure figure = curve_figure(curves, mean, "trials of the target");
   figure.whole_x = true;
+  const double apart = std::min(kApart, kMostApart / static_cast<double>(std::max<std::size_t>(1, curves.size())));
   for (std::size_t i = 0; i < curves.size(); ++i)
     add_curve(figure.panels[0], curves[i], i, mean,
-              [&](int trials) { return static_cast<double>(trials) + kApart * static_cast<double>(i); });
+              [&](int trials) { return static_cast<double>(trials) + apart * static_cast<double>(i); });
   return figure;
 }
 

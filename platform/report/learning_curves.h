@@ -39,7 +39,7 @@ class MeanError {
   explicit MeanError(const std::vector<LearningCurve>& curves);
 
   bool logarithmic() const { return logarithmic_; }
-  /// With the ends of the mean's 95 % interval.
+  /// With the ends of the mean's 95 % interval, which fewer than three runs do not have.
   struct Interval {
     double mean = 0.0, lower = 0.0, upper = 0.0;
   };

@@ -27,6 +27,7 @@ struct PredictionReport {
   std::vector<std::pair<std::string, std::size_t>> structures;  ///< of the models, and how many have it
   std::size_t copies = 0;                                       ///< of models, which do not count
   std::size_t refuted = 0;                                      ///< models left out (PassEnsemble)
+  std::vector<std::string> unscored;                            ///< channels that no model was held against
   std::vector<double> noise;                                    ///< of a reading, one a channel (PassEnsemble)
   EnsemblePrediction prediction;                                ///< the band is as wide as `support` says
   BandSupport support;

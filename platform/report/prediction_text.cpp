@@ -18,6 +18,7 @@ constexpr double kWorthASay = 1.05;  // a factor below is as good as 1
 std::string share_text(double share) { return std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : "-"; }
 
 std::string share_text(const Coverage& coverage) {
+  if (coverage.lower == coverage.upper) return share_text(coverage.share);  // all trials say the same
   return fmt::format("{} [{}, {}]", share_text(coverage.share), share_text(coverage.lower), share_text(coverage.upper));
 }
 
@@ -116,6 +117,8 @@ std::string minded_lines(const PredictionReport& report) {
     text += fmt::format(
         "{} of the run, which {} more than twice as much as the best on the trials so far, {} left out\n",
         counted(report.refuted, "model"), report.refuted == 1 ? "errs" : "err", report.refuted == 1 ? "is" : "are");
+  if (!report.unscored.empty())
+    text += fmt::format("models were never held against {} (estimation.sensors)\n", fmt::join(report.unscored, ", "));
   if (report.copies > 0)
     text += fmt::format("{} of {} {} of another and {} not count; several estimation.restarts find others\n",
                         report.copies, counted(report.copies + prediction.models + prediction.lost.size(), "model"),

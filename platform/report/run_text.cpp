@@ -78,7 +78,8 @@ std::string runs_text(const std::vector<EeaRunListing>& runs) {
   std::vector<std::vector<std::string>> table = {
       {"run", "experiment", "replicate", "ended", "passes", "error", "models", "evaluations"}};
   for (const EeaRunListing& run : runs)
-    table.push_back({std::to_string(run.run.value), run.experiment, std::to_string(run.replicate), run.ending,
+    table.push_back({std::to_string(run.run.value), run.experiment, std::to_string(run.replicate),
+                     run.stopped.empty() ? run.ending : run.ending + ", stopped early",
                      fmt::format("{}/{}", run.passes_done, run.passes), run_figure(run.best_score.value_or(kNotKnown)),
                      std::to_string(run.models), std::to_string(run.evaluations)});
   return text_table(table, 2);
@@ -110,6 +111,7 @@ Json runs_json(const std::vector<EeaRunListing>& runs) {
                     {"experiment", run.experiment},
                     {"replicate", run.replicate},
                     {"ending", run.ending},
+                    {"stopped", run.stopped},
                     {"passes_done", run.passes_done},
                     {"passes", run.passes},
                     {"error", run.best_score ? Json(*run.best_score) : Json(nullptr)},

@@ -13,9 +13,11 @@ bool has_runs(const Database& database) {
 
 std::vector<EeaRunListing> eea_runs(const Database& database) {
   if (!has_runs(database)) return {};
-  Statement row(database,
-                "SELECT run, replicate, experiment, ending, passes_done, passes, best_score, models, evaluations,"
-                " seconds, (SELECT identity FROM run WHERE run.number = eea_runs.run) FROM eea_runs ORDER BY run");
+  Statement row(
+      database,
+      "SELECT run, replicate, experiment, ending, passes_done, passes, best_score, models, evaluations,"
+      " seconds, (SELECT identity FROM run WHERE run.number = eea_runs.run),"
+      " (SELECT stopped FROM pass WHERE pass.run = eea_runs.run AND stopped IS NOT NULL) FROM eea_runs ORDER BY run");
   std::vector<EeaRunListing> runs;
   while (row.step()) {
     runs.push_back({.run = {row.integer(0)},
@@ -28,6 +30,7 @@ std::vector<EeaRunListing> eea_runs(const Database& database) {
                     .models = static_cast<std::uint64_t>(row.integer(7)),
                     .evaluations = static_cast<std::uint64_t>(row.integer(8)),
                     .seconds = row.real(9),
+                    .stopped = row.null(11) ? std::string() : row.text(11),
                     .identity = row.text(10)});
   }
   return runs;

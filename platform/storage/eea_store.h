@@ -105,6 +105,7 @@ struct EeaRunListing {
   std::optional<double> best_score;
   std::uint64_t models = 0, evaluations = 0;
   double seconds = kNotKnown;  ///< of work until the last commit, over all its continuations
+  std::string stopped = {};    ///< why it ended before its last pass; empty: it did not
   std::string identity = {};   ///< that no other run has, whatever file it is in
 };
 /// Empty for a file that an older version wrote.

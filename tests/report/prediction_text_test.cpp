@@ -43,9 +43,9 @@ TEST(PredictionText, SaysThatModelsAgreeMoreThanTheyAreRight) {
       "bench · run 3, pass 4 · 8 models · test 17\n"
       "channel  95 % band ±  at most ±      at  held out inside  × spread\n"
       "angle      7.07 mrad  8.00 mrad  0.50 s             90 %         2\n"
-      "4 trials that were new to the models at the time: 90 % [90 %, 90 %] of readings within the 95 % band\n"
+      "4 trials that were new to the models at the time: 90 % of readings within the 95 % band\n"
       "the models agree more than they are right: the band is 2 × their spread; with factors that the other trials "
-      "alone give, it holds 100 % [100 %, 100 %] of a trial's readings\n");
+      "alone give, it holds 100 % of a trial's readings\n");
 }
 
 TEST(PredictionText, LeavesABandThatHolds) {

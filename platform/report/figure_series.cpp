@@ -1,0 +1,69 @@
+#include "report/figure_series.h"
+
+#include "report/thinning.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kPixelColumns = 1000;
+
+std::string value_text(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN"; }
+
+}  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string block_name(std::size_t panel, std::size_t series) { return fmt::format("$p{}s{}", panel, series); }
+
+std::string data_block(const Series& series, const std::string& name) {
+  std::string text = name + " << EOD\n";
+  const auto row = [&](std::size_t i) {
+    if (series.mark == Mark::line && !std::isfinite(series.y[i])) {  // a blank line interrupts the curve
+      text += '\n';
+      return;
+    }
+    text += value_text(series.x[i]) + ' ' + value_text(series.y[i]);
+    if (series.mark == Mark::band || series.mark == Mark::whiskers || series.mark == Mark::bars)
+      text += ' ' + value_text(series.y2[i]);
+    text += '\n';
+  };
+  if (series.mark == Mark::line)
+    for (const std::size_t i : thinned(series.y, kPixelColumns)) row(i);
+  else
+    for (std::size_t i = 0; i < series.y.size(); ++i) row(i);
+  return text + "EOD\n";
+}
+
+std::string plot_clause(const Series& series, const std::string& block) {
+  const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
+  const std::string colour = "lc rgb " + quoted(series.colour.empty() ? kBlue : series.colour);
+  switch (series.mark) {
+    case Mark::line: return fmt::format("{} using 1:2 with lines lw 1.4 {} {}", block, colour, title);
+    case Mark::path: return fmt::format("{} using 1:2 with lines lw 1.6 {} {}", block, colour, title);
+    case Mark::whiskers:
+      return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead lw 2 {} {}", block, colour, title);
+    case Mark::bars:
+      return fmt::format("{} using (0):2:(0):1:($2-$3/2):($2+$3/2) with boxxyerror fs solid 0.8 noborder {} {}", block,
+                         colour, title);
+    case Mark::points: return fmt::format("{} using 1:2 with points pt 7 ps 0.4 {} {}", block, colour, title);
+    case Mark::line_points:
+      return fmt::format("{} using 1:2 with linespoints pt 7 ps 0.8 lw 1.6 {} {}", block, colour, title);
+    case Mark::band:
+      return fmt::format("{} using 1:2:3 with filledcurves fs solid 0.2 noborder {} {}", block, colour, title);
+    case Mark::level: return fmt::format("{} with lines dt 2 lw 1.2 {} {}", value_text(series.y.at(0)), colour, title);
+  }
+  return {};
+}
+
+}  // namespace lacuna

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "report/figure.h"
+
+#include <cstddef>
+#include <string>
+
+namespace lacuna {
+
+/// A text as gnuplot takes it, in quotes.
+std::string quoted(const std::string& text);
+
+/// Data blocks are named by panel and series, and stand before the plot commands.
+std::string block_name(std::size_t panel, std::size_t series);
+
+/// A series' values as the data block of that name; long lines are thinned.
+std::string data_block(const Series& series, const std::string& name);
+
+/// How a plot command draws the series of that block.
+std::string plot_clause(const Series& series, const std::string& block);
+
+}  // namespace lacuna
