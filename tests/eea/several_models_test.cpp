@@ -326,6 +326,18 @@ TEST(Horizons, GrowAndAreLongerThanAStep) {
               ThrowsMessage<BadInput>(HasSubstr("only the start would count")));
 }
 
+TEST(EeaDefinition, WhatAFitnessRefusesStandsAtItsKeyBesideTheRest) {
+  EXPECT_THAT(
+      [] {
+        small_bench({"exploration.fitness=model_disagreement", "exploration.fitness_parameters={models=2.5}",
+                     "exploration.mix=[{fitness='model_disagreement',parameters={models=1.5}}]",
+                     "estimation.horizons=[0.2,0.1]"});
+      },
+      ThrowsMessage<BadInput>(AllOf(HasSubstr("exploration.fitness_parameters"),
+                                    HasSubstr("exploration.mix[0].parameters"), HasSubstr("whole number"),
+                                    HasSubstr("horizons grow"))));
+}
+
 TEST(Stopping, ARandomTestIsWorthNothing) {
   EXPECT_THAT(
       [] {

@@ -62,6 +62,8 @@ TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
       << "what is told holds 95 % of the readings";
   EXPECT_EQ(predict(kLine, {"--threads", "1"}).output, predict(kLine, {"--threads", "2"}).output);
   EXPECT_EQ(predict(kLine, {"--set", "experiment.passes=3"}).output, predict(kLine).output) << "as the run was begun";
+  program_.shell("echo '# later' >> smoke/simulated-pendulum.toml");
+  EXPECT_THAT(predict(kLine).errors, HasSubstr("differs from what run 1 was begun with"));
 }
 
 TEST_F(PredictCommand, TakesTestsOfTheRunAndFilesOfCommands) {
@@ -101,6 +103,10 @@ TEST_F(PredictCommand, RefusesWhatItCannotPredict) {
   expect_bad(predict(kLine, {"--duration", "soon"}), "--duration");
   expect_bad(predict("0", {"--duration", "soon"}), "--duration");
   expect_bad(predict(kLine, {"--json", "--csv"}), "cannot both go to standard output");
+  expect_bad(predict(kLine, {"--json=band", "--csv=./band"}), "is named by two options");
+  const Outcome set = predict(kLine, {"--set", "test.duration=1", "--set", "model.free={}"});
+  expect_bad(set, "--set test.duration=1: the models and trials of a run are those");
+  expect_bad(set, "--set model.free={}");
   constexpr const char* kForget =
       "python3 -c 'import sqlite3; c = sqlite3.connect(\"simulated-pendulum.db\"); "
       "c.executescript(\"DELETE FROM ensemble_value; DELETE FROM ensemble_model\")'";

@@ -199,6 +199,7 @@ TEST_F(Resume, CountsTheSecondsOfAllItsProcesses) {
   const double before = std::stod(ask("small.db", "SELECT seconds FROM eea_runs").substr(8));
   ASSERT_EQ(program_.run({"run", "small.toml", "--resume", "--json=lines"}).exit_code, kDone);
   const std::string lines = program_.read("lines");
+  EXPECT_NE(lines.find("\"begin\""), lines.rfind("\"begin\"")) << "behind those of the first process";
   const auto member = [&](const std::string& name) {
     const std::string key = "\"" + name + "\":";
     return std::stod(lines.substr(lines.rfind(key) + key.size()));
