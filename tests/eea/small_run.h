@@ -54,6 +54,18 @@ inline std::unique_ptr<EeaBench> small_bench(const std::vector<std::string>& ove
   return std::make_unique<EeaBench>(std::move(rig));
 }
 
+/// A run of it whose truth nobody asks for.
+inline EeaRun run_of(const EeaBench& bench, EeaJournal& journal) {
+  return {.definition = bench.definition(),
+          .journal = journal,
+          .seed = 1,
+          .replicate = 1,
+          .threads = 1,
+          .truth = {},
+          .target = nullptr,
+          .progress = {}};
+}
+
 /// Runs it from `state` to its end.
 inline void run(const EeaBench& bench, EeaJournal& journal, EeaState& state, int threads = 1, std::uint64_t seed = 1) {
   const ReplicateTarget target(bench, seed, 1);
