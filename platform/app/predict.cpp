@@ -45,7 +45,7 @@ EeaRunListing run_to_ask(const Database& database, const PredictOptions& options
   const SourceLocation file{database.file().string()};
   const std::string again = "lacuna run " + shell_word(options.experiment.string());
   if (options.run) {
-    const EeaRunListing run = choose_run(database, options.run);
+    EeaRunListing run = choose_run(database, options.run);
     if (run.experiment != experiment)
       throw_problem(file, fmt::format("run {} is of {}, not of {}; lacuna runs lists them", run.run.value,
                                       run.experiment, experiment));
@@ -219,7 +219,8 @@ void predict(const PredictOptions& options) {
   check_output(options.picture);
   check_overrides(options.overrides);
   const Experiment experiment = read_experiment(options.experiment, options.overrides);
-  CommonOptions common = options;
+  const CommonOptions& given = options;
+  CommonOptions common = given;
   common.database = database_of(options, experiment);
   Database database = Database::open_read_only(common.database);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);

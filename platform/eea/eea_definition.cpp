@@ -1,5 +1,6 @@
 #include "eea/eea_definition.h"
 
+#include "evaluation/channel_choice.h"
 #include "evaluation/proposed_model.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"

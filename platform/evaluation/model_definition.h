@@ -17,7 +17,7 @@ struct FreeValue {
   double upper = 0.0;
   double start = 0.0;
   Scale scale = Scale::linear;
-  std::string description;
+  std::string description = {};
 };
 
 /// The model section of an experiment with its plugins: what is compiled, fitted and stored.

@@ -19,7 +19,7 @@ TEST(Judges, AreThoseThatDiffer) {
   const MemoryJournal journal = run(*bench);
   EXPECT_GT(journal.passes[0].best_fitness, 0.0);
   // Each test is simulated on three models, 30 steps each; the noise takes one simulation more a trial.
-  EXPECT_GE(journal.passes[0].test_steps, 3U * 30U * journal.passes[0].test_evaluations);
+  EXPECT_GE(journal.passes[0].test_steps, journal.passes[0].test_evaluations * 3 * 30);
 }
 
 /// A state with one trial and the best models of the first pass.
