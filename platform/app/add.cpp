@@ -3,6 +3,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/replace_file.h"
+#include "app/search_range.h"
 #include "app/text_diff.h"
 #include "app/workbench.h"
 #include "config/effects_editor.h"
@@ -128,6 +129,10 @@ EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
   return entry;
 }
 
+bool evolves_models(const Rig& rig) {
+  return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests();
+}
+
 /// The experiment before and after; everything is checked before the file is touched.
 struct Extension {
   std::string text, edited;
@@ -147,8 +152,9 @@ Extension extension_of(const AddOptions& options) {
   std::map<std::string, double> found = diagnosed_start(options, base, extended, entry);
   for (const auto& [name, value] : entry.start) found[name] = value;
   const bool from_diagnosis = found.size() > entry.start.size();
-  if (from_diagnosis) {
-    entry.start = std::move(found);
+  entry.start = std::move(found);
+  if (evolves_models(base)) entry.range = search_range(entry, extended.definition);
+  if (from_diagnosis || !entry.range.empty()) {
     edited = insert_effect(text, entry);
     extended = open_extended(options, edited, base);
   }

@@ -7,7 +7,9 @@
 
 #include <lacuna/random_stream.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace lacuna {
@@ -41,8 +43,8 @@ std::string other_readings(const RobotSpec& model, const RobotSpec& target, std:
   return {};
 }
 
-void check_controllers(const EeaDefinition& definition, const Experiment& experiment, const RobotSpec& target) {
-  Complaints complaints(experiment);
+void check_controllers(const EeaDefinition& definition, const Experiment& experiment, const RobotSpec& target,
+                       Complaints& complaints) {
   const RobotSpec& model = definition.model.structure.robot;
   if (const std::string problem = other_readings(model, target, definition.seen_channels); !problem.empty())
     complaints.add(experiment.test.sensors.empty() ? "target.robot" : "test.sensors", problem);
@@ -50,7 +52,22 @@ void check_controllers(const EeaDefinition& definition, const Experiment& experi
     complaints.add("target.robot",
                    "its actuators are not those of the model's robot in the same order, which "
                    "controllers are made for");
-  complaints.throw_if_any();
+}
+
+/// What models are scored by and the target does not read would count as right, whatever they foretell.
+void check_readings(const EeaDefinition& definition, const RobotSpec& target, Complaints& complaints) {
+  const std::vector<Channel> there = sensor_channels(target);
+  std::string missing;
+  for (const Channel& channel : sensor_channels(definition.model.structure.robot)) {
+    const std::vector<std::string>& scored = definition.scored_channels;
+    if (!scored.empty() && std::find(scored.begin(), scored.end(), channel.name) == scored.end()) continue;
+    const bool read = std::any_of(there.begin(), there.end(), [&](const Channel& c) { return c.name == channel.name; });
+    if (!read) missing += (missing.empty() ? "\"" : ", \"") + channel.name + "\"";
+  }
+  if (missing.empty()) return;
+  complaints.add("estimation.sensors", "models would be scored by " + missing +
+                                           ", which the target does not read; give both robots the same sensors, or "
+                                           "name here those that they share");
 }
 
 }  // namespace
@@ -61,8 +78,12 @@ EeaBench::EeaBench(Rig rig)
                                  : nullptr),
       takes_tests_(rig_.catalog->make<TargetSystem>(rig_.experiment.target.kind)->takes_tests()),
       definition_(std::make_unique<EeaDefinition>(rig_.experiment, *rig_.catalog, rig_.definition, takes_tests_)) {
-  if (takes_tests_ && target_ && makes_controllers(*definition_))
-    check_controllers(*definition_, rig_.experiment, target_->structure.robot);
+  if (!takes_tests_ || !target_) return;
+  const RobotSpec& target = target_->structure.robot;
+  Complaints complaints(rig_.experiment);
+  check_readings(*definition_, target, complaints);
+  if (makes_controllers(*definition_)) check_controllers(*definition_, rig_.experiment, target, complaints);
+  complaints.throw_if_any();
 }
 
 std::vector<double> EeaBench::hidden_values(int replicate) const {

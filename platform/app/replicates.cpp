@@ -31,6 +31,7 @@ class ShownJournal : public StoreJournal {
     display_.note(index_, "trial " + failed.trial + " failed: " + failed.reason);
     StoreJournal::note_failure(failed);
   }
+  void note(const std::string& sentence) override { display_.note(index_, sentence); }
   void add(PassRow row) override {
     display_.end_pass(index_, row);
     StoreJournal::add(std::move(row));

@@ -1,7 +1,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/replays.h"
+#include "foundation/problem.h"
 #include "report/pages.h"
+#include "storage/log_left.h"
 #include "storage/page_database.h"
 
 #include <CLI/CLI.hpp>
@@ -24,9 +26,19 @@ struct ReportOptions {
 constexpr double kMegabyte = 1e6;
 constexpr std::size_t kReplayBytes = 12'000'000;
 
+/// SQLite takes a file without content for a database without tables.
+void refuse_empty(const std::filesystem::path& database) {
+  std::error_code missing;
+  if (std::filesystem::file_size(database, missing) == 0 && !missing)
+    throw_problem({database.string()},
+                  "is empty; `lacuna compare` and `lacuna run` make a database from an experiment file");
+}
+
 void make_report(const ReportOptions& options) {
   require_pages();
   check_output(options.out);
+  refuse_empty(options.database);
+  const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   PageDatabase pages;
   pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));

@@ -3,6 +3,7 @@
 #include "app/progress_line.h"
 #include "app/replicates.h"
 #include "app/run_plan.h"
+#include "app/shape_reading.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "report/run_text.h"
@@ -37,12 +38,20 @@ void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
     interrupted = interrupted || end.ending == RunEnding::interrupted;
     if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
   }
-  if (!failures.empty()) throw Error(failures.substr(0, failures.size() - 1));
-  if (interrupted)
-    throw Interrupted("interrupted; " + command_line() + (resumed ? "" : " --resume") + " goes on from here");
+  const std::string again = command_line() + (resumed ? "" : " --resume") + " goes on from here";
+  if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
+  if (interrupted) throw Interrupted("interrupted; " + again);
 }
 
-void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, Database& database) {
+/// The command that draws what was found.
+const char* drawing_command(const std::vector<ReplicateEnd>& ends, const EeaBench& bench) {
+  const bool done =
+      std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.ending == RunEnding::done; });
+  return done && speaks_of_parts(bench) ? "shapes" : "plot";
+}
+
+void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, Database& database,
+                const EeaBench& bench) {
   if (ends.size() == 1) {
     std::mutex unused;
     const EeaStore store(database, unused, ends.front().planned.run, experiment);
@@ -51,7 +60,7 @@ void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, 
     std::fputs(runs_text(eea_runs(database)).c_str(), stdout);
   }
   if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return !end.passes.empty(); }))
-    fmt::print("→ lacuna plot {}\n", shell_word(database.file().string()));
+    fmt::print("→ lacuna {} {}\n", drawing_command(ends, bench), shell_word(database.file().string()));
 }
 
 void run(const RunOptions& options) {
@@ -73,7 +82,7 @@ void run(const RunOptions& options) {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
-  if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database);
+  if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
   judge(ends, options.resume);
   lines.throw_if_failed();
 }

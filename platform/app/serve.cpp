@@ -5,6 +5,7 @@
 #include "foundation/interrupt.h"
 #include "report/page_server.h"
 #include "report/pages.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -60,8 +61,24 @@ void open_browser(const std::string& page) {
   if (child > 0) waitpid(child, nullptr, 0);
 }
 
+/// A command that has just begun may make it. False: the user does not want to wait.
+bool wait_for(const std::filesystem::path& database) {
+  const std::filesystem::path folder = database.has_parent_path() ? database.parent_path() : ".";
+  const auto is_missing = [&] {
+    std::error_code missing;
+    return std::filesystem::file_size(database, missing) == 0 || missing == std::errc::no_such_file_or_directory;
+  };
+  if (!is_missing() || !std::filesystem::exists(folder)) return true;
+  fmt::print(stderr, "waiting for {}, which `lacuna compare` or `lacuna run` makes; Ctrl-C ends it\n",
+             database.string());
+  while (is_missing() && !interrupt_requested()) std::this_thread::sleep_for(kLook);
+  return !interrupt_requested();
+}
+
 void serve(const ServeOptions& options) {
   require_pages();
+  if (!wait_for(options.database)) return;
+  const LogLeft log(options.database);
   Database::open_read_only(options.database);  // says what is wrong with it before anything else
   const ScratchFolder scratch;
   PageDatabase pages(scratch / "pages.db");

@@ -14,11 +14,6 @@
 namespace lacuna {
 namespace {
 
-bool speaks_of_parts(const EeaBench& bench) {
-  const std::optional<Chosen<ObjectiveMetric>>& objective = bench.definition().objective;
-  return objective && objective->origin.name == "part_distance" && bench.target();
-}
-
 /// The runs of one experiment, and the experiment itself.
 class ShapeReading {
  public:
@@ -79,10 +74,10 @@ class ShapeReading {
     double generations = 0.0;
     for (const PassRow& pass : store.passes()) {
       const std::vector<ModelRow> models = store.models(pass.number);
-      ProgressPoint best{0.0, kInfinity, kNotKnown};
+      ProgressPoint best{0.0, kInfinity, kNotKnown, pass.number};
       for (std::size_t i = 0; i < models.size(); ++i) {
         if (models[i].kind == EvaluationKind::full && models[i].score < best.score)
-          best = {0.0, models[i].score, distance_of(definition_.decode_model(models[i].genome))};
+          best = {0.0, models[i].score, distance_of(definition_.decode_model(models[i].genome)), pass.number};
         if (i + 1 < models.size() && models[i + 1].generation == models[i].generation) continue;
         best.generations = ++generations;
         if (std::isfinite(best.score)) study_.progress.push_back(best);
@@ -97,8 +92,9 @@ class ShapeReading {
     for (const PassRow& pass : passes) {
       const bool drawn = pass.number <= 2 || pass.number == passes.back().number;
       if (drawn && pass.best_model)
-        study_.samples.push_back({fmt::format("pass {}: e_o {:.2f} m", pass.number, objective_of(pass, kPartDistance)),
-                                  robot_of(store.model(*pass.best_model)->genome)});
+        study_.samples.push_back(
+            {fmt::format("pass {}: e_o {}", pass.number, distance_text(objective_of(pass, kPartDistance))),
+             robot_of(store.model(*pass.best_model)->genome)});
     }
     study_.samples.push_back({"target", target()});
   }
@@ -125,6 +121,11 @@ class ShapeReading {
 };
 
 }  // namespace
+
+bool speaks_of_parts(const EeaBench& bench) {
+  const std::optional<Chosen<ObjectiveMetric>>& objective = bench.definition().objective;
+  return objective && objective->origin.name == "part_distance" && bench.target();
+}
 
 std::optional<ShapeStudy> read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
                                            const std::vector<std::filesystem::path>& plugin_paths) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/eea_bench.h"
 #include "report/shape_study.h"
 #include "storage/eea_store.h"
 
@@ -9,10 +10,13 @@
 
 namespace lacuna {
 
+/// Whether its runs say how far parts are from the target's: a simulated target, and the objective metric
+/// `part_distance`.
+bool speaks_of_parts(const EeaBench& bench);
+
 /// Reads what replicates of one experiment found of a robot's shape; decodes and judges stored models again where the
-/// database has genomes only. Nothing where the runs do not say how far parts are from the target's: without a
-/// simulated target, or with another objective metric than `part_distance`. Throws `BadInput` where they cannot be
-/// opened.
+/// database has genomes only. Nothing where the experiment does not speak of parts. Throws `BadInput` where they cannot
+/// be opened.
 std::optional<ShapeStudy> read_shape_study(Database& database, const std::vector<EeaRunListing>& runs,
                                            const std::vector<std::filesystem::path>& plugin_paths);
 

@@ -3,12 +3,15 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/shape_reading.h"
+#include "foundation/counted.h"
 #include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -27,7 +30,7 @@ struct ShapesOptions {
   std::vector<std::filesystem::path> plugin_paths;
 };
 
-/// Experiments with a pass that has ended, in the order in which they were first run, or as asked for.
+/// In the order in which they were first run, or as asked for.
 std::vector<std::string> experiments_of(const std::vector<EeaRunListing>& runs, const ShapesOptions& options) {
   std::vector<std::string> names;
   for (const EeaRunListing& run : runs)
@@ -35,29 +38,54 @@ std::vector<std::string> experiments_of(const std::vector<EeaRunListing>& runs, 
   if (options.experiments.empty()) return names;
   for (const std::string& wanted : options.experiments)
     if (std::find(names.begin(), names.end(), wanted) == names.end())
-      throw_problem({options.database.string()}, fmt::format("has no run of \"{}\" with a pass that has ended{}",
-                                                             wanted, did_you_mean(wanted, names)));
+      throw_problem({options.database.string()},
+                    fmt::format("has no run of \"{}\"{}", wanted, did_you_mean(wanted, names)));
   return options.experiments;
+}
+
+/// The newest replicates of one experiment.
+struct NewestRuns {
+  std::vector<EeaRunListing> ended;
+  std::size_t unfinished = 0;  ///< which are left out: their last pass is not the last
+};
+
+NewestRuns newest_runs(const Database& database, const std::vector<EeaRunListing>& runs, const std::string& name) {
+  std::vector<EeaRunListing> of_experiment;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
+               [&](const EeaRunListing& run) { return run.experiment == name; });
+  NewestRuns newest{newest_setting(database, of_experiment)};
+  newest.unfinished = std::erase_if(
+      newest.ended, [](const EeaRunListing& run) { return run.ending != "done" || run.passes_done == 0; });
+  return newest;
+}
+
+void say_unfinished(const std::string& experiment, std::size_t unfinished) {
+  if (unfinished == 0) return;
+  fmt::print(stderr, "{}: {} left out, not ended; lacuna run FILE --resume goes on with what was interrupted\n",
+             experiment, counted(unfinished, "run"));
 }
 
 /// Experiments that do not speak of shapes are passed over, but one that was asked for is not.
 std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& options) {
-  std::vector<EeaRunListing> runs = eea_runs(database);
-  std::erase_if(runs, [](const EeaRunListing& run) { return run.passes_done == 0; });
-  if (runs.empty())
-    throw_problem({options.database.string()}, "has no run with a pass that has ended; lacuna run FILE makes one");
+  const std::vector<EeaRunListing> runs = eea_runs(database);
+  const bool asked = !options.experiments.empty();
+  bool some_ended = false;
   std::vector<ShapeStudy> studies;
   for (const std::string& name : experiments_of(runs, options)) {
-    std::vector<EeaRunListing> of_experiment;
-    std::copy_if(runs.begin(), runs.end(), std::back_inserter(of_experiment),
-                 [&](const EeaRunListing& run) { return run.experiment == name; });
-    auto study = read_shape_study(database, newest_setting(database, of_experiment), options.plugin_paths);
+    const NewestRuns newest = newest_runs(database, runs, name);
+    const bool ended = !newest.ended.empty();
+    some_ended = some_ended || ended;
+    auto study = ended ? read_shape_study(database, newest.ended, options.plugin_paths) : std::nullopt;
+    if (study || !ended) say_unfinished(name, newest.unfinished);
     if (study) studies.push_back(std::move(*study));
-    if (!study && !options.experiments.empty())
+    if (!ended && asked) throw_problem({options.database.string()}, fmt::format("no run of {} has ended", name));
+    if (ended && !study && asked)
       throw_problem({options.database.string()}, fmt::format("the runs of {} {}", name, kNoShapes));
   }
-  if (studies.empty())
+  if (studies.empty() && some_ended)
     throw_problem({options.database.string()}, fmt::format("the runs of all of its experiments {}", kNoShapes));
+  if (studies.empty())
+    throw_problem({options.database.string()}, "has no run that has ended; lacuna run FILE makes one");
   return studies;
 }
 
@@ -67,7 +95,7 @@ void shapes(const ShapesOptions& options) {
   make_output_folder(options.folder);
   fmt::print("{}", shape_table(studies));
   const auto place = [&](const char* name) {
-    const std::filesystem::path file = options.folder / name;
+    std::filesystem::path file = options.folder / name;
     if (std::filesystem::is_directory(file))
       throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
     return file;
@@ -78,7 +106,7 @@ void shapes(const ShapesOptions& options) {
   write_svg(shape_progress(studies), progress);
   std::vector<RobotRow> rows;
   for (const ShapeStudy& study : studies) rows.push_back({study.experiment, study.samples});
-  write_robots_svg("Models of a typical run each, as they start; parts have their colours by index", rows, models);
+  write_robots_svg("Models of a typical run each, as they start", rows, models);
   for (const std::filesystem::path& file : {errors, progress, models}) fmt::print("{}\n", file.string());
 }
 

@@ -100,7 +100,8 @@ Trial carry_out(const TrialOptions& options, const Rig& rig, TrialTarget& target
     throw;
   } catch (const Error& error) {
     keep_failure(options, rig, seed, name_of(number), error.what(), database);
-    throw;
+    throw Error(std::string(error.what()) + "\n" + name_of(number) +
+                " is noted as failed (view failed_trials); once that is mended, the same command tries it again");
   }
   trial.held_out = options.held_out;
   keep(options, rig, target, seed, trial, database);

@@ -161,6 +161,8 @@ Table<ActuatorSpec> actuator_keys() {
                                  {"pid", ActuatorKind::pid}}),
            "what a command means")
       .key("gain", &ActuatorSpec::gain, number("1"), "multiplies the command before anything else")
+      .key("relative", &ActuatorSpec::relative, boolean(),
+           "the command has no unit; the gain makes a position or force of a share of 1")
       .key("offset", &ActuatorSpec::offset, number(command), "added to the command after the gain")
       .key("delay", &ActuatorSpec::delay, number("s").at_least(0.0), "of the command")
       .key("kp", &ActuatorSpec::kp, number("N*m/rad or N/m").at_least(0.0), "of position servo and pid")
@@ -193,6 +195,8 @@ Table<SensorInFile> sensor_keys() {
                "of beacon_range: the place from which distance is measured")
           .key("delay", &SensorSpec::delay, number("s").at_least(0.0), "before the start the initial value is read")
           .key("scale", &SensorSpec::scale, number("1"), "multiplies the reading")
+          .key("relative", &SensorSpec::relative, boolean(),
+               "the channels have no unit; the scale makes a share of 1 of what is read")
           .key("offset", &SensorSpec::offset, number(channel), "added after the scale")
           .key("noise", &SensorSpec::noise, number(channel).at_least(0.0), "standard deviation of white noise")
           .key("quantum", &SensorSpec::quantum, number(channel).at_least(0.0), "step of the quantiser; 0: none");

@@ -126,7 +126,12 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
     test_space.sensors = std::move(seen);
   }
   const double samples = test_space.duration / test_space.control_period;
-  if (samples <= kMostSamples)
+  if (samples < 1.0)
+    complaints.add("test.duration", "a test of " + format_quantity(test_space.duration, "s") +
+                                        " is shorter than one control period of " +
+                                        format_quantity(test_space.control_period, "s") +
+                                        ", so that nothing moves in it; make it longer, or engine.step smaller");
+  else if (samples <= kMostSamples)
     sample_times = lacuna::sample_times(model.engine, experiment.test.duration);
   else
     complaints.add("test.duration", "a test of " + format_quantity(test_space.duration, "s") +

@@ -22,6 +22,8 @@ class EeaJournal {
   virtual void add(PassRow row) = 0;
   /// The target did not carry a test out. Written down at once; no row that is compared with another run's.
   virtual void note_failure(const FailedTrialRecord& failed) = 0;
+  /// A sentence for whoever watches.
+  virtual void note(const std::string& /*sentence*/) {}
   /// At the end of each generation and phase. May be put off, but not if `now`.
   virtual void checkpoint(const EeaState& state, bool now) = 0;
 };

@@ -7,6 +7,8 @@
 #include "evaluation/test_predictor.h"
 #include "foundation/interrupt.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -67,19 +69,26 @@ std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, co
   }
 }
 
+void replace_by_random(const EeaRun& run, EeaState& state, int number, int attempt) {
+  const std::uint64_t given_up = state.next_test->number;
+  choose_random_test(run, state, attempt);
+  run.journal.note(fmt::format("trial {}: test {} is given up; a random one, test {}, takes its place", number,
+                               given_up, state.next_test->number));
+}
+
 /// Repeats tests that fail, and puts random ones in their place, a few times.
 CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaState& state, int number) {
   std::string reason;
   for (int test = 1; test <= kTests; ++test) {
-    if (test > 1) choose_random_test(run, state, test - 1);
+    if (test > 1) replace_by_random(run, state, number, test - 1);
     for (int repeat = 0; repeat <= target.repeats; ++repeat) {
       if (test + repeat > 1) pause_for(target.pause);
       if (std::optional<CarriedOut> done = attempt(run, target, *state.next_test, number, reason))
         return std::move(*done);
     }
   }
-  throw Error("trial " + std::to_string(number) + ": " + reason + " (after " + std::to_string(kTests) + " tests" +
-              (target.repeats > 0 ? ", each tried " + std::to_string(target.repeats + 1) + " times)" : ")"));
+  throw Error(fmt::format("trial {} failed with {} tests{}, the last time so: {}", number, kTests,
+                          target.repeats > 0 ? fmt::format(", each tried {} times", target.repeats + 1) : "", reason));
 }
 
 }  // namespace

@@ -125,9 +125,10 @@ JointKind joint_kind(const RobotSpec& robot, const std::string& name) {
   return found == robot.joints.end() ? JointKind::hinge : found->kind;
 }
 
-std::string channel_unit(SensorKind kind, JointKind joint) {
+std::string channel_unit(const SensorSpec& sensor, JointKind joint) {
   const JointUnits units = units_of(joint);
-  switch (kind) {
+  if (sensor.relative) return "1";
+  switch (sensor.kind) {
     case SensorKind::joint_position: return units.position;
     case SensorKind::joint_velocity: return units.position + "/s";
     case SensorKind::joint_force: return units.force;
@@ -158,7 +159,7 @@ void collect(Collector& collector, Robot& robot) {
   }
   for (auto& sensor : robot.sensors) {
     collector.element("sensor", sensor.name);
-    collect_sensor(collector, sensor, channel_unit(sensor.kind, joint_kind(robot, sensor.element)));
+    collect_sensor(collector, sensor, channel_unit(sensor, joint_kind(robot, sensor.element)));
   }
   collector.element("contact", {});
   collector.add("stiffness", "N/m", robot.contact.stiffness, kSmallest, kInfinity, kMayBeInfinite);
@@ -205,7 +206,7 @@ std::string nothing_matches(const std::string& pattern, const std::vector<NamedE
 
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor) {
   const JointKind joint = joint_kind(robot, sensor.element);
-  const std::string unit = channel_unit(sensor.kind, joint);
+  const std::string unit = channel_unit(sensor, joint);
   std::vector<std::string> suffixes;
   switch (sensor.kind) {
     case SensorKind::body_position:
@@ -238,10 +239,14 @@ std::vector<Channel> sensor_channels(const RobotSpec& robot) {
   return channels;
 }
 
+Channel command_channel(const RobotSpec& robot, const ActuatorSpec& actuator) {
+  const JointUnits units = units_of(joint_kind(robot, actuator.joint));
+  return {actuator.name, actuator.relative ? "1" : command_unit(actuator.kind, units)};
+}
+
 std::vector<Channel> command_channels(const RobotSpec& robot) {
   std::vector<Channel> channels;
-  for (const ActuatorSpec& actuator : robot.actuators)
-    channels.push_back({actuator.name, command_unit(actuator.kind, units_of(joint_kind(robot, actuator.joint)))});
+  for (const ActuatorSpec& actuator : robot.actuators) channels.push_back(command_channel(robot, actuator));
   return channels;
 }
 

@@ -34,7 +34,8 @@ bool matches(std::string_view pattern, std::string_view address);
 /// Channels of a sensor, and of all sensors in spec order: names and SI units.
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor);
 std::vector<Channel> sensor_channels(const RobotSpec& robot);
-/// One channel an actuator: its name and its command's SI unit.
+/// One channel an actuator: its name and its command's SI unit, "1" for a relative one.
+Channel command_channel(const RobotSpec& robot, const ActuatorSpec& actuator);
 std::vector<Channel> command_channels(const RobotSpec& robot);
 
 /// Elements such as `joint.hinge` that the patterns name, in spec order without repeats.

@@ -40,13 +40,16 @@ std::string unit_at(const std::string& declared, const RobotSpec& robot, Element
   const auto index = static_cast<std::size_t>(element);
   switch (kind) {
     case ElementKind::joint: return replaced(declared, joint_words(robot.joints[index].kind == JointKind::slider));
-    case ElementKind::actuator: {
-      Words words = joint_words(is_slider(robot, robot.actuators[index].joint));
-      words["{command}"] = command_channels(robot)[index].unit;
+    case ElementKind::actuator: {  // an effect acts behind the gain
+      ActuatorSpec actuator = robot.actuators[index];
+      actuator.relative = false;
+      Words words = joint_words(is_slider(robot, actuator.joint));
+      words["{command}"] = command_channel(robot, actuator).unit;
       return replaced(declared, words);
     }
-    case ElementKind::sensor: {
-      const SensorSpec& sensor = robot.sensors[index];
+    case ElementKind::sensor: {  // and before the scale
+      SensorSpec sensor = robot.sensors[index];
+      sensor.relative = false;
       Words words = joint_words(is_slider(robot, sensor.element));
       words["{channel}"] = sensor_channels(robot, sensor).front().unit;
       return replaced(declared, words);

@@ -56,6 +56,10 @@ std::string to_string(const SourceLocation& location) {
 BadInput::BadInput(std::vector<Problem> problems) : Error(one_line_each(problems)), problems_(std::move(problems)) {}
 
 void ProblemList::add(SourceLocation location, std::string message) {
+  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
+    return to_string(problem.location) == to_string(location) && problem.message == message;
+  });
+  if (known) return;
   problems_.push_back({std::move(location), std::move(message)});
 }
 

@@ -36,6 +36,7 @@ class BadInput : public Error {
 /// Collects problems, so that the user sees all of them at once.
 class ProblemList {
  public:
+  /// What was said of the same place before, as of each element that a pattern matches, is not said again.
   void add(SourceLocation location, std::string message);
   bool empty() const { return problems_.empty(); }
   const std::vector<Problem>& all() const { return problems_; }

@@ -16,15 +16,16 @@ struct NamedUnit {
   double to_si;
   std::array<int, 4> exponents;  // m, kg, s, A
   bool takes_prefix;
+  bool angle = false;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr NamedUnit kUnits[] = {
     {"1", 1.0, {0, 0, 0, 0}, false},
     {"%", 0.01, {0, 0, 0, 0}, false},
-    {"rad", 1.0, {0, 0, 0, 0}, true},
-    {"deg", kDegree, {0, 0, 0, 0}, false},
-    {"rev", 2.0 * std::numbers::pi, {0, 0, 0, 0}, false},
+    {"rad", 1.0, {0, 0, 0, 0}, true, true},
+    {"deg", kDegree, {0, 0, 0, 0}, false, true},
+    {"rev", 2.0 * std::numbers::pi, {0, 0, 0, 0}, false, true},
     {"rpm", 2.0 * std::numbers::pi / 60.0, {0, 0, -1, 0}, false},
     {"min", 60.0, {0, 0, 1, 0}, false},
     {"h", 3600.0, {0, 0, 1, 0}, false},
@@ -51,11 +52,11 @@ constexpr Prefix kPrefixes[] = {{"k", 1e3},  {"M", 1e6},       {"c", 1e-2}, {"m"
 
 std::optional<Unit> parse_symbol(std::string_view symbol) {
   for (const NamedUnit& unit : kUnits)
-    if (symbol == unit.symbol) return Unit{unit.to_si, unit.exponents};
+    if (symbol == unit.symbol) return Unit{unit.to_si, unit.exponents, unit.angle};
   for (const Prefix& prefix : kPrefixes)
     for (const NamedUnit& unit : kUnits)
       if (unit.takes_prefix && symbol.starts_with(prefix.symbol) && symbol.substr(prefix.symbol.size()) == unit.symbol)
-        return Unit{unit.to_si * prefix.factor, unit.exponents};
+        return Unit{unit.to_si * prefix.factor, unit.exponents, unit.angle};
   return std::nullopt;
 }
 
@@ -115,6 +116,7 @@ class UnitParser {
 
   static Unit combined(Unit a, const Unit& b, int sign) {
     a.to_si *= sign > 0 ? b.to_si : 1.0 / b.to_si;
+    a.angle = false;
     for (std::size_t i = 0; i < a.exponents.size(); ++i) a.exponents[i] += sign * b.exponents[i];
     return a;
   }

@@ -10,8 +10,9 @@ namespace lacuna {
 /// A unit of measurement: its factor to SI and its dimension.
 struct Unit {
   double to_si = 1.0;              ///< value in SI = value in this unit × to_si
-  std::array<int, 4> exponents{};  ///< of m, kg, s, A; angles have no dimension
-  bool same_dimension(const Unit& other) const { return exponents == other.exponents; }
+  std::array<int, 4> exponents{};  ///< of m, kg, s, A; angles have none
+  bool angle = false;              ///< rad, deg, rev by themselves: no shares of 1, as `%` is
+  bool same_dimension(const Unit& other) const { return exponents == other.exponents && angle == other.angle; }
 };
 
 /// Reads units such as `rad`, `deg`, `mm`, `N*m`, `kg*m^2`, `N*m*s/rad`, `m/s^2`, `ms`, `V`, `N/V`, `1`, `%`.

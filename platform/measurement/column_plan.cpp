@@ -33,7 +33,7 @@ double conversion(const ColumnMapping& mapping, const Channel& channel, ProblemL
   if (!column || !gain || !wanted) return 1.0;
   Unit product = *column;
   for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += gain->exponents[i];
-  if (!product.same_dimension(*wanted)) problems.add(mapping.location, wrong_dimension(mapping, channel));
+  if (product.exponents != wanted->exponents) problems.add(mapping.location, wrong_dimension(mapping, channel));
   return column->to_si * mapping.gain;
 }
 

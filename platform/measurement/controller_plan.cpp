@@ -38,7 +38,7 @@ void check_gain(const std::string& written, const Channel& command, const Channe
   Unit product = *gain;
   for (std::size_t i = 0; i < product.exponents.size(); ++i)
     product.exponents[i] += per->exponents[i] - (derivative ? second->exponents[i] : 0);
-  if (product.same_dimension(*wanted)) return;
+  if (product.exponents == wanted->exponents) return;
   problems.add(mapping.location,
                fmt::format("{} of the controller of {} turns {} into {}: its unit is {}{}/{}, as in \"8 {}{}/{}\"", key,
                            mapping.actuator, sensor.unit, command.unit, command.unit, derivative ? "*s" : "",

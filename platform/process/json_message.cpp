@@ -21,11 +21,26 @@ bool has_no_number(const std::string& line) {
   return line.find("NaN") != std::string::npos || line.find("Infinity") != std::string::npos;
 }
 
+/// Beyond what a double holds, as 1e400.
+bool has_too_large_number(const std::string& line) {
+  try {
+    static_cast<void>(nlohmann::json::parse(line));
+    return false;
+  } catch (const nlohmann::json::out_of_range&) {
+    return true;
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
 nlohmann::json parsed(const std::string& line) {
   nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (json.is_discarded() && has_no_number(line))
     throw Error("sends NaN or Infinity, " + quoted_text(line) +
                 "; find out why it is none, and send null for a reading that is missing");
+  if (json.is_discarded() && has_too_large_number(line))
+    throw Error("sends a number that is too large for a double, " + quoted_text(line) +
+                "; send null for a reading that is missing");
   if (!json.is_object()) throw Error("sends a line that is no JSON object, " + quoted_text(line) + kOnlyMessages);
   return json;
 }

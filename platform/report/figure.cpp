@@ -1,6 +1,7 @@
 #include "report/figure.h"
 
 #include "report/figure_script.h"
+#include "report/figure_series.h"
 #include "report/not_written.h"
 
 #include <lacuna/error.h>
@@ -42,10 +43,10 @@ int run_gnuplot(const std::filesystem::path& script_file, const std::filesystem:
 void check(const Figure& figure) {
   for (const Panel& panel : figure.panels)
     for (const Series& series : panel.series) {
-      const bool sized = series.mark == Mark::level ? series.y.size() == 1
-                                                    : series.x.size() == series.y.size() &&
-                                                          ((series.mark != Mark::band && series.mark != Mark::bars) ||
-                                                           series.y2.size() == series.y.size());
+      const bool sized =
+          series.mark == Mark::level
+              ? series.y.size() == 1
+              : series.x.size() == series.y.size() && (!reaches(series.mark) || series.y2.size() == series.y.size());
       if (!sized)
         throw Error("figure \"" + figure.title + "\": series \"" + series.label + "\" has columns of different length");
     }

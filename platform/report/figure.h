@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ enum class Mark {
   path,      ///< a line whose x may go back and forth
   band,      ///< filled between `y` and `y2`
   whiskers,  ///< a vertical line from `y` to `y2` at each x
+  borders,   ///< the same, dotted: what lies left of it and right of it belongs apart
   bars,      ///< a horizontal bar from 0 to x at each y, `y2` high
   level      ///< a horizontal line at `y[0]`
 };
@@ -25,7 +28,7 @@ struct Series {
   std::string colour;  ///< as "#0072B2"
   std::vector<double> x;
   std::vector<double> y;   ///< NaN leaves a gap
-  std::vector<double> y2;  ///< for bands and whiskers
+  std::vector<double> y2;  ///< for bands, whiskers and borders
 };
 
 /// One pair of axes. Panels of a figure stand below each other and share the x axis, unless they are maps or stand in
@@ -38,6 +41,8 @@ struct Panel {
   std::vector<std::string> y_names = {};  ///< the same for y, downwards
   std::string x_label = {};               ///< of a panel in a column of several
   bool log_y = false;                     ///< powers of ten apart; values must be above 0
+  /// Lower and upper end of the y axis; without, around what is drawn.
+  std::optional<std::array<double, 2>> y_range = {};
 };
 
 struct Figure {

@@ -185,7 +185,10 @@ std::string plot_command(const Panel& panel, std::size_t index) {
   std::string clauses;
   for (std::size_t s = 0; s < panel.series.size(); ++s)
     clauses += (s ? ", \\\n  " : "") + plot_clause(panel.series[s], block_name(index, s));
-  return "plot " + clauses + "\nunset label 1\n";
+  std::string plot = "plot " + clauses + "\nunset label 1\n";
+  if (!panel.y_range) return plot;
+  const auto [low, high] = *panel.y_range;
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\n{}set yrange [*:*]\n", low, high, plot);
 }
 
 /// Few enough ticks on a narrow x axis that their numbers stay apart.

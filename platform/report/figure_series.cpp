@@ -26,6 +26,10 @@ std::string quoted(const std::string& text) {
 
 std::string block_name(std::size_t panel, std::size_t series) { return fmt::format("$p{}s{}", panel, series); }
 
+bool reaches(Mark mark) {
+  return mark == Mark::band || mark == Mark::whiskers || mark == Mark::borders || mark == Mark::bars;
+}
+
 std::string data_block(const Series& series, const std::string& name) {
   std::string text = name + " << EOD\n";
   const auto row = [&](std::size_t i) {
@@ -34,8 +38,7 @@ std::string data_block(const Series& series, const std::string& name) {
       return;
     }
     text += value_text(series.x[i]) + ' ' + value_text(series.y[i]);
-    if (series.mark == Mark::band || series.mark == Mark::whiskers || series.mark == Mark::bars)
-      text += ' ' + value_text(series.y2[i]);
+    if (reaches(series.mark)) text += ' ' + value_text(series.y2[i]);
     text += '\n';
   };
   if (series.mark == Mark::line)
@@ -53,6 +56,8 @@ std::string plot_clause(const Series& series, const std::string& block) {
     case Mark::path: return fmt::format("{} using 1:2 with lines lw 1.6 {} {}", block, colour, title);
     case Mark::whiskers:
       return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead lw 2 {} {}", block, colour, title);
+    case Mark::borders:
+      return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead dt 3 lw 1 {} {}", block, colour, title);
     case Mark::bars:
       return fmt::format("{} using (0):2:(0):1:($2-$3/2):($2+$3/2) with boxxyerror fs solid 0.8 noborder {} {}", block,
                          colour, title);

@@ -13,6 +13,9 @@ std::string quoted(const std::string& text);
 /// Data blocks are named by panel and series, and stand before the plot commands.
 std::string block_name(std::size_t panel, std::size_t series);
 
+/// Whether a mark needs `y2`.
+bool reaches(Mark mark);
+
 /// A series' values as the data block of that name; long lines are thinned.
 std::string data_block(const Series& series, const std::string& name);
 

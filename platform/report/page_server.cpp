@@ -32,13 +32,18 @@ constexpr std::size_t kLongestQuestion = 1'000'000;  ///< bytes
 
 constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;  ///< a page's numbers are double
 
-PageJson json_of(const PageCell& cell) {
+/// Of what a user typed every value is told, as text where JSON has no such number; a page's own questions get null.
+PageJson json_of(double number, bool typed) {
+  if (std::isfinite(number)) return number;
+  return typed ? PageJson(number > 0.0 ? "Infinity" : "-Infinity") : PageJson(nullptr);
+}
+
+PageJson json_of(const PageCell& cell, bool typed) {
   if (const auto* integer = std::get_if<std::int64_t>(&cell)) {
     const bool exact = *integer <= kLargestExact && *integer >= -kLargestExact;
     return exact ? PageJson(*integer) : PageJson(std::to_string(*integer));
   }
-  if (const auto* number = std::get_if<double>(&cell))
-    return std::isfinite(*number) ? PageJson(*number) : PageJson(nullptr);
+  if (const auto* number = std::get_if<double>(&cell)) return json_of(*number, typed);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* bytes = std::get_if<std::vector<std::byte>>(&cell)) return {{"base64", base64(*bytes)}};
   if (const auto* blob = std::get_if<Blob>(&cell)) return {{"bytes", blob->bytes}};
@@ -72,11 +77,11 @@ PageCell cell_of(const PageJson& value) {
   return std::monostate{};
 }
 
-PageJson answer_of(const PageTable& table) {
+PageJson answer_of(const PageTable& table, bool typed) {
   PageJson rows = PageJson::array();
   for (const std::vector<PageCell>& row : table.rows) {
     PageJson cells = PageJson::array();
-    for (const PageCell& cell : row) cells.push_back(json_of(cell));
+    for (const PageCell& cell : row) cells.push_back(json_of(cell, typed));
     rows.push_back(std::move(cells));
   }
   return {{"columns", table.columns}, {"rows", std::move(rows)}, {"cut", table.cut}};
@@ -88,6 +93,15 @@ bool same_token(const std::string& a, const std::string& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(i < b.size() ? b[i] : 0);
   return difference == 0U;
+}
+
+std::string cannot_listen(const PageServerOptions& options) {
+  const bool host_is_at_fault = options.port == 0 || httplib::Server().bind_to_any_port(options.host) < 0;
+  if (host_is_at_fault)
+    return fmt::format(
+        "{}: is no address of this machine that can be listened at; choose another with --host, or leave it out",
+        options.host);
+  return fmt::format("{}: cannot be listened to at port {}; choose another with --port", options.host, options.port);
 }
 
 /// The name in a Host header, without its port.
@@ -236,7 +250,7 @@ struct PageServer::Impl {
     const std::string stamp = stamp_of(options.database), asked = question.dump();
     if (Text known = answers.find(stamp, asked)) return known;
     const std::shared_ptr<const std::filesystem::path> file = readable.file();  // shared: read until this is answered
-    Text found = text_of(answer_of(ask_for_page(*file, options.pages, query)));
+    Text found = text_of(answer_of(ask_for_page(*file, options.pages, query), query.sizes));
     if (is_cacheable(query.sql)) answers.keep(stamp, asked, found);
     return found;
   }
@@ -257,9 +271,7 @@ PageServer::PageServer(PageServerOptions options)
   port_ = options_.port == 0                                         ? impl_->server.bind_to_any_port(options_.host)
           : impl_->server.bind_to_port(options_.host, options_.port) ? options_.port
                                                                      : -1;
-  if (port_ < 0)
-    throw Error(
-        fmt::format("{}: cannot be listened to at port {}; choose another with --port", options_.host, options_.port));
+  if (port_ < 0) throw Error(cannot_listen(options_));
 }
 
 PageServer::~PageServer() = default;

@@ -1,43 +1,23 @@
 #include "report/robot_drawing.h"
 
 #include "report/not_written.h"
-
-#include <lacuna/cylinder.h>
+#include "report/robot_sketch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
-#include <numbers>
 
 namespace lacuna {
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
+using Eigen::AlignedBox2d;
 
-constexpr double kAzimuth = -62.0 * std::numbers::pi / 180.0, kElevation = 38.0 * std::numbers::pi / 180.0;
-constexpr double kCellWidth = 196.0, kCellHeight = 150.0, kLabelWidth = 170.0, kTop = 46.0, kCaption = 22.0;  // px
-constexpr double kPixelsPerMetre = 34.0;
-constexpr double kHalfGrid = 2.0;  // m
-/// Okabe and Ito 2008.
-constexpr std::array<const char*, 7> kPartColours = {"#3A3A3A", "#0072B2", "#56B4E9", "#D55E00",
-                                                     "#009E73", "#CC79A7", "#E69F00"};
-
-const Vector3d& to_viewer() {
-  static const Vector3d direction(std::cos(kAzimuth) * std::cos(kElevation), std::sin(kAzimuth) * std::cos(kElevation),
-                                  std::sin(kElevation));
-  return direction;
-}
-
-/// Right and down, px.
-Vector2d projected(const Vector3d& point) {
-  const Vector3d right(-std::sin(kAzimuth), std::cos(kAzimuth), 0.0);
-  const Vector3d up = to_viewer().cross(right);
-  return kPixelsPerMetre * Vector2d(point.dot(right), -point.dot(up));
-}
+constexpr double kMargin = 12.0, kTop = 46.0, kLegendRow = 20.0;  // px
+constexpr double kLabel = 28.0, kCaption = 20.0;                  // px above drawings
+constexpr double kAround = 8.0;                                   // px about a drawing
+constexpr double kLeastWidth = 640.0;                             // px, which the title takes
+constexpr double kLetter = 7.0, kBoldLetter = 9.0;                // px, their width
 
 std::string escaped(const std::string& text) {
   std::string safe;
@@ -45,111 +25,139 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-std::string line(const Vector3d& from, const Vector3d& to, double width, const std::string& colour, double opacity) {
-  const Vector2d a = projected(from), b = projected(to);
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"{:.1f}\" "
-      "stroke-opacity=\"{}\"/>\n",
-      a.x(), a.y(), b.x(), b.y(), colour, width, opacity);
+std::string text_at(double x, double y, const std::string& text, int size, const char* weight = "normal") {
+  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"{}\" font-weight=\"{}\">{}</text>\n", x, y, size,
+                     weight, escaped(text));
 }
 
-std::string dot(const Vector3d& place, double radius, const char* colour) {
-  const Vector2d at = projected(place);
-  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", at.x(), at.y(), radius, colour);
-}
-
-std::string text_at(double x, double y, const std::string& text, int size) {
-  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"{}\">{}</text>\n", x, y, size, escaped(text));
-}
-
-std::string ground(const RobotSpec& robot) {
-  std::string text;
-  for (double at = -kHalfGrid; at <= kHalfGrid; at += 1.0) {
-    text += line({at, -kHalfGrid, 0.0}, {at, kHalfGrid, 0.0}, 0.7, "#D8D8D8", 1.0);
-    text += line({-kHalfGrid, at, 0.0}, {kHalfGrid, at, 0.0}, 0.7, "#D8D8D8", 1.0);
+/// A sketch with what stands above it.
+struct Drawing {
+  explicit Drawing(const DrawnRobot& drawn) : sketch(drawn.robot), caption(drawn.caption) {
+    if (sketch.scale() < 1.0) caption += fmt::format(" (scale {:.2g})", sketch.scale());
   }
-  for (const SensorSpec& sensor : robot.sensors)
-    if (sensor.kind == SensorKind::beacon_range) text += dot(sensor.beacon, 2.5, "#9A9A9A");
-  return text;
-}
-
-/// A stretch of a part's axis.
-struct Stick {
-  Vector3d from, to;
-  double width;  ///< px
-  const char* colour;
-  bool below;
+  RobotSketch sketch;
+  std::string caption;
 };
 
-void add_stretch(std::vector<Stick>& sticks, const Vector3d& from, const Vector3d& to, double width,
-                 const char* colour) {
-  sticks.push_back({from, to, width, colour, 0.5 * (from.z() + to.z()) < 0.0});
-}
-
-/// Parts, cut where they pass through the ground.
-std::vector<Stick> sticks_of(const RobotSpec& robot) {
-  std::vector<Stick> sticks;
-  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    const BodySpec& body = robot.bodies[i];
-    if (body.shapes.empty()) continue;
-    const ShapeSpec& shape = body.shapes.front();
-    const auto [tail, head] = cylinder_ends(body, shape);
-    const double width = 2.0 * kPixelsPerMetre * shape.size.x();
-    const char* colour = kPartColours[i % kPartColours.size()];
-    if (tail.z() * head.z() >= 0.0) {
-      add_stretch(sticks, tail, head, width, colour);
-      continue;
+/// Drawings in rows and columns that are as high and wide as what is in them.
+class Sheet {
+ public:
+  explicit Sheet(const std::vector<RobotRow>& rows) : rows_(rows) {
+    for (const RobotRow& row : rows) {
+      std::vector<Drawing>& drawings = drawings_.emplace_back();
+      AlignedBox2d& high = heights_.emplace_back();
+      for (const DrawnRobot& robot : row.robots) {
+        const AlignedBox2d box = drawings.emplace_back(robot).sketch.box();
+        high.extend(box);
+        if (columns_.size() < drawings.size()) columns_.emplace_back();
+        Column& column = columns_[drawings.size() - 1];
+        column.box.extend(box);
+        column.caption = std::max(column.caption, kLetter * static_cast<double>(drawings.back().caption.size()));
+      }
     }
-    const Vector3d surface = tail + (head - tail) * (tail.z() / (tail.z() - head.z()));
-    add_stretch(sticks, tail, surface, width, colour);
-    add_stretch(sticks, surface, head, width, colour);
   }
-  return sticks;
+
+  double width() const {
+    double width = 2.0 * kMargin;
+    for (const Column& column : columns_) width += column.width();
+    for (const RobotRow& row : rows_)
+      width = std::max(width, 2.0 * kMargin + kBoldLetter * static_cast<double>(row.label.size()));
+    return std::max(kLeastWidth, width);
+  }
+
+  /// Draws from `top` on, and moves it below the last row.
+  std::string svg(double& top) const {
+    std::string text;
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      text += text_at(kMargin, top + 18.0, rows_[row].label, 13, "bold");
+      top += kLabel;
+      double left = kMargin;
+      for (std::size_t column = 0; column < drawings_[row].size(); ++column) {
+        const Drawing& drawing = drawings_[row][column];
+        const double across = columns_[column].width();
+        text += text_at(left, top + 13.0, drawing.caption, 12);
+        text += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n{}</g>\n",
+                            left + 0.5 * across - columns_[column].box.center().x(),
+                            top + kCaption + kAround - heights_[row].min().y(), drawing.sketch.svg());
+        left += across;
+      }
+      top += kCaption + (drawings_[row].empty() ? 0.0 : heights_[row].sizes().y() + 2.0 * kAround);
+    }
+    return text;
+  }
+
+ private:
+  struct Column {
+    AlignedBox2d box;
+    double caption = 0.0;  ///< length of the longest, px
+    double width() const { return 2.0 * kAround + std::max(caption, box.sizes().x()); }
+  };
+
+  const std::vector<RobotRow>& rows_;
+  std::vector<std::vector<Drawing>> drawings_;
+  std::vector<AlignedBox2d> heights_;  ///< of rows
+  std::vector<Column> columns_;
+};
+
+struct LegendEntry {
+  std::string text;
+  std::string sign;  ///< some 20 px wide, from 0
+};
+
+/// Names of parts by index, as the first robot has them that has so many; a sign of what is below the ground, and of
+/// beacons where there are some.
+std::vector<LegendEntry> legend_of(const std::vector<RobotRow>& rows) {
+  std::vector<LegendEntry> entries;
+  const auto stroke = [](const char* colour, double opacity) {
+    return svg_line({0, 0}, {18, 0}, 7.0, colour, opacity);
+  };
+  bool beacons = false;
+  for (const RobotRow& row : rows)
+    for (const DrawnRobot& drawn : row.robots) {
+      for (std::size_t i = entries.size(); i < drawn.robot.bodies.size(); ++i)
+        entries.push_back({drawn.robot.bodies[i].name, stroke(part_colour(i), 1.0)});
+      for (const SensorSpec& sensor : drawn.robot.sensors) beacons = beacons || sensor.kind == SensorKind::beacon_range;
+    }
+  entries.push_back({"pale: below the ground", stroke(part_colour(1), kBelowGround)});
+  if (beacons) entries.push_back({"beacon", svg_dot({9, 0})});
+  entries.push_back({"squares are 1 m wide", ""});
+  return entries;
 }
 
-/// The farthest first; what is below the ground behind all that is above it.
-std::string drawing_of(const RobotSpec& robot) {
-  std::vector<Stick> sticks = sticks_of(robot);
-  std::stable_sort(sticks.begin(), sticks.end(), [](const Stick& a, const Stick& b) {
-    if (a.below != b.below) return a.below;
-    return (a.from + a.to).dot(to_viewer()) < (b.from + b.to).dot(to_viewer());
-  });
-  std::string text = ground(robot);
-  for (const Stick& stick : sticks) {
-    text += line(stick.from, stick.to, stick.width + 1.5, "#FFFFFF", 1.0);
-    text += line(stick.from, stick.to, stick.width, stick.colour, stick.below ? 0.3 : 1.0);
+/// Beside each other as far as there is room; moves `top` below them.
+std::string legend(const std::vector<LegendEntry>& entries, double width, double& top) {
+  constexpr double kSign = 24.0, kBetween = 18.0;  // px
+  std::string text;
+  double left = kMargin;
+  for (const LegendEntry& entry : entries) {
+    const double indent = entry.sign.empty() ? 0.0 : kSign;
+    const double wide = indent + kLetter * static_cast<double>(entry.text.size());
+    if (left > kMargin && left + wide > width - kMargin) {
+      left = kMargin;
+      top += kLegendRow;
+    }
+    if (!entry.sign.empty())
+      text += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n{}</g>\n", left, top + 6.0, entry.sign);
+    text += text_at(left + indent, top + 10.0, entry.text, 12);
+    left += wide + kBetween;
   }
+  top += kLegendRow;
   return text;
-}
-
-/// What reaches beyond a cell is cut off.
-std::string cell(const DrawnRobot& drawn, double left, double top) {
-  return text_at(left + 6.0, top + 15.0, drawn.caption, 12) +
-         fmt::format(
-             "<svg x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
-             "viewBox=\"{:.0f} {:.0f} {:.0f} {:.0f}\">\n",
-             left, top + kCaption, kCellWidth, kCellHeight - kCaption, -0.5 * kCellWidth,
-             -0.6 * (kCellHeight - kCaption), kCellWidth, kCellHeight - kCaption) +
-         drawing_of(drawn.robot) + "</svg>\n";
 }
 
 std::string picture_of(const std::string& title, const std::vector<RobotRow>& rows) {
-  std::size_t columns = 0;
-  for (const RobotRow& row : rows) columns = std::max(columns, row.robots.size());
-  const double width = kLabelWidth + kCellWidth * static_cast<double>(columns);
-  const double height = kTop + kCellHeight * static_cast<double>(rows.size());
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\" fill=\"#3A3A3A\">\n<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#FFFFFF\"/>\n",
-      width, height);
-  text += text_at(12.0, 26.0, title, 15);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double top = kTop + kCellHeight * static_cast<double>(row);
-    text += text_at(12.0, top + 0.55 * kCellHeight, rows[row].label, 13);
-    for (std::size_t column = 0; column < rows[row].robots.size(); ++column)
-      text += cell(rows[row].robots[column], kLabelWidth + kCellWidth * static_cast<double>(column), top);
-  }
-  return text + "</svg>\n";
+  const Sheet sheet(rows);
+  const double width = sheet.width();
+  double height = kTop;
+  std::string content = text_at(kMargin, 26.0, title, 15);
+  content += legend(legend_of(rows), width, height);
+  content += sheet.svg(height);
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+             "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" fill=\"#3A3A3A\">\n"
+             "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#FFFFFF\"/>\n",
+             width, height) +
+         content + "</svg>\n";
 }
 
 }  // namespace

@@ -21,12 +21,16 @@ std::string run_figure(double value, int digits = 4) {
 /// Figures over several parameters, or of all effects; those of single parameters would fill the page.
 bool is_group(const ObjectiveRow& row) { return row.name.find('*') != std::string::npos || row.name == "effects"; }
 
-/// The trial that the test of this pass became.
-const TargetTrialRow* trial_of(const PassRow& pass, const std::vector<TargetTrialRow>& trials) {
-  const auto found = std::find_if(trials.begin(), trials.end(), [&](const TargetTrialRow& trial) {
-    return trial.test && pass.best_test && *trial.test == *pass.best_test;
-  });
-  return found == trials.end() ? nullptr : &*found;
+/// What the test of this pass did on the target. A later trial than those that the pass knew without it: the target
+/// could not carry it out, and another test took its place.
+std::string on_target(const PassRow& pass, const std::vector<TargetTrialRow>& trials) {
+  if (!pass.best_test) return "-";
+  bool passed_over = false;
+  for (const TargetTrialRow& trial : trials) {
+    if (trial.test == pass.best_test) return run_figure(trial.measured_fitness);
+    passed_over = passed_over || trial.number >= pass.number;
+  }
+  return passed_over ? "replaced" : "-";
 }
 
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -63,9 +67,8 @@ std::string passes_text(const std::vector<PassRow>& passes, const std::vector<Ta
   for (const PassRow& pass : passes) {
     std::vector<std::string> cells = {std::to_string(pass.number), run_figure(pass.best_score)};
     for (const std::string& group : groups) cells.push_back(group_figure(pass, group));
-    const TargetTrialRow* trial = trial_of(pass, trials);
     cells.push_back(run_figure(pass.best_fitness));
-    cells.push_back(trial ? run_figure(trial->measured_fitness) : "-");
+    cells.push_back(on_target(pass, trials));
     for (const std::uint64_t count : {pass.evaluations, pass.abandoned, pass.reused, pass.invalid, pass.steps})
       cells.push_back(std::to_string(count));
     table.push_back(std::move(cells));

@@ -20,6 +20,9 @@ inline constexpr const char* kTopologyWrong = "topology_wrong";
 /// A row's value of that name; NaN without one.
 double objective_of(const PassRow& pass, const std::string& name);
 
+/// With two digits and a unit that suits its size: "1.4 m", "18 µm".
+std::string distance_text(double metres);
+
 /// Which of these runs is the one to show: that whose last e_o is the median's, of an even number the smaller of the
 /// two in the middle. Runs without a pass count as the worst. There must be at least one.
 std::size_t typical_run(const std::vector<std::vector<PassRow>>& runs);
@@ -33,6 +36,7 @@ struct ProgressPoint {
   double generations = 0.0;  ///< since the run began
   double score = 0.0;        ///< e_s, on the trials of its pass
   double distance = 0.0;     ///< e_o, m
+  int pass = 1;
 };
 
 /// What the replicates of one experiment found of a robot's shape.
@@ -53,9 +57,12 @@ struct ShapeStudy {
 /// often the topology is right; what trilateration gives.
 std::string shape_table(const std::vector<ShapeStudy>& studies);
 
-/// e_o and the share of right topologies by pass (the seed's Fig. 9).
+/// e_o and the share of right topologies by pass (the seed's Fig. 9). Means are those of the table. Where some are
+/// far smaller than others, the axis of e_o is logarithmic, with the intervals of the means' logarithms; no interval
+/// reaches below 0. Fewer than three runs have none.
 Figure shape_errors(const std::vector<ShapeStudy>& studies);
-/// e_s and e_o of the best model, generation by generation, of a typical run each (Fig. 8).
+/// e_s and e_o of the best model, generation by generation, of a typical run each (Fig. 8), with a line where a pass
+/// begins.
 Figure shape_progress(const std::vector<ShapeStudy>& studies);
 
 }  // namespace lacuna

@@ -71,36 +71,40 @@ Json joint(const JointSpec& j) {
 
 Json actuator(const ActuatorSpec& a) {
   const TransmissionSpec& t = a.transmission;
-  return {{"name", a.name},
-          {"joint", a.joint},
-          {"kind", static_cast<int>(a.kind)},
-          {"gain", number(a.gain)},
-          {"offset", number(a.offset)},
-          {"delay", number(a.delay)},
-          {"kp", number(a.kp)},
-          {"ki", number(a.ki)},
-          {"kd", number(a.kd)},
-          {"force_limit", number(a.force_limit)},
-          {"command_lower", number(a.command_lower)},
-          {"command_upper", number(a.command_upper)},
-          {"transmission",
-           {{"ratio", number(t.ratio)},
-            {"rotor_inertia", number(t.rotor_inertia)},
-            {"stiffness", number(t.stiffness)},
-            {"damping", number(t.damping)},
-            {"gap", number(t.gap)}}}};
+  Json text = {{"name", a.name},
+               {"joint", a.joint},
+               {"kind", static_cast<int>(a.kind)},
+               {"gain", number(a.gain)},
+               {"offset", number(a.offset)},
+               {"delay", number(a.delay)},
+               {"kp", number(a.kp)},
+               {"ki", number(a.ki)},
+               {"kd", number(a.kd)},
+               {"force_limit", number(a.force_limit)},
+               {"command_lower", number(a.command_lower)},
+               {"command_upper", number(a.command_upper)},
+               {"transmission",
+                {{"ratio", number(t.ratio)},
+                 {"rotor_inertia", number(t.rotor_inertia)},
+                 {"stiffness", number(t.stiffness)},
+                 {"damping", number(t.damping)},
+                 {"gap", number(t.gap)}}}};
+  if (a.relative) text["relative"] = true;
+  return text;
 }
 
 Json sensor(const SensorSpec& s) {
-  return {{"name", s.name},
-          {"kind", static_cast<int>(s.kind)},
-          {"element", s.element},
-          {"beacon", vector(s.beacon)},
-          {"delay", number(s.delay)},
-          {"scale", number(s.scale)},
-          {"offset", number(s.offset)},
-          {"noise", number(s.noise)},
-          {"quantum", number(s.quantum)}};
+  Json text = {{"name", s.name},
+               {"kind", static_cast<int>(s.kind)},
+               {"element", s.element},
+               {"beacon", vector(s.beacon)},
+               {"delay", number(s.delay)},
+               {"scale", number(s.scale)},
+               {"offset", number(s.offset)},
+               {"noise", number(s.noise)},
+               {"quantum", number(s.quantum)}};
+  if (s.relative) text["relative"] = true;
+  return text;
 }
 
 template <class Spec>

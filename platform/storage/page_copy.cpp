@@ -1,5 +1,6 @@
 #include "storage/page_copy.h"
 
+#include "storage/page_candidates.h"
 #include "storage/statement.h"
 #include "storage/storage_error.h"
 #include "storage/without_folders.h"
@@ -60,21 +61,6 @@ std::vector<SchemaItem> items(const Database& database, const char* type) {
 using Choices = std::map<std::string, std::string>;
 
 Choices everything() { return {{"checkpoint", "SELECT run, commits, seconds, x'' AS state, digest FROM checkpoint"}}; }
-
-/// Only what the best models and tests of passes and the tests of trials need.
-void leave_out_candidates(Choices& choices) {
-  const std::string models =
-      "(SELECT best_model FROM pass WHERE best_model IS NOT NULL UNION SELECT model FROM ensemble_model)";
-  const std::string tests =
-      "(SELECT best_test FROM pass WHERE best_test IS NOT NULL UNION SELECT test FROM target_trial WHERE test IS NOT "
-      "NULL)";
-  choices["model"] = "SELECT * FROM model WHERE id IN " + models;
-  choices["model_score"] = "SELECT * FROM model_score WHERE model IN " + models;
-  choices["invalid_model"] = "SELECT * FROM invalid_model WHERE model IN " + models;
-  choices["test"] = "SELECT * FROM test WHERE id IN " + tests;
-  choices["test_score"] = "SELECT * FROM test_score WHERE test IN " + tests;
-  choices["invalid_test"] = "SELECT * FROM invalid_test WHERE test IN " + tests;
-}
 
 /// The one column of a table that names files of this machine, if there is one.
 std::string_view column_with_paths(std::string_view table) {
@@ -146,15 +132,20 @@ std::int64_t bytes_of(const Database& database) {
          number_of(database, "PRAGMA page_size");
 }
 
-void copy_tables(const Database& from, Database& to, const Choices& choices) {
+void make_tables(const Database& from, Database& to) {
+  for (const char* type : {"table", "index"})
+    for (const SchemaItem& item : items(from, type)) to.execute(item.sql);
+}
+
+/// Of all tables but series that `is_wanted` accepts.
+template <class Accept>
+void copy_rows(const Database& from, const Database& to, const Choices& choices, Accept is_wanted) {
   for (const SchemaItem& table : items(from, "table")) {
-    to.execute(table.sql);
-    if (table.name == "trace") continue;
+    if (table.name == "trace" || !is_wanted(table.name)) continue;
     const auto choice = choices.find(table.name);
     const std::string all = fmt::format("SELECT * FROM \"{}\"", table.name);
     RowCopy(from, to, table.name, choice == choices.end() ? all : choice->second).copy_all();
   }
-  for (const SchemaItem& index : items(from, "index")) to.execute(index.sql);
 }
 
 /// Series of the latest comparisons first, then newer before older, as long as there is room for them. Returns how many
@@ -179,10 +170,11 @@ std::int64_t copy_series(const Database& from, Database& to, std::int64_t room) 
   return left_out;
 }
 
-void keep_counts(const Database& from, const Database& to) {
+/// Of the runs of which not everything is copied.
+void keep_counts(const Database& from, const Database& to, std::int64_t first_whole_run) {
   Statement insert(to, "INSERT INTO page_run VALUES (?, ?, ?)");
-  for (Statement run(from, "SELECT run, models, tests FROM eea_runs"); run.step();)
-    insert.run_with(run.integer(0), run.integer(1), run.integer(2));
+  Statement run(from, "SELECT run, models, tests FROM eea_runs WHERE run < ?");
+  for (run.with(first_whole_run); run.step();) insert.run_with(run.integer(0), run.integer(1), run.integer(2));
 }
 
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) / 1e6; }
@@ -200,28 +192,26 @@ std::string selection_note(std::int64_t whole, std::int64_t taken, std::int64_t 
 
 /// What is copied where not everything has room.
 std::vector<std::string> copy_selection(const Database& from, Database& to, std::int64_t whole, std::int64_t most) {
-  std::vector<std::string> notes;
-  const auto rows = [&](const char* table) { return number_of(from, fmt::format("SELECT count(*) FROM {}", table)); };
-  Choices choices = everything();
-  const std::int64_t models = rows("model"), tests = rows("test");
-  if (models + tests > 0) {
-    leave_out_candidates(choices);
-    keep_counts(from, to);
-    notes.push_back(fmt::format("Left out: of {} models and {} tests all that are no pass's best, with their scores.",
-                                models, tests));
-  }
-  copy_tables(from, to, choices);
-  const std::int64_t left_out = copy_series(from, to, most - bytes_of(to));
-  if (left_out > 0) notes.push_back(fmt::format("Left out: {} of {} time series.", left_out, rows("trace")));
-  notes.insert(notes.begin(), selection_note(whole, bytes_of(to), most));
+  copy_rows(from, to, everything(), [](const std::string& table) { return !has_candidates(table); });
+  const std::int64_t left_out = copy_series(from, to, most - bytes_of(to) - bytes_of_best_candidates(from));
+  const CandidateSelection candidates = select_candidates(from, most - bytes_of(to));
+  copy_rows(from, to, candidates.choices, has_candidates);
+  keep_counts(from, to, candidates.first_whole_run);
+  if (left_out == 0 && candidates.note.empty()) return {};  // a copy is smaller than a file that was written to
+  std::vector<std::string> notes = {selection_note(whole, bytes_of(to), most)};
+  if (!candidates.note.empty()) notes.push_back(candidates.note);
+  if (left_out > 0)
+    notes.push_back(
+        fmt::format("Left out: {} of {} time series.", left_out, number_of(from, "SELECT count(*) FROM trace")));
   return notes;
 }
 
 std::vector<std::string> copy_what_fits(const Database& from, Database& to, std::int64_t most) {
+  make_tables(from, to);
   const std::int64_t whole = bytes_of(from);
   const std::int64_t states = number_of(from, "SELECT coalesce(sum(length(state)), 0) FROM checkpoint");
   if (whole - states > most) return copy_selection(from, to, whole, most);
-  copy_tables(from, to, everything());
+  copy_rows(from, to, everything(), [](const std::string&) { return true; });
   copy_series(from, to, std::numeric_limits<std::int64_t>::max());
   return {};
 }

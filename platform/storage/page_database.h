@@ -44,8 +44,8 @@ class PageDatabase {
   PageDatabase& operator=(const PageDatabase&) = delete;
 
   /// Copies all tables and views, without the states of checkpoints and without the folders of files. If that takes
-  /// more than `most_bytes`, models and tests that are no pass's best are left out with their scores, then series, the
-  /// oldest first; each is told by a note.
+  /// more than `most_bytes`, models and tests that are no pass's best are left out with their scores, of the oldest
+  /// runs first, then series, the oldest first; each is told by a note.
   void copy(const Database& source, std::size_t most_bytes);
   void add_about(const std::string& name, const std::string& value);
   void add_note(const std::string& sentence);

@@ -138,7 +138,10 @@ TEST(MorphologyRun, WhatTheEncodingRefusesStandsAtItsName) {
 
 /// Otherwise a controller would read past the target's readings.
 TEST(MorphologyRun, AControllerSeesWhatTheTargetHas) {
-  EXPECT_EQ(complaint_about({"target.parameters.beacons=1"}), "none") << "angles and touch are where they are";
+  EXPECT_EQ(complaint_about({"target.parameters.beacons=1", "estimation.sensors=['sensor.angle*']"}), "none")
+      << "angles and touch are where they are";
+  EXPECT_THAT(complaint_about({"target.parameters.beacons=1"}),
+              AllOf(HasSubstr("estimation.sensors:"), HasSubstr("\"range_torso_2\"")));
   EXPECT_THAT(complaint_about({"target.parameters.beacons=1", "test.sensors=['sensor.range*']"}),
               AllOf(HasSubstr("test.sensors:"), HasSubstr("\"range_torso_2\""), HasSubstr("11 readings")));
   EXPECT_THAT(complaint_about({"target.parameters.beacons=1", "test.sensors=[]"}),

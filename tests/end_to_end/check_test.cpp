@@ -61,5 +61,19 @@ TEST_F(Check, PrintsNotesOnWhatLooksOdd) {
   EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name, but is read in mN*m"));
 }
 
+TEST_F(Check, RefusesARunThatWouldMeanNothing) {
+  const auto refused = [&](const std::string& setting) {
+    const Outcome outcome =
+        program_.run({"check", LACUNA_SOURCE_DIRECTORY "/experiments/topology-range-4.toml", "--set", setting});
+    EXPECT_EQ(outcome.exit_code, 2) << setting;
+    return outcome.errors;
+  };
+  EXPECT_THAT(refused("target.parameters.beacons=3"),
+              HasSubstr("\"range_right_arm_4\", which the target does not read"));
+  EXPECT_THAT(refused("test.duration=\"5 ms\""), HasSubstr("is shorter than one control period of 10.0 ms"));
+  EXPECT_THAT(refused("target.parameters.arms_in_middle=0.3"), HasSubstr("arms_in_middle is to be 0"));
+  EXPECT_THAT(refused("model.encoding_parameters.lift=0.4"), HasSubstr("lift is to be 0 or 1"));
+}
+
 }  // namespace
 }  // namespace lacuna

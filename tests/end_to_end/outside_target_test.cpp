@@ -172,6 +172,7 @@ TEST_F(OutsideRig, ThatFailsInATrialLosesNothing) {
       {"trial", "rig.toml", "--test", kSteps, "--set", fault("hangs"), "--set", "target.trial_limit=\"0.3 s\""});
   EXPECT_EQ(slow.exit_code, 1);
   EXPECT_THAT(slow.errors, HasSubstr("has not answered in time (the limit is target.trial_limit, 0.3 s beyond"));
+  EXPECT_THAT(slow.errors, HasSubstr("trial-1 is noted as failed"));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials WHERE trial = 'trial-1'"), "7");
   EXPECT_EQ(sql("SELECT group_concat(DISTINCT ending) FROM runs"), "failed");
   const Outcome again = lacuna({"trial", "--test", kSteps});
@@ -196,7 +197,10 @@ TEST_F(OutsideRig, ThatFailsAgainAndAgainEndsARunThatCanBeResumed) {
   const Outcome failed =
       program_.run({"run", "rig.toml", "--set", fault("waits for repair"), "--set", "target.repeats=2"});
   EXPECT_EQ(failed.exit_code, 1);
-  EXPECT_THAT(failed.errors, HasSubstr("(after 5 tests, each tried 3 times)"));
+  EXPECT_THAT(failed.errors,
+              AllOf(HasSubstr("trial 0 failed with 5 tests, each tried 3 times, the last time so: "),
+                    HasSubstr("test 0 is given up; a random one, test 1, takes its place"),
+                    HasSubstr("nothing is lost; once that is mended, "), HasSubstr("--resume goes on from here")));
   EXPECT_EQ(sql("SELECT count(*) FROM failed_trials"), "15");
   const Outcome other = program_.run({"run", "rig.toml", "--resume", "--set", "target.version=\"2\""});
   EXPECT_EQ(other.exit_code, 2);

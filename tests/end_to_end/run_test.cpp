@@ -228,7 +228,9 @@ TEST_F(Run, DrawsItsPictures) {
 /// Models that bring a robot of their own: run, drawn, simulated again.
 TEST_F(Run, FindsShapesAndDrawsThem) {
   program_.write("shape.toml", kSmallShape);
-  ASSERT_EQ(program_.run({"run", "shape.toml", "--replicates", "2", "--db", "shape.db"}).exit_code, kDone);
+  const Outcome run = program_.run({"run", "shape.toml", "--replicates", "2", "--db", "shape.db"});
+  ASSERT_EQ(run.exit_code, kDone) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("→ lacuna shapes shape.db"));
   const Outcome shapes = program_.run({"shapes", "shape.db", "--out", "pictures"});
   ASSERT_EQ(shapes.exit_code, kDone) << shapes.errors;
   EXPECT_THAT(shapes.output, HasSubstr("small_shape     2"));
@@ -242,6 +244,25 @@ TEST_F(Run, FindsShapesAndDrawsThem) {
   const Outcome other = program_.run({"shapes", "shape.db", "--experiment", "small_shap"});
   EXPECT_EQ(other.exit_code, kBadInput);
   EXPECT_THAT(other.errors, HasSubstr("did you mean \"small_shape\"?"));
+}
+
+TEST_F(Run, LeavesRunsThatHaveNotEndedOutOfShapes) {
+  program_.write("shape.toml", kSmallShape);
+  ASSERT_EQ(program_.run({"run", "shape.toml", "--replicates", "3", "--db", "shape.db"}).exit_code, kDone);
+  const auto end_as = [&](const std::string& ending, const std::string& runs) {
+    return program_.shell("sqlite3 shape.db \"UPDATE run SET ending = " + ending + " WHERE number " + runs + "\"");
+  };
+  ASSERT_EQ(end_as("'interrupted'", "= 2").exit_code, 0);
+  ASSERT_EQ(end_as("NULL", "= 3").exit_code, 0);
+  const Outcome shapes = program_.run({"shapes", "shape.db"});
+  ASSERT_EQ(shapes.exit_code, kDone) << shapes.errors;
+  EXPECT_THAT(shapes.output, ContainsRegex("small_shape +1 "));
+  EXPECT_THAT(shapes.errors, HasSubstr("small_shape: 2 runs left out, not ended; lacuna run FILE --resume"));
+  ASSERT_EQ(end_as("'failed'", "= 1").exit_code, 0);
+  const Outcome named = program_.run({"shapes", "shape.db", "--experiment", "small_shape"});
+  EXPECT_EQ(named.exit_code, kBadInput);
+  EXPECT_THAT(named.errors, HasSubstr("no run of small_shape has ended"));
+  EXPECT_THAT(program_.run({"shapes", "shape.db"}).errors, HasSubstr("has no run that has ended"));
 }
 
 TEST_F(Run, DrawsNoShapesOfRunsThatHaveNone) {

@@ -123,5 +123,19 @@ TEST_F(TrialCommand, RefusesWhatTheRigCannotDo) {
   expect_refused("strong.csv", "beyond its limits");
 }
 
+/// All its parts begin equally deep in the ground, and at this command ODE finds no order in which to solve their
+/// contacts.
+TEST_F(TrialCommand, GetsPastATieOfContacts) {
+  const std::string shape = std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/topology-range-4.toml";
+  const auto steps = [&](const std::string& amplitude) {
+    return program_.run({"trial", shape, "--test", "steps motor_front " + amplitude + " 5 Hz 1 s"});
+  };
+  const Outcome share = steps("50 %");
+  EXPECT_EQ(share.exit_code, 0) << share.errors;
+  const Outcome angle = steps("45 deg");
+  EXPECT_EQ(angle.exit_code, 2) << "its commands are shares of a range, not angles";
+  EXPECT_THAT(angle.errors, HasSubstr("deg"));
+}
+
 }  // namespace
 }  // namespace lacuna

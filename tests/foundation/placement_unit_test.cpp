@@ -1,5 +1,7 @@
 #include "foundation/placement_unit.h"
 
+#include "foundation/address.h"
+
 #include <gtest/gtest.h>
 
 namespace lacuna {
@@ -44,6 +46,17 @@ TEST(UnitAt, CommandsAndChannels) {
   EXPECT_EQ(unit_at("{force}", robot, ElementKind::actuator, 1), "N");
   EXPECT_EQ(unit_at("{channel}", robot, ElementKind::sensor, 0), "rad");
   EXPECT_EQ(unit_at("{channel}/s", robot, ElementKind::sensor, 1), "m/s/s");
+}
+
+/// Effects act on what is commanded and read, between gain and scale.
+TEST(UnitAt, OfWhatIsRelativeIsThatOfTheJoint) {
+  RobotSpec robot = rig();
+  robot.actuators[0].relative = robot.sensors[0].relative = true;
+  EXPECT_EQ(command_channels(robot)[0].unit, "1");
+  EXPECT_EQ(command_channels(robot)[1].unit, "m/s");
+  EXPECT_EQ(sensor_channels(robot)[0].unit, "1");
+  EXPECT_EQ(unit_at("{command}", robot, ElementKind::actuator, 0), "N*m");
+  EXPECT_EQ(unit_at("{channel}", robot, ElementKind::sensor, 0), "rad");
 }
 
 TEST(UnitAt, PlainUnitsStay) { EXPECT_EQ(unit_at("kg", rig(), ElementKind::body, 0), "kg"); }

@@ -36,5 +36,13 @@ TEST(DidYouMean, KnowsACandidateByItsPart) {
 
 TEST(DidYouMean, SaysNothingWhenNothingIsNear) { EXPECT_EQ(did_you_mean("banana", {"coulomb_friction"}), ""); }
 
+TEST(ProblemList, SaysNothingTwice) {
+  ProblemList problems;
+  problems.add({"a.toml", 3, 1}, "is in deg");
+  problems.add({"a.toml", 3, 1}, "is in deg");
+  problems.add({"a.toml", 4, 1}, "is in deg");
+  EXPECT_EQ(problems.all().size(), 2U);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -28,5 +28,14 @@ TEST(FormatQuantity, ChoosesAPrefixThatSuitsTheSize) {
   EXPECT_EQ(format_quantity(std::numeric_limits<double>::infinity(), "N/m"), "inf N/m");
 }
 
+/// A share of 1 that somebody gives in degrees is a mistake.
+TEST(ParseUnit, AnAngleIsNoShare) {
+  EXPECT_TRUE(parse_unit("deg")->same_dimension(*parse_unit("mrad")));
+  EXPECT_TRUE(parse_unit("%")->same_dimension(*parse_unit("1")));
+  EXPECT_FALSE(parse_unit("deg")->same_dimension(*parse_unit("1")));
+  EXPECT_TRUE(parse_unit("rad/s")->same_dimension(*parse_unit("Hz")));
+  EXPECT_TRUE(parse_unit("N*m*s/rad")->same_dimension(*parse_unit("N*m*s")));
+}
+
 }  // namespace
 }  // namespace lacuna

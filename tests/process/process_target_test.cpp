@@ -209,6 +209,7 @@ TEST_F(OutsideTarget, SaysHowATrialFails) {
   EXPECT_THAT(complaint("half an answer"), HasSubstr("ended with exit code 0 in the middle of a line"));
   EXPECT_THAT(complaint("other type"), HasSubstr("of type \"banana\" where one of type \"samples\" is due"));
   EXPECT_THAT(complaint("nan"), HasSubstr("NaN or Infinity"));
+  EXPECT_THAT(complaint("huge"), HasSubstr("a number that is too large for a double"));
   EXPECT_THAT(complaint("nothing measured"), HasSubstr("no reading of \"angle\""));
   EXPECT_THAT(complaint("too few"), HasSubstr("too few samples: they go from 0 s to 0.02 s, the test from 0 to 0.1 s"));
   EXPECT_THAT(complaint("short rows"), HasSubstr("\"samples\"[0] is no list of 2 numbers"));

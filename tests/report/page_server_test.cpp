@@ -86,6 +86,25 @@ TEST_F(PageServerTest, DoesNotShareAPort) {
   EXPECT_THROW(PageServer{second}, Error);
 }
 
+TEST_F(PageServerTest, SaysWhetherTheAddressOrThePortIsWrong) {
+  const auto fault_of = [](const PageServerOptions& options) -> std::string {
+    try {
+      const PageServer server(options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  PageServerOptions wrong = options();
+  const Answering first(options());
+  wrong.port = first.port();
+  EXPECT_THAT(fault_of(wrong), HasSubstr("choose another with --port"));
+  wrong.host = "192.0.2.1";  // of documentation alone (RFC 5737)
+  EXPECT_THAT(fault_of(wrong), HasSubstr("choose another with --host"));
+  wrong.port = 0;
+  EXPECT_THAT(fault_of(wrong), HasSubstr("choose another with --host"));
+}
+
 TEST_F(PageServerTest, PrintsAddressesThatBrowsersTake) {
   PageServerOptions six = options();
   six.host = "::1";
@@ -105,6 +124,9 @@ TEST_F(PageServerTest, SendsLargeIntegersAsTheyAreAndSizesOfBytes) {
       "/sql", {{"sql", "SELECT 9007199254740993, 9007199254740992, x'0102', 'a' || char(0) || 'b'"}, {"sizes", true}});
   EXPECT_EQ(answer.at("rows"), Json::parse(R"([["9007199254740993", 9007199254740992, {"bytes": 2}, "a\u0000b"]])"));
   EXPECT_EQ(server.ask("/sql", {{"sql", "SELECT x'0102'"}}).at("rows"), Json::parse(R"([[{"base64": "AQI="}]])"));
+  EXPECT_EQ(server.ask("/sql", {{"sql", "SELECT 1e999, -1e999"}, {"sizes", true}}).at("rows"),
+            Json::parse(R"([["Infinity", "-Infinity"]])"));
+  EXPECT_EQ(server.ask("/sql", {{"sql", "SELECT 1e999"}}).at("rows"), Json::parse("[[null]]"));
   EXPECT_THAT(server.ask("/sql", {{"sql", "DELETE FROM run"}}).at("error"), HasSubstr("only reading is allowed here"));
 }
 

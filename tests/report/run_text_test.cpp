@@ -41,5 +41,16 @@ TEST(RunText, FiguresStandUnderTheirNamesWhicheverPassesHaveThem) {
   EXPECT_THAT(first_five(3), testing::ElementsAre("3", "0.125", "-", "-", "5.00 N*m"));
 }
 
+/// The value that was foretold of a test is not that of the one which took its place.
+TEST(RunText, SaysWhereAnotherTestTookAPlace) {
+  const std::vector<PassRow> passes = {{.number = 1, .best_test = 41, .best_fitness = 3.0},
+                                       {.number = 2, .best_test = 90, .best_fitness = 4.0}};
+  const std::vector<TargetTrialRow> trials = {{.number = 0, .test = 0}, {.number = 1, .test = 61}};
+  const auto lines = cells_of(passes_text(passes, trials));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[1][3], "replaced");
+  EXPECT_EQ(lines[2][3], "-") << "not carried out yet";
+}
+
 }  // namespace
 }  // namespace lacuna

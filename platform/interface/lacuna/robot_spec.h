@@ -93,6 +93,7 @@ struct ActuatorSpec {
   std::string joint;  ///< a hinge, a slider, or a universal joint, whose first coordinate it drives
   ActuatorKind kind = ActuatorKind::force;
   double gain = 1.0;                  ///< multiplies the command before anything else
+  bool relative = false;              ///< the command has no unit: `gain` makes a position or force of a share of 1
   double offset = 0.0;                ///< added to the command after the gain, in its unit
   double delay = 0.0;                 ///< s
   double kp = 0.0;                    ///< N·m/rad or N/m
@@ -127,9 +128,10 @@ struct SensorSpec {
   Eigen::Vector3d beacon{0.0, 0.0, 0.0};  ///< world, m
   double delay = 0.0;                     ///< s; before the start the initial value is read
   double scale = 1.0;
-  double offset = 0.0;   ///< in the channel's unit
-  double noise = 0.0;    ///< standard deviation of white noise, channel's unit
-  double quantum = 0.0;  ///< step of the quantiser, channel's unit; 0: none
+  bool relative = false;  ///< the channels have no unit: `scale` makes a share of 1 of what is read
+  double offset = 0.0;    ///< in the channel's unit
+  double noise = 0.0;     ///< standard deviation of white noise, channel's unit
+  double quantum = 0.0;   ///< step of the quantiser, channel's unit; 0: none
 };
 
 /// Contact of bodies with the ground, a spring–damper of the given constants with a

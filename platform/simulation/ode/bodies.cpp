@@ -1,5 +1,6 @@
 #include "simulation/ode/bodies.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -51,6 +52,7 @@ void Bodies::create(dWorldID world, const RobotSpec& robot) {
                       dBodyGetQuaternion(body)});
     set_mass(body, spec);
     masses_.push_back(spec.mass);
+    held_.push_back({});
     const Eigen::Quaterniond orientation = spec.orientation.normalized();
     set_pose(body, spec.position + orientation * spec.com, orientation);
   }
@@ -61,6 +63,7 @@ void Bodies::destroy() {
   ids_.clear();
   poses_.clear();
   masses_.clear();
+  held_.clear();
 }
 
 Eigen::Vector3d Bodies::centre_of_mass() const {
@@ -96,6 +99,28 @@ void Bodies::load(simulation::StateReader& reader) {
     BodyState state{};
     reader.get(state);
     set_motion(body, state);
+  }
+}
+
+void Bodies::hold() {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    const Pose& pose = poses_[i];
+    double* motion = held_[i].motion.data();
+    motion = std::copy_n(pose.position, 3, motion);
+    motion = std::copy_n(pose.quaternion, 4, motion);
+    motion = std::copy_n(pose.velocity, 3, motion);
+    std::copy_n(pose.angular_velocity, 3, motion);
+    std::copy_n(dBodyGetForce(ids_[i]), 3, held_[i].force.begin());
+    std::copy_n(dBodyGetTorque(ids_[i]), 3, held_[i].torque.begin());
+  }
+}
+
+void Bodies::take_back() {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    const auto& [motion, force, torque] = held_[i];
+    set_motion(ids_[i], motion);
+    dBodySetForce(ids_[i], force[0], force[1], force[2]);
+    dBodySetTorque(ids_[i], torque[0], torque[1], torque[2]);
   }
 }
 

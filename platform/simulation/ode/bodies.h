@@ -54,6 +54,10 @@ class Bodies {
   void save(simulation::StateWriter& writer) const;
   void load(simulation::StateReader& reader);
 
+  /// Remembers motions and loads, which a step uses up, so that `take_back` can undo it.
+  void hold();
+  void take_back();
+
   /// Fills the spans of a `StepView`.
   void read(std::span<Eigen::Vector3d> positions, std::span<Eigen::Vector3d> velocities,
             std::span<Eigen::Quaterniond> orientations, std::span<Eigen::Vector3d> angular_velocities) const;
@@ -74,6 +78,11 @@ class Bodies {
   std::vector<dBodyID> ids_;
   std::vector<Pose> poses_;
   std::vector<double> masses_;  // kg
+  struct Held {
+    BodyState motion;
+    std::array<double, 3> force, torque;
+  };
+  std::vector<Held> held_;
 };
 
 }  // namespace lacuna::ode

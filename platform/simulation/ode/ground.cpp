@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kBouncing = 0.01;  // m/s; slower impacts do not bounce
 constexpr double kHolding = 1e6;    // μ that stands for infinite where limits have to follow the normal force
+constexpr double kTie = 1e-12;      // m
 constexpr double kSliding = 1e-6;   // m/s; slower contacts keep the friction pyramid's own directions
 
 int most_contacts_of(ShapeKind kind) {
@@ -150,6 +151,10 @@ void Ground::align_friction(const Pose& body, dContact& contact) const {
   if (!(speed > kSliding)) return;
   contact.surface.mode |= dContactFDir1;
   Eigen::Map<Eigen::Vector3d>(contact.fdir1) = sliding / speed;
+}
+
+void Ground::break_ties() {
+  for (std::size_t i = 0; i < contact_count_; ++i) contacts_[i].geom.depth += kTie * static_cast<double>(i + 1);
 }
 
 void Ground::end_step() {

@@ -32,6 +32,10 @@ class Ground {
   void begin_step(dWorldID world, const ContactSpec& contact, double step, double rigid_erp);
   void end_step();
 
+  /// Moves the contacts that `collide` found apart, by far less than anybody could see: where several begin alike, as
+  /// parts that lie equally deep, ODE may find no order in which to solve them.
+  void break_ties();
+
   std::span<const unsigned char> touching() const { return touching_; }                ///< per body
   std::span<const Eigen::Vector3d> contact_forces() const { return contact_forces_; }  ///< per body, world
   std::span<Eigen::Vector3d> contact_forces() { return contact_forces_; }

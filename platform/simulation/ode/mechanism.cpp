@@ -155,6 +155,14 @@ void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contac
 
 void Mechanism::step_world(const ContactSpec& contact) {
   if (contact.slope != ground_.slope()) ground_.collide(contact.slope);
+  bodies_.hold();
+  if (solve_world(contact)) return;
+  bodies_.take_back();
+  ground_.break_ties();
+  if (!solve_world(contact)) throw Error(std::string("ODE could not solve the step: ") + complaint());
+}
+
+bool Mechanism::solve_world(const ContactSpec& contact) {
   ground_.begin_step(world_.id(), contact, h_, joint_erp_);
   clear_complaint();
   try {
@@ -163,8 +171,8 @@ void Mechanism::step_world(const ContactSpec& contact) {
     world_.mark_failed();
     throw;
   }
-  if (complaint()[0] != '\0') throw Error(std::string("ODE could not solve the step: ") + complaint());
   ground_.end_step();
+  return complaint()[0] == '\0';
 }
 
 void Mechanism::step_robot() {

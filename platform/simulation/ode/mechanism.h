@@ -89,6 +89,7 @@ class Mechanism {
   void set_laws(std::span<const JointLoad> loads);
   void set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const;
   void step_world(const ContactSpec& contact);
+  bool solve_world(const ContactSpec& contact);
   void step_robot();
   void read_forces();
   std::size_t most_rows() const;

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -127,6 +130,8 @@ GenomeLayout Morphology::layout(const ModelSpace& space, std::span<const double>
   check_free(space.robot, space.free);
   if (parameters[kLeastLength] > parameters[kGreatestLength])
     throw Error("the shortest part is longer than the longest; l_min is to be at most l_max");
+  for (const auto& [name, index] : {std::pair("vertical_axis", kVerticalAxis), std::pair("lift", kLift)})
+    if (parameters[index] != std::floor(parameters[index])) throw Error(std::string(name) + " is to be 0 or 1");
   GenomeLayout layout;
   for (const BodySpec& body : space.robot.bodies)
     for (std::size_t which = 0; which < kGenesPerPart; ++which)

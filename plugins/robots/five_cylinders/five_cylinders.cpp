@@ -27,6 +27,7 @@ enum Parameter : std::size_t {
   kForceLimit,
   kServoDamping,
   kBeacons,
+  kBeaconHeight,
   kSink
 };
 
@@ -89,6 +90,7 @@ ActuatorSpec servo_of(const Part& part, std::span<const double> p) {
   actuator.name = std::string("motor_") + part.name;
   actuator.joint = part.name;
   actuator.kind = ActuatorKind::position_servo;
+  actuator.relative = true;
   actuator.gain = p[kRange];  // a controller's output lies in [-1, 1]
   actuator.command_lower = -p[kRange];
   actuator.command_upper = p[kRange];
@@ -112,13 +114,14 @@ void add_sensors(RobotSpec& robot, const std::array<Part, 5>& parts, std::span<c
   for (const Part& part : parts) {
     if (!part.parent) continue;
     robot.sensors.push_back(sensor(std::string("angle_") + part.name, SensorKind::joint_position, part.name));
+    robot.sensors.back().relative = true;
     robot.sensors.back().scale = 1.0 / p[kRange];
   }
   for (std::size_t b = 0; b < static_cast<std::size_t>(p[kBeacons]); ++b)
     for (const Part& part : parts) {
       const std::string name = std::string("range_") + part.name + "_" + std::to_string(b + 1);
       robot.sensors.push_back(sensor(name, SensorKind::beacon_range, part.name));
-      robot.sensors.back().beacon = {kBeaconPlaces[b][0], kBeaconPlaces[b][1], 0.0};
+      robot.sensors.back().beacon = {kBeaconPlaces[b][0], kBeaconPlaces[b][1], p[kBeaconHeight]};
     }
 }
 
@@ -144,6 +147,7 @@ ParameterDeclarations FiveCylinders::parameters() const {
           {"servo_damping", "N*m*s/rad", 400.0, 1e-3, 1e6, Scale::logarithmic,
            "Torque of a servo per missing speed, until its limit"},
           {"beacons", "1", 4.0, 0.0, 4.0, Scale::linear, "How many beacons each part's range is measured to"},
+          {"beacon_height", "m", 0.0, -100.0, 100.0, Scale::linear, "Height of all beacons above the ground"},
           {"sink", "m", 1e-5, 0.0, 0.1, Scale::linear,
            "How deep all parts start in the ground; at 0 rounding decides which of them touch it at first"}};
 }
@@ -151,6 +155,8 @@ ParameterDeclarations FiveCylinders::parameters() const {
 RobotSpec FiveCylinders::build(const RobotRequest& request) const {
   const std::span<const double> p = request.parameters;
   if (p[kBeacons] != std::floor(p[kBeacons])) throw Error("beacons is to be a whole number from 0 to 4");
+  if (p[kArmsInMiddle] != std::floor(p[kArmsInMiddle]))
+    throw Error("arms_in_middle is to be 0 (at the torso's head) or 1 (in its middle)");
   RobotSpec robot;
   robot.name = "five_cylinders";
   const std::array<Part, 5> parts = parts_of(p);

@@ -89,6 +89,7 @@ ActuatorSpec servo(const std::string& joint, std::span<const double> parameters)
   actuator.name = joint;
   actuator.joint = joint;
   actuator.kind = ActuatorKind::position_servo;
+  actuator.relative = true;
   actuator.gain = kRange;  // a controller's output lies in [-1, 1]
   actuator.command_lower = -kRange;
   actuator.command_upper = kRange;
@@ -133,6 +134,7 @@ void add_sensors(RobotSpec& robot) {
   for (const Leg& leg : kLegs) {
     SensorSpec angle =
         sensor("angle_" + std::string(leg.name), SensorKind::joint_position, leg.name + std::string("_knee"));
+    angle.relative = true;
     angle.scale = 1.0 / kRange;
     robot.sensors.push_back(std::move(angle));
   }

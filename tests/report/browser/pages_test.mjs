@@ -2,7 +2,7 @@
 // run that goes on while it is watched.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { copyFileSync, existsSync, readFileSync, renameSync, rmSync, statSync } from 'node:fs';
+import { copyFileSync, existsSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, it } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -22,6 +22,7 @@ import {
   source,
   startBrowser,
 } from './support.mjs';
+import { pageModule } from './page_modules.mjs';
 
 const url = (name) => pathToFileURL(at(name)).href;
 let browser;
@@ -102,6 +103,16 @@ function pagesOf(way, open) {
       await shot(page, `compare-${way}`);
     });
 
+    it('compare opens where the model is farthest off, and says what is not there', async () => {
+      await go(page, rig, '#/compare?experiment=damped-flap');
+      await page.waitForSelector('.trial-curves canvas');
+      const title = await page.textContent('.trial-curves .figure-title');
+      assert.ok((await page.textContent('.lead strong')).endsWith(` of ${title}`));
+      await go(page, rig, '#/compare?experiment=first-steps&revision=99&trial=nope');
+      const says = await page.textContent('main [role=status]');
+      assert.match(says, /no revision 99 here.*no trial nope here.*This is revision 2 of first-steps/);
+    });
+
     it('diagnose says the verdict, ranks, maps the force and tests features', async () => {
       await go(page, rig, '#/diagnose');
       assert.match(await page.textContent('.lead'), /lacks something that no effect of the library explains/);
@@ -109,6 +120,10 @@ function pagesOf(way, open) {
       assert.ok((await page.locator('rect title').count()) > 10, 'a map of the force');
       assert.match(await page.textContent('main'), /position \/ rad/);
       assert.match(await page.textContent('main'), /q\^2\*v/);
+      assert.match(await page.textContent('.chart .ink-predicted .row-name'), /q\^2\*v/, 'it wins');
+      assert.equal(await page.locator('.chart .ink-predicted .row-name').count(), 1);
+      assert.match(await page.textContent('table.grid'), /gain \/ nats.*\+\d{4} ± \d{4}/s);
+      assert.doesNotMatch(await page.textContent('table.grid'), /weight/);
       await page.locator('button.link', { hasText: 'position' }).first().click();
       await page.waitForFunction(() => document.body.textContent.includes('over position'));
       await shot(page, `diagnose-${way}`);
@@ -119,11 +134,15 @@ function pagesOf(way, open) {
       assert.match(await page.textContent('.lead'), /in 2 revisions/);
       await page.waitForSelector('.side-by-side td');
       assert.match(await page.textContent('.side-by-side'), /effect\.coulomb_friction\.torque/);
+      assert.match(await page.textContent('.side-by-side'), /0\.535\d\d \[0\.53[45]\d\d, 0\.535\d\d\] kg/);
       await page.getByLabel('b: revision 1').click();
       await page.waitForFunction(
         () => !document.querySelector('.side-by-side')?.textContent.includes('coulomb_friction.torque'),
       );
       await shot(page, `history-${way}`);
+      await go(page, rig, '#/history?experiment=damped-flap');
+      assert.match(await page.textContent('.lead'), /^angle: [\d.]+ × the noise floor\.$/);
+      await page.waitForSelector('.chart line.ink-floor', { state: 'attached' });
     });
 
     it('a run shows errors, transfer, objective errors and values; runs show replicates', async () => {
@@ -146,7 +165,48 @@ function pagesOf(way, open) {
       await page.keyboard.press('/');
       await page.keyboard.type('no such run');
       await page.waitForFunction(() => document.querySelector('main').textContent.includes('0 of 2 runs'));
+      assert.match(await page.textContent('main'), /No run has these words/);
       await shot(page, `runs-${way}`);
+    });
+
+    it('runs are found by what is shown, opened with Enter, and there again after going back', async () => {
+      await go(page, walk, '#/runs');
+      const score = (await page.textContent('.tabulator-row [tabulator-field=c6]')).trim();
+      await page.locator('main .search').fill(`${score} done`);
+      await page.waitForFunction(() => /filter=/.test(location.hash));
+      assert.match(await page.textContent('main'), /[12] of 2 runs/);
+      await page.locator('.pickable .tabulator-row').first().focus();
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => /#\/run\?run=2/.test(location.hash));
+      await page.goBack();
+      await page.waitForSelector('main .search');
+      assert.equal(await page.inputValue('main .search'), `${score} done`);
+    });
+
+    it('what an address asks for and is not here is said', async () => {
+      await go(page, walk, '#/run?run=77');
+      assert.match(await page.textContent('main'), /no run 77 here/);
+      await go(page, walk, '#/%E0%A4%A');
+      assert.match(await page.textContent('main'), /no page “%E0%A4%A”/);
+    });
+
+    it('pictures of parameters have whole names, and files that say what is in them', async () => {
+      await go(page, walk, '#/run?run=2');
+      const figure = page.locator('.figure', { hasText: 'Parameters towards the truth: mass' }).last();
+      await figure.locator('svg').waitFor();
+      assert.ok((await figure.locator('svg').textContent()).includes('front_right_lower'));
+      const csvOf = async (of) => {
+        const click = of.locator('.download', { hasText: 'CSV' }).click();
+        const [file] = await Promise.all([page.waitForEvent('download'), click]);
+        return readFileSync(await file.path(), 'utf8');
+      };
+      const values = await csvOf(figure);
+      assert.match(values, /^address,unit,pass,value,truth,/);
+      assert.match(values, /\nbody\.front_right_lower\.mass,kg,1,/);
+      await go(page, walk, '#/runs');
+      const bands = await csvOf(page.locator('.figure', { hasText: 'Objective error by pass: mass' }).last());
+      assert.match(bands, /\n"quadruped-parametric-smoke, run 1",1,/);
+      assert.match(bands, /95 % interval",1,[\d.]+,0,[\d.]+,2\r/, 'of two runs it would begin below 0');
     });
 
     it('replay plays, scrubs and steps', async () => {
@@ -162,9 +222,79 @@ function pagesOf(way, open) {
       await page.keyboard.press(' ');
       await page.waitForFunction(() => document.querySelector('.clock').textContent !== '0.50 s');
       await page.keyboard.press(' ');
+      const clock = () => page.textContent('.clock');
+      const moves = async (key) => {
+        const before = await clock();
+        await page.keyboard.press(key);
+        await page.waitForFunction((old) => document.querySelector('.clock').textContent !== old, before);
+      };
+      await page.locator('button.primary').click();
+      await page.locator('button.primary').click();
+      await moves('Shift+ArrowRight');
+      await page.keyboard.press(',');
+      assert.equal(await page.inputValue('.player select'), '0.5');
+      await page.keyboard.press(' ');
+      await page.getByLabel('Pause', { exact: true }).waitFor();
+      await page.keyboard.press(' ');
+      await page.getByLabel('Play', { exact: true }).waitFor();
+      const still = await clock();
+      await page.getByLabel('Find').focus();
+      await page.keyboard.type('a b.');
+      await page.keyboard.press('ArrowLeft');
+      assert.equal(await page.inputValue('.finder .search'), 'a b.');
+      assert.equal(await clock(), still);
+      await page.keyboard.press('Escape');
+      await page.locator('input[type=range]').focus();
+      await moves('Shift+ArrowRight');
+      await page.keyboard.press('5');
+      await page.waitForFunction(() => document.title.startsWith('Runs'));
       await go(page, rig, '#/replay');
       await page.waitForSelector('.stage canvas');
       assert.match(await page.textContent('main'), /as its joints were measured/);
+    });
+
+    it('a picture of zoomed curves has all of them as they are, with a heading', async () => {
+      await go(page, walk, '#/replay?run=2&trial=0');
+      await page.waitForSelector('.trial-curves canvas');
+      const last = () => page.$$eval('.trial-curves canvas', (all) => all[all.length - 1].toDataURL());
+      const before = await last();
+      await page.keyboard.press('+');
+      await page.waitForTimeout(300);
+      assert.equal(await last(), before, 'out of sight');
+      const click = page.locator('.trial-curves .download').click();
+      const [file] = await Promise.all([page.waitForEvent('download'), click]);
+      assert.notEqual(await last(), before);
+      const heights = await page.$$eval('.trial-curves canvas', (all) => all.map((one) => one.height));
+      const heading = readFileSync(await file.path()).readUInt32BE(20) - heights.reduce((a, b) => a + b);
+      assert.ok(heading > 50, `${heading} px for title, database and legend`);
+      await page.keyboard.press('+');
+      await page.waitForTimeout(300);
+      const zoomed = await last();
+      await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+      assert.notEqual(await last(), zoomed);
+      const widths = () =>
+        page.$$eval('.trial-curves .uplot', (all) => [...new Set(all.map((one) => one.clientWidth))]);
+      assert.deepEqual(await widths(), [700]);
+      await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+      await page.waitForTimeout(100);
+      assert.ok((await widths())[0] > 1000);
+    });
+
+    it('paper has the query, the choices and the name of the database', async () => {
+      const print = async (hash) => {
+        await go(page, rig, hash);
+        await page.emulateMedia({ media: 'print' });
+      };
+      await print(`#/sql?q=${encodeURIComponent('SELECT 41 + 1 AS answer')}`);
+      assert.ok(await page.locator('pre', { hasText: 'SELECT 41 + 1 AS answer' }).isVisible());
+      assert.ok(await page.locator('.views').isHidden());
+      assert.ok(await page.locator('footer', { hasText: 'rig.db' }).isVisible());
+      await print('#/compare?experiment=first-steps&trial=sine.csv');
+      assert.ok(await page.locator('.choices strong', { hasText: 'sine.csv' }).isVisible());
+      assert.ok(await page.locator('.choices select').first().isHidden());
+      const adjust = await page.$eval('.errors td', (cell) => getComputedStyle(cell).printColorAdjust);
+      assert.equal(adjust, 'exact');
+      await page.emulateMedia({ media: 'screen' });
     });
 
     it('SQL answers, plots, saves, and says what is wrong', async () => {
@@ -176,6 +306,8 @@ function pagesOf(way, open) {
       await page.keyboard.press('Control+Enter');
       await page.waitForFunction(() => document.querySelector('main').textContent.includes('100 rows'));
       await page.waitForFunction(() => document.querySelectorAll('.chart .point').length === 100);
+      await page.locator('.select', { hasText: 'x' }).first().locator('select').selectOption('time');
+      await page.waitForFunction(() => document.querySelector('.chart').textContent.includes('time / s'));
       const [file] = await Promise.all([
         page.waitForEvent('download'),
         page.locator('.figure .download', { hasText: 'CSV' }).first().click(),
@@ -192,8 +324,9 @@ function pagesOf(way, open) {
         await page.locator('button[type=submit]').click();
       };
       for (const [bad, says] of [
-        ['SELECT * FROM nowhere', /no such table: nowhere/],
+        ['SELECT * FROM nowhere', /no such table: nowhere; “What can be asked”/],
         ['DELETE FROM run', /only reading is allowed here/],
+        ['selekt 1', /syntax error/],
         ["ATTACH 'x' AS y", /only reading is allowed here/],
         ['/* 1 */ SELECT 1; -- 2\n PRAGMA query_only = OFF', /only reading is allowed here/],
         ['WITH x AS (SELECT 1) DELETE FROM run', /only reading is allowed here/],
@@ -208,6 +341,8 @@ function pagesOf(way, open) {
         await page.waitForSelector('.tabulator-row');
         assert.equal(await page.locator('[role=alert]').count(), 0);
       }
+      await run('SELECT 1e999 AS most, -1e999 AS least');
+      await page.waitForFunction(() => /Infinity.*-Infinity/s.test(document.querySelector('.tabulator')?.textContent));
       await run('SELECT 9007199254740993 AS large, zeroblob(3) AS bytes');
       await page.waitForFunction(() => document.querySelector('.tabulator')?.textContent.includes('9007199254740993'));
       assert.match(await page.textContent('.tabulator-row'), /3 bytes/);
@@ -238,6 +373,8 @@ function pagesOf(way, open) {
       await page.waitForFunction(() => document.querySelectorAll('.found a').length >= 1);
       await page.keyboard.press('Enter');
       await page.waitForFunction(() => /compare\?experiment=first-steps&revision=2/.test(location.hash));
+      await page.keyboard.press('7');
+      await page.waitForFunction(() => document.title.startsWith('SQL'));
       await page.setViewportSize({ width: 390, height: 800 });
       for (const one of ['compare', 'diagnose', 'history', 'sql']) {
         await go(page, rig, `#/${one}`);
@@ -245,8 +382,15 @@ function pagesOf(way, open) {
         assert.ok(over <= 0, `${one} is ${over} px wider than a phone`);
       }
       await page.emulateMedia({ colorScheme: 'dark' });
-      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 26)');
+      await page.waitForFunction(() => getComputedStyle(document.body).backgroundColor === 'rgb(20, 23, 26)');
       await shot(page, `phone-${way}`);
+      await page.evaluate(() => {
+        const ground = () => getComputedStyle(document.body).backgroundColor;
+        addEventListener('beforeprint', () => (window.paper = ground()), { once: true });
+      });
+      await page.pdf();
+      assert.equal(await page.evaluate(() => window.paper), 'rgb(255, 255, 255)');
+      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 26)');
       await page.emulateMedia({ colorScheme: 'light', media: 'print' });
       assert.ok(await page.locator('header.top').isHidden());
       await page.emulateMedia({ media: 'screen' });
@@ -319,10 +463,118 @@ describe('a report', () => {
     assert.ok(models > 20_000);
     assert.ok((await page.textContent('.facts')).replace(/[^0-9a-z]/g, '').includes(`models${models}`));
     assert.equal(await page.locator('.figure-title:has-text("Spread")').count(), 0);
-    assert.match(await page.textContent('.notes'), /no pass's best/);
+    assert.match(await page.textContent('.notes'), /no pass's best.*but for the newest 1 of 2 runs/);
     await page.waitForSelector('.figure-title:has-text("Error of the best model")');
+    await go(page, url('large.html'), '#/replay');
+    assert.match(await page.textContent('.empty'), /--no-robots/);
     noFaults(page);
     await page.close();
+  });
+
+  it('shows the run that got on last, and experiments in their colours whatever is filtered', async () => {
+    await edit('walk.db', 'dead.db', (database) => {
+      database.run('UPDATE run SET ended = NULL, ending = NULL WHERE number = 1');
+      database.run("UPDATE run SET started = '2020-01-01T00:00:00Z' WHERE number = 1");
+      database.run("INSERT INTO experiment VALUES (99, 'walk-two')");
+      database.run('UPDATE eea_run SET experiment = 99 WHERE run = 2');
+    });
+    lacuna('report', 'dead.db', '--out', 'dead.html', '--no-robots', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('dead.html'), '#/run');
+    assert.match(await page.textContent('.lead'), /Run 2 of walk-two.*done/);
+    await go(page, url('dead.html'), '#/run?run=1');
+    assert.match(await page.textContent('.lead'), /not ended when this report was made/);
+    await go(page, url('dead.html'), '#/runs');
+    const colour = () => page.locator('.legend .key', { hasText: 'walk-two' }).first().getAttribute('class');
+    const before = await colour();
+    await page.locator('main .search').fill('walk-two');
+    await page.waitForFunction(() => document.querySelector('main').textContent.includes('1 of 2 runs'));
+    assert.equal(await colour(), before);
+    noFaults(page);
+    await page.close();
+  });
+});
+
+describe('what pages compute', () => {
+  it('values with as many digits as their interval deserves, and units of columns', async () => {
+    const { valueText } = await pageModule('kit/interval.ts');
+    assert.equal(valueText(0.53516, 0.53504, 0.53528, 'kg'), '0.53516 [0.53504, 0.53528] kg');
+    assert.equal(valueText(0.02423, 0.02391, 0.02435, 'N*m'), '24.23 [23.91, 24.35] mN·m');
+    assert.equal(valueText(1000, null, null, 'kg', 'at its bound'), '1000 kg (at its bound)');
+    assert.equal(valueText(null, null, null, 'kg'), '—');
+    const { unitOf } = await pageModule('pages/sql_units.ts');
+    const table = (...units) => ({ columns: ['rmse', 'unit', 'gain'], rows: units.map((unit) => [1, unit, 2]) });
+    assert.equal(unitOf(table('rad', 'rad'), 0), 'rad');
+    assert.equal(unitOf(table('rad', 'm'), 0), '1');
+    assert.equal(unitOf(table('rad', 'm'), 2), 'nats');
+  });
+
+  it('which answer of a diagnosis comes first, as the terminal has it', async () => {
+    const { firstIsAnswer, gainText } = await pageModule('pages/diagnose_data.ts');
+    const gain = (value) => ({ value, ci95: [value - 10, value + 10] });
+    const outside = (best, free, formulas, more = {}) => ({
+      verdict: 'not_in_library',
+      ranking: [{ gain: best }],
+      answer_gain: gain(best),
+      free_force: { gain: gain(free) },
+      formulas: formulas.map((value) => ({ gain: gain(value) })),
+      formulas_of_rest: false,
+      ...more,
+    });
+    assert.equal(firstIsAnswer(outside(4000, 1000, [5000])), false);
+    assert.equal(firstIsAnswer(outside(4000, 1000, [3000])), true);
+    assert.equal(firstIsAnswer(outside(4000, 100, [5000])), true, 'nearly all that is to be gained');
+    assert.equal(firstIsAnswer(outside(4000, 1000, [])), false);
+    assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'effect_found' })), true);
+    assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'nothing_missing' })), false);
+    assert.equal(gainText({ value: 7397, ci95: [4539, 10255] }), '+7397 ± 2858');
+    assert.equal(gainText({ value: -1.25, ci95: [-2, -0.5] }), '−1.3 ± 0.8');
+  });
+
+  const kRun = { experiment: 'walk', ending: 'not ended', ended: null, started: '2026-01-01T10:00:00Z' };
+  const ended = (time) => ({ ending: 'done', ended: `2026-01-01T${time}Z` });
+
+  it('the run that got on last, and whether it goes on', async () => {
+    const { newestRun, ProgressWatch } = await pageModule('pages/run_progress.ts');
+    const replicates = [
+      { ...kRun, run: 1, replicate: 1, seconds: 50, ...ended('10:00:50') },
+      { ...kRun, run: 2, replicate: 2, seconds: 5, models: 1 },
+      { ...kRun, run: 3, replicate: 3, seconds: null, models: 0 },
+    ];
+    assert.equal(newestRun(replicates).run, 2, 'neither the one that has ended nor the one that has not begun');
+    const later = { ...kRun, run: 4, replicate: 1, seconds: 9, started: '2026-01-01T11:00:00Z', ...ended('11:00:09') };
+    assert.equal(newestRun([...replicates, later]).run, 4, 'a run that died hides none');
+    const watch = new ProgressWatch();
+    const now = (models) => replicates.map((one) => (one.run === 2 ? { ...one, models } : one));
+    const standings = (all) => all.map((run) => watch.standing(run, all).is);
+    watch.note(now(1));
+    assert.deepEqual(standings(now(1)), ['ended', 'not known yet', 'not known yet']);
+    watch.note([...now(2), later]);
+    assert.equal(watch.choose([...now(2), later]).run, 2, 'what is seen to go on comes first');
+    assert.deepEqual(standings(now(2)), ['ended', 'running', 'waiting']);
+    for (let second = 0; second < 16; ++second) watch.tick();
+    assert.deepEqual(watch.standing(now(2)[1], now(2)), { is: 'quiet', seconds: 16 });
+    assert.equal(watch.choose([...now(2), later]).run, 4);
+  });
+
+  it('the time left, the pass under way included', async () => {
+    const { secondsLeft } = await pageModule('pages/run_data.ts');
+    // In pass n the models take 100 n s and the tests 100 s, as is assumed; in all 900 s.
+    const rows = { evaluations: 100, test_evaluations: 10, models: 100, tests: 10 };
+    const left = (more) => Math.round(secondsLeft({ ...kRun, ...rows, passes: 3, passes_done: 1, ...more }));
+    assert.equal(left({ seconds: 200 }), 700);
+    assert.equal(left({ seconds: 300, models: 150 }), 600);
+    assert.equal(left({ seconds: 450, models: 200, tests: 15 }), 450);
+    assert.equal(secondsLeft({ ...kRun, ...rows, passes: 3, passes_done: 0, seconds: 50 }), null);
+  });
+
+  it('bands of errors that begin at 0, and ticks where the data lie', async () => {
+    const { meanBand } = await pageModule('pages/run_data.ts');
+    const { logTicks } = await pageModule('kit/ticks.ts');
+    const band = meanBand([0.001, 0.05].map((value) => ({ pass: 1, value })));
+    assert.deepEqual([band.lower, band.counts], [[0], [2]]);
+    assert.ok(meanBand([-1, 1].map((value) => ({ pass: 1, value }))).lower[0] < -1);
+    assert.ok(logTicks(0.068, 0.18).filter((tick) => tick > 0.11 && tick < 0.13).length > 0);
   });
 });
 
@@ -454,7 +706,8 @@ describe('hostile names', () => {
       );
       await page.waitForSelector('.tabulator-row');
       assert.equal(await page.locator('.tabulator b, .tabulator i').count(), 0);
-      assert.ok((await page.textContent('.tabulator')).includes('<i>x</i>'));
+      const table = await page.textContent('.tabulator');
+      for (const text of ['<i>x</i>', '<b>b</b>']) assert.ok(table.includes(text), `${text} is cut from ${table}`);
       noFaults(page);
       await page.close();
     }
@@ -533,6 +786,30 @@ describe('the server', () => {
     await pages[0].close();
   });
 
+  it('shows a replicate that is under way, says when it stops, and follows the next run', async () => {
+    copyFileSync(at('walk.db'), at('killed.db'));
+    const begin = (...words) =>
+      spawn(program, ['run', 'walk.toml', '--db', 'killed.db', '--quiet', ...words], { cwd: folder });
+    const first = begin('--replicates', '4', '--threads', '1');
+    const server = await started('killed.db');
+    const page = await newPage(browser);
+    await page.clock.install();
+    await page.goto(`${server.address}#/run`);
+    await page.waitForFunction(() => /Run 3 .*running/.test(document.querySelector('.lead')?.textContent ?? ''));
+    assert.match(await page.textContent('.facts'), /left, about/);
+    first.kill('SIGKILL');
+    await page.waitForTimeout(1500);
+    await page.clock.runFor(120_000); // beyond three times the longest gap of a busy machine
+    assert.match(await page.textContent('.lead'), /no progress seen for .*--resume/);
+    assert.doesNotMatch(await page.textContent('.facts'), /left, about|per second/);
+    assert.equal(await new Promise((resolve) => begin(...shortRun, '--seed', '3').on('exit', resolve)), 0);
+    await page.waitForFunction(() => /Run 7 .*done/.test(document.querySelector('.lead').textContent), null, {
+      timeout: 90_000,
+    });
+    noFaults(page);
+    await page.close();
+  });
+
   it('leaves what a viewer does as it is when something else is stored', async () => {
     copyFileSync(at('rig.db'), at('seen.db'));
     const server = await started('seen.db');
@@ -558,8 +835,26 @@ describe('the server', () => {
     await other.close();
   });
 
-  it('ends with Ctrl-C', async () => {
-    const server = await serve('rig.db');
+  it('ends with Ctrl-C, and leaves nothing beside a database that it read alone', async () => {
+    copyFileSync(at('rig.db'), at('alone.db'));
+    const server = await serve('alone.db');
+    await (await fetch(server.address)).text();
+    assert.equal((await server.stop()).code, 0);
+    lacuna('report', 'alone.db', '--out', 'alone.html', '--no-robots', '--quiet');
+    for (const tail of ['-wal', '-shm']) assert.ok(!existsSync(at(`alone.db${tail}`)), tail);
+    assert.ok(readFileSync(at('alone.db')).equals(readFileSync(at('rig.db'))));
+  });
+
+  it('waits for a database that is about to be made; a report refuses one that is empty', async () => {
+    writeFileSync(at('none.db'), '');
+    assert.throws(() => lacuna('report', 'none.db', '--out', 'none.html'), /none\.db: is empty/);
+    assert.ok(!existsSync(at('none.html')));
+    const starting = serve('late.db');
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    copyFileSync(at('rig.db'), at('draft.db'));
+    renameSync(at('draft.db'), at('late.db'));
+    const server = await starting;
+    assert.match(server.messages(), /waiting for late\.db/);
     assert.equal((await server.stop()).code, 0);
   });
 });

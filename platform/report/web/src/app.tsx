@@ -1,23 +1,19 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { Source } from './data/source';
 import { SharedContext, useRows } from './data/use';
+import { isTaken } from './kit/keys';
 import { linkTo, useRoute } from './kit/route';
 import { pages } from './pages';
 import { Finder } from './ui/finder';
 import { Guard } from './ui/guard';
+import { Empty } from './ui/parts';
 import { useTheme } from './ui/theme';
 
 /** 1 to 7 open pages, / goes to the page's search field or, where it has none, to that of all pages. */
 function useKeys(): void {
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
-      if (
-        event.ctrlKey ||
-        event.metaKey ||
-        event.altKey ||
-        /^(INPUT|TEXTAREA|SELECT)$/.test((event.target as Element).tagName)
-      )
-        return;
+      if (isTaken(event)) return;
       const page = pages[Number(event.key) - 1];
       if (page) location.hash = linkTo(page.name);
       else if (event.key === '/')
@@ -52,9 +48,9 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
   );
   useKeys();
   const start = first.value?.[0] && !first.value[0].has_comparisons && first.value[0].has_runs ? 'run' : 'compare';
-  const page =
-    pages.find((one) => one.name === route.page) ??
-    (first.value || first.error ? pages.find((one) => one.name === start)! : null);
+  const unknown = route.page !== '' && !pages.some((one) => one.name === route.page);
+  const wanted = route.page || (first.value || first.error ? start : '');
+  const page = pages.find((one) => one.name === wanted) ?? null;
   useEffect(() => {
     if (page) document.title = `${page.title} · Lacuna`;
   }, [page]);
@@ -93,6 +89,7 @@ function Frame({ source, trouble }: { source: Source; trouble: string | null }) 
       )}
       <Notes />
       <main>
+        {unknown && <Empty>There is no page “{route.page}”. Those that there are stand at the top.</Empty>}
         {page && (
           <Guard key={page.name}>
             <page.Page choices={route.choices} />

@@ -35,6 +35,7 @@ declare module 'tabulator-tables' {
   }
   export interface RowComponent {
     getData(): Record<string, unknown>;
+    getElement(): HTMLElement;
   }
   export interface ColumnDefinition {
     title: string;

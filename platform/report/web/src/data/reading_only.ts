@@ -13,6 +13,9 @@ const kAsking = [
 ];
 const kAskingWithoutValue = ['user_version', 'application_id', 'journal_mode', 'page_count', 'page_size', 'encoding'];
 
+const kChanging =
+  /^(alter|analyze|attach|begin|commit|create|delete|detach|drop|end|insert|pragma|reindex|release|replace|rollback|savepoint|update|vacuum)\b/i;
+
 /** Whether the first of these statements may run: it reads, or there is none. */
 export function isReading(statements: string): boolean {
   const text = statements.replace(kBetween, '');
@@ -22,5 +25,5 @@ export function isReading(statements: string): boolean {
     const name = pragma[1].toLowerCase();
     return kAsking.includes(name) || (kAskingWithoutValue.includes(name) && (pragma[2] === '' || pragma[2] === ';'));
   }
-  return /^(select|with|values|explain)\b/i.test(text);
+  return !kChanging.test(text); // what is no statement at all SQLite says better
 }

@@ -1,4 +1,5 @@
 import { cellText } from './format';
+import { sheetOf } from './sheet';
 
 /** A file name that every system takes. */
 export const fileName = (title: string) =>
@@ -53,21 +54,9 @@ export function svgText(picture: SVGSVGElement): string {
 export const saveSvg = (picture: SVGSVGElement, title: string) =>
   save(`${fileName(title)}.svg`, new Blob([svgText(picture)], { type: 'image/svg+xml' }));
 
-/** Canvases one below the other, on the page's own ground. */
-export function savePng(canvases: HTMLCanvasElement[], title: string): void {
-  const all = document.createElement('canvas');
-  all.width = Math.max(...canvases.map((one) => one.width));
-  all.height = canvases.reduce((sum, one) => sum + one.height, 0);
-  const pen = all.getContext('2d')!;
-  pen.fillStyle = getComputedStyle(document.body).backgroundColor;
-  pen.fillRect(0, 0, all.width, all.height);
-  let y = 0;
-  for (const one of canvases) {
-    pen.drawImage(one, 0, y);
-    y += one.height;
-  }
-  all.toBlob((blob) => blob && save(`${fileName(title)}.png`, blob), 'image/png');
-}
+/** Canvases that stand in one figure, with its legend. */
+export const savePng = (canvases: HTMLCanvasElement[], title: string) =>
+  sheetOf(canvases, title).toBlob((blob) => blob && save(`${fileName(title)}.png`, blob), 'image/png');
 
 const csvCell = (cell: unknown) => {
   const text = typeof cell === 'object' ? cellText(cell) : String(cell ?? '');

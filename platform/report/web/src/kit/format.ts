@@ -94,6 +94,12 @@ export function cellText(cell: unknown): string {
   return String(cell);
 }
 
+/** Numbers of a logarithmic axis: one digit each, or as those of a linear one where that does not tell them. */
+export function logTickTexts(ticks: number[], factor = 1): string[] {
+  const isOneDigit = (tick: number) => Math.abs(Number(tick.toPrecision(1)) / tick - 1) < 1e-9;
+  return ticks.every(isOneDigit) ? ticks.map((tick) => plain(tick * factor, 1)) : tickTexts(ticks, factor);
+}
+
 /** Numbers of an axis: as many decimals as their step needs, the same for all. */
 export function tickTexts(ticks: (number | null)[], factor = 1): string[] {
   const known = ticks.filter((one): one is number => one !== null).map((one) => one * factor);

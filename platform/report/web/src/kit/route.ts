@@ -6,9 +6,18 @@ export interface Route {
   choices: Record<string, string>;
 }
 
+/** As it was written where it cannot be decoded. */
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
 export function parseRoute(hash: string): Route {
   const [path, query = ''] = hash.replace(/^#\/?/, '').split('?');
-  return { page: decodeURIComponent(path), choices: Object.fromEntries(new URLSearchParams(query)) };
+  return { page: decoded(path), choices: Object.fromEntries(new URLSearchParams(query)) };
 }
 
 export function linkTo(page: string, choices: Record<string, string | number | null | undefined> = {}): string {
@@ -29,8 +38,24 @@ export function useRoute(): Route {
   return route;
 }
 
-/** Changes choices of the page that is open; null takes one away. */
-export function choose(changes: Record<string, string | number | null>, page?: string): void {
+type Changes = Record<string, string | number | null>;
+
+function changed(changes: Changes): string {
   const route = parseRoute(location.hash);
-  location.hash = linkTo(page ?? route.page, { ...route.choices, ...changes });
+  return linkTo(route.page, { ...route.choices, ...changes });
+}
+
+/** Changes choices of the page that is open; null takes one away. */
+export function choose(changes: Changes): void {
+  location.hash = changed(changes);
+}
+
+/** The same where going back should not undo it step by step, as with the letters of a filter. */
+export function refine(changes: Changes): void {
+  location.replace(changed(changes));
+}
+
+/** A sentence where an address asks for something that is not here: "There is no run 77 here." */
+export function notHere(what: string, asked: string | undefined, here: (string | number)[]): string | null {
+  return asked === undefined || here.some((one) => String(one) === asked) ? null : `There is no ${what} ${asked} here.`;
 }

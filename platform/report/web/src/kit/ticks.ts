@@ -9,8 +9,12 @@ export function linearTicks(low: number, high: number, count: number): number[] 
   return ticks;
 }
 
-/** Powers of ten, with 2 and 5 between them where there are few. */
+const kNarrow = 4;
+
+/** Powers of ten, with 2 and 5 between them where there are few; round numbers as of a linear axis where even these
+ *  would leave much of it bare. */
 export function logTicks(low: number, high: number): number[] {
+  if (high / low < kNarrow) return linearTicks(low, high, 8);
   const ticks: number[] = [];
   const decades = Math.log10(high / low);
   const factors = decades < 1.2 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : decades < 3 ? [1, 2, 5] : [1];

@@ -1,8 +1,11 @@
+/** `all`: also what is out of sight is wanted, at once. */
+type Listener = (all: boolean) => void;
+
 /** The stretch of time that several pictures show together. */
 export class View {
   private from: number;
   private to: number;
-  private listeners = new Set<() => void>();
+  private listeners = new Set<Listener>();
   private waiting = false;
 
   /** `first` and `last`: all that there is. */
@@ -33,8 +36,13 @@ export class View {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
-      for (const listener of this.listeners) listener();
+      for (const listener of this.listeners) listener(false);
     });
+  }
+
+  /** Every picture is drawn as it is now, before all of them are kept together. */
+  complete(): void {
+    for (const listener of this.listeners) listener(true);
   }
 
   /** By a share of what is seen. */
@@ -52,7 +60,7 @@ export class View {
     this.set(this.first, this.last);
   }
 
-  listen(listener: () => void): () => void {
+  listen(listener: Listener): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }

@@ -2,7 +2,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { useLoaded, useRows } from '../data/use';
 import { savePng } from '../kit/download';
 import { quantity, times } from '../kit/format';
-import { choose } from '../kit/route';
+import { choose, notHere } from '../kit/route';
 import { Empty, Select, Show } from '../ui/parts';
 import { ErrorTable } from '../ui/error_table';
 import { TrialCurvesPanel } from '../ui/trial_curves';
@@ -47,7 +47,13 @@ function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string
     : revisions[revisions.length - 1];
   const scores = ofExperiment.filter((one) => one.revision === revision);
   const trials = unique(scores.map((one) => one.trial));
-  const trial = trials.includes(choices.trial) ? choices.trial : trials[0];
+  const worst = worstOf(scores);
+  const trial = trials.includes(choices.trial) ? choices.trial : (worst?.trial ?? trials[0]);
+  const missing = [
+    notHere('experiment', choices.experiment, experiments),
+    notHere('revision', choices.revision, revisions),
+    notHere('trial', choices.trial, trials),
+  ].filter((one) => one !== null);
   return (
     <>
       <div class="choices">
@@ -75,14 +81,22 @@ function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string
           }))}
         />
       </div>
-      <Summary scores={scores} />
+      {missing.length > 0 && (
+        <p class="error" role="status">
+          {missing.join(' ')} This is revision {revision} of {experiment}, trial {trial}.
+        </p>
+      )}
+      <Summary worst={worst} />
       <Trial scores={scores} trial={trial} finding={choices.finding ?? ''} />
     </>
   );
 }
 
-function Summary({ scores }: { scores: Score[] }) {
-  const worst = scores.reduce<Score | null>((a, b) => ((b.times_floor ?? 0) > (a?.times_floor ?? 0) ? b : a), null);
+/** Farthest above the noise floor; null where no floor is known. */
+const worstOf = (scores: Score[]) =>
+  scores.reduce<Score | null>((a, b) => ((b.times_floor ?? 0) > (a?.times_floor ?? 0) ? b : a), null);
+
+function Summary({ worst }: { worst: Score | null }) {
   if (!worst) return <p class="lead">No noise floor is known, so errors stand without a measure.</p>;
   const atFloor = (worst.times_floor ?? 0) <= 1.2;
   return (
@@ -113,7 +127,7 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
   const keep = () => {
     const canvases = [...document.querySelectorAll<HTMLCanvasElement>('.trial-curves canvas')];
     if (canvases.length === 0) setError('there is nothing to keep');
-    else savePng(canvases, `compare ${trial}`);
+    else savePng(canvases, `${experiment}, revision ${revision}: ${trial}`);
   };
   return (
     <>
@@ -141,20 +155,19 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
           <ol class="findings">
             {findings.map((one, i) => (
               <li key={i} class={one === chosen ? 'chosen' : ''}>
-                <button
-                  class="quiet finding"
-                  aria-pressed={one === chosen}
-                  onClick={() => choose({ finding: one === chosen ? null : i })}
-                  disabled={!one.stretches}
-                >
-                  {/^\d/.test(one.sentence) ? (
-                    one.sentence
-                  ) : (
-                    <>
-                      <span class="share">{Math.round(100 * one.share)} %</span> {one.sentence}
-                    </>
-                  )}
-                </button>
+                {one.stretches ? (
+                  <button
+                    class="quiet finding"
+                    aria-pressed={one === chosen}
+                    onClick={() => choose({ finding: one === chosen ? null : i })}
+                  >
+                    <FindingText finding={one} />
+                  </button>
+                ) : (
+                  <p class="finding">
+                    <FindingText finding={one} />
+                  </p>
+                )}
               </li>
             ))}
           </ol>
@@ -168,6 +181,15 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
       </div>
       <ErrorTable scores={scores} trial={trial} choose={(name) => choose({ trial: name })} />
       <RegimeTable regimes={regimes} chosen={finding} choose={(key) => choose({ finding: key })} />
+    </>
+  );
+}
+
+function FindingText({ finding }: { finding: Finding }) {
+  if (/^\d/.test(finding.sentence)) return <>{finding.sentence}</>;
+  return (
+    <>
+      <span class="share">{Math.round(100 * finding.share)} %</span> {finding.sentence}
     </>
   );
 }

@@ -1,13 +1,16 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
-import { plain, quantity, times } from '../kit/format';
+import { plain, times } from '../kit/format';
+import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
-import { Forest } from '../ui/forest';
+import { Forest, type ForestRow } from '../ui/forest';
 import { ForceMap } from '../ui/force_map';
 import { Empty, Select, Show } from '../ui/parts';
 import {
   effectName,
+  firstIsAnswer,
+  gainText,
   modelName,
   readDocument,
   verdictSentence,
@@ -74,25 +77,42 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
   );
 }
 
+/** What the library comes to, and the force of another form where that was judged under the same noise. */
+function rowsOf(document: DiagnosisDocument): ForestRow[] {
+  const first = firstIsAnswer(document);
+  const rows = document.ranking.map((one, i) => ({
+    name: modelName(one),
+    value: one.gain,
+    lower: one.gain_ci95[0],
+    upper: one.gain_ci95[1],
+    chosen: first && i === 0,
+  }));
+  if (document.verdict !== 'not_in_library' || document.formulas_of_rest) return rows;
+  const formulas = document.formulas.slice(0, 1).map((one) => ({
+    name: `${one.joint}: ${one.text}`,
+    value: one.gain.value,
+    lower: one.gain.ci95[0],
+    upper: one.gain.ci95[1],
+    chosen: !first,
+  }));
+  return first ? [...rows, ...formulas] : [...formulas, ...rows];
+}
+
 function Ranking({ document }: { document: DiagnosisDocument }) {
+  const outdone = document.verdict === 'not_in_library' && !firstIsAnswer(document);
   return (
     <div class="two">
       <Forest
         title="How much better each predicts what was left out"
         label="gain / nats"
         chance={document.chance_95}
-        rows={document.ranking.map((one) => ({
-          name: modelName(one),
-          value: one.gain,
-          lower: one.gain_ci95[0],
-          upper: one.gain_ci95[1],
-        }))}
-        note={`Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`}
+        rows={rowsOf(document)}
+        note={`${outdone && !document.formulas_of_rest ? 'First: the formula below. ' : ''}Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`}
       />
       <Figure
-        title="Candidates"
+        title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. Weight: of these candidates against each other, by what they predict; the probability that the answer is right stands above.`}
+        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. ${outdone ? '' : 'Weight: of these candidates against each other, by what they predict; the probability that the answer is right stands above. '}A value without an interval is at a bound of its range, or not told by these data.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -101,16 +121,21 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
                 <th scope="col" />
                 <th scope="col">effect and parameters</th>
                 <th scope="col" class="number">
-                  error
+                  gain / nats
                 </th>
                 <th scope="col" class="number">
-                  weight
+                  error
                 </th>
+                {!outdone && (
+                  <th scope="col" class="number">
+                    weight
+                  </th>
+                )}
               </tr>
             </thead>
             <tbody>
               {document.ranking.map((one, i) => (
-                <Candidate key={i} rank={i + 1} model={one} />
+                <Candidate key={i} rank={i + 1} model={one} weighed={!outdone} />
               ))}
             </tbody>
           </table>
@@ -121,24 +146,28 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
 }
 
 function saveCandidates(ranking: Ranked[]): void {
-  const parameters = ranking.flatMap((model, i) =>
-    model.effects.flatMap((effect) =>
+  const parameters = ranking.flatMap((model, i) => {
+    const own = [
+      i + 1,
+      modelName(model),
+      model.gain,
+      model.gain_ci95[0],
+      model.gain_ci95[1],
+      model.ratio_to_floor,
+      model.probability,
+    ];
+    const values = model.effects.flatMap((effect) =>
       Object.entries(effect.parameters).map(([name, one]) => [
-        i + 1,
-        modelName(model),
-        model.gain,
-        model.gain_ci95[0],
-        model.gain_ci95[1],
-        model.ratio_to_floor,
-        model.probability,
+        ...own,
         `${effectName(effect)} ${name}`,
         one.value,
         one.ci95[0],
         one.ci95[1],
         one.unit,
       ]),
-    ),
-  );
+    );
+    return values.length > 0 ? values : [[...own, null, null, null, null, null]];
+  });
   saveCsv(
     [
       'rank',
@@ -163,7 +192,9 @@ const kLeastShare = 0.001; // less is not worth its digits
 const shareText = (share: number | null) =>
   share !== null && share < kLeastShare ? `< ${kLeastShare}` : plain(share, 2);
 
-function Candidate({ rank, model }: { rank: number; model: Ranked }) {
+const kNoInterval = 'at its bound, or not told';
+
+function Candidate({ rank, model, weighed }: { rank: number; model: Ranked; weighed: boolean }) {
   return (
     <tr>
       <td class="muted">{rank}</td>
@@ -172,17 +203,15 @@ function Candidate({ rank, model }: { rank: number; model: Ranked }) {
         {model.effects.map((effect) => (
           <span key={effect.effect + effect.where} class="small">
             {Object.entries(effect.parameters)
-              .map(
-                ([name, one]) =>
-                  `${name} ${quantity(one.value, one.unit)}${one.ci95[0] !== null && one.ci95[1] !== null ? ` [${quantity(one.ci95[0], one.unit)}, ${quantity(one.ci95[1], one.unit)}]` : ''}`,
-              )
+              .map(([name, one]) => `${name} ${valueText(one.value, one.ci95[0], one.ci95[1], one.unit, kNoInterval)}`)
               .join(' · ')}
           </span>
         ))}
         {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
       </td>
+      <td class="number">{gainText({ value: model.gain, ci95: model.gain_ci95 })}</td>
       <td class="number">{times(model.ratio_to_floor)}</td>
-      <td class="number">{shareText(model.probability)}</td>
+      {weighed && <td class="number">{shareText(model.probability)}</td>}
     </tr>
   );
 }
@@ -226,7 +255,7 @@ function Force({ document }: { document: DiagnosisDocument }) {
                           .join(' · ')}
                       </span>
                     </td>
-                    <td class="number">{plain(one.gain.value)} nats</td>
+                    <td class="number">{gainText(one.gain)} nats</td>
                   </tr>
                 ))}
               </tbody>

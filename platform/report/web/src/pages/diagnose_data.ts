@@ -49,6 +49,8 @@ export interface DiagnosisDocument {
   p_by_chance: number | null;
   chance_95: number | null;
   free_force: { p: number | null; gain: Gain };
+  /** Of the answer, in the noise of `free_force.gain`. */
+  answer_gain: Gain;
   formulas: {
     joint: string;
     text: string;
@@ -70,6 +72,31 @@ export interface DiagnosisRow {
   experiment: string;
   revision: number;
   document: string;
+}
+
+/** As diagnosis/diagnosis_findings.cpp has it. */
+const kMostOfIt = 0.95;
+
+/** Whether the first candidate is the answer, with or without something left over: not where only noise was found, and
+ *  not where a force of another form gains more. */
+export function firstIsAnswer(document: DiagnosisDocument): boolean {
+  const best = document.ranking[0];
+  if (!best || document.verdict !== 'not_in_library') return document.verdict === 'effect_found';
+  const answer = Math.max(0, document.answer_gain.value ?? 0);
+  const all = answer + Math.max(0, document.free_force.gain.value ?? 0);
+  if (answer === 0 || answer >= kMostOfIt * all || document.formulas.length === 0) return answer >= kMostOfIt * all;
+  const rival = document.formulas_of_rest ? document.answer_gain.value : best.gain;
+  return (rival ?? 0) > (document.formulas[0].gain.value ?? 0);
+}
+
+/** "+7397 ± 2858". */
+export function gainText({ value, ci95 }: Gain): string {
+  if (value === null) return '—';
+  const sign = value > 0 ? '+' : '';
+  const half = ci95[0] === null || ci95[1] === null ? null : (ci95[1] - ci95[0]) / 2;
+  const digits = Math.max(Math.abs(value), half ?? 0) < 10 ? 1 : 0;
+  const number = (one: number) => one.toFixed(digits).replace('-', '−');
+  return `${sign}${number(value)}${half === null ? '' : ` ± ${number(half)}`}`;
 }
 
 export const effectName = (effect: Effect) => `${effect.effect} @ ${effect.where}`;
@@ -103,6 +130,7 @@ export function readDocument(text: string): DiagnosisDocument {
     p_by_chance: null,
     chance_95: null,
     free_force: { p: null, gain: { value: null, ci95: [null, null] } },
+    answer_gain: { value: null, ci95: [null, null] },
     formulas: [],
     formulas_of_rest: false,
     residual_force: [],

@@ -1,6 +1,7 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
 import { quantity, times, unitText } from '../kit/format';
+import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Chart, type ChartSeries } from '../ui/chart';
 import { Figure } from '../ui/figure';
@@ -35,6 +36,8 @@ interface Fitted {
   unit: string;
   lower: number | null;
   upper: number | null;
+  at_bound: string | null;
+  identifiable: number;
 }
 
 const number = (value: number | null) => value ?? NaN;
@@ -104,10 +107,16 @@ function Lead({ errors }: { errors: Row[] }) {
   if (errors.length === 0) return <p class="lead">No revision was compared yet.</p>;
   const first = errors[0],
     last = [...errors].reverse().find((one) => one.channel === first.channel) ?? first;
+  if (first === last)
+    return (
+      <p class="lead">
+        {first.channel}: <strong>{times(first.times_floor)}</strong> the noise floor.
+      </p>
+    );
   return (
     <p class="lead">
-      {first.channel}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong>
-      {first === last ? '' : ` in ${new Set(errors.map((one) => one.revision)).size} revisions`}.
+      {first.channel}: from {times(first.times_floor)} the noise floor to <strong>{times(last.times_floor)}</strong> in{' '}
+      {new Set(errors.map((one) => one.revision)).size} revisions.
     </p>
   );
 }
@@ -134,8 +143,10 @@ function Errors({
       x,
       y: rows.map((one) => number(one.held_out_rmse)),
     },
-    { name: 'noise floor', kind: 'line', colour: 'floor', dashed: true, x, y: rows.map((one) => number(one.floor)) },
   ];
+  const floors = rows.map((one) => number(one.floor));
+  const level = rows.length === 1 && Number.isFinite(floors[0]); // one point is no line
+  if (!level) series.push({ name: 'noise floor', kind: 'line', colour: 'floor', dashed: true, x, y: floors });
   const kept = series.filter((one) => one.y.some(Number.isFinite));
   return (
     <Chart
@@ -143,6 +154,7 @@ function Errors({
       x={{ label: 'revision', unit: '1', whole: true, names: revisions.map((one) => String(one.number)) }}
       y={{ label: 'RMSE', unit, log: true }}
       series={kept}
+      levels={level ? [{ name: 'noise floor', at: floors[0], colour: 'floor' }] : []}
       pick={(_, i) => choose({ revision: rows[i].revision, a: null, b: rows[i].revision })}
     />
   );
@@ -263,8 +275,10 @@ function Table({
 
 const interval = (one: Fitted | undefined) => {
   if (!one) return '—';
-  const known = one.lower !== null && one.upper !== null && Number.isFinite(one.lower) && Number.isFinite(one.upper);
-  return `${quantity(one.value, one.unit)}${known ? ` [${quantity(one.lower, one.unit)}, ${quantity(one.upper, one.unit)}]` : ''}`;
+  const otherwise = one.at_bound ? `at its ${one.at_bound} bound` : one.identifiable ? '' : 'not told by the data';
+  return otherwise
+    ? valueText(one.value, null, null, one.unit, otherwise)
+    : valueText(one.value, one.lower, one.upper, one.unit);
 };
 
 function SideBySide({
@@ -281,7 +295,7 @@ function SideBySide({
   b: number;
 }) {
   const values = useRows<Fitted>(
-    'SELECT experiment, revision, address, value, unit, lower, upper FROM fitted_parameters WHERE experiment = ? AND revision IN (?, ?) ORDER BY position',
+    'SELECT experiment, revision, address, value, unit, lower, upper, at_bound, identifiable FROM fitted_parameters WHERE experiment = ? AND revision IN (?, ?) ORDER BY position',
     [experiment, a, b],
   );
   const name = (wanted: number) => `${wanted} · ${revisions.find((one) => one.number === wanted)?.change ?? ''}`;
@@ -300,8 +314,16 @@ function SideBySide({
           label: 'CSV',
           run: () =>
             saveCsv(
-              ['revision', 'address', 'value', 'unit', 'lower', 'upper'],
-              (values.value ?? []).map((one) => [one.revision, one.address, one.value, one.unit, one.lower, one.upper]),
+              ['revision', 'address', 'value', 'unit', 'lower', 'upper', 'at_bound'],
+              (values.value ?? []).map((one) => [
+                one.revision,
+                one.address,
+                one.value,
+                one.unit,
+                one.lower,
+                one.upper,
+                one.at_bound,
+              ]),
               `revisions ${a} and ${b}`,
             ),
         },

@@ -2,28 +2,22 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useLoaded } from '../data/use';
 import { savePng } from '../kit/download';
 import { Moment } from '../kit/moment';
+import { isTaken } from '../kit/keys';
 import { choose } from '../kit/route';
 import { Stage } from '../robot/stage';
 import { Empty, Key, Select, Show } from '../ui/parts';
 import { TrialCurvesPanel } from '../ui/trial_curves';
-import { loadPieces, loadPlay, type Piece, type Play } from './replay_data';
+import { loadPieces, loadPlay, whyNothing, type Piece, type Play } from './replay_data';
 
 /** Robots in motion, target and model over each other. */
 export function ReplayPage({ choices }: { choices: Record<string, string> }) {
   const pieces = useLoaded(loadPieces, ['pieces']);
-  return (
-    <Show of={pieces}>
-      {(all) =>
-        all.length === 0 ? (
-          <Empty>
-            There is no trial to replay. <code>lacuna run</code> and <code>lacuna compare</code> make some.
-          </Empty>
-        ) : (
-          <Pieces all={all} choices={choices} />
-        )
-      }
-    </Show>
-  );
+  return <Show of={pieces}>{(all) => (all.length === 0 ? <Nothing /> : <Pieces all={all} choices={choices} />)}</Show>;
+}
+
+function Nothing() {
+  const why = useLoaded(whyNothing, ['why nothing']);
+  return <Show of={why}>{(sentences) => <Empty>{sentences}</Empty>}</Show>;
 }
 
 /** What is asked for, else what was shown last, else the newest. */
@@ -105,13 +99,7 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
   }, [playing, speed]);
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
-      if (
-        /^(TEXTAREA|SELECT|BUTTON)$/.test((event.target as Element).tagName) ||
-        event.ctrlKey ||
-        event.metaKey ||
-        event.altKey
-      )
-        return;
+      if (isTaken(event)) return;
       const stride = ((last - first) / 200) * (event.shiftKey ? 10 : 1);
       const actions: Record<string, () => void> = {
         ' ': () => setPlaying((one) => !one),

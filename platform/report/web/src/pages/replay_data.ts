@@ -73,6 +73,24 @@ export async function loadPieces(source: Source): Promise<Piece[]> {
   ];
 }
 
+/** Why there is nothing to play, and what would make something. */
+export async function whyNothing(source: Source): Promise<string> {
+  const [{ runs, passes, comparisons }] = objects<{ runs: number; passes: number; comparisons: number }>(
+    await source.query(`SELECT EXISTS (SELECT * FROM eea_run) AS runs, EXISTS (SELECT * FROM pass WHERE ended) AS passes,
+      EXISTS (SELECT * FROM comparison) AS comparisons`),
+  );
+  const sentences: string[] = [];
+  if (passes && !source.live)
+    sentences.push(
+      'No robot of a run was simulated for this report: it was made with --no-robots, or a note above says why.',
+    );
+  else if (runs) sentences.push('No pass of a run has found a model yet.');
+  if (comparisons)
+    sentences.push(`The time series of comparisons are not in this ${source.live ? 'database' : 'report'}.`);
+  if (!source.live && (passes || comparisons)) sentences.push('lacuna serve shows all that the database has.');
+  return sentences.join(' ') || 'There is no trial to replay: lacuna run and lacuna compare make some.';
+}
+
 /** Whether a body touches the ground: as it was simulated, else as its touch sensor reads it. */
 function touchOf(robot: Robot, contacts: Trace | undefined, readings: Trace | undefined): Actor['touching'] {
   const trace = contacts ?? readings;

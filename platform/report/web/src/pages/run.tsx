@@ -1,11 +1,12 @@
-import { useContext, useEffect, useRef, useState } from 'preact/hooks';
-import { SharedContext, useRows } from '../data/use';
-import { count, duration, plain } from '../kit/format';
-import { choose, linkTo } from '../kit/route';
+import type { ComponentChildren } from 'preact';
+import { useRows } from '../data/use';
+import { choose, linkTo, notHere } from '../kit/route';
 import { Chart } from '../ui/chart';
 import { Empty, Select, Show } from '../ui/parts';
-import { kindOf, kRuns, passAxis, secondsLeft, type PassRow, type Run } from './run_data';
+import { kindOf, kRuns, passAxis, type PassRow, type Run } from './run_data';
 import { Ensemble, Foretold, Spread } from './run_models';
+import { useProgress, type Standing } from './run_progress';
+import { State } from './run_state';
 import { Best } from './run_values';
 
 /** One run of the algorithm; live while it runs. */
@@ -13,52 +14,71 @@ export function RunPage({ choices }: { choices: Record<string, string> }) {
   const runs = useRows<Run>(kRuns);
   return (
     <Show of={runs}>
-      {(all) => {
-        if (all.length === 0)
-          return (
-            <Empty>
-              The database has no run of the algorithm. <code>lacuna run FILE</code> makes one.
-            </Empty>
-          );
-        const running = all.filter((one) => one.ending === 'not ended');
-        const run =
-          all.find((one) => String(one.run) === choices.run) ?? running[running.length - 1] ?? all[all.length - 1];
-        return <OneRun key={run.run} run={run} all={all} pass={choices.pass} />;
-      }}
+      {(all) =>
+        all.length === 0 ? (
+          <Empty>
+            The database has no run of the algorithm. <code>lacuna run FILE</code> makes one.
+          </Empty>
+        ) : (
+          <Chosen all={all} choices={choices} />
+        )
+      }
     </Show>
   );
 }
 
-/** Evaluations per second, between what was seen last and now. */
-function useRate(run: Run): number | null {
-  const seen = useRef<{ seconds: number; models: number }[]>([]);
-  const [rate, setRate] = useState<number | null>(null);
-  useEffect(() => {
-    if (run.seconds === null) return;
-    seen.current = [...seen.current, { seconds: run.seconds, models: run.models + run.tests }].slice(-8);
-    const [first, last] = [seen.current[0], seen.current[seen.current.length - 1]];
-    if (last.seconds > first.seconds) setRate((last.models - first.models) / (last.seconds - first.seconds));
-  }, [run.seconds, run.models, run.tests]);
-  return rate;
+/** The run that is asked for, else the one that got on last. */
+function Chosen({ all, choices }: { all: Run[]; choices: Record<string, string> }) {
+  const asked = all.find((one) => String(one.run) === choices.run);
+  const { run, standing } = useProgress(all, asked);
+  const missing = notHere(
+    'run',
+    choices.run,
+    all.map((one) => one.run),
+  );
+  if (missing !== null)
+    return (
+      <>
+        <RunSelect all={all} />
+        <Empty>{missing} The list has those that are.</Empty>
+      </>
+    );
+  return <OneRun key={run.run} run={run} all={all} standing={standing} pass={choices.pass} />;
 }
 
-function OneRun({ run, all, pass }: { run: Run; all: Run[]; pass: string | undefined }) {
+function RunSelect({ run, all, children }: { run?: Run; all: Run[]; children?: ComponentChildren }) {
+  const options = all.map((one) => ({
+    value: String(one.run),
+    label: `${one.run} · ${one.experiment} · replicate ${one.replicate} · ${one.ending}`,
+  }));
+  return (
+    <div class="choices">
+      <Select
+        label="Run"
+        value={run ? String(run.run) : ''}
+        change={(value) => choose({ run: value, pass: null })}
+        options={run ? options : [{ value: '', label: '—' }, ...options]}
+      />
+      {children}
+    </div>
+  );
+}
+
+interface OneRunProps {
+  run: Run;
+  all: Run[];
+  standing: Standing;
+  pass: string | undefined;
+}
+
+function OneRun({ run, all, standing, pass }: OneRunProps) {
   return (
     <>
-      <div class="choices">
-        <Select
-          label="Run"
-          value={String(run.run)}
-          change={(value) => choose({ run: value, pass: null })}
-          options={all.map((one) => ({
-            value: String(one.run),
-            label: `${one.run} · ${one.experiment} · replicate ${one.replicate} · ${one.ending}`,
-          }))}
-        />
+      <RunSelect run={run} all={all}>
         <a href={linkTo('replay', { run: run.run })}>replay</a>
         <a href={linkTo('runs', { experiment: run.experiment })}>all replicates</a>
-      </div>
-      <State run={run} />
+      </RunSelect>
+      <State run={run} standing={standing} />
       <div class="two">
         <ErrorByPass run={run} />
         <Objective run={run} />
@@ -68,57 +88,6 @@ function OneRun({ run, all, pass }: { run: Run; all: Run[]; pass: string | undef
       </div>
       <Best run={run} pass={pass} />
       <Ensemble run={run} pass={pass} />
-    </>
-  );
-}
-
-function State({ run }: { run: Run }) {
-  const { source } = useContext(SharedContext);
-  const rate = useRate(run);
-  const running = run.ending === 'not ended';
-  const stopped = useRows<{ pass: number; stopped: string }>(
-    'SELECT number AS pass, stopped FROM pass WHERE run = ? AND stopped IS NOT NULL',
-    [run.run],
-  ).value?.[0];
-  const facts: [string, string][] = [
-    ['passes', `${run.passes_done} of ${run.passes}`],
-    ['best error', plain(run.best_score, 4)],
-    ['models', count(run.models)],
-    ['tests', count(run.tests)],
-    ['target trials', count(run.trials)],
-    ['work', duration(run.seconds)],
-    ...(running && source.live
-      ? ([
-          ['evaluations per second', rate === null ? '…' : count(rate)],
-          ['left, about', duration(secondsLeft(run))],
-        ] as [string, string][])
-      : ([['evaluations per second', run.seconds ? count((run.models + run.tests) / run.seconds) : '—']] as [
-          string,
-          string,
-        ][])),
-  ];
-  return (
-    <>
-      <p class="lead">
-        Run {run.run} of {run.experiment}, replicate {run.replicate}:{' '}
-        <strong>
-          {running ? (source.live ? 'running or broken off' : 'not ended when this report was made') : run.ending}
-        </strong>
-      </p>
-      {stopped && (
-        <p>
-          Stopped after pass {stopped.pass}: {stopped.stopped}.
-        </p>
-      )}
-      <progress value={run.passes_done} max={run.passes} aria-label="passes" />
-      <dl class="facts">
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
     </>
   );
 }
@@ -137,14 +106,15 @@ function ErrorByPass({ run }: { run: Run }) {
           note="Over all trials so far, so that a new trial may raise it."
           series={[
             {
-              name: '',
+              name: 'best model',
+              unlisted: true,
               kind: 'both',
               colour: 'predicted',
               x: all.map((one) => one.pass),
               y: all.map((one) => number(one.error)),
             },
           ]}
-          pick={(_, i) => choose({ pass: all[i].pass })}
+          pick={(_, i) => choose({ run: run.run, pass: all[i].pass })}
         />
       )}
     </Show>
@@ -188,7 +158,8 @@ function Objective({ run }: { run: Run }) {
                     ...(several
                       ? [
                           {
-                            name: '',
+                            name: 'smallest to largest',
+                            unlisted: true,
                             kind: 'band' as const,
                             colour: 'truth' as const,
                             x,
@@ -198,7 +169,7 @@ function Objective({ run }: { run: Run }) {
                           },
                         ]
                       : []),
-                    { name: '', kind: 'both', colour: 'truth', x, y: mean },
+                    { name: several ? 'mean' : name, unlisted: true, kind: 'both', colour: 'truth', x, y: mean },
                   ]}
                 />
               );

@@ -2,7 +2,7 @@ import { objects } from '../data/source';
 import { useLoaded, useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
 import { quantity } from '../kit/format';
-import { choose } from '../kit/route';
+import { choose, notHere } from '../kit/route';
 import { Figure } from '../ui/figure';
 import { ParameterChart, type BestValue } from '../ui/parameter_chart';
 import { Empty, Select, Show } from '../ui/parts';
@@ -47,6 +47,7 @@ export function Best({ run, pass }: { run: Run; pass: string | undefined }) {
         const passes = [...new Set(all.map((one) => one.pass))].sort((a, b) => a - b);
         const chosen = passes.includes(Number(pass)) ? Number(pass) : passes[passes.length - 1];
         const values = all.filter((one) => one.pass === chosen);
+        const missing = notHere('pass', pass, passes);
         return (
           <>
             <div class="choices">
@@ -54,9 +55,12 @@ export function Best({ run, pass }: { run: Run; pass: string | undefined }) {
                 label="Best model of pass"
                 value={String(chosen)}
                 options={passes.map((one) => ({ value: String(one), label: String(one) }))}
-                change={(value) => choose({ pass: value })}
+                change={(value) => choose({ run: run.run, pass: value })}
               />
-              <span class="muted">model {values[0].model}</span>
+              <span class="muted">
+                model {values[0].model}
+                {missing !== null && ` (${missing.replace(/\.$/, '')})`}
+              </span>
             </div>
             <div class="two">
               {[...new Set(values.map(groupOf))].map((group) => (

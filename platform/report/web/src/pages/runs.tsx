@@ -1,9 +1,9 @@
-import { useCallback, useMemo, useState } from 'preact/hooks';
+import { useCallback, useMemo } from 'preact/hooks';
 import { useLoaded, useRows } from '../data/use';
-import { duration, plain } from '../kit/format';
-import { linkTo } from '../kit/route';
+import { cellText, duration, plain } from '../kit/format';
+import { linkTo, refine } from '../kit/route';
 import { Chart, type ChartSeries } from '../ui/chart';
-import { seriesColour } from '../kit/colours';
+import { seriesColour, type Colour } from '../kit/colours';
 import { DataTable } from '../ui/data_table';
 import { Figure } from '../ui/figure';
 import { saveCsv } from '../kit/download';
@@ -13,54 +13,37 @@ import { kRunColumns, kRunsFrom, meanBand } from './run_data';
 
 const kShown = `SELECT ${kRunColumns} ${kRunsFrom} ORDER BY eea_runs.run DESC`;
 
+const kFormats: Record<string, (cell: Cell) => string> = {
+  best_score: (cell) => plain(cell as number | null, 4),
+  seconds: (cell) => duration(cell as number | null),
+};
+
+/** Whether each word is in some cell, as it is shown or as it is stored. */
+function hasWords(columns: string[], row: Cell[], words: string[]): boolean {
+  const texts = row.flatMap((cell, i) => [cellText(cell), String(cell ?? ''), kFormats[columns[i]]?.(cell) ?? '']);
+  return words.every((word) => texts.some((text) => text.toLowerCase().includes(word)));
+}
+
 /** All runs, and what experiments make of their replicates. */
 export function RunsPage({ choices }: { choices: Record<string, string> }) {
   const runs = useLoaded((source) => source.query(kShown), ['runs']);
-  const [filter, setFilter] = useState(choices.experiment ?? '');
-  const accept = useCallback(
-    (row: Cell[]) =>
-      filter === '' ||
-      filter
-        .toLowerCase()
-        .split(/\s+/)
-        .every((word) =>
-          row.some((cell) =>
-            String(cell ?? '')
-              .toLowerCase()
-              .includes(word),
-          ),
-        ),
-    [filter],
-  );
+  const filter = choices.filter ?? choices.experiment ?? '';
   return (
     <Show of={runs}>
-      {(table) =>
-        table.rows.length === 0 ? (
-          <Commands />
-        ) : (
-          <Runs table={table} filter={filter} setFilter={setFilter} accept={accept} />
-        )
-      }
+      {(table) => (table.rows.length === 0 ? <Commands /> : <Runs table={table} filter={filter} />)}
     </Show>
   );
 }
 
-function Runs({
-  table,
-  filter,
-  setFilter,
-  accept,
-}: {
-  table: Table;
-  filter: string;
-  setFilter: (text: string) => void;
-  accept: (row: Cell[]) => boolean;
-}) {
+function Runs({ table, filter }: { table: Table; filter: string }) {
+  const names = table.columns.join();
+  const accept = useCallback(
+    (row: Cell[]) => hasWords(names.split(','), row, filter.toLowerCase().split(/\s+/)),
+    [names, filter],
+  );
   const shown = useMemo(() => table.rows.filter(accept), [table, accept]);
-  const formats = {
-    best_score: (cell: Cell) => plain(cell as number | null, 4),
-    seconds: (cell: Cell) => duration(cell as number | null),
-  };
+  const column = (name: string) => table.columns.indexOf(name);
+  const experiments = [...new Set(table.rows.map((row) => row[column('experiment')] as string))].sort();
   return (
     <>
       <div class="choices wide">
@@ -70,7 +53,7 @@ function Runs({
           placeholder="filter: words of any column ( / )"
           aria-label="Filter runs"
           value={filter}
-          onInput={(event) => setFilter(event.currentTarget.value)}
+          onInput={(event) => refine({ filter: event.currentTarget.value, experiment: null })}
         />
         <span class="muted">
           {shown.length} of {table.rows.length} runs
@@ -78,19 +61,19 @@ function Runs({
       </div>
       <Figure
         title="Runs"
-        note="A click opens a run."
+        note="A click or Enter opens a run."
         downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, shown, 'runs') }]}
       >
         <DataTable
           table={table}
-          formats={formats}
+          formats={kFormats}
           accept={accept}
           pick={(row) => {
             location.hash = linkTo('run', { run: table.rows[row][0] as number });
           }}
         />
       </Figure>
-      <Replicates runs={shown.map((row) => row[0] as number)} />
+      <Replicates runs={shown.map((row) => row[column('run')] as number)} experiments={experiments} />
       <Commands />
     </>
   );
@@ -104,7 +87,8 @@ interface ErrorRow {
   metric: string;
 }
 
-function Replicates({ runs }: { runs: number[] }) {
+/** `experiments`: all that there are, so that each keeps its colour whatever is shown. */
+function Replicates({ runs, experiments }: { runs: number[]; experiments: string[] }) {
   const rows = useRows<ErrorRow>(
     'SELECT experiment, run, pass, error, metric FROM error_by_pass ORDER BY experiment, run, pass',
   );
@@ -120,12 +104,13 @@ function Replicates({ runs }: { runs: number[] }) {
      FROM parameter_error_by_pass GROUP BY run, pass, 4, unit ORDER BY experiment, run, pass LIMIT ${kMostRows}`,
   );
   const wanted = new Set(runs);
+  if (runs.length === 0) return <Empty>No run has these words.</Empty>;
   return (
     <div class="two">
       <Show of={rows}>
         {(all) => {
           const own = all.filter((one) => wanted.has(one.run));
-          if (own.length === 0) return <Empty>No pass has ended.</Empty>;
+          if (own.length === 0) return <Empty>No pass of these runs has ended.</Empty>;
           return (
             <>
               {[...new Set(own.map((one) => one.metric))].map((metric) => (
@@ -133,6 +118,7 @@ function Replicates({ runs }: { runs: number[] }) {
                   key={metric}
                   title={`Error by pass: ${metric.replace(/_/g, ' ')}`}
                   label="error of the best model"
+                  experiments={experiments}
                   unit="1"
                   log
                   rows={own.filter((one) => one.metric === metric).map((one) => ({ ...one, value: one.error }))}
@@ -154,6 +140,7 @@ function Replicates({ runs }: { runs: number[] }) {
                 key={group}
                 title={`Objective error by pass: ${address}`}
                 label={`error of ${address}`}
+                experiments={experiments}
                 unit={unit}
                 rows={own.map((one) => ({ ...one, value: one.error }))}
               />
@@ -171,57 +158,51 @@ interface BandRow {
   value: number | null;
 }
 
-/** Each experiment's mean over its runs with the 95 % interval of the mean; single runs faint. */
-function Bands({
-  title,
-  label,
-  unit,
-  log,
-  rows,
-}: {
+interface BandsProps {
   title: string;
   label: string;
   unit: string;
   log?: boolean;
+  experiments: string[];
   rows: BandRow[];
-}) {
-  const series = [...new Set(rows.map((one) => one.experiment))].flatMap((experiment, i): ChartSeries[] => {
+}
+
+const kMostLines = 60;
+
+/** "mean of 8 runs", or "of 2–8" where some have ended earlier than others. */
+function meanOf(counts: number[]): string {
+  const [least, most] = [Math.min(...counts), Math.max(...counts)];
+  return `mean of ${least < most ? `${least}–${most}` : most} runs`;
+}
+
+/** An experiment's mean over its runs with the 95 % interval of the mean; single runs faint. */
+function seriesOf(experiment: string, colour: Colour, own: BandRow[]): ChartSeries[] {
+  const runs = [...new Set(own.map((one) => one.run))];
+  const { x, mean, lower, upper, counts } = meanBand(own);
+  if (runs.length < 2) return [{ name: experiment, kind: 'both', colour, x, y: mean }];
+  const lines = runs.slice(0, runs.length <= kMostLines ? runs.length : 0).map((run): ChartSeries => {
+    const points = own.filter((one) => one.run === run);
+    return {
+      name: `${experiment}, run ${run}`,
+      unlisted: true,
+      kind: 'line',
+      colour,
+      faint: true,
+      x: points.map((one) => one.pass),
+      y: points.map((one) => one.value ?? NaN),
+    };
+  });
+  return [
+    ...lines,
+    { name: `${experiment}, 95 % interval`, unlisted: true, kind: 'band', colour, x, y: mean, lower, upper, counts },
+    { name: `${experiment}, ${meanOf(counts)}`, kind: 'both', colour, x, y: mean, counts },
+  ];
+}
+
+function Bands({ title, label, unit, log, experiments, rows }: BandsProps) {
+  const series = experiments.flatMap((experiment, i) => {
     const own = rows.filter((one) => one.experiment === experiment);
-    const runs = [...new Set(own.map((one) => one.run))];
-    const band = meanBand(own);
-    const positive = (values: number[]) => (log ? values.map((one) => (one > 0 ? one : NaN)) : values);
-    return [
-      ...(runs.length > 1 && runs.length <= 60
-        ? runs.map((run): ChartSeries => ({
-            name: '',
-            kind: 'line',
-            colour: seriesColour(i),
-            faint: true,
-            x: own.filter((one) => one.run === run).map((one) => one.pass),
-            y: own.filter((one) => one.run === run).map((one) => one.value ?? NaN),
-          }))
-        : []),
-      ...(runs.length > 1
-        ? [
-            {
-              name: '',
-              kind: 'band' as const,
-              colour: seriesColour(i),
-              x: band.x,
-              y: band.mean,
-              lower: positive(band.lower),
-              upper: positive(band.upper),
-            },
-          ]
-        : []),
-      {
-        name: `${experiment}${runs.length > 1 ? `, mean of ${runs.length} runs` : ''}`,
-        kind: 'both',
-        colour: seriesColour(i),
-        x: band.x,
-        y: band.mean,
-      },
-    ];
+    return own.length > 0 ? seriesOf(experiment, seriesColour(i), own) : [];
   });
   return (
     <Chart

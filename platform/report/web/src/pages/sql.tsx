@@ -8,6 +8,7 @@ import { Chart } from '../ui/chart';
 import { DataTable } from '../ui/data_table';
 import { Figure } from '../ui/figure';
 import { Empty, Key, Select, Show } from '../ui/parts';
+import { unitOf } from './sql_units';
 
 interface View {
   name: string;
@@ -19,6 +20,11 @@ const kFirst = 'SELECT * FROM error_by_revision ORDER BY experiment, revision';
 const kMostPoints = 20_000;
 const kMostRows = 50_000;
 const kMostSavedRows = 1_000_000;
+const kRowsOnPaper = 12; // more scroll
+
+/** Of a table that there is not, the program would advise a command; here the list stands beside. */
+const withAdvice = (message: string) =>
+  message.replace(/(no such table: \S+?)(; `lacuna sql .*)?$/, '$1; “What can be asked” has those that there are');
 
 /** Any query that reads, its result as table, picture and file. */
 export function SqlPage({ choices }: { choices: Record<string, string> }) {
@@ -34,7 +40,7 @@ export function SqlPage({ choices }: { choices: Record<string, string> }) {
     setAnswer(null);
     source.ask(asked || kFirst, kMostRows).then(
       (table) => wanted && setAnswer({ table, ms: performance.now() - began }),
-      (error: Error) => wanted && setAnswer({ error: error.message }),
+      (error: Error) => wanted && setAnswer({ error: withAdvice(error.message) }),
     );
     return () => {
       wanted = false;
@@ -65,7 +71,8 @@ export function SqlPage({ choices }: { choices: Record<string, string> }) {
               }
             }}
           />
-          <div class="choices">
+          <pre class="on-paper">{asked || kFirst}</pre>
+          <div class="choices off-paper">
             <button type="submit" class="primary">
               Run
             </button>
@@ -82,7 +89,7 @@ export function SqlPage({ choices }: { choices: Record<string, string> }) {
         )}
         {answer?.table && <Result table={answer.table} ms={answer.ms ?? 0} choices={choices} sql={asked || kFirst} />}
       </section>
-      <aside class="side">
+      <aside class="side off-paper">
         <Views run={run} />
       </aside>
     </div>
@@ -122,6 +129,9 @@ function Result({ table, ms, choices, sql }: ResultProps) {
       >
         {table.rows.length === 0 ? <Empty>No row.</Empty> : <DataTable table={table} />}
       </Figure>
+      {table.rows.length > kRowsOnPaper && (
+        <p class="note on-paper">Paper has the rows that the screen had; the CSV file has all.</p>
+      )}
       {table.rows.length > 1 && <Plot table={table} choices={choices} />}
     </>
   );
@@ -159,8 +169,8 @@ function Plot({ table, choices }: { table: Table; choices: Record<string, string
       </div>
       <Chart
         title={`${y.name} over ${x.name}`}
-        x={{ label: x.name, unit: '1' }}
-        y={{ label: y.name, unit: '1' }}
+        x={{ label: x.name, unit: unitOf(table, x.i) }}
+        y={{ label: y.name, unit: unitOf(table, y.i) }}
         series={[
           {
             name: '',

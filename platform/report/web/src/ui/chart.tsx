@@ -1,12 +1,15 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Colour } from '../kit/colours';
 import { saveCsv, saveSvg } from '../kit/download';
-import { plain, prefixFor, quantity, tickTexts, unitText } from '../kit/format';
+import { logTickTexts, prefixFor, quantity, tickTexts, unitText } from '../kit/format';
 import { linearTicks, logTicks } from '../kit/ticks';
 import { Figure } from './figure';
+import { roomForNames, TickName } from './tick_names';
 
 export interface ChartSeries {
   name: string;
+  /** The legend does not have it; the readout and the CSV file do. */
+  unlisted?: boolean;
   kind: 'line' | 'points' | 'band' | 'both';
   x: number[];
   /** NaN: a gap. */
@@ -16,6 +19,8 @@ export interface ChartSeries {
   colour: Colour;
   dashed?: boolean;
   faint?: boolean;
+  /** How many values each point is a mean of. */
+  counts?: number[];
 }
 
 export interface Axis {
@@ -37,19 +42,13 @@ export interface ChartProps {
   levels?: { name: string; at: number; colour: Colour }[];
   height?: number;
   note?: string;
+  /** What the CSV file has instead of the points. */
+  csv?: { columns: string[]; rows: unknown[][] };
   pick?: (series: number, index: number) => void;
   chosen?: { series: number; index: number };
 }
 
 const kMargin = { left: 62, right: 14, top: 8, bottom: 40 };
-const kLetter = 6; // px
-
-/** Names below the ticks stand aslant where they would not fit beside each other, and need room for that. */
-function roomForNames(names: string[] | undefined, width: number): { aslant: boolean; room: number } {
-  const longest = kLetter * Math.max(0, ...(names ?? []).map((one) => one.length));
-  const aslant = names !== undefined && longest > width / names.length;
-  return { aslant, room: aslant ? Math.min(0.7 * longest, 110) : 0 };
-}
 
 interface Scale {
   low: number;
@@ -121,6 +120,31 @@ const bandPath = (x: number[], lower: number[], upper: number[]) => {
   return `M${there.join('L')}L${back.join('L')}Z`;
 };
 
+/** The points, by the names of their places where these have names. */
+function pointsOf({ series, x, y }: ChartProps): { columns: string[]; rows: unknown[][] } {
+  const counted = series.some((one) => one.counts);
+  return {
+    columns: [
+      'series',
+      axisTitle(x, '') || 'name',
+      axisTitle(y, ''),
+      'lower',
+      'upper',
+      ...(counted ? ['mean_of'] : []),
+    ],
+    rows: series.flatMap((one) =>
+      one.x.map((value, i) => [
+        one.name,
+        x.names ? x.names[Math.round(value)] : value,
+        one.y[i],
+        one.lower?.[i],
+        one.upper?.[i],
+        ...(counted ? [one.counts?.[i]] : []),
+      ]),
+    ),
+  };
+}
+
 export function useWidth(): [preact.RefObject<HTMLDivElement>, number] {
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
@@ -145,7 +169,7 @@ export function Chart(props: ChartProps) {
   const picture = useRef<SVGSVGElement>(null);
   const [near, setNear] = useState<{ series: number; index: number } | null>(null);
   const wide = Math.max(width, 200);
-  const { aslant, room } = roomForNames(props.x.names, wide - kMargin.left - kMargin.right);
+  const { turn, room } = roomForNames(props.x.names, wide - kMargin.left - kMargin.right);
   const bottom = kMargin.bottom + room;
   const scales = useMemo(() => {
     const x = scaleOf(
@@ -168,8 +192,10 @@ export function Chart(props: ChartProps) {
   const px = prefix(props.x, x),
     py = prefix(props.y, y);
 
-  const yTexts = props.y.log ? y.ticks.map((tick) => plain(tick * py.factor, 1)) : tickTexts(y.ticks, py.factor);
+  const yTexts = (props.y.log ? logTickTexts : tickTexts)(y.ticks, py.factor);
   const xTexts = props.x.names ? x.ticks.map((tick) => props.x.names![tick] ?? '') : tickTexts(x.ticks, px.factor);
+  // The end of a band or whisker: what a logarithmic axis does not reach lies below the picture.
+  const end = (value: number) => (props.y.log && value <= 0 ? height - bottom : y.place(value));
 
   const find = (event: MouseEvent) => {
     const place = picture.current!.getBoundingClientRect();
@@ -196,19 +222,17 @@ export function Chart(props: ChartProps) {
     { label: 'SVG', run: () => saveSvg(picture.current!, title) },
     {
       label: 'CSV',
-      run: () =>
-        saveCsv(
-          ['series', axisTitle(props.x, ''), axisTitle(props.y, ''), 'lower', 'upper'],
-          series.flatMap((one) => one.x.map((value, i) => [one.name, value, one.y[i], one.lower?.[i], one.upper?.[i]])),
-          title,
-        ),
+      run: () => {
+        const { columns, rows } = props.csv ?? pointsOf({ ...props, series });
+        saveCsv(columns, rows, title);
+      },
     },
   ];
   return (
     <Figure title={title} note={props.note} downloads={downloads}>
       <div class="legend">
         {series
-          .filter((one) => one.name !== '')
+          .filter((one) => one.name !== '' && !one.unlisted)
           .map((one) => (
             <span key={one.name} class={`key ink-${one.colour} ${one.kind} ${one.dashed ? 'dashed' : ''}`}>
               <i />
@@ -224,7 +248,7 @@ export function Chart(props: ChartProps) {
         <span class="readout">
           {tell &&
             shown &&
-            `${tell.name}${tell.name ? ': ' : ''}${props.x.names ? (props.x.names[Math.round(tell.x[shown.index])] ?? '') : quantity(tell.x[shown.index], props.x.unit)} → ${quantity(tell.y[shown.index], props.y.unit)}`}
+            `${tell.name}${tell.name ? ': ' : ''}${props.x.names ? (props.x.names[Math.round(tell.x[shown.index])] ?? '') : quantity(tell.x[shown.index], props.x.unit)} → ${quantity(tell.y[shown.index], props.y.unit)}${tell.counts ? `, of ${tell.counts[shown.index]}` : ''}`}
         </span>
       </div>
       <div class="chart" ref={box}>
@@ -252,13 +276,7 @@ export function Chart(props: ChartProps) {
                 </text>
               ))}
               {x.ticks.map((tick, i) => (
-                <text
-                  key={tick}
-                  text-anchor={aslant ? 'end' : 'middle'}
-                  transform={`translate(${x.place(tick)} ${height - bottom + 16})${aslant ? ' rotate(-40)' : ''}`}
-                >
-                  {xTexts[i]}
-                </text>
+                <TickName key={tick} name={xTexts[i]} x={x.place(tick)} y={height - bottom + 16} turn={turn} />
               ))}
               {x.ticks.map((tick) => (
                 <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - bottom} y2={height - bottom + 4} />
@@ -291,7 +309,7 @@ export function Chart(props: ChartProps) {
               return (
                 <g key={s} class={`ink-${one.colour} ${one.faint ? 'faint' : ''}`}>
                   {one.lower && one.upper && one.kind !== 'points' && one.kind !== 'both' && (
-                    <path class="band" d={bandPath(xs, one.lower.map(y.place), one.upper.map(y.place))} />
+                    <path class="band" d={bandPath(xs, one.lower.map(end), one.upper.map(end))} />
                   )}
                   {one.lower &&
                     one.upper &&
@@ -305,8 +323,8 @@ export function Chart(props: ChartProps) {
                             class="whisker"
                             x1={at}
                             x2={at}
-                            y1={y.place(one.lower![i])}
-                            y2={y.place(one.upper![i])}
+                            y1={end(one.lower![i])}
+                            y2={end(one.upper![i])}
                           />
                         ),
                     )}

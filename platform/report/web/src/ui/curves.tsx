@@ -4,6 +4,7 @@ import { colourNow, type Colour } from '../kit/colours';
 import { drawn, type Series } from '../kit/decimate';
 import { prefixFor, tickTexts, unitText } from '../kit/format';
 import type { Moment } from '../kit/moment';
+import { kPaperWidth, whenPrinted } from '../kit/paper';
 import type { View } from '../kit/view';
 
 export interface Line {
@@ -245,8 +246,8 @@ export function Curves(props: CurvesProps) {
     listenTo(u, props.view, () => latest.current);
     listenToFingers(u, props.view);
     const unfollow = props.moment && follow(u, props.moment, props.view);
-    const draw = () => {
-      if (!visible) {
+    const draw = (all = false) => {
+      if (!visible && !all) {
         stale = true;
         return;
       }
@@ -257,7 +258,7 @@ export function Curves(props: CurvesProps) {
         props.lines.map((line) => line.series),
         from,
         to,
-        Math.max(host.clientWidth - 70, 100),
+        Math.max(u.width - 70, 100),
       );
       u.batch(() => {
         u.setData(data as unknown as uPlot.AlignedData, false);
@@ -266,12 +267,12 @@ export function Curves(props: CurvesProps) {
     };
     draw();
     const stop = props.view.listen(draw);
-    const sizes = new ResizeObserver(() => {
-      if (host.clientWidth > 0 && host.clientWidth !== u.width) {
-        u.setSize({ width: host.clientWidth, height: props.height });
-        draw();
-      }
-    });
+    const resize = (width: number) => {
+      if (width <= 0 || width === u.width) return;
+      u.setSize({ width, height: props.height });
+      draw();
+    };
+    const sizes = new ResizeObserver(() => resize(host.clientWidth));
     sizes.observe(host);
     const sight = new IntersectionObserver(
       ([entry]) => {
@@ -283,7 +284,15 @@ export function Curves(props: CurvesProps) {
     sight.observe(host);
     const repaint = () => u.redraw(false);
     addEventListener('lacuna-theme', repaint);
+    const unprinted = whenPrinted(
+      () => {
+        resize(kPaperWidth);
+        draw(true);
+      },
+      () => resize(host.clientWidth),
+    );
     return () => {
+      unprinted();
       removeEventListener('lacuna-theme', repaint);
       unfollow?.();
       stop();

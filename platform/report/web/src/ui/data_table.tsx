@@ -8,6 +8,7 @@ import {
   Tabulator,
   type CellComponent,
   type ColumnDefinition,
+  type RowComponent,
 } from 'tabulator-tables';
 import type { Cell, Table } from '../data/source';
 import { cellText } from '../kit/format';
@@ -18,6 +19,7 @@ interface Props {
   table: Table;
   /** How a column's cells are written; every digit where it is not said. */
   formats?: Record<string, (cell: Cell) => string>;
+  /** What a click on a row does, or Enter where a row has the focus. */
   pick?: (row: number) => void;
   /** Rows that are shown; all where there is none. */
   accept?: (row: Cell[]) => boolean;
@@ -56,6 +58,19 @@ function columnsOf({ table, formats }: Props): ColumnDefinition[] {
   });
 }
 
+/** Rows can be reached with the tab key and with arrows, and chosen with Enter. */
+function leadByKeys(row: RowComponent, pick: () => void): void {
+  const element = row.getElement();
+  element.tabIndex = 0;
+  element.onkeydown = (event) => {
+    const next = { ArrowDown: element.nextElementSibling, ArrowUp: element.previousElementSibling }[event.key];
+    if (event.key === 'Enter') pick();
+    else if (next instanceof HTMLElement) next.focus();
+    else return;
+    event.preventDefault();
+  };
+}
+
 const rowsOf = (table: Table) =>
   table.rows.map((row, index) => Object.fromEntries([['index', index], ...row.map((cell, i) => [`c${i}`, cell])]));
 
@@ -74,6 +89,7 @@ export function DataTable(props: Props) {
     const { accept, table } = latest.current;
     if (accept) shown.current?.setFilter((row) => latest.current.accept!(table.rows[row.index as number]));
   };
+  const pick = (row: RowComponent) => latest.current.pick?.(row.getData().index as number);
   useEffect(() => {
     drawn.current = latest.current.table;
     const table = new Tabulator(box.current!, {
@@ -83,8 +99,9 @@ export function DataTable(props: Props) {
       index: 'index',
       ...(isLong ? { height: 320 } : {}),
       renderVerticalBuffer: 200,
+      ...(latest.current.pick ? { rowFormatter: (row: RowComponent) => leadByKeys(row, () => pick(row)) } : {}),
     });
-    table.on('rowClick', (_, row) => latest.current.pick?.(row.getData().index as number));
+    table.on('rowClick', (_, row) => pick(row));
     table.on('tableBuilt', () => {
       shown.current = table;
       update();

@@ -1,4 +1,6 @@
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { fitPaper, leavePaper, whenPrinted } from '../kit/paper';
 
 interface Props {
   title: ComponentChildren;
@@ -10,8 +12,17 @@ interface Props {
 
 /** A picture or a table with a title above it and downloads beside that. */
 export function Figure({ title, note, downloads = [], children }: Props) {
+  const figure = useRef<HTMLElement>(null);
+  useEffect(
+    () =>
+      whenPrinted(
+        () => fitPaper(figure.current!),
+        () => leavePaper(figure.current!),
+      ),
+    [],
+  );
   return (
-    <figure class="figure">
+    <figure class="figure" ref={figure}>
       <figcaption>
         <span class="figure-title">{title}</span>
         {downloads.map((one) => (

@@ -1,4 +1,4 @@
-import { useContext, useEffect, useMemo, useState } from 'preact/hooks';
+import { useContext, useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { SharedContext } from '../data/use';
 import type { Source } from '../data/source';
 import { linkTo } from '../kit/route';
@@ -58,10 +58,15 @@ export function Finder() {
       ? places.filter((one) => words.every((word) => one.name.toLowerCase().includes(word))).slice(0, kMostFound)
       : [];
   }, [places, text]);
+  const field = useRef<HTMLInputElement>(null);
+  const leave = () => {
+    setText('');
+    field.current?.blur(); // so that the next key is the page's
+  };
   const go = (place: Place | undefined) => {
     if (!place) return;
     location.hash = place.link;
-    setText('');
+    leave();
   };
   return (
     <form
@@ -73,6 +78,7 @@ export function Finder() {
       }}
     >
       <input
+        ref={field}
         type="search"
         class="search"
         placeholder="find ( / )"
@@ -80,7 +86,7 @@ export function Finder() {
         value={text}
         onInput={(event) => setText(event.currentTarget.value)}
         onKeyDown={(event) => {
-          if (event.key === 'Escape') setText('');
+          if (event.key === 'Escape') leave();
         }}
       />
       {looking && (

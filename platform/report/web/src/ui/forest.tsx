@@ -10,6 +10,8 @@ export interface ForestRow {
   value: number | null;
   lower: number | null;
   upper: number | null;
+  /** Stands out as the answer. */
+  chosen: boolean;
 }
 
 interface Props {
@@ -94,7 +96,7 @@ export function Forest({ title, rows, label, chance, note }: Props) {
             {rows.map((row, i) => {
               const y = 6 + i * kRow + kRow / 2;
               return (
-                <g key={i} class={i === 0 ? 'ink-predicted' : 'ink-floor'}>
+                <g key={i} class={row.chosen ? 'ink-predicted' : 'ink-floor'}>
                   <text class="row-name" x={names} y={y + 4} text-anchor="end">
                     <title>{row.name}</title>
                     {row.name.length > letters ? `${row.name.slice(0, letters - 1)}…` : row.name}

@@ -21,17 +21,26 @@ interface Props {
   spread: Map<string, Spread[]> | undefined;
 }
 
-const kLetters = 16;
-
 /** What tells an address from the others: without the first word and the kind that all have. */
 function shortNames(addresses: string[]): string[] {
   const words = addresses.map((one) => one.split('.').slice(1, -1).join('.') || one);
-  const cut = words.map((one) => (one.length > kLetters ? `${one.slice(0, kLetters - 1)}…` : one));
-  return new Set(cut).size === addresses.length ? cut : addresses;
+  return new Set(words).size === addresses.length ? words : addresses;
+}
+
+/** Every value with its name; the spread is that of the last generation of its pass. */
+function csvOf({ rows, spread }: Props) {
+  return {
+    columns: ['address', 'unit', 'pass', 'value', 'truth', 'spread_lower', 'spread_median', 'spread_upper'],
+    rows: rows.map((one) => {
+      const own = spread?.get(one.address)?.find((at) => at.pass === one.pass);
+      return [one.address, one.unit, one.pass, one.value, one.truth, own?.lower, own?.middle, own?.upper];
+    }),
+  };
 }
 
 /** Values on their way to the truth: faint those of earlier passes, strong the chosen one's. */
-export function ParameterChart({ rows, pass, spread }: Props) {
+export function ParameterChart(props: Props) {
+  const { rows, pass, spread } = props;
   const addresses = [...new Set(rows.map((one) => one.address))];
   const place = (address: string) => addresses.indexOf(address);
   const earlier = rows.filter((one) => one.pass < pass),
@@ -80,6 +89,7 @@ export function ParameterChart({ rows, pass, spread }: Props) {
       y={{ label: kind, unit: rows[0].unit, include: rows.flatMap((one) => [one.lower, one.upper]) }}
       note="Small: the best models of earlier passes, in their order from left to right."
       series={series.filter((one) => one.y.some(Number.isFinite))}
+      csv={csvOf(props)}
     />
   );
 }

@@ -41,6 +41,7 @@ export function Select({ label, value, options, change }: SelectProps) {
           </option>
         ))}
       </select>
+      <strong class="on-paper">{options.find((one) => one.value === value)?.label ?? value}</strong>
     </label>
   );
 }

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 
 const kThemes = ['auto', 'light', 'dark'] as const;
 type Theme = (typeof kThemes)[number];
@@ -13,20 +13,41 @@ function remembered(): Theme {
   }
 }
 
+function remember(theme: Theme): void {
+  try {
+    localStorage.setItem('lacuna-theme', theme);
+  } catch {
+    /* it is asked again next time */
+  }
+}
+
+function paint(palette: 'light' | 'dark'): void {
+  if (document.documentElement.dataset.theme === palette) return;
+  document.documentElement.dataset.theme = palette;
+  dispatchEvent(new Event('lacuna-theme'));
+}
+
+/** Paper is light, whatever was chosen. Returns what ends it. */
+function follow(theme: Theme): () => void {
+  const system = matchMedia('(prefers-color-scheme: dark)');
+  const show = () => paint(theme === 'dark' || (theme === 'auto' && system.matches) ? 'dark' : 'light');
+  const showPaper = () => paint('light');
+  show();
+  system.addEventListener('change', show);
+  addEventListener('beforeprint', showPaper);
+  addEventListener('afterprint', show);
+  return () => {
+    system.removeEventListener('change', show);
+    removeEventListener('beforeprint', showPaper);
+    removeEventListener('afterprint', show);
+  };
+}
+
 export function useTheme(): [Theme, () => void] {
   const [theme, setTheme] = useState<Theme>(remembered);
-  useEffect(() => {
-    document.documentElement.dataset.theme = theme;
-    try {
-      localStorage.setItem('lacuna-theme', theme);
-    } catch {
-      /* it is asked again next time */
-    }
-    dispatchEvent(new Event('lacuna-theme'));
-    const system = matchMedia('(prefers-color-scheme: dark)');
-    const changed = () => dispatchEvent(new Event('lacuna-theme'));
-    system.addEventListener('change', changed);
-    return () => system.removeEventListener('change', changed);
+  useLayoutEffect(() => {
+    remember(theme);
+    return follow(theme);
   }, [theme]);
   return [theme, () => setTheme(kThemes[(kThemes.indexOf(theme) + 1) % kThemes.length])];
 }

@@ -106,7 +106,7 @@ function Channel({
           {...common}
           label="residual"
           lines={rest}
-          height={last ? 124 : 92}
+          height={last ? 132 : 104}
           floor={channel.floor}
           withTime={last}
         />
@@ -158,7 +158,13 @@ export function TrialCurvesPanel(props: Props) {
         <button class="quiet" title="Show everything (0)" onClick={() => view.reset()}>
           all
         </button>
-        <button class="quiet download" onClick={props.keep}>
+        <button
+          class="quiet download"
+          onClick={() => {
+            view.complete();
+            props.keep();
+          }}
+        >
           PNG
         </button>
       </figcaption>
