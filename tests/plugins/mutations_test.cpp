@@ -138,7 +138,7 @@ TEST(ResetOrNudge, ResetsHalfAndMovesTheOthersByStepsOfAllSizes) {
   for (std::uint64_t key = 0; key < kChildren; ++key) {
     RandomStream random = stream_of(key);
     const double moved =
-        mutation.vary(std::array{Genome{kMiddle}}, layout, std::array{0.5, 1.0, 7.0}, random)[0] - kMiddle;
+        mutation.vary(std::array{Genome{kMiddle}}, layout, std::array{0.5, 1.0, 7.0, 1.0}, random)[0] - kMiddle;
     if (std::abs(moved) > 0.1 * kRange) {
       resets += 1.0;
       continue;
@@ -163,7 +163,7 @@ TEST(ResetOrNudge, ChangesOneGeneAndStaysWithinItsBounds) {
   int at_bound = 0;
   for (std::uint64_t key = 0; key < 1000; ++key) {
     RandomStream random = stream_of(key);
-    const Genome child = mutation.vary(std::array{parent}, layout, std::array{0.0, 1.0, 7.0}, random);
+    const Genome child = mutation.vary(std::array{parent}, layout, std::array{0.0, 1.0, 7.0, 1.0}, random);
     int changed = 0;
     for (std::size_t i = 0; i < child.size(); ++i) {
       EXPECT_LE(child[i], kReal.upper);
@@ -174,7 +174,24 @@ TEST(ResetOrNudge, ChangesOneGeneAndStaysWithinItsBounds) {
   }
   EXPECT_NEAR(at_bound, 500, kFiveDeviations * std::sqrt(250.0)) << "half of the moves lead out of the bounds";
   RandomStream random = stream_of(1);
-  EXPECT_THROW(mutation.vary(std::array{parent}, layout, std::array{0.0, 7.0, 1.0}, random), Error);
+  EXPECT_THROW(mutation.vary(std::array{parent}, layout, std::array{0.0, 7.0, 1.0, 1.0}, random), Error);
+}
+
+TEST(ResetOrNudge, ReflectsMovesAtABoundWhereItDoesNotClip) {
+  const auto& mutation = built_catalog().get<MutationOperator>("reset_or_nudge");
+  const GenomeLayout layout = layout_of(1, kReal);
+  const std::array reflects{0.0, 0.0, 1.0, 0.0}, neither{0.0, 1.0, 7.0, 0.5};
+  for (std::uint64_t key = 0; key < 100; ++key) {
+    for (const double bound : {kReal.lower, kReal.upper}) {
+      RandomStream random = stream_of(key);
+      const double distance = std::abs(mutation.vary(std::array{Genome{bound}}, layout, reflects, random)[0] - bound);
+      const double range = kReal.upper - kReal.lower;
+      EXPECT_GE(distance, 0.099 * range) << "a move beyond the bound comes back by as much";
+      EXPECT_LE(distance, range);
+    }
+  }
+  RandomStream random = stream_of(1);
+  EXPECT_THROW(mutation.vary(std::array{Genome{kReal.lower}}, layout, neither, random), Error);
 }
 
 }  // namespace

@@ -9,13 +9,19 @@
 namespace lacuna {
 namespace {
 
-enum Parameter : std::size_t { kReset, kCoarsest, kFinest };
+enum Parameter : std::size_t { kReset, kCoarsest, kFinest, kClip };
 
-/// The gene moved by ±range·10^−δ and held within its bounds.
-double nudged(const Gene& gene, double value, double delta, bool up) {
-  const double move = (gene.upper - gene.lower) * std::pow(10.0, -delta);
-  const double moved = std::clamp(value + (up ? move : -move), gene.lower, gene.upper);
-  return gene.kind == GeneKind::integer ? std::round(moved) : moved;
+/// `value` thrown back at the bound that it is beyond; no farther beyond it than the range is wide.
+double reflected(const Gene& gene, double value) {
+  if (value > gene.upper) return 2.0 * gene.upper - value;
+  return value < gene.lower ? 2.0 * gene.lower - value : value;
+}
+
+/// The gene moved by `move`, no more than its range, and kept within its bounds.
+double nudged(const Gene& gene, double value, double move, bool clips) {
+  const double moved = clips ? value + move : reflected(gene, value + move);
+  const double within = std::clamp(moved, gene.lower, gene.upper);
+  return gene.kind == GeneKind::integer ? std::round(within) : within;
 }
 
 }  // namespace
@@ -27,13 +33,15 @@ std::string ResetOrNudge::summary() const {
 ParameterDeclarations ResetOrNudge::parameters() const {
   return {{"reset", "1", 0.5, 0.0, 1.0, Scale::linear, "Chance of a new value; otherwise the gene moves"},
           {"coarsest", "1", 1.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range of the largest move"},
-          {"finest", "1", 7.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range of the smallest move"}};
+          {"finest", "1", 7.0, 0.0, 15.0, Scale::linear, "Decades below the gene's range of the smallest move"},
+          {"clip", "1", 1.0, 0.0, 1.0, Scale::linear, "1: a move beyond a bound ends at it; 0: it is reflected there"}};
 }
 
 Genome ResetOrNudge::vary(std::span<const Genome> parents, const GenomeLayout& layout,
                           std::span<const double> parameters, RandomStream& random) const {
   if (parameters[kCoarsest] > parameters[kFinest])
     throw Error("coarsest is to be at most finest: both count decades below the gene's range");
+  if (parameters[kClip] != std::floor(parameters[kClip])) throw Error("clip is to be 0 or 1");
   Genome child = parents.front();
   const std::size_t place = random.index(child.size());
   const Gene& gene = layout.genes[place];
@@ -41,7 +49,8 @@ Genome ResetOrNudge::vary(std::span<const Genome> parents, const GenomeLayout& l
     child[place] = uniform_value(gene, random);
   } else {
     const double delta = random.uniform(parameters[kCoarsest], parameters[kFinest]);
-    child[place] = nudged(gene, child[place], delta, random.chance(0.5));
+    const double size = (gene.upper - gene.lower) * std::pow(10.0, -delta);
+    child[place] = nudged(gene, child[place], random.chance(0.5) ? size : -size, parameters[kClip] == 1.0);
   }
   return child;
 }

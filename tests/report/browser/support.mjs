@@ -112,6 +112,20 @@ export async function serve(database, ...more) {
   return { address, stop, messages: () => err };
 }
 
+export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+async function stampOf({ address }) {
+  const headers = { 'Content-Type': 'application/json' };
+  return (await (await fetch(`${address}state`, { method: 'POST', headers, body: '{}' })).json()).stamp;
+}
+
+/** Waits until the viewers of a server show the database as it is: it tells them of a change late, so that a run is not
+ *  slowed, whereas one without viewers, `unseen`, tells at once. */
+export async function upToDate(server, unseen) {
+  while ((await stampOf(server)) !== (await stampOf(unseen))) await pause(200);
+  await pause(2000); // pages ask every second, and then for what they show
+}
+
 let sqlJs = null;
 /** Changes a database with SQL; `work` gets one of sql.js. */
 export async function edit(file, to, work) {
