@@ -285,19 +285,24 @@ TEST_F(OddFiles, RepeatedComplaintsAreCounted) {
   EXPECT_THAT(complaint, testing::HasSubstr("(and 312 more like it)"));
 }
 
-TEST_F(OddFiles, AMillionRowsTakeASecondOrSo) {
+double processor_seconds(std::clock_t since) { return static_cast<double>(std::clock() - since) / CLOCKS_PER_SEC; }
+
+TEST_F(OddFiles, TwoHundredThousandRowsAreReadAboutAsFastAsWritten) {
+  constexpr int kRows = 200000;
+  const std::clock_t begin = std::clock();
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "t,q,u,w\n");
-  for (int i = 0; i < 1000000; ++i)
+  for (int i = 0; i < kRows; ++i)
     fmt::format_to(std::back_inserter(text), "{:.3f},{:.6g},{:.6g},{:.6g}\n", 1e-3 * i, std::sin(1e-3 * i),
                    std::cos(1e-3 * i), std::sin(2e-3 * i));
   const RecordingSource source = pendulum_source(folder_.write("run.csv", fmt::to_string(text)));
+  const double to_write = processor_seconds(begin);  // a measure of the machine and what else it does
   const std::clock_t before = std::clock();
   const Recording recording = read_pendulum(source);
-  const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-  RecordProperty("seconds", std::to_string(seconds));
-  EXPECT_EQ(recording.trials[0].measured.times.size(), 1000000);
-  EXPECT_LT(seconds, 5.0) << "with room for sanitizers";
+  const double to_read = processor_seconds(before);
+  RecordProperty("seconds", std::to_string(to_read));
+  EXPECT_EQ(recording.trials[0].measured.times.size(), kRows);
+  EXPECT_LT(to_read, 2.0 * to_write) << to_read << " s, to write " << to_write << " s";
 }
 
 }  // namespace
