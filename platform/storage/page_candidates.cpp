@@ -81,7 +81,6 @@ std::int64_t bytes_of_best_candidates(const Database& database) {
 CandidateSelection select_candidates(const Database& database, std::int64_t room) {
   CandidateSelection selection;
   selection.first_whole_run = one_number(database, "SELECT coalesce(max(run), 0) + 1 FROM eea_run");
-  room -= bytes_of_best_candidates(database);
   std::int64_t whole = 0;
   for (Statement run(database, "SELECT run FROM eea_run ORDER BY run DESC"); run.step(); ++whole) {
     room -= bytes_of_run(database, run.integer(0));

@@ -21,7 +21,7 @@ bool has_candidates(const std::string& table);
 /// About as many bytes, rather more, as models and tests take that are never left out.
 std::int64_t bytes_of_best_candidates(const Database& database);
 
-/// `room`: bytes for models and tests.
+/// `room`: bytes for models and tests beside those that are never left out.
 CandidateSelection select_candidates(const Database& database, std::int64_t room);
 
 }  // namespace lacuna

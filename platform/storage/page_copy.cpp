@@ -193,8 +193,9 @@ std::string selection_note(std::int64_t whole, std::int64_t taken, std::int64_t 
 /// What is copied where not everything has room.
 std::vector<std::string> copy_selection(const Database& from, Database& to, std::int64_t whole, std::int64_t most) {
   copy_rows(from, to, everything(), [](const std::string& table) { return !has_candidates(table); });
-  const std::int64_t left_out = copy_series(from, to, most - bytes_of(to) - bytes_of_best_candidates(from));
-  const CandidateSelection candidates = select_candidates(from, most - bytes_of(to));
+  const std::int64_t best = bytes_of_best_candidates(from);
+  const std::int64_t left_out = copy_series(from, to, most - bytes_of(to) - best);
+  const CandidateSelection candidates = select_candidates(from, most - bytes_of(to) - best);
   copy_rows(from, to, candidates.choices, has_candidates);
   keep_counts(from, to, candidates.first_whole_run);
   if (left_out == 0 && candidates.note.empty()) return {};  // a copy is smaller than a file that was written to

@@ -23,7 +23,7 @@ struct PageQuery {
   std::vector<PageCell> values = {};  ///< of the parameters of the last statement
   std::size_t most_rows = 100'000;
   std::size_t most_bytes = 64U << 20U;  ///< after which no further row is taken
-  bool sizes = false;                   ///< of bytes their number is enough
+  bool sizes = false;                   ///< of bytes their number is enough, as where a user typed the question
   std::chrono::milliseconds longest = kLongestPageQuery;
 };
 

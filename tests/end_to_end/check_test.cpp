@@ -61,6 +61,12 @@ TEST_F(Check, PrintsNotesOnWhatLooksOdd) {
   EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name, but is read in mN*m"));
 }
 
+TEST_F(Check, TakesATestOfOneControlPeriodWhateverUnitsItIsWrittenIn) {
+  const Outcome outcome = program_.run({"check", LACUNA_SOURCE_DIRECTORY "/experiments/topology-range-4.toml", "--set",
+                                        "engine.step=\"9 ms\"", "--set", "test.duration=\"0.009 s\""});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
 TEST_F(Check, RefusesARunThatWouldMeanNothing) {
   const auto refused = [&](const std::string& setting) {
     const Outcome outcome =

@@ -512,11 +512,11 @@ describe('what pages compute', () => {
   });
 
   it('which answer of a diagnosis comes first, as the terminal has it', async () => {
-    const { firstIsAnswer, gainText } = await pageModule('pages/diagnose_data.ts');
+    const { firstIsAnswer, gainText, readDocument } = await pageModule('pages/diagnose_data.ts');
     const gain = (value) => ({ value, ci95: [value - 10, value + 10] });
     const outside = (best, free, formulas, more = {}) => ({
       verdict: 'not_in_library',
-      ranking: [{ gain: best }],
+      ranking: [{ gain: best, gain_ci95: [best - 10, best + 10], effects: [{ effect: 'drag', where: 'world' }] }],
       answer_gain: gain(best),
       free_force: { gain: gain(free) },
       formulas: formulas.map((value) => ({ gain: gain(value) })),
@@ -527,6 +527,11 @@ describe('what pages compute', () => {
     assert.equal(firstIsAnswer(outside(4000, 1000, [3000])), true);
     assert.equal(firstIsAnswer(outside(4000, 100, [5000])), true, 'nearly all that is to be gained');
     assert.equal(firstIsAnswer(outside(4000, 1000, [])), false);
+    assert.equal(firstIsAnswer(outside(0, 0, [])), false, 'nothing is to be gained');
+    assert.equal(firstIsAnswer(outside(4000, 100, [], { ranking: [{ gain: 4000, effects: [] }] })), false);
+    const { answer_gain, ...before } = outside(4000, 1000, [3000]);
+    assert.equal(answer_gain.value, 4000);
+    assert.equal(firstIsAnswer(readDocument(JSON.stringify(before))), true, 'of a version that did not write it');
     assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'effect_found' })), true);
     assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'nothing_missing' })), false);
     assert.equal(gainText({ value: 7397, ci95: [4539, 10255] }), '+7397 ± 2858');

@@ -40,19 +40,19 @@ export function useRoute(): Route {
 
 type Changes = Record<string, string | number | null>;
 
-function changed(changes: Changes): string {
+function linkWith(changes: Changes): string {
   const route = parseRoute(location.hash);
   return linkTo(route.page, { ...route.choices, ...changes });
 }
 
 /** Changes choices of the page that is open; null takes one away. */
 export function choose(changes: Changes): void {
-  location.hash = changed(changes);
+  location.hash = linkWith(changes);
 }
 
 /** The same where going back should not undo it step by step, as with the letters of a filter. */
 export function refine(changes: Changes): void {
-  location.replace(changed(changes));
+  location.replace(linkWith(changes));
 }
 
 /** A sentence where an address asks for something that is not here: "There is no run 77 here." */

@@ -77,16 +77,22 @@ export interface DiagnosisRow {
 /** As diagnosis/diagnosis_findings.cpp has it. */
 const kMostOfIt = 0.95;
 
+/** Of all that is to be gained; 0 where no effect was found. */
+function shareOfAnswer({ ranking, answer_gain, free_force }: DiagnosisDocument): number {
+  if (!ranking[0]?.effects.length) return 0;
+  const answer = Math.max(0, answer_gain.value ?? 0);
+  const all = answer + Math.max(0, free_force.gain.value ?? 0);
+  return all > 0 ? answer / all : 0;
+}
+
 /** Whether the first candidate is the answer, with or without something left over: not where only noise was found, and
  *  not where a force of another form gains more. */
 export function firstIsAnswer(document: DiagnosisDocument): boolean {
-  const best = document.ranking[0];
-  if (!best || document.verdict !== 'not_in_library') return document.verdict === 'effect_found';
-  const answer = Math.max(0, document.answer_gain.value ?? 0);
-  const all = answer + Math.max(0, document.free_force.gain.value ?? 0);
-  if (answer === 0 || answer >= kMostOfIt * all || document.formulas.length === 0) return answer >= kMostOfIt * all;
-  const rival = document.formulas_of_rest ? document.answer_gain.value : best.gain;
-  return (rival ?? 0) > (document.formulas[0].gain.value ?? 0);
+  if (document.verdict !== 'not_in_library') return document.verdict === 'effect_found';
+  const share = shareOfAnswer(document);
+  if (share >= kMostOfIt || document.formulas.length === 0) return share >= kMostOfIt;
+  const answer = document.formulas_of_rest ? document.answer_gain.value : document.ranking[0]?.gain;
+  return share > 0 && (answer ?? 0) > (document.formulas[0].gain.value ?? 0);
 }
 
 /** "+7397 ± 2858". */
@@ -117,7 +123,7 @@ export function verdictSentence(document: DiagnosisDocument): string {
   }
 }
 
-/** With nothing where a document of another version has nothing. */
+/** With nothing where a document of another version has nothing, but for the answer's gain: it was that of the ranking. */
 export function readDocument(text: string): DiagnosisDocument {
   const empty: DiagnosisDocument = {
     verdict: 'cannot_tell',
@@ -140,5 +146,8 @@ export function readDocument(text: string): DiagnosisDocument {
     next_test_worth: '',
     not_testable: [],
   };
-  return { ...empty, ...(JSON.parse(text) as Partial<DiagnosisDocument>) };
+  const known = JSON.parse(text) as Partial<DiagnosisDocument>;
+  const first = known.ranking?.[0];
+  if (first) empty.answer_gain = { value: first.gain, ci95: first.gain_ci95 };
+  return { ...empty, ...known };
 }

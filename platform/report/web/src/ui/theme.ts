@@ -1,4 +1,5 @@
 import { useLayoutEffect, useState } from 'preact/hooks';
+import { whenPrinted } from '../kit/paper';
 
 const kThemes = ['auto', 'light', 'dark'] as const;
 type Theme = (typeof kThemes)[number];
@@ -31,15 +32,12 @@ function paint(palette: 'light' | 'dark'): void {
 function follow(theme: Theme): () => void {
   const system = matchMedia('(prefers-color-scheme: dark)');
   const show = () => paint(theme === 'dark' || (theme === 'auto' && system.matches) ? 'dark' : 'light');
-  const showPaper = () => paint('light');
   show();
   system.addEventListener('change', show);
-  addEventListener('beforeprint', showPaper);
-  addEventListener('afterprint', show);
+  const unprinted = whenPrinted(() => paint('light'), show);
   return () => {
     system.removeEventListener('change', show);
-    removeEventListener('beforeprint', showPaper);
-    removeEventListener('afterprint', show);
+    unprinted();
   };
 }
 
