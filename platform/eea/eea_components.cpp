@@ -15,8 +15,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostSamples = 1e6;  // of a test; more would only show that memory ends
-constexpr double kRounding = 1e-9;    // of a control period: that of two values that were written in different units
+constexpr double kMostSamples = 1e6;    // of a test; more would only show that memory ends
+constexpr double kUnitRounding = 1e-9;  // of two values that were written in different units
 
 /// Complains about actuators whose commands have no limits.
 TestSpace limited_space(const Experiment& experiment, const RobotSpec& robot, Complaints& complaints) {
@@ -127,7 +127,7 @@ void EeaDefinition::define_exploration(const Experiment& experiment, const Plugi
     test_space.sensors = std::move(seen);
   }
   const double samples = test_space.duration / test_space.control_period;
-  if (samples + kRounding < 1.0)
+  if (samples + kUnitRounding < 1.0)
     complaints.add("test.duration", "a test of " + format_quantity(test_space.duration, "s") +
                                         " is shorter than one control period of " +
                                         format_quantity(test_space.control_period, "s") +

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr off_t kMostText = 1 << 16;
 constexpr off_t kMostWritten = 1 << 24;
-constexpr std::chrono::milliseconds kBetweenTrims{100};
+constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr double kLongestWait = 1e9;  // s, which a clock that counts nanoseconds can tell
 constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
 
@@ -99,12 +99,12 @@ bool is_over(pid_t process) {
 
 CapturedOutput::CapturedOutput(const char* name) : file_(memfd_create(name, MFD_CLOEXEC)) {
   if (file_ < 0) throw Error(fmt::format("no room for a program's output: {}", strerror(errno)));
-  fcntl(file_, F_SETFL, O_APPEND);  // a child goes on at the end, also after `trim`
+  fcntl(file_, F_SETFL, O_APPEND);  // a child shares the place in the file, which is moved here
   keeper_ = std::jthread([this](const std::stop_token& stop) {
     std::mutex unused;
     std::unique_lock lock(unused);
-    for (std::condition_variable_any pause; !stop.stop_requested(); trim())
-      pause.wait_for(lock, stop, kBetweenTrims, [] { return false; });
+    for (std::condition_variable_any pause; !stop.stop_requested(); forget())
+      pause.wait_for(lock, stop, kBetweenLooks, [] { return false; });
   });
 }
 
@@ -113,7 +113,7 @@ CapturedOutput::~CapturedOutput() {
   close(file_);
 }
 
-std::string CapturedOutput::tail() const {
+std::string CapturedOutput::end() const {
   const off_t size = lseek(file_, 0, SEEK_END), from = std::max<off_t>(0, size - kMostText);
   std::string text(static_cast<std::size_t>(size - from), '\0');
   const ssize_t got = pread(file_, text.data(), text.size(), from);
@@ -121,18 +121,11 @@ std::string CapturedOutput::tail() const {
   return text;
 }
 
-std::string CapturedOutput::end() const {
-  const std::lock_guard lock(reading_);
-  std::string text = kept_ + tail();
-  constexpr auto kMost = static_cast<std::size_t>(kMostText);
-  return text.size() > kMost ? text.substr(text.size() - kMost) : text;
-}
-
-void CapturedOutput::trim() {
-  const std::lock_guard lock(reading_);
-  if (lseek(file_, 0, SEEK_END) < kMostWritten) return;
-  std::string end = tail();
-  if (ftruncate(file_, 0) == 0) kept_ = std::move(end);
+void CapturedOutput::forget() {
+  const off_t to = lseek(file_, 0, SEEK_END) - kMostText;
+  if (to - forgotten_ < kMostWritten) return;
+  // A hole, for a file that is cut short loses what is written between reading its end and cutting it.
+  if (fallocate(file_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, to) == 0) forgotten_ = to;
 }
 
 int ChildEnding::code() const { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }

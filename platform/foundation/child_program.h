@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -27,12 +26,10 @@ class CapturedOutput {
   std::string end() const;
 
  private:
-  std::string tail() const;
-  void trim();
+  void forget();
 
   int file_;
-  mutable std::mutex reading_;
-  std::string kept_;  ///< from before the file was emptied
+  off_t forgotten_ = 0;  ///< bytes at the beginning
   std::jthread keeper_;
 };
 
