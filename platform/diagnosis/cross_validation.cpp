@@ -32,6 +32,20 @@ std::vector<std::size_t> folds(const std::vector<Segment>& segments) {
   return fold;
 }
 
+namespace {
+
+/// Where the quadratic model of the deviance has its minimum, from where the fit is; of the values that are `inside`.
+Eigen::VectorXd step_to_minimum(const Eigen::MatrixXd& information, const Eigen::VectorXd& score,
+                                const std::vector<Eigen::Index>& inside) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(score.size());
+  if (inside.empty()) return step;
+  const Eigen::MatrixXd own = information(inside, inside);
+  step(inside) = -Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(own).solve(Eigen::VectorXd(score(inside)));
+  return step;
+}
+
+}  // namespace
+
 std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<std::size_t>& folds) {
   const Eigen::Index count = fit.covariance.rows();
   std::vector<Eigen::Index> inside;
@@ -50,16 +64,12 @@ std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<s
     information += fold_information[f];
     score += fold_score[f];
   }
+  // Where a search was given up on its way, nobody knows whether it would have got where its derivatives point.
+  const Eigen::VectorXd given_up =
+      fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(information, score, inside);
   std::vector<Eigen::VectorXd> steps;
-  for (std::size_t f = 0; f <= last; ++f) {
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(count);
-    if (!inside.empty()) {
-      const Eigen::MatrixXd others = (information - fold_information[f])(inside, inside);
-      const Eigen::VectorXd gradient = (score - fold_score[f])(inside);
-      step(inside) = -Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(others).solve(gradient);
-    }
-    steps.push_back(std::move(step));
-  }
+  for (std::size_t f = 0; f <= last; ++f)
+    steps.emplace_back(step_to_minimum(information - fold_information[f], score - fold_score[f], inside) - given_up);
   return steps;
 }
 

@@ -16,7 +16,8 @@ std::vector<std::size_t> folds(const std::vector<Segment>& segments);
 /// start is free. Whatever is fitted in a round, effects and forces of any form, is judged by this.
 Eigen::VectorXd held_out_deviance(const Refit& fit, const std::vector<std::size_t>& folds);
 
-/// What the values move by when a fold is left out, in coordinates; by fold.
+/// What the values move by when a fold is left out, in coordinates; by fold. A fit that did not converge is taken for
+/// the least deviance of all folds.
 std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<std::size_t>& folds);
 
 /// A difference of held-out log likelihood, nats, with a paired bootstrap over blocks of segments.

@@ -2,7 +2,7 @@
 
 #include "fitting/seeded_noise.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +23,10 @@ double deviance(double z, bool one_sided) { return one_sided && z < 0.0 ? 0.0 : 
 /// The largest deviance under noise alone. The z of all probes are drawn at once: normal, with the products of the
 /// directions as their covariance.
 std::vector<double> largest_by_chance(const Directions& directions, std::uint64_t seed) {
-  const Eigen::LDLT<Eigen::MatrixXd> covariance(directions.unit.transpose() * directions.unit);
-  const Eigen::VectorXd deviations = covariance.vectorD().cwiseMax(0.0).cwiseSqrt();
+  // Not a triangular factor: of directions that nearly follow from each other it divides rounding by rounding.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> covariance(directions.unit.transpose() * directions.unit);
   const Eigen::MatrixXd factor =
-      covariance.transpositionsP().transpose() * (Eigen::MatrixXd(covariance.matrixL()) * deviations.asDiagonal());
+      covariance.eigenvectors() * covariance.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   SeededNoise random(seed, 0x5c0e);
   Eigen::MatrixXd noise(factor.cols(), static_cast<Eigen::Index>(kNullDraws));
   for (double& value : noise.reshaped()) value = random.normal();

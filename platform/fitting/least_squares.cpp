@@ -84,21 +84,24 @@ Eigen::VectorXd solve_free(const Eigen::MatrixXd& matrix, const Eigen::VectorXd&
   return step;
 }
 
-/// The step of the shared values: values at a bound that would leave it are held, the others clipped.
+/// The step of the shared values inside their bounds: a value that would leave them goes to its bound and no further,
+/// and the others go where they belong beside it.
 Eigen::VectorXd bounded_step(const SegmentedProblem& problem, const Eigen::VectorXd& at, const Eigen::MatrixXd& matrix,
                              const Eigen::VectorXd& gradient) {
   std::vector<bool> held(static_cast<std::size_t>(at.size()), false);
+  Eigen::VectorXd to_bounds = Eigen::VectorXd::Zero(at.size());
   for (Eigen::Index round = 0; round <= at.size(); ++round) {
-    const Eigen::VectorXd step = solve_free(matrix, gradient, held);
+    const Eigen::VectorXd step = to_bounds + solve_free(matrix, gradient + matrix * to_bounds, held);
     bool another = false;
     for (Eigen::Index j = 0; j < at.size(); ++j) {
-      const bool leaves =
-          (at(j) <= problem.lower()(j) && step(j) < 0.0) || (at(j) >= problem.upper()(j) && step(j) > 0.0);
-      if (leaves) held[static_cast<std::size_t>(j)] = another = true;
+      const double to = at(j) + step(j), lower = problem.lower()(j), upper = problem.upper()(j);
+      if (held[static_cast<std::size_t>(j)] || (to >= lower && to <= upper)) continue;
+      to_bounds(j) = std::clamp(to, lower, upper) - at(j);
+      held[static_cast<std::size_t>(j)] = another = true;
     }
-    if (!another) return (at + step).cwiseMax(problem.lower()).cwiseMin(problem.upper()) - at;
+    if (!another) return step;
   }
-  return Eigen::VectorXd::Zero(at.size());
+  return to_bounds;
 }
 
 double predicted_decrease(const NormalEquations& equations, const Step& step) {
@@ -211,6 +214,10 @@ class Descent {
     const NormalEquations equations = assemble(problem_, result_.residuals, result_.jacobians, options_.loss);
     while (damping_ < kLargestDamping) {
       const Step step = solve(problem_, equations, result_.point, damping_);
+      if (step.predicted < 0.0 && follows_ == 0) {  // bounds can turn a long step uphill, a short one follows the slope
+        damp_more();
+        continue;
+      }
       // Nothing left to gain is the end, whatever the damping.
       if (!(step.predicted > 0.01 * options_.tolerance * result_.cost)) return false;
       const FitPoint next = moved(result_.point, step);
@@ -222,10 +229,14 @@ class Descent {
         return true;
       }
       if (follows_ > 0) return false;
-      damping_ *= growth_;
-      growth_ *= 2.0;
+      damp_more();
     }
     return false;
+  }
+
+  void damp_more() {
+    damping_ *= growth_;
+    growth_ *= 2.0;
   }
 
   void take(const Step& step, const FitPoint& next, double cost) {

@@ -67,6 +67,24 @@ TEST(CrossValidation, HoldsAValueAtItsBoundFast) {
   for (const Eigen::VectorXd& step : steps_without(fit, five_folds())) EXPECT_EQ(step(1), 0.0);
 }
 
+/// What a search did not reach is not held to its credit, however well the derivatives promise it.
+TEST(CrossValidation, AFitThatWasGivenUpIsJudgedWhereItIs) {
+  Refit fit = regression(3);
+  const std::vector<std::size_t> folds = five_folds();
+  const double at_best = held_out_deviance(fit, folds).sum();
+  double there = 0.0;
+  for (std::size_t k = 0; k < folds.size(); ++k) {
+    fit.segments[k].residual += fit.segments[k].values * Eigen::Vector2d(0.3, -0.2);
+    fit.weighted[k] = weighted(fit.segments[k], Eigen::VectorXd::Ones(kRows));
+    there += fit.segments[k].residual.squaredNorm();
+  }
+  fit.converged = true;
+  EXPECT_NEAR(held_out_deviance(fit, folds).sum(), at_best, 1e-6);
+  fit.converged = false;
+  EXPECT_GT(held_out_deviance(fit, folds).sum(), there);
+  EXPECT_LT(held_out_deviance(fit, folds).sum(), 1.02 * there);
+}
+
 TEST(Gain, IsHalfTheDifferenceOfDevianceWithItsSpread) {
   Eigen::VectorXd worse = Eigen::VectorXd::Constant(100, 5.0), better = Eigen::VectorXd::Constant(100, 3.0);
   for (Eigen::Index k = 0; k < 100; ++k) better(k) += k % 2 == 0 ? 0.4 : -0.4;  // differences 1 ± 0.2

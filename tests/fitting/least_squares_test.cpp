@@ -106,6 +106,20 @@ TEST(Minimize, StopsAtABoundAtTheConstrainedMinimum) {
   EXPECT_NEAR(result.point.values(1), 0.25, 1e-5);
 }
 
+TEST(Minimize, AtABoundGoesOnWithWhatIsTiedToTheBoundValue) {
+  // A straight valley y = x, whose end x = 10 lies beyond x ≤ 1; a long step cut at the bound alone leads up its wall.
+  Formulas problem(
+      [](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
+        r = Eigen::Vector2d(x(0) - 10.0, 100.0 * (x(1) - x(0)));
+        return true;
+      },
+      -kFar, Eigen::Vector2d(1.0, 1e3));
+  const LeastSquaresResult result = search(problem, Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(result.point.values(0), 1.0);
+  EXPECT_NEAR(result.point.values(1), 1.0, 1e-6);
+  EXPECT_TRUE(result.converged);
+}
+
 TEST(Minimize, LeavesABoundThatPullsInwards) {
   Formulas problem(rosenbrock, Eigen::Vector2d(0.0, 0.0), kFar);
   const LeastSquaresResult result = search(problem, Eigen::Vector2d(0.0, 0.0), {{}, 200, 1e-9, {}});
