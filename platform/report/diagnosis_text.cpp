@@ -1,6 +1,7 @@
 #include "report/diagnosis_text.h"
 
 #include "foundation/unit.h"
+#include "report/interval_text.h"
 #include "report/text_table.h"
 
 #include <fmt/format.h>
@@ -14,13 +15,12 @@ namespace {
 
 constexpr std::size_t kMostShown = 5;
 
-std::string interval(const FoundParameter& parameter) {
-  if (!std::isfinite(parameter.lower_95)) return " (undetermined)";
-  return fmt::format(" [{:.3g}, {:.3g}]", parameter.lower_95, parameter.upper_95);
-}
-
 std::string parameter_text(const FoundParameter& one) {
-  return fmt::format("{} {:.3g}{}{}", one.name, one.value, interval(one), one.unit == "1" ? "" : " " + one.unit);
+  const std::string unit = one.unit == "1" ? "" : " " + one.unit;
+  if (!std::isfinite(one.lower_95)) return fmt::format("{} {:.3g} (undetermined){}", one.name, one.value, unit);
+  const int digits = interval_digits(one.value, one.upper_95 - one.lower_95);
+  return fmt::format("{0} {1:.{4}g} [{2:.{4}g}, {3:.{4}g}]{5}", one.name, one.value, one.lower_95, one.upper_95, digits,
+                     unit);
 }
 
 std::string gain_text(const Gain& gain) {

@@ -11,17 +11,16 @@ namespace {
 constexpr int kFewestDigits = 3;
 constexpr int kMostDigits = 7;
 
-/// Significant digits with which `width` shows two of its own in numbers of the size of `value`.
-int digits_for(double value, double width) {
+}  // namespace
+
+int interval_digits(double value, double width) {
   if (!(width > 0.0) || !std::isfinite(width) || value == 0.0) return kFewestDigits;
   const double needed = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(width)) + 2.0;
   return std::clamp(static_cast<int>(needed), kFewestDigits, kMostDigits);
 }
 
-}  // namespace
-
 IntervalText interval_text(const FittedValue& value) {
-  const int digits = digits_for(value.value, value.upper_95 - value.lower_95);
+  const int digits = interval_digits(value.value, value.upper_95 - value.lower_95);
   const auto number = [&](double x) { return fmt::format("{:#.{}g}", x, digits); };
   if (value.at_lower_bound) return {number(value.value), "at its lower bound"};
   if (value.at_upper_bound) return {number(value.value), "at its upper bound"};

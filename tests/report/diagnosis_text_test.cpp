@@ -66,6 +66,12 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
+TEST(DiagnosisText, ShowsAsManyDigitsAsTheIntervalDeserves) {
+  Diagnosis sharp = diagnosis(Verdict::effect_found);
+  sharp.ranking.front().effects = {{"torque_gain", "actuator.motor", {{"gain", "1", 0.99837, 0.99812, 0.99862}}}};
+  EXPECT_THAT(diagnosis_text(sharp, "rig.toml"), HasSubstr("gain 0.99837 [0.99812, 0.99862]\n"));
+}
+
 TEST(DiagnosisText, AddsNothingWhereNothingIsMissing) {
   EXPECT_THAT(diagnosis_text(diagnosis(Verdict::nothing_missing), "rig.toml"), Not(HasSubstr("lacuna add")));
 }

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -29,20 +31,61 @@ std::vector<std::string> common_evidence(const Verdicts& verdicts) {
   return names;
 }
 
-lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
-  const std::vector<std::string> names = common_evidence(verdicts);
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(verdicts.size()), static_cast<Eigen::Index>(names.size()));
-  Eigen::VectorXd right(rows.rows());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+/// Of the weights (logistic_regression.h).
+constexpr std::array kPenalties = {1.0, 3.0, 10.0, 30.0, 100.0};
+constexpr double kLeastProbability = 1e-6;
+
+struct EvidenceTable {
+  std::vector<std::string> names, rigs;  ///< by column, by row
+  Eigen::MatrixXd rows;
+  Eigen::VectorXd right;
+};
+
+EvidenceTable table_of(const Verdicts& verdicts) {
+  EvidenceTable table{common_evidence(verdicts), {}, {}, {}};
+  table.rows.resize(static_cast<Eigen::Index>(verdicts.size()), static_cast<Eigen::Index>(table.names.size()));
+  table.right.resize(table.rows.rows());
+  for (Eigen::Index i = 0; i < table.rows.rows(); ++i) {
     const JudgedVerdict& one = *verdicts[static_cast<std::size_t>(i)];
-    right(i) = one.is_right;
-    for (Eigen::Index j = 0; j < rows.cols(); ++j) rows(i, j) = one.evidence.at(names[static_cast<std::size_t>(j)]);
+    table.rigs.push_back(one.rig);
+    table.right(i) = one.is_right;
+    for (Eigen::Index j = 0; j < table.rows.cols(); ++j)
+      table.rows(i, j) = one.evidence.at(table.names[static_cast<std::size_t>(j)]);
   }
-  const LogisticFit fit = fit_logistic(rows, right);
+  return table;
+}
+
+/// −log likelihood of the verdicts on each rig, told by a fit to the others.
+double loss_on_other_rigs(const EvidenceTable& table, double penalty) {
+  double loss = 0.0;
+  for (const std::string& rig : std::set<std::string>(table.rigs.begin(), table.rigs.end())) {
+    std::vector<Eigen::Index> own, others;
+    for (std::size_t i = 0; i < table.rigs.size(); ++i)
+      (table.rigs[i] == rig ? own : others).push_back(static_cast<Eigen::Index>(i));
+    const LogisticFit fit = fit_logistic(table.rows(others, Eigen::placeholders::all), table.right(others), penalty);
+    for (const Eigen::Index i : own) {
+      const double p = logistic(fit.intercept + table.rows.row(i).dot(fit.weights));
+      loss -= std::log(std::max(kLeastProbability, table.right(i) > 0.5 ? p : 1.0 - p));
+    }
+  }
+  return loss;
+}
+
+/// The one with which a rig is told best from the others; the least where there are no others.
+double best_penalty(const EvidenceTable& table) {
+  if (std::set<std::string>(table.rigs.begin(), table.rigs.end()).size() < 2) return kPenalties.front();
+  return *std::min_element(kPenalties.begin(), kPenalties.end(), [&](double one, double other) {
+    return loss_on_other_rigs(table, one) < loss_on_other_rigs(table, other);
+  });
+}
+
+lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
+  const EvidenceTable table = table_of(verdicts);
+  const LogisticFit fit = fit_logistic(table.rows, table.right, best_penalty(table));
   lacuna::VerdictCalibration calibration{fit.intercept, {}};
-  for (Eigen::Index j = 0; j < rows.cols(); ++j)
-    calibration.terms.push_back(
-        {names[static_cast<std::size_t>(j)], fit.weights(j), rows.col(j).minCoeff(), rows.col(j).maxCoeff()});
+  for (Eigen::Index j = 0; j < table.rows.cols(); ++j)
+    calibration.terms.push_back({table.names[static_cast<std::size_t>(j)], fit.weights(j), table.rows.col(j).minCoeff(),
+                                 table.rows.col(j).maxCoeff()});
   return calibration;
 }
 

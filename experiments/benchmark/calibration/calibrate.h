@@ -18,8 +18,8 @@ struct JudgedVerdict {
 /// All of a version and set but `cannot_tell`, which states no probability.
 std::vector<JudgedVerdict> judged_verdicts(Database& database, const std::string& version, const std::string& set);
 
-/// Fits the log odds of each verdict; verdicts with few cases for each figure of evidence get an intercept alone, those
-/// with less than ten cases in all nothing.
+/// Fits the log odds of each verdict, with the penalty of weights that tells each rig best from the others; verdicts
+/// with few cases for each figure of evidence get an intercept alone, those with less than ten cases in all nothing.
 lacuna::Calibration calibrate(const std::vector<JudgedVerdict>& verdicts);
 
 /// For all cases, and for those of all rigs but one, each in turn.

@@ -32,21 +32,21 @@ Standardised standardised(const Eigen::MatrixXd& rows) {
   return to;
 }
 
-double logistic(double odds) { return 1.0 / (1.0 + std::exp(-odds)); }
-
 }  // namespace
 
-LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right) {
+double logistic(double log_odds) { return 1.0 / (1.0 + std::exp(-log_odds)); }
+
+LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right, double penalty) {
   const Standardised data = standardised(rows);
-  Eigen::VectorXd penalty = Eigen::VectorXd::Ones(rows.cols() + 1);
-  penalty(0) = 0.0;
+  Eigen::VectorXd penalties = Eigen::VectorXd::Constant(rows.cols() + 1, penalty);
+  penalties(0) = 0.0;
   Eigen::VectorXd at = Eigen::VectorXd::Zero(rows.cols() + 1);
   for (int step = 0; step < kMostSteps; ++step) {
     const Eigen::VectorXd p = (data.rows * at).unaryExpr(&logistic);
     Eigen::MatrixXd curvature =
         data.rows.transpose() * (p.array() * (1.0 - p.array())).matrix().asDiagonal() * data.rows;
-    curvature.diagonal() += penalty;
-    Eigen::VectorXd slope = data.rows.transpose() * (right - p) - penalty.cwiseProduct(at);
+    curvature.diagonal() += penalties;
+    Eigen::VectorXd slope = data.rows.transpose() * (right - p) - penalties.cwiseProduct(at);
     const double middle = logistic(at(0));
     slope(0) += kPriorCases * (1.0 - 2.0 * middle);
     curvature(0, 0) += 2.0 * kPriorCases * middle * (1.0 - middle);

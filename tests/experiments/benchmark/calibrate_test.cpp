@@ -9,8 +9,6 @@
 namespace hidden_effects {
 namespace {
 
-double logistic(double odds) { return 1.0 / (1.0 + std::exp(-odds)); }
-
 TEST(LogisticFit, FindsTheOddsThatMadeTheCases) {
   constexpr Eigen::Index kCases = 20000;
   Draw draw(1, 0);
@@ -54,6 +52,18 @@ TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
   EXPECT_NEAR(without.probability({{"log_lead", 0.0}}), 0.3, 0.03);
   EXPECT_LT(calibration.all.at("effect_found").probability({{"log_lead", 1.0}}), 0.5);
   EXPECT_LT(calibration.without.at("servo_pendulum").at("effect_found").probability({{"log_lead", 1.0}}), 0.05);
+}
+
+/// A figure that speaks for one thing on one rig and for the other on the next is worth nothing on a third.
+TEST(Calibrate, WeighsLittleWhatDoesNotHoldFromRigToRig) {
+  std::vector<JudgedVerdict> verdicts;
+  for (int i = 0; i < 40; ++i) {
+    const double lead = i % 2;
+    verdicts.push_back(verdict("servo_pendulum", lead, i % 8 != 0 && (lead > 0.5 || i % 4 == 0)));
+    verdicts.push_back(verdict("cart_pole", lead, lead < 0.5 || i % 5 == 0));
+  }
+  const auto found = calibrate(verdicts).at("effect_found");
+  EXPECT_NEAR(found.probability({{"log_lead", 0.0}}), found.probability({{"log_lead", 1.0}}), 0.05);
 }
 
 }  // namespace
