@@ -64,7 +64,7 @@ using testing::Contains;
 // what is held is that both kinds are there, in a simple or directional form.
 TEST_F(MeasuredRig, EmpsFromItsMassAloneHasViscousAndDryFriction) {
   const Diagnosis diagnosis = diagnose_file(
-      "emps.toml", 4.0,
+      "emps.toml", 8.0,
       {"coulomb_friction", "viscous_friction", "directional_friction", "stribeck_friction", "lugre_friction",
        "joint_offset_torque", "joint_spring", "cogging", "torque_gain", "sensor_scale"});
   const std::vector<std::string> found = answer(diagnosis);

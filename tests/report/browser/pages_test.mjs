@@ -118,6 +118,7 @@ function pagesOf(way, open) {
     it('diagnose says the verdict, ranks, maps the force and tests features', async () => {
       await go(page, rig, '#/diagnose');
       assert.match(await page.textContent('.lead'), /lacks something that no effect of the library explains/);
+      await page.waitForSelector('.chart .whisker.thick', { state: 'attached' }); // a chart is drawn when it has its size
       assert.ok((await page.locator('.chart .whisker.thick').count()) >= 3);
       assert.ok((await page.locator('rect title').count()) > 10, 'a map of the force');
       assert.match(await page.textContent('main'), /position \/ rad/);
