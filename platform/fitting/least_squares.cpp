@@ -91,7 +91,7 @@ Eigen::VectorXd bounded_step(const SegmentedProblem& problem, const Eigen::Vecto
   std::vector<bool> held(static_cast<std::size_t>(at.size()), false);
   Eigen::VectorXd to_bounds = Eigen::VectorXd::Zero(at.size());
   for (Eigen::Index round = 0; round <= at.size(); ++round) {
-    const Eigen::VectorXd step = to_bounds + solve_free(matrix, gradient + matrix * to_bounds, held);
+    Eigen::VectorXd step = to_bounds + solve_free(matrix, gradient + matrix * to_bounds, held);
     bool another = false;
     for (Eigen::Index j = 0; j < at.size(); ++j) {
       const double to = at(j) + step(j), lower = problem.lower()(j), upper = problem.upper()(j);

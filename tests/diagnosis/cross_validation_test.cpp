@@ -17,13 +17,13 @@ Refit regression(std::uint64_t seed) {
   fit.covariance = Eigen::MatrixXd::Zero(2, 2);
   Eigen::MatrixXd all(kSegments * kRows, 2);
   Eigen::VectorXd residual(kSegments * kRows);
-  for (int k = 0; k < kSegments; ++k) {
+  for (Eigen::Index k = 0; k < kSegments; ++k) {
     all.middleRows(k * kRows, kRows) = normal(kRows, 2, random);
     residual.segment(k * kRows, kRows) = normal(kRows, 1, random);
   }
   const Eigen::VectorXd best = all.householderQr().solve(residual);
   residual -= all * best;
-  for (int k = 0; k < kSegments; ++k) {
+  for (Eigen::Index k = 0; k < kSegments; ++k) {
     fit.segments.push_back(
         {residual.segment(k * kRows, kRows), all.middleRows(k * kRows, kRows), Eigen::MatrixXd::Zero(kRows, 0), kRows});
     fit.weighted.push_back(weighted(fit.segments.back(), Eigen::VectorXd::Ones(kRows)));

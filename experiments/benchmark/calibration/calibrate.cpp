@@ -62,7 +62,7 @@ double loss_on_other_rigs(const EvidenceTable& table, double penalty) {
     std::vector<Eigen::Index> own, others;
     for (std::size_t i = 0; i < table.rigs.size(); ++i)
       (table.rigs[i] == rig ? own : others).push_back(static_cast<Eigen::Index>(i));
-    const LogisticFit fit = fit_logistic(table.rows(others, Eigen::placeholders::all), table.right(others), penalty);
+    const LogisticFit fit = fit_logistic(table.rows(others, Eigen::all), table.right(others), penalty);
     for (const Eigen::Index i : own) {
       const double p = logistic(fit.intercept + table.rows.row(i).dot(fit.weights));
       loss -= std::log(std::max(kLeastProbability, table.right(i) > 0.5 ? p : 1.0 - p));
