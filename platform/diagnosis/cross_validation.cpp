@@ -62,8 +62,7 @@ std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const Folds& folds)
   for (const RobustSegment& segment : fit.segments) weights.push_back(segment.weights(segment.residual));
   const Normals normals = normals_of(fit.segments, weights, folds);
   // Where a search was given up on its way, nobody knows whether it would have got where its derivatives point.
-  const Eigen::VectorXd given_up =
-      fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(normals.all, inside);
+  const Eigen::VectorXd given_up = fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(normals.all, inside);
   std::vector<Eigen::VectorXd> steps;
   for (const Normal& without : normals.without) steps.emplace_back(step_to_minimum(without, inside) - given_up);
   return steps;

@@ -8,13 +8,13 @@
 
 namespace lacuna {
 
-/// By segment and block (RowBins::blocks): a trial is a fold where there are enough of them, else neighbouring blocks of
-/// a trial are.
+/// By segment and block (RowBins::blocks): a trial is a fold where there are enough of them, else neighbouring blocks
+/// of a trial are.
 Folds folds(const std::vector<Segment>& segments, const RowBins& bins);
 
-/// Deviance (−2 log likelihood under the loss of the fits, but for a constant) of every block of all segments, one after
-/// the other, as predicted from the other folds: the values are those of one Gauss–Newton step from the full fit that
-/// leaves the fold out; the segment's start is free, and what is remembered of the block before is taken from the
+/// Deviance (−2 log likelihood under the loss of the fits, but for a constant) of every block of all segments, one
+/// after the other, as predicted from the other folds: the values are those of one Gauss–Newton step from the full fit
+/// that leaves the fold out; the segment's start is free, and what is remembered of the block before is taken from the
 /// measurements. Whatever is fitted in a round, effects and forces of any form, is judged by this.
 Eigen::VectorXd held_out_deviance(const Refit& fit, const Folds& folds);
 

@@ -28,13 +28,11 @@ class EffectSearch {
   explicit EffectSearch(const DiagnosisTask& task)
       : task_(task),
         meter_(task.progress),
-        segment_(task.segment > 0.0 ? task.segment : usual_segment(task.trials)),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
-        plain_(plain(task.experiment, task.catalog, task.values,
+        plain_(plain(task.experiment, task.catalog, cut_.values,
                      sufficient_substeps(task.definition, cut_, task.threads))),
         contender_(plain_) {
     meter_.set_parts(kRoundParts * kUsualRounds);
-    state_.states = cut_.states;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
     const int before = rounds_before();
@@ -67,9 +65,10 @@ class EffectSearch {
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
-    BaseSolution start = cut_;
-    start.states = state_.states;
-    start.values = contender_.values;
+    BaseSolution start =
+        cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
+                   {contender_.definition, *contender_.model, contender_.values,
+                    contender_.added.empty() ? Moving::all : Moving::states});
     correct_for_steps(contender_.definition, start, task_.threads);
     return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
   }
@@ -131,7 +130,6 @@ class EffectSearch {
   void take_chosen() {
     const KeptRival& rival = state_.last->rivals[state_.last->chosen];
     contender_ = with_effect_of(rival, *state_.last, plain_, task_.catalog);
-    state_.states = rival.states;
   }
 
   /// Judges the last choice again, now that its noise is known. Whether another rival is better; it is the choice then.
@@ -206,7 +204,6 @@ class EffectSearch {
 
   void go_on_with(const FewerEffects& fewer) {
     contender_ = with_effects(plain_, fewer.added, fewer.fit.values, task_.catalog);
-    state_.states = fewer.fit.states;
     state_.most_effects = fewer.added.size();
     state_.gains[names_of(fewer.added)] = fewer.gain;
     state_.last.reset();
@@ -216,7 +213,6 @@ class EffectSearch {
       state_.last = state_.first;
       state_.last->chosen = *fewer.of_first;
       state_.last->rivals[*fewer.of_first].values = fewer.fit.values;
-      state_.last->rivals[*fewer.of_first].states = fewer.fit.states;
       bring_to_front(ranking, name_of(fewer.added.back()));
     } else {
       ranking.emplace(ranking.begin())->gain = fewer.gain;
@@ -224,7 +220,7 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    end_search({task_, cut_, segment_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
+    end_search({task_, cut_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -241,7 +237,6 @@ class EffectSearch {
 
   const DiagnosisTask& task_;
   ProgressMeter meter_;
-  const double segment_;  ///< s
   const BaseSolution cut_;
   const Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;

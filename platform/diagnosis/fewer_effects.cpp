@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
 constexpr double kByChance = 2.0;      ///< nats
-constexpr double kTie = 0.5;           ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -37,7 +36,7 @@ class Contest {
     add_rivals();
     add_parts();
     for (std::size_t size = 1; size < task_.answer.added.size(); ++size)
-      if (const Judged* best = best_of(size); best != nullptr && is_enough(*best)) return best->model;
+      if (const Judged* best = best_of(size)) return best->model;
     return std::nullopt;
   }
 
@@ -95,18 +94,18 @@ class Contest {
         {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out});
   }
 
+  /// Of those that are enough; nothing if none is.
   const Judged* best_of(std::size_t size) const {
     const Judged* best = nullptr;
     for (const Judged& one : judged_)
-      if (one.model.added.size() == size && (best == nullptr || is_better(one, *best))) best = &one;
+      if (one.model.added.size() == size && is_enough(one) && (best == nullptr || is_better(one, *best))) best = &one;
     return best;
   }
 
-  /// The larger gain, or as good as that with fewer parameters.
+  /// The simpler one, and of those with as many parameters the one with the larger gain.
   static bool is_better(const Judged& one, const Judged& other) {
-    const double ahead = one.model.gain.value - other.model.gain.value;
-    if (std::abs(ahead) > kTie) return ahead > 0.0;
-    return one.model.fit.values.size() < other.model.fit.values.size();
+    const std::size_t own = one.model.fit.values.size(), others = other.model.fit.values.size();
+    return own != others ? own < others : one.model.gain.value > other.model.gain.value;
   }
 
   bool is_enough(const Judged& one) const {

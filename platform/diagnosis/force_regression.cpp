@@ -58,8 +58,8 @@ void ForceRegression::leave_to_values() {
     if (power > 0.0) seen_(i) = power_beside(values_ + i, values) / power;
   }
   if (values.empty()) return;
-  const Eigen::MatrixXd taken =
-      solve_scaled(normals_.all.gram.topLeftCorner(values_, values_), normals_.all.gram.topRightCorner(values_, count_));
+  const Eigen::MatrixXd taken = solve_scaled(normals_.all.gram.topLeftCorner(values_, values_),
+                                             normals_.all.gram.topRightCorner(values_, count_));
   for (RobustSegment& segment : segments_) segment.values.rightCols(count_) -= segment.values.leftCols(values_) * taken;
   build();
 }

@@ -67,9 +67,8 @@ std::vector<std::size_t> RowBins::blocks(std::size_t k) const {
   const double pieces = std::max(1.0, std::round(duration / kBlock));
   std::vector<std::size_t> block;
   for (const Bin& bin : all)
-    block.push_back(duration > 0.0
-                        ? static_cast<std::size_t>(std::min(pieces - 1.0, (bin.time - begin) / duration * pieces))
-                        : 0);
+    block.push_back(
+        duration > 0.0 ? static_cast<std::size_t>(std::min(pieces - 1.0, (bin.time - begin) / duration * pieces)) : 0);
   return block;
 }
 
