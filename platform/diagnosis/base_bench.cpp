@@ -7,6 +7,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kIterations = 10, kStartIterations = 4;
+constexpr double kFarBetter = 0.5;  ///< of what is left over
 
 /// A problem whose values are held where they are.
 class HeldValues : public SegmentedProblem {
@@ -44,8 +45,8 @@ bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution&
   HeldValues held(problem, start.values);
   const LeastSquaresResult started = minimize(held, start, options_of(kStartIterations));
   if (!started.valid) return false;
-  const LeastSquaresResult search =
-      moving == Moving::states ? started : minimize(problem, started.point, options_of(kIterations));
+  LeastSquaresResult search = minimize(problem, started.point, options_of(kIterations));
+  if (moving == Moving::if_needed && search.cost > kFarBetter * started.cost) search = started;
   base.values = space.to_values(search.point.values);
   base.states = search.point.states;
   return true;

@@ -5,10 +5,11 @@
 
 namespace lacuna {
 
-enum class Moving { states, all };
+enum class Moving { if_needed, all };
 
-/// Least squares under sensor noise alone, to begin with: moves states, then, if asked to, values and states. False
-/// where the model cannot be simulated. Values that were fitted under a better noise are not to be moved.
+/// Least squares under sensor noise alone, to begin with: moves states, then values and states. False where the model
+/// cannot be simulated. `if_needed`: for values that were fitted under a better noise, which stay where they are unless
+/// others leave half as much.
 bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution& base, Moving moving);
 
 /// A round's model at its base solution, ready to be simulated. Trials, segments and noise of `start` are copied into

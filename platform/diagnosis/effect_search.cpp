@@ -20,8 +20,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
-constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
+constexpr double kByChance = 2.0;    ///< of the deviance, a parameter (H. Akaike, 1974)
+constexpr double kLittleMore = 0.1;  ///< of the gain: no reason for more parameters
+constexpr int kUsualRounds = 2;      ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
  public:
@@ -52,10 +53,8 @@ class EffectSearch {
       if (!state_.last || !takes_another(round)) {
         const bool outdone = outdone_by_law(round);
         const std::optional<std::size_t> chosen = outdone ? std::nullopt : next_of(round);
-        if (chosen)
-          take_in(round, *chosen);
-        else if (outdone || !does_with_fewer(round))
-          return ended(round, outdone);
+        const bool taken = chosen && takes_in(round, *chosen);
+        if (!taken && (outdone || !does_with_fewer(round))) return ended(round, outdone);
       }
       keep();
     }
@@ -68,7 +67,7 @@ class EffectSearch {
     BaseSolution start =
         cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
                    {contender_.definition, *contender_.model, contender_.values,
-                    contender_.added.empty() ? Moving::all : Moving::states});
+                    contender_.added.empty() ? Moving::all : Moving::if_needed});
     correct_for_steps(contender_.definition, start, task_.threads);
     return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
   }
@@ -102,7 +101,10 @@ class EffectSearch {
     return state_.tried.contains(names_with(contender_.added, entry)) ? std::nullopt : chosen;
   }
 
-  void take_in(const Round& round, std::size_t chosen) {
+  /// Goes on with a rival, unless it only takes the place of a simpler effect.
+  bool takes_in(const Round& round, std::size_t chosen) {
+    const SearchState state_before = state_;
+    const Contender model_before = contender_;
     if (state_.last) keep_class();
     const Gain before = contender_.added.empty() ? Gain{} : state_.gains[names_of(contender_.added)];
     state_.so_far.ranking = ranking_of(contender_, round, chosen, before, task_.seed);
@@ -114,9 +116,24 @@ class EffectSearch {
       state_.first_ranking = state_.so_far.ranking;
     }
     take_chosen();
-    if (!leave_out_spent(round, chosen)) return;
+    if (!leave_out_spent(round, chosen)) return true;
+    if (only_richer(model_before)) {
+      state_ = state_before;
+      contender_ = model_before;
+      return false;
+    }
     state_.last.reset();
     state_.so_far.ranking.front().look_alikes.clear();  // they stand for the last effect beside those that left
+    return true;
+  }
+
+  /// Whether an effect took the place of a simpler one and adds little to what that gained: a friction of more
+  /// parameters makes up for the form of a plain one.
+  bool only_richer(const Contender& before) {
+    const double gained = state_.gains[names_of(before.added)].value;
+    return !before.added.empty() && contender_.added.size() <= before.added.size() &&
+           contender_.values.size() > before.values.size() &&
+           state_.gains[names_of(contender_.added)].value - gained <= kLittleMore * gained;
   }
 
   /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.

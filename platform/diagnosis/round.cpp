@@ -84,7 +84,7 @@ class Look {
     BaseSolution& base = round_.base;
     base = task_.start;
     base.values = model_.values;
-    bench_.settle(base, model_.added.empty() ? Moving::all : Moving::states);
+    bench_.settle(base, model_.added.empty() ? Moving::all : Moving::if_needed);
     bench_.linearise(round_.bins, base);
     base.nuisance = timing_beside(model_, base, round_.bins, task_.threads);
     if (base.free_run)

@@ -89,7 +89,8 @@ Refit refit_over(const LengthTask& task, double length) {
   CutTask cut = task.cut;
   cut.segment = length;
   const Contender& contender = task.contender;
-  BaseSolution base = cut_trials(cut, {contender.definition, *contender.model, task.last.fit.values, Moving::states});
+  BaseSolution base =
+      cut_trials(cut, {contender.definition, *contender.model, task.last.fit.values, Moving::if_needed});
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);
