@@ -117,7 +117,7 @@ struct DiagnosisTask {
   const std::vector<Trial>& trials;     ///< to fit to; held-out ones are not looked at
   std::vector<double> values;           ///< fitted values of the model
   std::vector<std::string> among = {};  ///< effects to try; empty: all
-  double segment = 0.0;  ///< s, of what is predicted from a start of its own; 0: the usual length (cut_trials.h)
+  double segment = 0.0;                 ///< s, of what is predicted from a start of its own; 0: `usual_segment`
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};

@@ -20,20 +20,21 @@
 namespace lacuna {
 namespace {
 
-constexpr double kByChance = 2.0;    ///< of the deviance, a parameter (H. Akaike, 1974)
-constexpr double kLittleMore = 0.1;  ///< of the gain: no reason for more parameters
-constexpr int kUsualRounds = 2;      ///< one that finds an effect, one that finds nothing more
+constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
+constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
  public:
   explicit EffectSearch(const DiagnosisTask& task)
       : task_(task),
         meter_(task.progress),
+        segment_(task.segment > 0.0 ? task.segment : usual_segment(task.trials)),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
-        plain_(plain(task.experiment, task.catalog, cut_.values,
+        plain_(plain(task.experiment, task.catalog, task.values,
                      sufficient_substeps(task.definition, cut_, task.threads))),
         contender_(plain_) {
     meter_.set_parts(kRoundParts * kUsualRounds);
+    state_.states = cut_.states;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
     const int before = rounds_before();
@@ -53,8 +54,10 @@ class EffectSearch {
       if (!state_.last || !takes_another(round)) {
         const bool outdone = outdone_by_law(round);
         const std::optional<std::size_t> chosen = outdone ? std::nullopt : next_of(round);
-        const bool taken = chosen && takes_in(round, *chosen);
-        if (!taken && (outdone || !does_with_fewer(round))) return ended(round, outdone);
+        if (chosen)
+          take_in(round, *chosen);
+        else if (outdone || !does_with_fewer(round))
+          return ended(round, outdone);
       }
       keep();
     }
@@ -64,10 +67,9 @@ class EffectSearch {
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
-    BaseSolution start =
-        cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
-                   {contender_.definition, *contender_.model, contender_.values,
-                    contender_.added.empty() ? Moving::all : Moving::if_needed});
+    BaseSolution start = cut_;
+    start.states = state_.states;
+    start.values = contender_.values;
     correct_for_steps(contender_.definition, start, task_.threads);
     return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
   }
@@ -101,10 +103,7 @@ class EffectSearch {
     return state_.tried.contains(names_with(contender_.added, entry)) ? std::nullopt : chosen;
   }
 
-  /// Goes on with a rival, unless it only takes the place of a simpler effect.
-  bool takes_in(const Round& round, std::size_t chosen) {
-    const SearchState state_before = state_;
-    const Contender model_before = contender_;
+  void take_in(const Round& round, std::size_t chosen) {
     if (state_.last) keep_class();
     const Gain before = contender_.added.empty() ? Gain{} : state_.gains[names_of(contender_.added)];
     state_.so_far.ranking = ranking_of(contender_, round, chosen, before, task_.seed);
@@ -116,24 +115,9 @@ class EffectSearch {
       state_.first_ranking = state_.so_far.ranking;
     }
     take_chosen();
-    if (!leave_out_spent(round, chosen)) return true;
-    if (only_richer(model_before)) {
-      state_ = state_before;
-      contender_ = model_before;
-      return false;
-    }
+    if (!leave_out_spent(round, chosen)) return;
     state_.last.reset();
     state_.so_far.ranking.front().look_alikes.clear();  // they stand for the last effect beside those that left
-    return true;
-  }
-
-  /// Whether an effect took the place of a simpler one and adds little to what that gained: a friction of more
-  /// parameters makes up for the form of a plain one.
-  bool only_richer(const Contender& before) {
-    const double gained = state_.gains[names_of(before.added)].value;
-    return !before.added.empty() && contender_.added.size() <= before.added.size() &&
-           contender_.values.size() > before.values.size() &&
-           state_.gains[names_of(contender_.added)].value - gained <= kLittleMore * gained;
   }
 
   /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.
@@ -147,6 +131,7 @@ class EffectSearch {
   void take_chosen() {
     const KeptRival& rival = state_.last->rivals[state_.last->chosen];
     contender_ = with_effect_of(rival, *state_.last, plain_, task_.catalog);
+    state_.states = rival.states;
   }
 
   /// Judges the last choice again, now that its noise is known. Whether another rival is better; it is the choice then.
@@ -221,6 +206,7 @@ class EffectSearch {
 
   void go_on_with(const FewerEffects& fewer) {
     contender_ = with_effects(plain_, fewer.added, fewer.fit.values, task_.catalog);
+    state_.states = fewer.fit.states;
     state_.most_effects = fewer.added.size();
     state_.gains[names_of(fewer.added)] = fewer.gain;
     state_.last.reset();
@@ -230,6 +216,7 @@ class EffectSearch {
       state_.last = state_.first;
       state_.last->chosen = *fewer.of_first;
       state_.last->rivals[*fewer.of_first].values = fewer.fit.values;
+      state_.last->rivals[*fewer.of_first].states = fewer.fit.states;
       bring_to_front(ranking, name_of(fewer.added.back()));
     } else {
       ranking.emplace(ranking.begin())->gain = fewer.gain;
@@ -237,7 +224,7 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    end_search({task_, cut_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
+    end_search({task_, cut_, segment_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -254,6 +241,7 @@ class EffectSearch {
 
   const DiagnosisTask& task_;
   ProgressMeter meter_;
+  const double segment_;  ///< s
   const BaseSolution cut_;
   const Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "diagnosis/folds.h"
 #include "diagnosis/refit.h"
 
 #include <cstddef>
@@ -13,7 +12,7 @@ namespace lacuna {
 struct ForceTask {
   const Refit& base;
   const std::vector<Eigen::MatrixXd>& factors;  ///< of the noise, by segment
-  const Folds& folds;
+  const std::vector<std::size_t>& folds;
   std::uint64_t seed = 1;
 };
 

@@ -19,7 +19,7 @@ struct Rival {
   std::size_t hypothesis = 0;  ///< of the round
   double deviance = 0.0;       ///< score of its best probe
   Refit fit;
-  Eigen::VectorXd held_out;  ///< deviance by block
+  Eigen::VectorXd held_out;  ///< deviance by segment
   Gain gain;                 ///< over the round's base
 };
 
@@ -30,7 +30,7 @@ struct Round {
   ForceResponses forces;
   NoiseModel noise;
   std::vector<Eigen::MatrixXd> factors;  ///< of the noise
-  Folds folds;
+  std::vector<std::size_t> folds;
   Refit fit;  ///< of the base
   Eigen::VectorXd held_out;
   std::vector<Hypothesis> hypotheses;

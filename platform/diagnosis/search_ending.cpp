@@ -68,13 +68,13 @@ class EndedSearch {
 
   /// What does not survive a change of segment length is less likely to be the answer.
   void change_lengths() {
-    result_.lengths = refit_at_lengths(
-        {{task_.definition, task_.model, task_.trials, task_.values, ending_.last.base.segment, task_.threads},
-         ending_.answer,
-         ending_.last,
-         task_.threads});
+    result_.lengths =
+        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, ending_.segment, task_.threads},
+                          ending_.answer,
+                          ending_.last,
+                          task_.threads});
     const LengthVerdict verdict =
-        judge_lengths(result_.ranking.front().effects, ending_.last.base.segment, result_.lengths, task_.catalog);
+        judge_lengths(result_.ranking.front().effects, ending_.segment, result_.lengths, task_.catalog);
     if (!verdict.survives) result_.probability *= kUnsteady;
     steady_ = verdict.survives;
     result_.findings.insert(result_.findings.end(), verdict.findings.begin(), verdict.findings.end());

@@ -88,9 +88,8 @@ ModelDefinition definition_for(const LengthTask& task, const BaseSolution& base)
 Refit refit_over(const LengthTask& task, double length) {
   CutTask cut = task.cut;
   cut.segment = length;
-  const Contender& contender = task.contender;
-  BaseSolution base =
-      cut_trials(cut, {contender.definition, *contender.model, task.last.fit.values, Moving::if_needed});
+  BaseSolution base = cut_trials(cut);
+  base.values = task.last.fit.values;
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);

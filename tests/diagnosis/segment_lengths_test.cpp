@@ -1,5 +1,4 @@
 #include "diagnosis/segment_lengths.h"
-#include "diagnosis/recorded_pendulum.h"
 
 #include "plugins/built_catalog.h"
 
@@ -115,26 +114,15 @@ TEST(SegmentLengths, OneLongerThanEveryFitTrialIsRefused) {
                   "diagnosis.segment is 20.0 ms; choose at least 50.0 ms, or 0 for the usual length"));
 }
 
-double usual_length(const RecordedPendulum& rig) {
-  return cut_trials({.definition = rig.definition, .model = *rig.model, .trials = rig.trials, .values = rig.values})
-      .segment;
-}
-
-TEST(SegmentLengths, TheUsualOneIsFiveSecondsOrTheLongestTrial) {
-  RecordedPendulum rig;
-  EXPECT_DOUBLE_EQ(usual_length(rig), 5.0);
-  rig.trials = {recorded({}, "short.csv", multisine, 2.0, 1)};
-  EXPECT_DOUBLE_EQ(usual_length(rig), 2.0);
-}
-
-/// A pendulum that is kept on its head by its motor: under the recorded commands what is uncertain of a start grows by
-/// 500 a second.
-TEST(SegmentLengths, TheUsualOneIsShorterWhereAStartIsSoonForgotten) {
-  RecordedPendulum rig({.gravity = -0.981, .damping = 0.1, .feedback = 3.0});
-  rig.definition.structure.robot.bodies.front().com = {0.0, 0.0, 0.2};
-  rig.model = compile(rig.definition.structure, rig.definition.engine);
-  EXPECT_GE(usual_length(rig), 1.0);
-  EXPECT_LT(usual_length(rig), 2.5);
+TEST(SegmentLengths, TheUsualOneIsHalfASecondOrOneByTheAmountOfData) {
+  const auto usual = [](double seconds) {
+    return usual_segment(
+        {trial_of("a.csv", seconds, false), trial_of("b.csv", seconds, false), trial_of("held_out.csv", 100.0, true)});
+  };
+  EXPECT_DOUBLE_EQ(usual(1.0), 0.5);
+  EXPECT_DOUBLE_EQ(usual(5.0), 0.5);
+  EXPECT_DOUBLE_EQ(usual(6.0), 1.0);
+  EXPECT_DOUBLE_EQ(usual(60.0), 1.0);
 }
 
 }  // namespace
