@@ -24,7 +24,7 @@ bool has_no_number(const std::string& line) {
 /// Beyond what a double holds, as 1e400.
 bool has_too_large_number(const std::string& line) {
   try {
-    static_cast<void>(nlohmann::json::parse(line));
+    [[maybe_unused]] const nlohmann::json read = nlohmann::json::parse(line);
     return false;
   } catch (const nlohmann::json::out_of_range&) {
     return true;
