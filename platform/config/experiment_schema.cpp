@@ -116,8 +116,8 @@ Table<DiagnosisSection> diagnosis_keys() {
   return Table<DiagnosisSection>().key(
       "segment", &DiagnosisSection::segment, number("s").at_least(0.0),
       "length of the stretches that are predicted, each from a start of its own that the data around it tell; at least "
-      "0.05 s, at most as long as the longest trial that is fitted to; 0: 1 s where there are 12 s to fit to, else "
-      "0.5 s");
+      "0.05 s, at most as long as the longest trial that is fitted to; 0: 5 s, or what the "
+      "model can follow, at least 1 s");
 }
 
 Table<Experiment> experiment_keys() {

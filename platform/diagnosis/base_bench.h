@@ -5,6 +5,13 @@
 
 namespace lacuna {
 
+enum class Moving { if_needed, all };
+
+/// Least squares under sensor noise alone, to begin with: moves states, then values and states. False where the model
+/// cannot be simulated. `if_needed`: for values that were fitted under a better noise, which stay where they are unless
+/// others leave half as much.
+bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution& base, Moving moving);
+
 /// A round's model at its base solution, ready to be simulated. Trials, segments and noise of `start` are copied into
 /// its problem; `contender` must live as long as it.
 class BaseBench {
@@ -13,9 +20,8 @@ class BaseBench {
   BaseBench(const BaseBench&) = delete;
   BaseBench& operator=(const BaseBench&) = delete;
 
-  /// Least squares under sensor noise alone, to begin with: moves values and states. Throws `Error` where the model
-  /// cannot be simulated.
-  void settle(BaseSolution& base);
+  /// As above, but throws `Error` where the model cannot be simulated.
+  void settle(BaseSolution& base, Moving moving);
   /// Residual and derivatives at the base's values and states. Throws like `settle`.
   void linearise(const RowBins& bins, BaseSolution& base);
 

@@ -23,18 +23,18 @@ Eigen::VectorXd left_by_noise(const Eigen::MatrixXd& noise, const Eigen::MatrixX
 }  // namespace
 
 std::vector<ChannelError> channel_errors(const BaseSolution& base, const RowBins& bins, const NoiseModel& noise,
-                                         const Refit& fit, const std::vector<std::size_t>& folds) {
+                                         const Refit& fit, const Folds& folds) {
   const std::vector<Eigen::VectorXd> steps = steps_without(fit, folds);
   std::vector<Sums> sums(base.noise.size());
   for (std::size_t k = 0; k < bins.segments(); ++k) {
     const Eigen::VectorXd variance = left_by_noise(noise.covariance(k), base.linear[k].state);
-    const Eigen::VectorXd held_out = fit.bin_residuals[k] + fit.bin_derivatives[k] * steps[folds[k]];
     for (std::size_t i = 0; i < bins.bins(k).size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       Sums& channel = sums[bins.bins(k)[i].channel];
       channel.floor += variance(row);
       channel.fit += std::pow(fit.bin_residuals[k](row), 2);
-      channel.held_out += std::pow(held_out(row), 2);
+      const Eigen::VectorXd& step = steps[folds[k][fit.segments[k].block_of[i]]];
+      channel.held_out += std::pow(fit.bin_residuals[k](row) + fit.bin_derivatives[k].row(row).dot(step), 2);
       channel.count += 1.0;
     }
   }

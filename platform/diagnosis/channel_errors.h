@@ -2,6 +2,7 @@
 
 #include "diagnosis/diagnosis.h"
 #include "diagnosis/noise_model.h"
+#include "diagnosis/folds.h"
 #include "diagnosis/refit.h"
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace lacuna {
 /// RMS of what a refit leaves in each channel, of what it leaves when every fold is predicted from the others, and of
 /// the noise.
 std::vector<ChannelError> channel_errors(const BaseSolution& base, const RowBins& bins, const NoiseModel& noise,
-                                         const Refit& fit, const std::vector<std::size_t>& folds);
+                                         const Refit& fit, const Folds& folds);
 
 /// Held-out RMS over the floor, all channels together.
 double times_floor(const std::vector<ChannelError>& errors);

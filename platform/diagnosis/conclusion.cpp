@@ -72,20 +72,24 @@ void cannot_tell(Diagnosis& diagnosis) {
   diagnosis.probability = 0.5;
 }
 
-bool is_about(const std::string& finding, const std::vector<EffectEntry>& added) {
-  return std::any_of(added.begin(), added.end(),
-                     [&](const EffectEntry& entry) { return finding.starts_with(name_of(entry) + " "); });
+/// Of the last effect the ranking says itself what it is not told from now.
+bool is_about_earlier(const std::string& finding, const std::vector<EffectEntry>& added) {
+  return !added.empty() && std::any_of(added.begin(), added.end() - 1, [&](const EffectEntry& entry) {
+    return finding.starts_with(name_of(entry) + " ");
+  });
 }
 
-/// The floor is that of the first or the last round: the one in which less that is structured passes for noise.
-void measure_by(std::vector<ChannelError> floors, Diagnosis& diagnosis) {
+/// The floor is that of the first or the last round: the one in which less that is structured passes for noise. Models
+/// that were judged over segments of another length keep the floor of that length.
+void measure_by(std::vector<ChannelError> floors, double segment, Diagnosis& diagnosis) {
   for (std::size_t c = 0; c < floors.size(); ++c) floors[c].floor = std::min(floors[c].floor, diagnosis.base[c].floor);
   const auto take_floor = [&](std::vector<ChannelError>& errors) {
     for (std::size_t c = 0; c < errors.size(); ++c) errors[c].floor = floors[c].floor;
     return times_floor(errors);
   };
   diagnosis.base_times_floor = take_floor(diagnosis.base);
-  for (RankedModel& model : diagnosis.ranking) model.times_floor = take_floor(model.errors);
+  for (RankedModel& model : diagnosis.ranking)
+    model.times_floor = model.segment == segment ? take_floor(model.errors) : times_floor(model.errors);
 }
 
 }  // namespace
@@ -99,11 +103,12 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
   } else {
     diagnosis.ranking.front().effects = found_effects(answer.added, answer.definition, last.fit);
     diagnosis.ranking.front().errors = errors;
+    diagnosis.ranking.front().segment = last.base.segment;
   }
   diagnosis.forces = random_forces(last);
   diagnosis.free_force_p = last.free_force.p;
   diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, outcome.seed);
-  measure_by(errors, diagnosis);
+  measure_by(errors, last.base.segment, diagnosis);
   diagnosis.verdict = outcome.outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, answer, last);
   weigh(diagnosis);
   const std::string about_form = judge_form(diagnosis, outcome);
@@ -115,7 +120,7 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
     diagnosis.formulas.clear();
   }
   std::vector<std::string> classes = std::move(diagnosis.findings);
-  std::erase_if(classes, [&](const std::string& text) { return !is_about(text, answer.added); });
+  std::erase_if(classes, [&](const std::string& text) { return !is_about_earlier(text, answer.added); });
   diagnosis.findings = findings_of(diagnosis, outcome.first, answer, last);
   diagnosis.findings.insert(diagnosis.findings.begin(), unexplained.begin(), unexplained.end());
   if (!about_form.empty()) diagnosis.findings.insert(diagnosis.findings.begin(), about_form);

@@ -2,7 +2,7 @@
 
 #include "fitting/seeded_noise.h"
 
-#include <Eigen/QR>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -14,74 +14,88 @@ namespace {
 constexpr std::size_t kFewTrials = 4;  ///< below, trials are divided
 constexpr std::size_t kFolds = 8;
 constexpr int kDraws = 999;
+constexpr double kTold = 1e-12;     ///< of the strongest direction's information
+constexpr double kLeastKept = 0.2;  ///< of a direction's information, without a fold
 
 }  // namespace
 
-std::vector<std::size_t> folds(const std::vector<Segment>& segments) {
+Folds folds(const std::vector<Segment>& segments, const RowBins& bins) {
+  std::vector<std::size_t> blocks;  // a segment
   std::map<std::size_t, std::size_t> sizes;
-  for (const Segment& segment : segments) ++sizes[segment.stretch.trial];
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const std::vector<std::size_t> of_bins = bins.blocks(k);
+    blocks.push_back(*std::max_element(of_bins.begin(), of_bins.end()) + 1);
+    sizes[segments[k].stretch.trial] += blocks.back();
+  }
   const std::size_t parts = sizes.size() >= kFewTrials ? 1 : (kFolds + sizes.size() - 1) / sizes.size();
-  std::vector<std::size_t> fold;
+  Folds all;
   std::map<std::size_t, std::size_t> seen;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
-  for (const Segment& segment : segments) {
-    const std::size_t trial = segment.stretch.trial;
-    const std::size_t part = seen[trial]++ * parts / sizes[trial];
-    fold.push_back(numbers.try_emplace({trial, part}, numbers.size()).first->second);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const std::size_t trial = segments[k].stretch.trial;
+    all.emplace_back();
+    for (std::size_t block = 0; block < blocks[k]; ++block) {
+      const std::size_t part = seen[trial]++ * parts / sizes[trial];
+      all.back().push_back(numbers.try_emplace({trial, part}, numbers.size()).first->second);
+    }
   }
-  return fold;
+  return all;
 }
 
 namespace {
 
-/// Where the quadratic model of the deviance has its minimum, from where the fit is; of the values that are `inside`.
-Eigen::VectorXd step_to_minimum(const Eigen::MatrixXd& information, const Eigen::VectorXd& score,
-                                const std::vector<Eigen::Index>& inside) {
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(score.size());
+/// Directions that the data tell, each with information 1: values × directions.
+Eigen::MatrixXd told(const Eigen::MatrixXd& gram) {
+  const Eigen::VectorXd unit = gram.diagonal().unaryExpr(
+      [](double information) { return information > 0.0 ? 1.0 / std::sqrt(information) : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * gram * unit.asDiagonal());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < eigen.eigenvalues().size(); ++i)
+    if (eigen.eigenvalues()(i) > kTold * eigen.eigenvalues().maxCoeff()) kept.push_back(i);
+  return unit.asDiagonal() * Eigen::MatrixXd(eigen.eigenvectors()(Eigen::all, kept)) *
+         eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// Where the quadratic model of the deviance has its minimum without a fold, from where the fit is; of the values that
+/// are `inside`. Where the fold tells a direction nearly alone (a stop that is hit once), nobody would predict it from
+/// the others, and the quadratic model points to where it does not hold: at least a fifth of what is told counts as
+/// kept.
+Eigen::VectorXd step_to_minimum(const Normal& all, const Normal& without, const std::vector<Eigen::Index>& inside) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(all.score.size());
   if (inside.empty()) return step;
-  const Eigen::MatrixXd own = information(inside, inside);
-  step(inside) = -Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(own).solve(Eigen::VectorXd(score(inside)));
+  const Eigen::MatrixXd directions = told(all.gram(inside, inside));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> kept(directions.transpose() *
+                                                            Eigen::MatrixXd(without.gram(inside, inside)) * directions);
+  const Eigen::VectorXd score =
+      kept.eigenvectors().transpose() * (directions.transpose() * Eigen::VectorXd(without.score(inside)));
+  step(inside) = -directions * (kept.eigenvectors() * score.cwiseQuotient(kept.eigenvalues().cwiseMax(kLeastKept)));
   return step;
 }
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const std::vector<std::size_t>& folds) {
+std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const Folds& folds) {
   const Eigen::Index count = fit.covariance.rows();
   std::vector<Eigen::Index> inside;
   for (Eigen::Index j = 0; j < count; ++j)
     if (!fit.at_bound[static_cast<std::size_t>(j)]) inside.push_back(j);
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd score = Eigen::VectorXd::Zero(count);
-  const std::size_t last = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end());
-  std::vector<Eigen::MatrixXd> fold_information(last + 1, information);
-  std::vector<Eigen::VectorXd> fold_score(last + 1, score);
-  for (std::size_t k = 0; k < folds.size(); ++k) {
-    fold_information[folds[k]] += fit.weighted[k].values.transpose() * fit.weighted[k].values;
-    fold_score[folds[k]] += fit.weighted[k].values.transpose() * fit.weighted[k].residual;
-  }
-  for (std::size_t f = 0; f <= last; ++f) {
-    information += fold_information[f];
-    score += fold_score[f];
-  }
+  std::vector<Eigen::VectorXd> weights;
+  for (const RobustSegment& segment : fit.segments) weights.push_back(segment.weights(segment.residual));
+  const Normals normals = normals_of(fit.segments, weights, folds);
   // Where a search was given up on its way, nobody knows whether it would have got where its derivatives point.
   const Eigen::VectorXd given_up =
-      fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(information, score, inside);
+      fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(normals.all, normals.all, inside);
   std::vector<Eigen::VectorXd> steps;
-  for (std::size_t f = 0; f <= last; ++f)
-    steps.emplace_back(step_to_minimum(information - fold_information[f], score - fold_score[f], inside) - given_up);
+  for (const Normal& without : normals.without)
+    steps.emplace_back(step_to_minimum(normals.all, without, inside) - given_up);
   return steps;
 }
 
-Eigen::VectorXd held_out_deviance(const Refit& fit, const std::vector<std::size_t>& folds) {
+Eigen::VectorXd held_out_deviance(const Refit& fit, const Folds& folds) {
   const std::vector<Eigen::VectorXd> steps = steps_without(fit, folds);
-  Eigen::VectorXd deviance(static_cast<Eigen::Index>(folds.size()));
-  for (std::size_t k = 0; k < folds.size(); ++k) {
-    const RobustSegment& segment = fit.segments[k];
-    deviance(static_cast<Eigen::Index>(k)) =
-        robust_deviance(segment, segment.residual + segment.values * steps[folds[k]]);
-  }
-  return deviance;
+  return held_out(fit.segments, folds, [&](std::size_t k, std::size_t fold) -> Eigen::VectorXd {
+    return fit.segments[k].residual + fit.segments[k].values * steps[fold];
+  });
 }
 
 Gain gain(const Eigen::VectorXd& worse, const Eigen::VectorXd& better, std::uint64_t seed) {

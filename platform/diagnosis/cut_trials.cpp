@@ -2,21 +2,28 @@
 
 #include "diagnosis/free_run.h"
 #include "fitting/shooting_problem.h"
+#include "fitting/stages.h"
 #include "foundation/problem.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
 namespace lacuna {
 namespace {
 
-constexpr double kRunIn = 0.1;               ///< s: longer than most delays and lags
-constexpr double kShort = 0.5, kLong = 1.0;  ///< s
-constexpr double kMuch = 12.0;               ///< s of data: enough for long segments
-constexpr double kLeast = 0.05;              ///< s
-constexpr double kAsLong = 1.01;             ///< a trial of 4 s may end a sample before that
+constexpr double kRunIn = 0.1;                         ///< s: longer than most delays and lags
+constexpr double kShort = 1.0;                         ///< s
+constexpr std::array kLongLengths = {5.0, 2.5, 1.25};  ///< s
+constexpr double kFollowed = 30.0;     ///< times the sensor noise: what an uncertain start may move a prediction by
+constexpr double kAtEase = 10.0;       ///< times the sensor noise: what a model may leave over long segments, ...
+constexpr double kNotMuchMore = 1.25;  ///< ... or times what it leaves over short ones
+constexpr double kLeast = 0.05;        ///< s
+constexpr double kAsLong = 1.01;       ///< a trial of 4 s may end a sample before that
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
   std::vector<Trial> kept;
@@ -34,6 +41,77 @@ double duration_of(const Trial& trial) {
   return times.size() > 0 ? times(times.size() - 1) - times(0) : 0.0;
 }
 
+/// What cuts the trials of a task; everything referred to must outlive it.
+class Cutter {
+ public:
+  Cutter(const CutTask& task, const Follower& follower, const StartStates& states, BaseSolution& base)
+      : task_(task),
+        states_(states),
+        base_(base),
+        predictor_(follower.model, base.trials, task.threads),
+        space_(follower.definition.free),
+        values_(follower.values),
+        moving_(follower.moving) {}
+
+  /// Into segments of about `length` s, 0: whole trials.
+  BaseSolution cut(double length) const {
+    BaseSolution all = base_;
+    const TrialPredictor plain(task_.model, base_.trials, task_.threads);
+    all.segment = std::min(length, longest_fit_trial(base_.trials));
+    all.segments = make_segments(plain, states_, length, task_.values, kRunIn);
+    for (Segment& segment : all.segments)
+      if (segment.stretch.first == 0 && segment.run_in == 0) segment.deviation *= kDoubtOfStart;
+    all.values = values_;
+    all.states =
+        ShootingProblem(predictor_, space_, all.segments, all.noise).start(space_.to_coordinates(all.values)).states;
+    return all;
+  }
+
+  /// Into segments of the length that is asked for, or the usual one.
+  BaseSolution cut_long() {
+    const double wanted = task_.segment > 0.0 ? task_.segment : kLongLengths.front();
+    BaseSolution best = cut(std::min(wanted, kShort));
+    if (wanted <= kShort || best.segments.empty() || longest_fit_trial(base_.trials) <= kAsLong * kShort) return best;
+    const std::optional<double> near = settled(best);
+    values_ = best.values;
+    if (task_.segment > 0.0) return cut(wanted);
+    const double horizon = automatic_horizon(predictor_, states_, best.values, kShort, kFollowed);
+    std::size_t as_many = 0;
+    for (const double length : kLongLengths) {
+      if (!near || length > kAsLong * horizon) continue;
+      BaseSolution longer = cut(length);
+      if (longer.segments.size() == as_many) continue;  // trials that are shorter
+      as_many = longer.segments.size();
+      const std::optional<double> left = settled(longer);
+      if (left && *left <= std::max(kAtEase, kNotMuchMore * *near)) return longer;
+    }
+    return best;
+  }
+
+ private:
+  /// What is left once the model has settled, RMS, multiples of the sensor noise; nothing if it cannot.
+  std::optional<double> settled(BaseSolution& base) const {
+    ShootingProblem problem(predictor_, space_, base.segments, base.noise);
+    if (!settle(problem, space_, base, moving_)) return std::nullopt;
+    std::vector<Eigen::VectorXd> residuals;
+    problem.residuals({space_.to_coordinates(base.values), base.states}, residuals);
+    double squares = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      squares += residuals[k].head(problem.robust_rows(k)).squaredNorm();
+      count += static_cast<double>(problem.robust_rows(k));
+    }
+    return std::sqrt(squares / count);
+  }
+
+  const CutTask& task_;
+  const StartStates& states_;
+  const BaseSolution& base_;
+  TrialPredictor predictor_;
+  ParameterSpace space_;
+  std::vector<double> values_;  ///< of the follower, SI
+  Moving moving_;
+};
+
 }  // namespace
 
 double longest_fit_trial(const std::vector<Trial>& trials) {
@@ -41,13 +119,6 @@ double longest_fit_trial(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials)
     if (!trial.held_out) longest = std::max(longest, duration_of(trial));
   return longest;
-}
-
-double usual_segment(const std::vector<Trial>& trials) {
-  double all = 0.0;
-  for (const Trial& trial : trials)
-    if (!trial.held_out) all += duration_of(trial);
-  return kAsLong * all >= kMuch ? kLong : kShort;
 }
 
 void check_segment(double segment, const std::vector<Trial>& trials) {
@@ -65,7 +136,9 @@ void check_segment(double segment, const std::vector<Trial>& trials) {
                                 format_quantity(segment, "s"), lengths, format_quantity(longest, "s")));
 }
 
-BaseSolution cut_trials(const CutTask& task) {
+BaseSolution cut_trials(const CutTask& task) { return cut_trials(task, {task.definition, task.model, task.values}); }
+
+BaseSolution cut_trials(const CutTask& task, const Follower& follower) {
   BaseSolution base;
   base.trials = fit_trials(task.trials);
   const RobotSpec& robot = task.definition.structure.robot;
@@ -78,21 +151,16 @@ BaseSolution cut_trials(const CutTask& task) {
     reconstructible = reconstructible && states.reconstructible(trial);
   }
   if (measured) {
-    const double length = task.segment > 0.0 ? task.segment : usual_segment(base.trials);
-    base.segments = make_segments(predictor, states, reconstructible ? length : 0.0, task.values, kRunIn);
-    for (Segment& segment : base.segments)
-      if (segment.stretch.first == 0 && segment.run_in == 0) segment.deviation *= kDoubtOfStart;
+    Cutter cutter(task, follower, states, base);
+    base = reconstructible ? cutter.cut_long() : cutter.cut(0.0);
   } else {
     cut_free_runs(task, predictor, states, base);
+    base.values = follower.values;
   }
   if (base.segments.empty())
     throw Error(
         "there is nothing to diagnose: no stretch of the fit files holds more measured values than its start "
         "state has unknowns; check the mask, the time ranges and the columns");
-  const ParameterSpace space(task.definition.free);
-  base.states =
-      ShootingProblem(predictor, space, base.segments, base.noise).start(space.to_coordinates(task.values)).states;
-  base.values = task.values;
   return base;
 }
 

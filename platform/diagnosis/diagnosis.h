@@ -58,6 +58,7 @@ struct RankedModel {
   double probability = 0.0;              ///< among the ranking and the base; uncalibrated
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
+  double segment = 0.0;      ///< s, of the segments that the errors are about; 0: whole trials
 };
 
 /// A random force that the residual shows.
@@ -79,6 +80,7 @@ struct Diagnosis {
   Evidence evidence;
   std::vector<ChannelError> base;
   double base_times_floor = 0.0;
+  double base_segment = 0.0;  ///< s, of the segments that `base` is about; 0: whole trials
   std::vector<RandomForce> forces;
   std::vector<RankedModel> ranking;  ///< the first is the answer; empty: nothing is better than the base
   double p_by_chance = 1.0;          ///< how often noise alone reaches the first round's best score
@@ -117,7 +119,7 @@ struct DiagnosisTask {
   const std::vector<Trial>& trials;     ///< to fit to; held-out ones are not looked at
   std::vector<double> values;           ///< fitted values of the model
   std::vector<std::string> among = {};  ///< effects to try; empty: all
-  double segment = 0.0;                 ///< s, of what is predicted from a start of its own; 0: `usual_segment`
+  double segment = 0.0;  ///< s, of what is predicted from a start of its own; 0: the usual length (cut_trials.h)
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};

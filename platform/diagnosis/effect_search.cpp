@@ -20,21 +20,21 @@
 namespace lacuna {
 namespace {
 
-constexpr double kByChance = 2.0;  ///< of the deviance, a parameter (H. Akaike, 1974)
-constexpr int kUsualRounds = 2;    ///< one that finds an effect, one that finds nothing more
+constexpr double kByChance = 2.0;    ///< of the deviance, a parameter (H. Akaike, 1974)
+constexpr double kLittleMore = 0.1;  ///< of the gain: no reason for more parameters
+constexpr int kUsualRounds = 2;      ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
  public:
   explicit EffectSearch(const DiagnosisTask& task)
       : task_(task),
         meter_(task.progress),
-        segment_(task.segment > 0.0 ? task.segment : usual_segment(task.trials)),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
-        plain_(plain(task.experiment, task.catalog, task.values,
+        plain_(plain(task.experiment, task.catalog, cut_.values,
                      sufficient_substeps(task.definition, cut_, task.threads))),
+        substeps_for_(cut_.segment),
         contender_(plain_) {
     meter_.set_parts(kRoundParts * kUsualRounds);
-    state_.states = cut_.states;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
     const int before = rounds_before();
@@ -47,17 +47,14 @@ class EffectSearch {
   Diagnosis run() {
     for (int number = 1 + rounds_before();; ++number) {
       if (number > kUsualRounds) meter_.add_parts(kRoundParts);
-      const Round round = look();
+      Round round = look();
       if (state_.tried.empty()) describe_first(round);
       state_.tried.insert(names_of(contender_.added));
       again_ = {};
       if (!state_.last || !takes_another(round)) {
         const bool outdone = outdone_by_law(round);
-        const std::optional<std::size_t> chosen = outdone ? std::nullopt : next_of(round);
-        if (chosen)
-          take_in(round, *chosen);
-        else if (outdone || !does_with_fewer(round))
-          return ended(round, outdone);
+        const bool taken = !outdone && takes_one(round);
+        if (!taken && (outdone || !does_with_fewer(round))) return ended(round, outdone);
       }
       keep();
     }
@@ -67,11 +64,28 @@ class EffectSearch {
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
-    BaseSolution start = cut_;
-    start.states = state_.states;
-    start.values = contender_.values;
+    BaseSolution start = contender_.added.empty() ? cut_ : cut_for_contender();
+    take_substeps_for(start);
     correct_for_steps(contender_.definition, start, task_.threads);
     return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
+  }
+
+  /// Into segments that the contender can follow.
+  BaseSolution cut_for_contender() const {
+    return cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
+                      {contender_.definition, *contender_.model, contender_.values, Moving::if_needed});
+  }
+
+  /// Errors of the integration grow with the length of the segments.
+  void take_substeps_for(const BaseSolution& start) {
+    if (start.segment <= substeps_for_) return;
+    substeps_for_ = start.segment;
+    ModelDefinition finest = contender_.definition;
+    finest.engine.substeps = task_.definition.engine.substeps;
+    const int substeps = sufficient_substeps(finest, start, task_.threads);
+    if (substeps <= plain_.definition.engine.substeps) return;
+    plain_ = plain(task_.experiment, task_.catalog, plain_.values, substeps);
+    contender_ = with_effects(plain_, contender_.added, contender_.values, task_.catalog);
   }
 
   /// Of the model without any effect added: what the user's model lacks, not what a poor substitute lacks.
@@ -85,6 +99,7 @@ class EffectSearch {
     result.untestable = round.untestable;
     result.base = channel_errors(round.base, round.bins, round.noise, round.fit, round.folds);
     result.base_times_floor = times_floor(result.base);
+    result.base_segment = round.base.segment;
     result.p_by_chance = round.screening.p;
     result.chance_95 = 0.5 * round.screening.chance_95;
   }
@@ -103,7 +118,19 @@ class EffectSearch {
     return state_.tried.contains(names_with(contender_.added, entry)) ? std::nullopt : chosen;
   }
 
-  void take_in(const Round& round, std::size_t chosen) {
+  /// Goes on with the rival that is chosen first of those that do not only take the place of a simpler effect; the
+  /// others are no rivals any more. Whether there is one.
+  bool takes_one(Round& round) {
+    while (const std::optional<std::size_t> chosen = next_of(round)) {
+      if (takes_in(round, *chosen)) return true;
+      round.rivals.erase(round.rivals.begin() + static_cast<std::ptrdiff_t>(*chosen));
+    }
+    return false;
+  }
+
+  bool takes_in(const Round& round, std::size_t chosen) {
+    const SearchState state_before = state_;
+    const Contender model_before = contender_;
     if (state_.last) keep_class();
     const Gain before = contender_.added.empty() ? Gain{} : state_.gains[names_of(contender_.added)];
     state_.so_far.ranking = ranking_of(contender_, round, chosen, before, task_.seed);
@@ -115,9 +142,27 @@ class EffectSearch {
       state_.first_ranking = state_.so_far.ranking;
     }
     take_chosen();
-    if (!leave_out_spent(round, chosen)) return;
+    if (!leave_out_spent(round, chosen)) return true;
+    if (only_richer(model_before, round, chosen)) {
+      state_ = state_before;
+      contender_ = model_before;
+      return false;
+    }
     state_.last.reset();
     state_.so_far.ranking.front().look_alikes.clear();  // they stand for the last effect beside those that left
+    return true;
+  }
+
+  /// Whether an effect took the place of a simpler one and adds little to what that gained: a friction of more
+  /// parameters makes up for the form of a plain one.
+  bool only_richer(const Contender& before, const Round& round, std::size_t chosen) const {
+    if (contender_.added.size() > before.added.size() || contender_.values.size() <= before.values.size()) return false;
+    Contender none = plain_;
+    none.values = state_.base_values;
+    const Refit fit = refit_reduced(none, round, task_.threads);
+    if (!fit.valid) return false;
+    const Gain gained = gain(held_out_deviance(fit, round.folds), round.held_out, task_.seed);
+    return round.rivals[chosen].gain.value <= kLittleMore * gained.value;
   }
 
   /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.
@@ -131,7 +176,6 @@ class EffectSearch {
   void take_chosen() {
     const KeptRival& rival = state_.last->rivals[state_.last->chosen];
     contender_ = with_effect_of(rival, *state_.last, plain_, task_.catalog);
-    state_.states = rival.states;
   }
 
   /// Judges the last choice again, now that its noise is known. Whether another rival is better; it is the choice then.
@@ -156,7 +200,10 @@ class EffectSearch {
       const std::string name = name_of(state_.last->rivals[other].entry);
       ranking.front().look_alikes.push_back(name);
       for (RankedModel& model : ranking)
-        if (is_last_effect(model, name)) model.errors = channel_errors(now.base, now.bins, now.noise, fit, now.folds);
+        if (is_last_effect(model, name)) {
+          model.errors = channel_errors(now.base, now.bins, now.noise, fit, now.folds);
+          model.segment = now.base.segment;
+        }
     }
   }
 
@@ -206,7 +253,6 @@ class EffectSearch {
 
   void go_on_with(const FewerEffects& fewer) {
     contender_ = with_effects(plain_, fewer.added, fewer.fit.values, task_.catalog);
-    state_.states = fewer.fit.states;
     state_.most_effects = fewer.added.size();
     state_.gains[names_of(fewer.added)] = fewer.gain;
     state_.last.reset();
@@ -216,7 +262,6 @@ class EffectSearch {
       state_.last = state_.first;
       state_.last->chosen = *fewer.of_first;
       state_.last->rivals[*fewer.of_first].values = fewer.fit.values;
-      state_.last->rivals[*fewer.of_first].states = fewer.fit.states;
       bring_to_front(ranking, name_of(fewer.added.back()));
     } else {
       ranking.emplace(ranking.begin())->gain = fewer.gain;
@@ -224,7 +269,7 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    end_search({task_, cut_, segment_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
+    end_search({task_, cut_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -241,9 +286,9 @@ class EffectSearch {
 
   const DiagnosisTask& task_;
   ProgressMeter meter_;
-  const double segment_;  ///< s
   const BaseSolution cut_;
-  const Contender plain_;  ///< the experiment's model, with substeps that suffice
+  Contender plain_;      ///< the experiment's model, with substeps that suffice ...
+  double substeps_for_;  ///< s, ... for segments of this length
   Contender contender_;
   SearchState state_;
   Rejudged again_;  ///< the last choice, under the noise of the round at hand

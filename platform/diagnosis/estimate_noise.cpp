@@ -18,8 +18,8 @@ constexpr double kUnlikely = 1e300;   // where a covariance is not positive defi
 constexpr double kNegligible = 1e-6;  // of the largest direction's power
 constexpr double kMostShare = 0.2;    // of the rows, that may be projected out
 constexpr Eigen::Index kMostDirections = 60;
-constexpr int kMostEvaluations = 400;
-constexpr std::array kStarts = {-2.0, 0.0, -4.0};  // logarithms of sizes, of all but white sensor noise
+constexpr int kMostEvaluations = 100;
+constexpr std::array kStarts = {-2.0, 0.0, -1.0};  // logarithms of sizes, of all but white sensor noise
 
 /// An orthonormal-like basis of what the values and the columns span, by segment: the strongest directions.
 std::vector<Eigen::MatrixXd> explained(const std::vector<LinearSegment>& segments,
@@ -62,31 +62,39 @@ class MarginalLikelihood {
     power_ = std::max(power_, 1e-300);
   }
 
-  /// −2 log of the likelihood at these deviations, but for a constant.
-  double operator()(const std::vector<double>& deviations) {
+  /// −2 log of the likelihood at these deviations, but for a constant; `slopes`, if not empty, gets its derivatives by
+  /// the logarithms of the deviations.
+  double operator()(const std::vector<double>& deviations, std::vector<double>& slopes) {
     throw_if_interrupted();
     noise_.set_deviations(deviations);
     std::vector<Part> parts(segments_.size());
     parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { parts[k] = part(k); });
-    Part sum = parts.front();
-    for (std::size_t k = 1; k < parts.size(); ++k) {
-      sum.valid = sum.valid && parts[k].valid;
-      if (!sum.valid) return kUnlikely;
-      sum.deviance += parts[k].deviance;
-      sum.information += parts[k].information;
-      sum.score += parts[k].score;
+    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.valid; })) return kUnlikely;
+    const Eigen::Index count = explained_.front().cols();
+    Explained explained{0.0, Eigen::MatrixXd::Identity(count, count) / power_, Eigen::VectorXd::Zero(count)};
+    for (const Part& one : parts) {
+      explained.deviance += one.deviance;
+      explained.information.selfadjointView<Eigen::Lower>().rankUpdate(one.columns.transpose());
+      explained.score += one.columns.transpose() * one.residual;
     }
-    if (!sum.valid) return kUnlikely;
-    if (sum.score.size() == 0) return sum.deviance;
-    sum.information.diagonal().array() += 1.0 / power_;
-    const Eigen::LLT<Eigen::MatrixXd> solver(sum.information);
+    const Eigen::LLT<Eigen::MatrixXd> solver(explained.information);
     if (solver.info() != Eigen::Success) return kUnlikely;
-    return sum.deviance + log_determinant(solver) - sum.score.dot(solver.solve(sum.score));
+    const Eigen::VectorXd sizes = solver.solve(explained.score);
+    if (!slopes.empty()) add_slopes(parts, solver, sizes, slopes);
+    return explained.deviance + log_determinant(solver) - explained.score.dot(sizes);
   }
 
  private:
+  /// A segment, whitened.
   struct Part {
     bool valid = false;
+    double deviance = 0.0;
+    Eigen::LLT<Eigen::MatrixXd> factor;  ///< of noise and start together
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd columns;
+  };
+
+  struct Explained {
     double deviance = 0.0;
     Eigen::MatrixXd information;  ///< the lower half
     Eigen::VectorXd score;
@@ -98,14 +106,34 @@ class MarginalLikelihood {
 
   Part part(std::size_t k) const {
     const LinearSegment& segment = segments_[k];
-    const Eigen::LLT<Eigen::MatrixXd> solver(noise_.covariance(k) + segment.state * segment.state.transpose());
-    if (solver.info() != Eigen::Success) return {};
-    const Eigen::VectorXd residual = solver.matrixL().solve(segment.residual);
-    const Eigen::MatrixXd columns = solver.matrixL().solve(explained_[k]);
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-    information.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-    return {true, log_determinant(solver) + residual.squaredNorm(), std::move(information),
-            columns.transpose() * residual};
+    Part result;
+    result.factor.compute(noise_.covariance(k) + segment.state * segment.state.transpose());
+    if (result.factor.info() != Eigen::Success) return result;
+    result.valid = true;
+    result.residual = result.factor.matrixL().solve(segment.residual);
+    result.columns = result.factor.matrixL().solve(explained_[k]);
+    result.deviance = log_determinant(result.factor) + result.residual.squaredNorm();
+    return result;
+  }
+
+  /// dD = Σ tr[(P − P r rᵀ P) dV], P = V⁻¹ − V⁻¹ X (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ (Harville 1977).
+  void add_slopes(const std::vector<Part>& parts, const Eigen::LLT<Eigen::MatrixXd>& solver,
+                  const Eigen::VectorXd& sizes, std::vector<double>& slopes) const {
+    std::vector<Eigen::VectorXd> by_segment(parts.size());
+    parallel_for(parts.size(), threads_, [&](std::size_t k, int) {
+      const Part& one = parts[k];
+      const auto back = one.factor.matrixL().transpose();
+      const Eigen::MatrixXd columns = solver.matrixL().solve(one.columns.transpose()).transpose();
+      const Eigen::VectorXd left = back.solve(one.residual - one.columns * sizes);
+      Eigen::MatrixXd weights = one.factor.solve(Eigen::MatrixXd::Identity(left.size(), left.size()));
+      const Eigen::MatrixXd explained = back.solve(columns);
+      weights.noalias() -= explained * explained.transpose();
+      weights.noalias() -= left * left.transpose();
+      by_segment[k] = noise_.slopes(k, weights);
+    });
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    for (const Eigen::VectorXd& of : by_segment)
+      for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] += of(static_cast<Eigen::Index>(i));
   }
 
   NoiseModel& noise_;
@@ -127,9 +155,9 @@ struct NoiseSearch {
   }
 };
 
-double minus_two_log_likelihood(const std::vector<double>& logarithms, std::vector<double>&, void* data) {
+double minus_two_log_likelihood(const std::vector<double>& logarithms, std::vector<double>& slopes, void* data) {
   NoiseSearch& search = *static_cast<NoiseSearch*>(data);
-  return search.likelihood(search.deviations(logarithms));
+  return search.likelihood(search.deviations(logarithms), slopes);
 }
 
 std::vector<double> lower_bounds(const NoiseModel& noise) {
@@ -153,12 +181,11 @@ void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segment
                     const std::vector<Eigen::MatrixXd>& columns, int threads) {
   NoiseSearch data{{noise, segments, explained(segments, columns), threads}, noise.sizes()};
   const std::vector<double> lower = lower_bounds(noise);
-  nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(lower.size()));
+  nlopt::opt search(nlopt::LD_LBFGS, static_cast<unsigned>(lower.size()));
   search.set_min_objective(minus_two_log_likelihood, &data);
   search.set_lower_bounds(lower);
   search.set_upper_bounds(std::log(kRange));
-  search.set_initial_step(1.0);
-  search.set_ftol_abs(0.05);
+  search.set_ftol_abs(0.01);
   search.set_maxeval(kMostEvaluations);
   std::vector<double> best;
   double least = kUnlikely;
@@ -171,7 +198,7 @@ void estimate_noise(NoiseModel& noise, const std::vector<LinearSegment>& segment
         const std::exception&) {  // the library hides what the objective threw; rounding ends a search that is done
       throw_if_interrupted();
     }
-    if (value > least && !best.empty()) continue;
+    if (!(value < least) && !best.empty()) continue;
     least = value;
     best = found;
   }

@@ -12,8 +12,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
+constexpr double kHardly = 0.05;       ///< of it
 constexpr double kByChance = 2.0;      ///< nats
-constexpr double kTie = 0.5;           ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -37,7 +37,7 @@ class Contest {
     add_rivals();
     add_parts();
     for (std::size_t size = 1; size < task_.answer.added.size(); ++size)
-      if (const Judged* best = best_of(size); best != nullptr && is_enough(*best)) return best->model;
+      if (const Judged* best = best_of(size)) return best->model;
     return std::nullopt;
   }
 
@@ -95,18 +95,21 @@ class Contest {
         {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out});
   }
 
+  /// Of those that are enough: the best, or one with fewer parameters that is hardly behind it; nothing if none is.
   const Judged* best_of(std::size_t size) const {
-    const Judged* best = nullptr;
+    std::vector<const Judged*> enough;
     for (const Judged& one : judged_)
-      if (one.model.added.size() == size && (best == nullptr || is_better(one, *best))) best = &one;
-    return best;
-  }
-
-  /// The larger gain, or as good as that with fewer parameters.
-  static bool is_better(const Judged& one, const Judged& other) {
-    const double ahead = one.model.gain.value - other.model.gain.value;
-    if (std::abs(ahead) > kTie) return ahead > 0.0;
-    return one.model.fit.values.size() < other.model.fit.values.size();
+      if (one.model.added.size() == size && is_enough(one)) enough.push_back(&one);
+    if (enough.empty()) return nullptr;
+    double most = 0.0;
+    for (const Judged* one : enough) most = std::max(most, one->model.gain.value);
+    std::erase_if(enough, [&](const Judged* one) {
+      return most - one->model.gain.value > std::max(kByChance, kHardly * all_.value);
+    });
+    return *std::min_element(enough.begin(), enough.end(), [](const Judged* one, const Judged* other) {
+      return std::pair(one->model.fit.values.size(), -one->model.gain.value) <
+             std::pair(other->model.fit.values.size(), -other->model.gain.value);
+    });
   }
 
   bool is_enough(const Judged& one) const {

@@ -20,7 +20,7 @@ struct ForceFormula {
   std::string unit;  ///< of the force, N*m or N
   std::vector<Term> terms;
   Gain gain;                      ///< held out, over the model without it
-  Eigen::VectorXd held_out = {};  ///< deviance by segment, as of a rival
+  Eigen::VectorXd held_out = {};  ///< deviance by block, as of a rival
 
   /// Such as "-0.0213*v*abs(v) + 0.4*sgn(v)"; the force on the joint.
   std::string text() const;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -31,16 +30,16 @@ Eigen::MatrixXd solve_scaled(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 }  // namespace
 
 ForceRegression::ForceRegression(const Refit& base, const std::vector<Eigen::MatrixXd>& factors,
-                                 const std::vector<Eigen::MatrixXd>& columns, const std::vector<std::size_t>& folds)
+                                 const std::vector<Eigen::MatrixXd>& columns, const Folds& folds)
     : folds_(&folds), count_(columns.front().cols()) {
   const Columns inside = inside_bounds(base);
   values_ = static_cast<Eigen::Index>(inside.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const RobustSegment& of_base = base.segments[k];
     RobustSegment segment{of_base.residual, Eigen::MatrixXd::Zero(of_base.residual.size(), values_ + count_),
-                          of_base.state, of_base.bins};
+                          of_base.state, of_base.block_of};
     segment.values.leftCols(values_) = of_base.values(Eigen::all, inside);
-    segment.values.topRightCorner(of_base.bins, count_) =
+    segment.values.topRightCorner(of_base.bins(), count_) =
         -factors[k].triangularView<Eigen::Lower>().solve(columns[k]);  // residual: measured less predicted
     weights_.push_back(segment.weights(segment.residual));
     segments_.push_back(std::move(segment));
@@ -55,36 +54,23 @@ void ForceRegression::leave_to_values() {
   const Columns values = with_values({});
   seen_ = Eigen::VectorXd::Zero(count_);
   for (Eigen::Index i = 0; i < count_; ++i) {
-    const double power = all_.gram(values_ + i, values_ + i);
+    const double power = normals_.all.gram(values_ + i, values_ + i);
     if (power > 0.0) seen_(i) = power_beside(values_ + i, values) / power;
   }
   if (values.empty()) return;
-  const Eigen::MatrixXd taken =
-      solve_scaled(all_.gram.topLeftCorner(values_, values_), all_.gram.topRightCorner(values_, count_));
+  const Eigen::MatrixXd taken = solve_scaled(normals_.all.gram.topLeftCorner(values_, values_),
+                                             normals_.all.gram.topRightCorner(values_, count_));
   for (RobustSegment& segment : segments_) segment.values.rightCols(count_) -= segment.values.leftCols(values_) * taken;
   build();
 }
 
-void ForceRegression::build() {
-  const Eigen::Index columns = values_ + count_;
-  all_ = {Eigen::MatrixXd::Zero(columns, columns), Eigen::VectorXd::Zero(columns)};
-  normals_.assign(folds_->empty() ? 1 : *std::max_element(folds_->begin(), folds_->end()) + 1, all_);
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const WeightedSegment part = weighted(segments_[k], weights_[k]);
-    normals_[(*folds_)[k]].gram += part.values.transpose() * part.values;
-    normals_[(*folds_)[k]].score += part.values.transpose() * part.residual;
-  }
-  for (const Normal& one : normals_) {
-    all_.gram += one.gram;
-    all_.score += one.score;
-  }
-}
+void ForceRegression::build() { normals_ = normals_of(segments_, weights_, *folds_); }
 
 bool ForceRegression::settle(const Columns& forces, double ridge) {
   bool changed = false;
   const Columns all = with_values(forces);
   for (int time = 0; time < kMostReweightings; ++time) {
-    const Eigen::VectorXd sizes = solution(all_, all, ridge);
+    const Eigen::VectorXd sizes = solution(normals_.all, all, ridge);
     double moved = 0.0;
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       const Eigen::VectorXd now = segments_[k].weights(at_best_start(segments_[k], residual(k, all, sizes)));
@@ -102,20 +88,17 @@ bool ForceRegression::settle(const Columns& forces, double ridge) {
 Eigen::VectorXd ForceRegression::held_out(const Columns& forces, double ridge) const {
   const Columns all = with_values(forces);
   std::vector<Eigen::VectorXd> sizes;
-  for (const Normal& fold : normals_)
-    sizes.push_back(solution({all_.gram - fold.gram, all_.score - fold.score}, all, ridge));
-  Eigen::VectorXd deviance(static_cast<Eigen::Index>(folds_->size()));
-  for (std::size_t k = 0; k < folds_->size(); ++k)
-    deviance(static_cast<Eigen::Index>(k)) = robust_deviance(segments_[k], residual(k, all, sizes[(*folds_)[k]]));
-  return deviance;
+  for (const Normal& without : normals_.without) sizes.push_back(solution(without, all, ridge));
+  return lacuna::held_out(segments_, *folds_,
+                          [&](std::size_t k, std::size_t fold) { return residual(k, all, sizes[fold]); });
 }
 
 Eigen::VectorXd ForceRegression::sizes(const Columns& forces, double ridge) const {
-  return solution(all_, with_values(forces), ridge).tail(static_cast<Eigen::Index>(forces.size()));
+  return solution(normals_.all, with_values(forces), ridge).tail(static_cast<Eigen::Index>(forces.size()));
 }
 
 Eigen::MatrixXd ForceRegression::covariance(const Columns& forces, double ridge) const {
-  const Eigen::MatrixXd known = information(all_.gram, with_values(forces), ridge);
+  const Eigen::MatrixXd known = information(normals_.all.gram, with_values(forces), ridge);
   const auto count = static_cast<Eigen::Index>(forces.size());
   return solve_scaled(known, Eigen::MatrixXd::Identity(known.rows(), known.cols())).bottomRightCorner(count, count);
 }
@@ -127,10 +110,10 @@ double ForceRegression::share_beside(Eigen::Index force, const Columns& forces) 
 
 /// Of a column, what others do not span.
 double ForceRegression::power_beside(Eigen::Index column, const Columns& others) const {
-  const double power = all_.gram(column, column);
+  const double power = normals_.all.gram(column, column);
   if (others.empty()) return power;
-  const Eigen::VectorXd mixed = all_.gram(others, column);
-  return power - mixed.dot(solve_scaled(Eigen::MatrixXd(all_.gram(others, others)), mixed).col(0));
+  const Eigen::VectorXd mixed = normals_.all.gram(others, column);
+  return power - mixed.dot(solve_scaled(Eigen::MatrixXd(normals_.all.gram(others, others)), mixed).col(0));
 }
 
 ForceRegression::Columns ForceRegression::with_values(const Columns& forces) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnosis/folds.h"
 #include "diagnosis/refit.h"
 
 #include <cstddef>
@@ -16,7 +17,7 @@ class ForceRegression {
   /// `factors`: of the noise, by segment; `columns`: by segment, bins × forces, change of the prediction by each force
   /// at size 1. `base` and `folds` must outlive the regression.
   ForceRegression(const Refit& base, const std::vector<Eigen::MatrixXd>& factors,
-                  const std::vector<Eigen::MatrixXd>& columns, const std::vector<std::size_t>& folds);
+                  const std::vector<Eigen::MatrixXd>& columns, const Folds& folds);
 
   Eigen::Index count() const { return count_; }
 
@@ -24,7 +25,7 @@ class ForceRegression {
   /// any has changed. `ridge` is put on the forces' information.
   bool settle(const Columns& forces, double ridge = 0.0);
 
-  /// All under the weights at hand. Deviance by segment, predicted from the other folds.
+  /// All under the weights at hand. Deviance by block, predicted from the other folds.
   Eigen::VectorXd held_out(const Columns& forces, double ridge = 0.0) const;
   Eigen::VectorXd sizes(const Columns& forces, double ridge = 0.0) const;
   Eigen::MatrixXd covariance(const Columns& forces, double ridge = 0.0) const;
@@ -35,11 +36,6 @@ class ForceRegression {
   double share_beside(Eigen::Index force, const Columns& forces) const;
 
  private:
-  struct Normal {
-    Eigen::MatrixXd gram;
-    Eigen::VectorXd score;
-  };
-
   void build();
   void leave_to_values();
   /// Columns of the values and of these forces.
@@ -49,12 +45,11 @@ class ForceRegression {
   Eigen::VectorXd residual(std::size_t k, const Columns& all, const Eigen::VectorXd& sizes) const;
   double power_beside(Eigen::Index column, const Columns& others) const;
 
-  const std::vector<std::size_t>* folds_;
+  const Folds* folds_;
   std::vector<RobustSegment> segments_;  ///< values: those inside their bounds, then forces
   Eigen::Index values_ = 0, count_ = 0;
   std::vector<Eigen::VectorXd> weights_;
-  std::vector<Normal> normals_;  ///< by fold
-  Normal all_;
+  Normals normals_;
   Eigen::VectorXd seen_;
 };
 

@@ -12,7 +12,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kShortestPulse = 0.025;  // s
-constexpr double kMostPulses = 60.0;
+constexpr double kMostPulses = 120.0;
 constexpr double kWantedChange = 0.5;  // of the residual, by one pulse
 constexpr int kSizeRounds = 4;
 

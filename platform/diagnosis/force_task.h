@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnosis/folds.h"
 #include "diagnosis/refit.h"
 
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace lacuna {
 struct ForceTask {
   const Refit& base;
   const std::vector<Eigen::MatrixXd>& factors;  ///< of the noise, by segment
-  const std::vector<std::size_t>& folds;
+  const Folds& folds;
   std::uint64_t seed = 1;
 };
 

@@ -1,5 +1,6 @@
 #include "diagnosis/free_force.h"
 
+#include "diagnosis/cross_validation.h"
 #include "diagnosis/force_interaction.h"
 #include "diagnosis/force_regression.h"
 #include "diagnosis/screening.h"
@@ -269,7 +270,7 @@ FreeForce free_force(const std::vector<JointMotion>& motions, const ForceRespons
 
 FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whitened, const FreeForce& force) {
   FreeForceTest result;
-  result.held_out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(task.folds.size()));
+  result.held_out = held_out_deviance(task.base, task.folds);
   if (force.empty()) return result;
   const Eigen::MatrixXd projected = whitened.project(force.columns);
   const Eigen::MatrixXd combinations = independent(projected);

@@ -131,4 +131,12 @@ Eigen::MatrixXd NoiseModel::covariance(std::size_t k) const {
   return sum;
 }
 
+Eigen::VectorXd NoiseModel::slopes(std::size_t k, const Eigen::MatrixXd& weights) const {
+  Eigen::VectorXd slopes(static_cast<Eigen::Index>(components_.size()));
+  for (std::size_t i = 0; i < components_.size(); ++i)
+    slopes(static_cast<Eigen::Index>(i)) =
+        2.0 * std::pow(components_[i].deviation, 2) * weights.cwiseProduct(shapes_[k][i]).sum();
+  return slopes;
+}
+
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include "fitting/rms_of_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -14,15 +15,15 @@ namespace lacuna {
 namespace {
 
 constexpr double kLadderTime = 4.0;  ///< s of segments that sizes are looked for on
-constexpr std::size_t kFewestSegments = 3;
-constexpr double kFirst = 1e-3;    ///< of a parameter's range, the first size
-constexpr double kStride = 100.0;  ///< at most, from a size to the next
+constexpr double kFirst = 1e-3;      ///< of a parameter's range, the first size
+constexpr double kStride = 100.0;    ///< at most, from a size to the next
 constexpr int kTrials = 24;
-constexpr double kBeside = 0.01;   ///< of a parameter's range, where one matters only beside another
-constexpr double kEnough = 0.5;    ///< of the residual
-constexpr double kTooMuch = 1.5;   ///< of the residual
-constexpr double kVisible = 1e-3;  ///< of the sensor noise
-constexpr double kSame = 1e-9;     ///< of the sensor noise
+constexpr double kBeside = 0.01;                  ///< of a parameter's range, where one matters only beside another
+constexpr double kEnough = 0.5;                   ///< of the residual
+constexpr double kTooMuch = 1.5;                  ///< of the residual
+constexpr double kVisible = 1e-3;                 ///< of the sensor noise
+constexpr std::array kOtherOrders = {0.1, 0.01};  ///< of a shape's usual value
+constexpr double kSame = 1e-9;                    ///< of the sensor noise
 
 /// Simulates a hypothesis at the base's solution, on some of its segments.
 class Bench {
@@ -67,18 +68,18 @@ std::vector<std::size_t> all_segments(const BaseSolution& base) {
   return all;
 }
 
-/// Segments that sizes are looked for on, which need not be exact: half of them evenly spread, and those in which the
-/// base leaves most, where an effect that is rarely there (an end stop) shows.
+/// Segments that sizes are looked for on, which need not be exact: half of them those in which the base leaves most,
+/// where an effect that is rarely there (an end stop) shows, and others evenly spread.
 std::vector<std::size_t> ladder_segments(const BaseSolution& base) {
   double longest = 0.0;
   for (const Segment& segment : base.segments) longest = std::max(longest, duration_of(segment, base.trials));
-  const std::size_t wanted = std::max(kFewestSegments, static_cast<std::size_t>(std::ceil(kLadderTime / longest)));
+  const auto wanted = static_cast<std::size_t>(std::ceil(kLadderTime / longest));
   std::vector<std::size_t> by_size = all_segments(base);
   if (wanted >= by_size.size()) return by_size;
   const auto left = [&](std::size_t k) { return base.linear[k].residual.squaredNorm(); };
   std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) { return left(a) > left(b); });
   std::set<std::size_t> chosen;
-  const std::size_t even = (wanted + 1) / 2;
+  const std::size_t even = wanted / 2;
   for (std::size_t i = 0; i < even; ++i) chosen.insert(i * base.segments.size() / even);
   for (std::size_t i = 0; chosen.size() < wanted; ++i) chosen.insert(by_size[i]);
   return {chosen.begin(), chosen.end()};
@@ -237,6 +238,20 @@ void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vecto
     }
 }
 
+/// Parameters that matter, where one that only shapes the effect, of which the data suggest no value, is of another
+/// order: a soft stop begins earlier than a stiff one.
+void climb_at_other_orders(Ladder& ladder, const Hypothesis& hypothesis, std::size_t shape,
+                           const std::map<std::string, double>& scales, std::vector<Probe>& probes) {
+  const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];
+  if (free.scale != Scale::logarithmic || !shapes_to_try(free.unit, scales).empty()) return;
+  std::vector<std::size_t> unused;
+  for (const double order : kOtherOrders) {
+    std::vector<double> others = hypothesis.defaults;
+    others[shape] = std::clamp(order * others[shape], free.lower, free.upper);
+    climb(ladder, others, probes, unused);
+  }
+}
+
 /// Probes without their responses.
 std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
                                 const std::map<std::string, double>& scales) {
@@ -247,6 +262,7 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
     probes.push_back({hypothesis.defaults, true, {}});
     climb(ladder, hypothesis.defaults, probes, unused);
   }
+  for (const std::size_t shape : shapes) climb_at_other_orders(ladder, hypothesis, shape, scales, probes);
   const std::size_t switched_on = probes.size();
   for (const std::size_t shape : shapes) {
     const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];

@@ -21,6 +21,7 @@ RankedModel ranked(const Contender& contender, const Round& round, std::size_t w
   model.gain = sum(before, rival.gain);
   model.errors = channel_errors(round.base, round.bins, round.noise, rival.fit, round.folds);
   model.times_floor = times_floor(model.errors);
+  model.segment = round.base.segment;
   return model;
 }
 
@@ -40,13 +41,11 @@ std::vector<RankedModel> ranking_of(const Contender& contender, const Round& rou
 }
 
 SearchStep step_of(const Contender& contender, const Round& round, std::size_t chosen) {
-  SearchStep step{contender.added, {}, chosen, {}};
+  SearchStep step{contender.added, {}, chosen};
   for (std::size_t i = 0; i < round.rivals.size(); ++i) {
     const Rival& rival = round.rivals[i];
-    step.rivals.push_back(
-        {entry_of(round, i), rival.fit.values, rival.fit.states, rival.fit.nuisance.size() > 0, rival.gain});
+    step.rivals.push_back({entry_of(round, i), rival.fit.values, rival.fit.nuisance.size() > 0, rival.gain});
   }
-  for (const Eigen::MatrixXd& columns : round.base.nuisance) step.timing.emplace_back(columns.col(0));
   return step;
 }
 

@@ -25,7 +25,7 @@ Eigen::MatrixXd inverse_within(const Eigen::MatrixXd& information, const Eigen::
   return deviations.asDiagonal() * inverse * deviations.asDiagonal();
 }
 
-void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::MatrixXd>& factors,
+void describe_solution(WhitenedProblem& problem, const RowBins& rows, const std::vector<Eigen::MatrixXd>& factors,
                        LeastSquaresResult& search, Refit& result) {
   std::vector<SegmentJacobian>& jacobians = search.jacobians;
   if (jacobians.empty()) problem.linearize(search.point, search.residuals, jacobians);
@@ -33,7 +33,7 @@ void describe_solution(WhitenedProblem& problem, const std::vector<Eigen::Matrix
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   for (std::size_t k = 0; k < jacobians.size(); ++k) {
     const Eigen::Index bins = problem.robust_rows(k);
-    const RobustSegment segment{search.residuals[k], jacobians[k].values, jacobians[k].state, bins};
+    const RobustSegment segment{search.residuals[k], jacobians[k].values, jacobians[k].state, rows.blocks(k)};
     WeightedSegment under_weights = weighted(segment, segment.weights(segment.residual));
     result.bin_residuals.emplace_back(factors[k] * segment.residual.head(bins));
     result.bin_derivatives.emplace_back(
@@ -109,7 +109,7 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   best.values = space.to_values(solution.point.values.head(space.size()));
   best.nuisance = solution.point.values.tail(problem.nuisances());
   best.states = solution.point.states;
-  describe_solution(problem, factors, solution, best);
+  describe_solution(problem, bins, factors, solution, best);
   return best;
 }
 

@@ -1,6 +1,7 @@
 #include "diagnosis/rejudge.h"
 
 #include "diagnosis/selection.h"
+#include "diagnosis/timing.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -17,10 +18,12 @@ constexpr double kFineEnough = 1e-3, kLeastFine = 2.0;
 constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
-/// What a look-alike may be behind: odds of one to four hundred, or that share of the gain. The error of a difference
-/// that blocks of data tell is no measure here: what one block happens to say of two models would make all of them
-/// alike.
-constexpr double kAlikeNats = 6.0, kInseparableShare = 0.001;
+/// What a look-alike may be behind: odds of one to fifty, or that share of the gain, which forms differ by. The error
+/// of a difference that blocks of data tell is no measure here: what one block happens to say of two models would make
+/// all of them alike.
+constexpr double kAlikeNats = 4.0, kInseparableShare = 0.002;
+/// A value at a bound is held there by the data where a tenth of its range costs more of the deviance than that.
+constexpr double kSomeWay = 0.1, kHeld = 4.0;
 constexpr double kEqual = 0.5;  ///< nats: then the one with fewer parameters is named first
 
 std::vector<std::size_t> close_calls(const SearchStep& step) {
@@ -44,7 +47,11 @@ std::vector<Contender> models_of(const RejudgeTask& task, const std::vector<std:
 Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
   BaseSolution base = without_values(task.now.base);
   base.nuisance.clear();
-  if (rival.timed) base.nuisance.assign(task.before.timing.begin(), task.before.timing.end());
+  if (rival.timed) {
+    base.values = rival.values;
+    base.nuisance = timing_columns(*model.model, model.definition, base, task.now.bins, threads);
+    base.values.clear();
+  }
   return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
                {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations});
 }
@@ -66,10 +73,37 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
   return false;
 }
 
+/// By how much the deviance grows, to second order, where a value at a bound moves by `distance` into its range and all
+/// others are fitted again.
+double cost_of_moving(const Refit& fit, std::size_t value, double distance) {
+  const Eigen::Index count = fit.covariance.rows(), moved = static_cast<Eigen::Index>(value);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+  double slope = 0.0;
+  for (const WeightedSegment& segment : fit.weighted) {
+    information += segment.values.transpose() * segment.values;
+    slope += segment.values.col(moved).dot(segment.residual);
+  }
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (i != moved && !fit.at_bound[static_cast<std::size_t>(i)]) others.push_back(i);
+  double left = information(moved, moved);
+  if (!others.empty()) {
+    const Eigen::VectorXd mixed = information(others, moved);
+    const Eigen::MatrixXd own = information(others, others);
+    left -= mixed.dot(own.completeOrthogonalDecomposition().solve(mixed));
+  }
+  return 2.0 * std::abs(slope) * distance + left * distance * distance;
+}
+
+/// A value of that effect is at a bound where the data hold it.
 bool is_at_limit(const ModelDefinition& definition, const EffectEntry& entry, const Refit& fit) {
+  const ParameterSpace space(definition.free);
   const std::string prefix = "effect." + entry.id + ".";
-  for (std::size_t i = 0; fit.valid && i < definition.free.size(); ++i)
-    if (fit.at_bound[i] && definition.free[i].address.starts_with(prefix)) return true;
+  for (std::size_t i = 0; fit.valid && i < definition.free.size(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    if (!fit.at_bound[i] || !definition.free[i].address.starts_with(prefix)) continue;
+    if (cost_of_moving(fit, i, kSomeWay * (space.upper()(j) - space.lower()(j))) > kHeld) return true;
+  }
   return false;
 }
 

@@ -18,8 +18,8 @@ struct Rejudged {
   /// and simpler. A richer one must be ahead of the chosen one together with any single effect of the next round, too,
   /// as long as the two have no more parameters.
   std::optional<std::size_t> better;
-  /// Rivals that these data do not tell from the chosen one, the closest first, refitted. Not a richer one at the limit
-  /// of its range, where it is no more than what a simpler one is.
+  /// Rivals that these data do not tell from the chosen one, the closest first, refitted. Not a richer one that the
+  /// data hold at the limit of its range, where it is no more than what a simpler one is.
   std::vector<std::pair<std::size_t, Refit>> inseparable;
 };
 
@@ -37,7 +37,7 @@ Rejudged rejudge(const RejudgeTask& task);
 
 struct RefitAgain {
   Refit fit;
-  bool at_limit = false;  ///< a value of its own effect is at a bound
+  bool at_limit = false;  ///< the data hold a value of its own effect at a bound
 };
 
 /// Those rivals of `before`, refitted under the noise of `now` from where they were.

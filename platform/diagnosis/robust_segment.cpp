@@ -9,8 +9,8 @@ constexpr int kMostStartSteps = 10;
 constexpr double kSettled = 1e-6;  ///< of the deviance
 
 double total(const RobustSegment& segment, const Eigen::VectorXd& residual) {
-  double sum = residual.tail(residual.size() - segment.bins).squaredNorm();
-  for (Eigen::Index row = 0; row < segment.bins; ++row) sum += kBinLoss.cost(residual(row));
+  double sum = residual.tail(residual.size() - segment.bins()).squaredNorm();
+  for (Eigen::Index row = 0; row < segment.bins(); ++row) sum += kBinLoss.cost(residual(row));
   return sum;
 }
 
@@ -18,7 +18,7 @@ double total(const RobustSegment& segment, const Eigen::VectorXd& residual) {
 
 Eigen::VectorXd RobustSegment::weights(const Eigen::VectorXd& at) const {
   Eigen::VectorXd all = Eigen::VectorXd::Ones(at.size());
-  for (Eigen::Index row = 0; row < bins; ++row) all(row) = kBinLoss.weight(at(row));
+  for (Eigen::Index row = 0; row < bins(); ++row) all(row) = kBinLoss.weight(at(row));
   return all;
 }
 
@@ -52,8 +52,13 @@ Eigen::VectorXd at_best_start(const RobustSegment& segment, Eigen::VectorXd resi
   return residual;
 }
 
-double robust_deviance(const RobustSegment& segment, const Eigen::VectorXd& residual) {
-  return total(segment, at_best_start(segment, residual));
+Eigen::VectorXd block_deviances(const RobustSegment& segment, const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd best = at_best_start(segment, residual);
+  Eigen::VectorXd deviances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(segment.blocks()));
+  for (Eigen::Index row = 0; row < segment.bins(); ++row)
+    deviances(static_cast<Eigen::Index>(segment.block_of[static_cast<std::size_t>(row)])) += kBinLoss.cost(best(row));
+  deviances(0) += best.tail(best.size() - segment.bins()).squaredNorm();
+  return deviances;
 }
 
 }  // namespace lacuna

@@ -4,6 +4,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace lacuna {
 
 /// The loss of a whitened bin, in all fits and judgements: beyond four standard deviations it counts linearly.
@@ -13,10 +17,12 @@ inline constexpr RobustLoss kBinLoss{4.0};
 /// their squares.
 struct RobustSegment {
   Eigen::VectorXd residual;
-  Eigen::MatrixXd values;  ///< its derivatives by the values' coordinates
-  Eigen::MatrixXd state;   ///< and by what is unknown of the start
-  Eigen::Index bins = 0;
+  Eigen::MatrixXd values;             ///< its derivatives by the values' coordinates
+  Eigen::MatrixXd state;              ///< and by what is unknown of the start
+  std::vector<std::size_t> block_of;  ///< of each bin: the number of its block within the segment, 0 on
 
+  Eigen::Index bins() const { return static_cast<Eigen::Index>(block_of.size()); }
+  std::size_t blocks() const { return *std::max_element(block_of.begin(), block_of.end()) + 1; }
   /// Of each row, where the residual is `residual`.
   Eigen::VectorXd weights(const Eigen::VectorXd& residual) const;
 };
@@ -33,7 +39,8 @@ WeightedSegment weighted(const RobustSegment& segment, const Eigen::VectorXd& we
 /// `residual` after the start has moved to where the loss is least.
 Eigen::VectorXd at_best_start(const RobustSegment& segment, Eigen::VectorXd residual);
 
-/// −2 log likelihood, but for a constant, of a segment whose residual at some start is `residual`; the start is free.
-double robust_deviance(const RobustSegment& segment, const Eigen::VectorXd& residual);
+/// −2 log likelihood, but for a constant, of each block of a segment whose residual at some start is `residual`; the
+/// start is free, and what it costs counts with the first block.
+Eigen::VectorXd block_deviances(const RobustSegment& segment, const Eigen::VectorXd& residual);
 
 }  // namespace lacuna

@@ -83,8 +83,7 @@ class Look {
   void list_noises() {
     BaseSolution& base = round_.base;
     base = task_.start;
-    base.values = model_.values;
-    bench_.settle(base);
+    bench_.settle(base, model_.added.empty() ? Moving::all : Moving::if_needed);
     bench_.linearise(round_.bins, base);
     base.nuisance = timing_beside(model_, base, round_.bins, task_.threads);
     if (base.free_run)
@@ -94,7 +93,7 @@ class Look {
                                       base.residual, task_.threads);
     round_.noise = NoiseModel(round_.bins, round_.forces, base.doubts);
     require_declared(model_, round_);
-    round_.folds = folds(base.segments);
+    round_.folds = folds(base.segments, round_.bins);
   }
 
   void probe_all() {
@@ -118,7 +117,6 @@ class Look {
     round_.screening = screen(whitened, probes_, task_.seed);
     const ForceTask beside{round_.fit, round_.factors, round_.folds, task_.seed};
     round_.free_force = test_free_force(beside, whitened, force_);
-    if (force_.empty()) round_.free_force.held_out = round_.held_out;
     if (round_.free_force.p < kFreeForceLevel) round_.formulas = find_formulas(beside, motions_, round_.forces);
   }
 

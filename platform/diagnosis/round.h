@@ -19,7 +19,7 @@ struct Rival {
   std::size_t hypothesis = 0;  ///< of the round
   double deviance = 0.0;       ///< score of its best probe
   Refit fit;
-  Eigen::VectorXd held_out;  ///< deviance by segment
+  Eigen::VectorXd held_out;  ///< deviance by block
   Gain gain;                 ///< over the round's base
 };
 
@@ -30,7 +30,7 @@ struct Round {
   ForceResponses forces;
   NoiseModel noise;
   std::vector<Eigen::MatrixXd> factors;  ///< of the noise
-  std::vector<std::size_t> folds;
+  Folds folds;
   Refit fit;  ///< of the base
   Eigen::VectorXd held_out;
   std::vector<Hypothesis> hypotheses;
@@ -46,7 +46,7 @@ struct Round {
 struct RoundTask {
   const PluginCatalog& catalog;
   const Contender& contender;
-  const BaseSolution& start;  ///< trials, noise, segments and their states; the rest is ignored
+  const BaseSolution& start;  ///< as cut for the contender, whose values it has
   const std::vector<std::string>& among;
   std::uint64_t seed = 1;
   int threads = 1;

@@ -1,6 +1,7 @@
 #include "diagnosis/row_bins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -11,6 +12,9 @@ namespace {
 
 constexpr double kShortest = 0.0125;  // s
 constexpr double kMostRows = 600.0;   // a segment
+constexpr double kBlock = 0.5;        // s
+
+bool earlier(const RowBins::Bin& one, const RowBins::Bin& other) { return one.time < other.time; }
 
 }  // namespace
 
@@ -54,6 +58,18 @@ Eigen::Index RowBins::rows() const {
   Eigen::Index all = 0;
   for (const Segment& segment : segments_) all += static_cast<Eigen::Index>(segment.bins.size());
   return all;
+}
+
+std::vector<std::size_t> RowBins::blocks(std::size_t k) const {
+  const std::vector<Bin>& all = bins(k);
+  const auto [first, last] = std::minmax_element(all.begin(), all.end(), earlier);
+  const double begin = first->time, duration = last->time - begin;
+  const double pieces = std::max(1.0, std::round(duration / kBlock));
+  std::vector<std::size_t> block;
+  for (const Bin& bin : all)
+    block.push_back(
+        duration > 0.0 ? static_cast<std::size_t>(std::min(pieces - 1.0, (bin.time - begin) / duration * pieces)) : 0);
+  return block;
 }
 
 Eigen::MatrixXd RowBins::means(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& rows) const {

@@ -1,6 +1,7 @@
 #include "diagnosis/search_ending.h"
 
 #include "diagnosis/calibration.h"
+#include "diagnosis/channel_errors.h"
 #include "diagnosis/conclusion.h"
 #include "diagnosis/feedback_bias.h"
 #include "diagnosis/propose_test.h"
@@ -20,7 +21,7 @@ class EndedSearch {
 
   void run() {
     if (!ending_.state.law_leads && !ending_.answer.added.empty()) tell_rest();  // the library has the law
-    result_.answer_gain = gain_of_answer();
+    judge_base();
     const auto present = [this] {
       return present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads);
     };
@@ -41,14 +42,22 @@ class EndedSearch {
     result_.formulas_of_rest = true;
   }
 
-  /// Over the model without any effect added, both under the noise of the last round.
-  Gain gain_of_answer() const {
-    if (ending_.answer.added.empty()) return {};
+  /// What the answer gains over the model without any effect added, both under the noise of the last round; and the
+  /// errors of that model, where the answer's are about segments of another length.
+  void judge_base() {
+    if (ending_.answer.added.empty()) return;
+    const Round& last = ending_.last;
     Contender none = ending_.plain;
     none.values = ending_.state.base_values;
-    const Refit fit = refit_reduced(none, ending_.last, task_.threads);
-    if (!fit.valid) return ending_.state.gains.at(names_of(ending_.answer.added));
-    return gain(held_out_deviance(fit, ending_.last.folds), ending_.last.held_out, task_.seed);
+    const Refit fit = refit_reduced(none, last, task_.threads);
+    if (!fit.valid) {
+      result_.answer_gain = ending_.state.gains.at(names_of(ending_.answer.added));
+      return;
+    }
+    result_.answer_gain = gain(held_out_deviance(fit, last.folds), last.held_out, task_.seed);
+    if (result_.base_segment == last.base.segment) return;
+    result_.base = channel_errors(last.base, last.bins, last.noise, fit, last.folds);
+    result_.base_segment = last.base.segment;
   }
 
   /// Whether the effects found are said to be missing, and do not only imitate something.
@@ -68,13 +77,13 @@ class EndedSearch {
 
   /// What does not survive a change of segment length is less likely to be the answer.
   void change_lengths() {
-    result_.lengths =
-        refit_at_lengths({{task_.definition, task_.model, task_.trials, task_.values, ending_.segment, task_.threads},
-                          ending_.answer,
-                          ending_.last,
-                          task_.threads});
+    result_.lengths = refit_at_lengths(
+        {{task_.definition, task_.model, task_.trials, task_.values, ending_.last.base.segment, task_.threads},
+         ending_.answer,
+         ending_.last,
+         task_.threads});
     const LengthVerdict verdict =
-        judge_lengths(result_.ranking.front().effects, ending_.segment, result_.lengths, task_.catalog);
+        judge_lengths(result_.ranking.front().effects, ending_.last.base.segment, result_.lengths, task_.catalog);
     if (!verdict.survives) result_.probability *= kUnsteady;
     steady_ = verdict.survives;
     result_.findings.insert(result_.findings.end(), verdict.findings.begin(), verdict.findings.end());

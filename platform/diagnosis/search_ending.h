@@ -11,7 +11,6 @@ namespace lacuna {
 struct SearchEnding {
   const DiagnosisTask& task;
   const BaseSolution& cut;  ///< of the trials
-  double segment = 0.0;     ///< s
   const Contender& plain;   ///< the experiment's model, with substeps that suffice
   const Contender& answer;
   const Rejudged& again;  ///< the answer's last effect and its rivals, under the noise of `last`

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 namespace lacuna {
 
 /// Effects of a model, each "name @ where".
@@ -24,11 +22,10 @@ EffectNames names_with(const std::vector<EffectEntry>& entries, const EffectEntr
 
 /// A refitted rival of a round, as far as it is needed once the round is over.
 struct KeptRival {
-  EffectEntry entry;                    ///< what it adds
-  std::vector<double> values;           ///< of the model with it, SI
-  std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
-  bool timed = false;                   ///< the timing of commands was fitted beside them
-  Gain gain;                            ///< over the round's model
+  EffectEntry entry;           ///< what it adds
+  std::vector<double> values;  ///< of the model with it, SI
+  bool timed = false;          ///< the timing of commands was fitted beside them
+  Gain gain;                   ///< over the round's model
 };
 
 /// A round in which an effect was chosen.
@@ -36,7 +33,6 @@ struct SearchStep {
   std::vector<EffectEntry> added;  ///< of the model that was looked at
   std::vector<KeptRival> rivals;   ///< the largest gain first
   std::size_t chosen = 0;
-  std::vector<Eigen::VectorXd> timing;  ///< by segment: the nuisance of the round's base; empty: it had none
 };
 
 /// The model that a step chose from, with one of its rivals.
@@ -49,10 +45,9 @@ inline constexpr std::size_t kMostEffects = 3;
 /// diagnosed.
 struct SearchState {
   std::vector<EffectEntry> added;
-  std::vector<double> values;           ///< of the model with `added`, SI
-  std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
-  std::optional<SearchStep> last;       ///< whose choice may still be taken back
-  std::optional<SearchStep> first;      ///< of the model without any effect
+  std::vector<double> values;       ///< of the model with `added`, SI
+  std::optional<SearchStep> last;   ///< whose choice may still be taken back
+  std::optional<SearchStep> first;  ///< of the model without any effect
   std::vector<RankedModel> first_ranking;
   std::size_t most_effects = kMostEffects;  ///< fewer once fewer were found to be enough
   std::set<EffectNames> tried;              ///< models that were looked at

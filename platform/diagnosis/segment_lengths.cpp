@@ -88,8 +88,9 @@ ModelDefinition definition_for(const LengthTask& task, const BaseSolution& base)
 Refit refit_over(const LengthTask& task, double length) {
   CutTask cut = task.cut;
   cut.segment = length;
-  BaseSolution base = cut_trials(cut);
-  base.values = task.last.fit.values;
+  const Contender& contender = task.contender;
+  BaseSolution base =
+      cut_trials(cut, {contender.definition, *contender.model, task.last.fit.values, Moving::if_needed});
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);
@@ -134,9 +135,11 @@ double deviance_against_answer(const LengthTask& task, const Refit& fit) {
     way(static_cast<Eigen::Index>(m)) =
         space.to_coordinate(moved[m], task.last.fit.values[place]) - space.to_coordinate(moved[m], fit.values[place]);
   }
-  const Eigen::MatrixXd own = information(moved, moved), mixed = information(moved, others);
-  const Eigen::MatrixXd left =
-      own - mixed * information(others, others).completeOrthogonalDecomposition().solve(mixed.transpose());
+  Eigen::MatrixXd left = information(moved, moved);
+  if (!others.empty()) {
+    const Eigen::MatrixXd own = information(others, others), mixed = information(moved, others);
+    left -= mixed * own.completeOrthogonalDecomposition().solve(mixed.transpose());
+  }
   return std::max(0.0, 2.0 * slope(moved).dot(way) + way.dot(left * way));
 }
 

@@ -14,8 +14,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kTolerableGrowth = 2.0;  ///< × noise
-constexpr int kProbes = 5;                ///< starts a trial
+constexpr int kProbes = 5;  ///< starts a trial
 
 std::optional<double> seconds(const std::string& text) {
   double value = 0.0;
@@ -49,10 +48,10 @@ std::string why_not_cut(const TrialPredictor& predictor, const StartStates& stat
   return "";
 }
 
-/// Time until what is uncertain of the start, estimated on `head` s, shows as `kTolerableGrowth` × noise; infinite
+/// Time until what is uncertain of the start, estimated on `head` s, shows as `growth` × noise; infinite
 /// if it never does, nothing if the model cannot be simulated.
 std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,
-                                   const std::vector<double>& values, int worker, double head) {
+                                   const std::vector<double>& values, int worker, double head, double growth) {
   const StartEstimate estimate = fit_head(predictor, states, stretch, values, worker, head);
   Prediction base, moved;
   if (estimate.valid) predictor.predict(stretch, values, estimate.start, worker, base);
@@ -65,8 +64,7 @@ std::optional<double> time_to_grow(const TrialPredictor& predictor, const StartS
   const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;
   for (Eigen::Index row = 0; row < variance.rows(); ++row)
     for (Eigen::Index column = 0; column < variance.cols(); ++column)
-      if (std::sqrt(variance(row, column)) >
-          kTolerableGrowth * estimate.misfit * states.deviation(stretch.trial, column))
+      if (std::sqrt(variance(row, column)) > growth * estimate.misfit * states.deviation(stretch.trial, column))
         return times(stretch.first + row) - times(stretch.first);
   return std::numeric_limits<double>::infinity();
 }
@@ -94,7 +92,7 @@ std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPred
 }
 
 double automatic_horizon(const TrialPredictor& predictor, const StartStates& states, const std::vector<double>& values,
-                         double head) {
+                         double head, double growth) {
   std::vector<Stretch> probes;
   for (std::size_t trial = 0; trial < predictor.trials().size(); ++trial) {
     if (predictor.trials()[trial].held_out || !states.reconstructible(trial)) continue;
@@ -104,7 +102,7 @@ double automatic_horizon(const TrialPredictor& predictor, const StartStates& sta
   }
   std::vector<std::optional<double>> grown(probes.size());
   parallel_for(probes.size(), predictor.workers(), [&](std::size_t i, int worker) {
-    grown[i] = time_to_grow(predictor, states, probes[i], values, worker, head);
+    grown[i] = time_to_grow(predictor, states, probes[i], values, worker, head, growth);
   });
   std::vector<double> times;
   for (const std::optional<double>& time : grown)

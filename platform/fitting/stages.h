@@ -20,10 +20,12 @@ struct PlannedStage {
 std::vector<PlannedStage> plan_stages(const FitSection& options, const TrialPredictor& predictor,
                                       const StartStates& states, std::vector<std::string>& notes);
 
+inline constexpr double kTolerableGrowth = 2.0;
+
 /// The longest horizon over which what is uncertain of a start, estimated on `head` s, moves no channel by
-/// more than twice its noise, or, where the model does not even follow the head, twice its misfit there (one
+/// more than `growth` times its noise, or, where the model does not even follow the head, its misfit there (one
 /// standard deviation); the median over starts spread over the trials. Infinite: no limit.
 double automatic_horizon(const TrialPredictor& predictor, const StartStates& states, const std::vector<double>& values,
-                         double head);
+                         double head, double growth = kTolerableGrowth);
 
 }  // namespace lacuna

@@ -31,12 +31,13 @@ Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered
 
 Gain gain_of(const ordered_json& json) { return gain_of(json["value"], json["standard_error"], json["ci95"]); }
 
-/// `of`: the base, or a ranked model.
+/// `of`: the base, or a ranked model, which may have a floor of its own.
 std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_json& of) {
+  const ordered_json& floor = of.contains("noise_floor") ? of["noise_floor"] : whole["noise_floor"];
   std::vector<ChannelError> errors;
   for (const auto& [channel, unit] : whole["units"].items())
-    errors.push_back({channel, unit, figure(whole["noise_floor"][channel]), figure(of["fit_rmse"][channel]),
-                      figure(of["cv_rmse"][channel])});
+    errors.push_back(
+        {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(of["cv_rmse"][channel])});
   return errors;
 }
 
@@ -56,6 +57,7 @@ RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
   model.probability = figure(json["probability"]);
   model.errors = errors_of(whole, json);
   model.times_floor = figure(json["ratio_to_floor"]);
+  model.segment = json.value("segment_s", 0.0);
   return model;
 }
 
@@ -89,6 +91,7 @@ Diagnosis read_diagnosis(const std::string& document) {
   diagnosis.evidence = whole.value("evidence", Evidence{});
   diagnosis.base = errors_of(whole, whole["base"]);
   diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
+  diagnosis.base_segment = whole["base"].value("segment_s", 0.0);
   for (const ordered_json& one : whole["random_forces"])
     diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));

@@ -46,13 +46,18 @@ std::string answer_text(const RankedModel& answer) {
   return text;
 }
 
+/// Errors over segments of another length than the answer's, `segment` s, have a floor of their own.
+std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, double segment) {
+  std::vector<std::string> row = {std::to_string(rank), names_text(model), gain_text(model.gain) + " nats",
+                                  fmt::format("{:.2f} × floor", model.times_floor)};
+  if (model.segment != segment) row.push_back("over " + format_quantity(model.segment, "s"));
+  return row;
+}
+
 std::string ranking_text(const Diagnosis& diagnosis) {
   std::vector<std::vector<std::string>> rows = {{"", "", "gain held out", "error"}};
-  for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i) {
-    const RankedModel& model = diagnosis.ranking[i];
-    rows.push_back({std::to_string(i + 1), names_text(model), gain_text(model.gain) + " nats",
-                    fmt::format("{:.2f} × floor", model.times_floor)});
-  }
+  for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i)
+    rows.push_back(row_of(i + 1, diagnosis.ranking[i], diagnosis.base_segment));
   if (diagnosis.verdict == Verdict::nothing_missing || diagnosis.ranking.empty()) return text_table(rows, 2);
   const std::string table = text_table(rows, 2);
   const std::size_t first_end = table.find('\n', table.find('\n') + 1) + 1;

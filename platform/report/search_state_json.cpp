@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 2;  ///< to be counted up when the state, or the search that follows from it, changes
+constexpr int kFormat = 3;  ///< to be counted up when the state, or the search that follows from it, changes
 
 ordered_json entries_json(const std::vector<EffectEntry>& entries) {
   ordered_json all = ordered_json::array();
@@ -33,21 +33,6 @@ std::vector<EffectEntry> read_entries(const ordered_json& json) {
   return entries;
 }
 
-ordered_json vectors_json(const std::vector<Eigen::VectorXd>& vectors) {
-  ordered_json all = ordered_json::array();
-  for (const Eigen::VectorXd& one : vectors) all.push_back(std::vector<double>(one.begin(), one.end()));
-  return all;
-}
-
-std::vector<Eigen::VectorXd> read_vectors(const ordered_json& json) {
-  std::vector<Eigen::VectorXd> vectors;
-  for (const ordered_json& one : json) {
-    const auto numbers = one.get<std::vector<double>>();
-    vectors.emplace_back(Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
-  }
-  return vectors;
-}
-
 ordered_json gain_json(const Gain& gain) { return {gain.value, gain.standard_error, gain.lower_95, gain.upper_95}; }
 
 Gain read_gain(const ordered_json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3)}; }
@@ -57,20 +42,16 @@ ordered_json step_json(const SearchStep& step) {
   for (const KeptRival& one : step.rivals)
     rivals.push_back({{"entry", entries_json({one.entry})},
                       {"values", one.values},
-                      {"states", vectors_json(one.states)},
                       {"timed", one.timed},
                       {"gain", gain_json(one.gain)}});
-  return {{"added", entries_json(step.added)},
-          {"rivals", rivals},
-          {"chosen", step.chosen},
-          {"timing", vectors_json(step.timing)}};
+  return {{"added", entries_json(step.added)}, {"rivals", rivals}, {"chosen", step.chosen}};
 }
 
 SearchStep read_step(const ordered_json& json) {
-  SearchStep step{read_entries(json.at("added")), {}, json.at("chosen"), read_vectors(json.at("timing"))};
+  SearchStep step{read_entries(json.at("added")), {}, json.at("chosen")};
   for (const ordered_json& one : json.at("rivals"))
     step.rivals.push_back({read_entries(one.at("entry")).front(), one.at("values").get<std::vector<double>>(),
-                           read_vectors(one.at("states")), one.at("timed"), read_gain(one.at("gain"))});
+                           one.at("timed"), read_gain(one.at("gain"))});
   return step;
 }
 
@@ -78,7 +59,6 @@ SearchState read_state(const ordered_json& whole) {
   SearchState state;
   state.added = read_entries(whole.at("added"));
   state.values = whole.at("values").get<std::vector<double>>();
-  state.states = read_vectors(whole.at("states"));
   if (!whole.at("last").is_null()) state.last = read_step(whole.at("last"));
   if (!whole.at("first").is_null()) state.first = read_step(whole.at("first"));
   state.first_ranking = read_diagnosis(whole.at("first_answer").dump()).ranking;
@@ -102,7 +82,6 @@ std::string search_state_json(const SearchState& state) {
   const ordered_json whole = {{"format", kFormat},
                               {"added", entries_json(state.added)},
                               {"values", state.values},
-                              {"states", vectors_json(state.states)},
                               {"last", state.last ? step_json(*state.last) : ordered_json()},
                               {"first", state.first ? step_json(*state.first) : ordered_json()},
                               {"first_answer", ordered_json::parse(diagnosis_json(first_answer))},

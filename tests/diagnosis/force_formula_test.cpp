@@ -25,7 +25,7 @@ struct Rail {
       motion.position.emplace_back(normal(10, 1, random));
       motion.velocity.emplace_back(2.0 * normal(10, 1, random));
       segments.push_back({normal(kRows, 1, random), normal(kRows, 2, random), free_start()});
-      folds.push_back(static_cast<std::size_t>(k * kFolds / kSegments));
+      folds.push_back({static_cast<std::size_t>(k * kFolds / kSegments)});
     }
   }
   void add(const std::function<double(double, double)>& force) {
@@ -49,7 +49,7 @@ struct Rail {
   ForceResponses forces = pushed_mass();
   JointMotion motion{"rail", 0, "m", "N", "", {}, {}, {}};
   std::vector<LinearSegment> segments;
-  std::vector<std::size_t> folds;
+  Folds folds;
 };
 
 TEST(ForceFormula, FindsTheLawThatMovedTheMass) {

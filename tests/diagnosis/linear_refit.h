@@ -19,7 +19,8 @@ inline Refit linear_refit(const NoiseModel& noise, const std::vector<LinearSegme
     const Eigen::Index bins = linear[k].residual.size(), states = linear[k].state.cols();
     const auto factor = factors[k].triangularView<Eigen::Lower>();
     RobustSegment segment{Eigen::VectorXd::Zero(bins + states), Eigen::MatrixXd::Zero(bins + states, values),
-                          Eigen::MatrixXd::Identity(bins + states, states), bins};
+                          Eigen::MatrixXd::Identity(bins + states, states),
+                          std::vector<std::size_t>(static_cast<std::size_t>(bins), 0)};
     segment.residual.head(bins) = factor.solve(linear[k].residual);
     segment.values.topRows(bins) = factor.solve(linear[k].values);
     segment.state.topRows(bins) = factor.solve(linear[k].state);

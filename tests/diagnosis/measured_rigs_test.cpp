@@ -72,14 +72,16 @@ TEST_F(MeasuredRig, EmpsFromItsMassAloneHasViscousAndDryFriction) {
   EXPECT_THAT(found, Contains(AnyOf("coulomb_friction", "directional_friction")));
 }
 
-// Others find 0.11 to 0.18 N·m in this joint (see the file's head).
+// Others find 0.11 to 0.18 N·m in this joint (see the file's head); by direction, the mean is compared.
 TEST_F(MeasuredRig, DfkiPendulumHasDryFriction) {
   const Diagnosis diagnosis =
       diagnose_file("dfki-pendulum.toml", 6.0,
                     {"coulomb_friction", "viscous_friction", "directional_friction", "joint_offset_torque",
                      "joint_spring", "command_delay", "torque_gain", "sensor_offset"});
-  ASSERT_THAT(answer(diagnosis), Contains("coulomb_friction"));
-  const double friction = value_of(diagnosis, "coulomb_friction", "torque");  // N·m
+  ASSERT_THAT(answer(diagnosis), Contains(AnyOf("coulomb_friction", "directional_friction")));
+  const double friction = value_of(diagnosis, "coulomb_friction", "torque") +
+                          0.5 * (value_of(diagnosis, "directional_friction", "positive") +
+                                 value_of(diagnosis, "directional_friction", "negative"));  // N·m
   EXPECT_GT(friction, 0.10);
   EXPECT_LT(friction, 0.19);
 }

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <cmath>
 
 namespace lacuna::test {
 namespace {
@@ -28,6 +31,28 @@ double deviation_of(const NoiseModel& noise, NoiseComponent::Kind kind) {
   for (const NoiseComponent& one : noise.components())
     if (one.kind == kind) return one.deviation;
   return 0.0;
+}
+
+/// −2 log likelihood of all residuals at once, but for a constant: noise, free starts, and what values and columns span
+/// with, a priori, the power of the residuals in each direction.
+double minus_two_log_likelihood(const NoiseModel& noise, const std::vector<LinearSegment>& segments,
+                                const std::vector<Eigen::MatrixXd>& columns) {
+  const Eigen::Index rows = kRows * kSegments;
+  const Eigen::Index explained = segments.front().values.cols() + columns.front().cols();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(rows, rows), span(rows, explained);
+  Eigen::VectorXd residual(rows);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const auto first = static_cast<Eigen::Index>(k) * kRows;
+    covariance.block(first, first, kRows, kRows) =
+        noise.covariance(k) + segments[k].state * segments[k].state.transpose();
+    span.middleRows(first, kRows) << segments[k].values, columns[k];
+    residual.segment(first, kRows) = segments[k].residual;
+  }
+  const Eigen::MatrixXd basis =
+      Eigen::HouseholderQR<Eigen::MatrixXd>(span).householderQ() * Eigen::MatrixXd::Identity(rows, explained);
+  covariance += residual.squaredNorm() * basis * basis.transpose();
+  const Eigen::LLT<Eigen::MatrixXd> solver(covariance);
+  return 2.0 * solver.matrixLLT().diagonal().array().log().sum() + residual.dot(solver.solve(residual));
 }
 
 class NoiseModelTest : public testing::Test {
@@ -58,6 +83,26 @@ TEST_F(NoiseModelTest, LeavesOutWhatTheColumnsExplain) {
   }
   estimate_noise(estimate_, segments, columns, 1);
   EXPECT_NEAR(deviation_of(estimate_, NoiseComponent::Kind::sensor), kSensor, 0.1 * kSensor);
+}
+
+/// Wrong slopes would end the search elsewhere. One component has a least deviation, at which it stays.
+TEST_F(NoiseModelTest, EndsWhereNoOtherDeviationIsLikelier) {
+  SeededNoise random(5, 7);
+  const std::vector<LinearSegment> segments = drawn(truth_, 4);
+  std::vector<Eigen::MatrixXd> columns;
+  for (int k = 0; k < kSegments; ++k) columns.push_back(normal(kRows, 3, random));
+  estimate_.require_force(0, 1.5 * kForce);
+  estimate_noise(estimate_, segments, columns, 1);
+  const std::vector<double> found = estimate_.deviations();
+  EXPECT_NEAR(deviation_of(estimate_, NoiseComponent::Kind::force), 1.5 * kForce, 1e-9);
+  const double best = minus_two_log_likelihood(estimate_, segments, columns);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const double factor : {0.9, 1.1}) {
+      std::vector<double> other = found;
+      other[i] = std::max(factor * other[i], estimate_.least()[i]);
+      estimate_.set_deviations(other);
+      EXPECT_GT(minus_two_log_likelihood(estimate_, segments, columns), best - 0.05) << i << " times " << factor;
+    }
 }
 
 TEST_F(NoiseModelTest, GivesTheSameDigitsWithAnyThreads) {

@@ -1,4 +1,5 @@
 #include "diagnosis/segment_lengths.h"
+#include "diagnosis/recorded_pendulum.h"
 
 #include "plugins/built_catalog.h"
 
@@ -114,15 +115,34 @@ TEST(SegmentLengths, OneLongerThanEveryFitTrialIsRefused) {
                   "diagnosis.segment is 20.0 ms; choose at least 50.0 ms, or 0 for the usual length"));
 }
 
-TEST(SegmentLengths, TheUsualOneIsHalfASecondOrOneByTheAmountOfData) {
-  const auto usual = [](double seconds) {
-    return usual_segment(
-        {trial_of("a.csv", seconds, false), trial_of("b.csv", seconds, false), trial_of("held_out.csv", 100.0, true)});
-  };
-  EXPECT_DOUBLE_EQ(usual(1.0), 0.5);
-  EXPECT_DOUBLE_EQ(usual(5.0), 0.5);
-  EXPECT_DOUBLE_EQ(usual(6.0), 1.0);
-  EXPECT_DOUBLE_EQ(usual(60.0), 1.0);
+/// With steps so small that they do not show over 5 s.
+double usual_length(RecordedPendulum rig) {
+  rig.definition.engine.substeps = 100;
+  rig.model = compile(rig.definition.structure, rig.definition.engine);
+  return cut_trials({.definition = rig.definition, .model = *rig.model, .trials = rig.trials, .values = rig.values})
+      .segment;
+}
+
+TEST(SegmentLengths, TheUsualOneIsFiveSecondsOrTheLongestTrial) {
+  EXPECT_DOUBLE_EQ(usual_length({}), 5.0);
+  RecordedPendulum rig;
+  rig.trials = {recorded({}, "short.csv", multisine, 2.0, 1)};
+  EXPECT_DOUBLE_EQ(usual_length(std::move(rig)), 2.0);
+}
+
+/// A pendulum that is kept on its head by its motor: under the recorded commands what is uncertain of a start grows by
+/// 500 a second.
+TEST(SegmentLengths, TheUsualOneIsShorterWhereAStartIsSoonForgotten) {
+  RecordedPendulum rig({.gravity = -0.981, .damping = 0.1, .feedback = 3.0});
+  rig.definition.structure.robot.bodies.front().com = {0.0, 0.0, 0.2};
+  const double length = usual_length(std::move(rig));
+  EXPECT_GE(length, 1.0);
+  EXPECT_LT(length, 2.5);
+}
+
+/// Dry friction of a fifth of the motor's torque that the model does not have.
+TEST(SegmentLengths, TheUsualOneIsShortWhereTheModelLacksMuch) {
+  EXPECT_LT(usual_length(RecordedPendulum({.friction = 0.05})), 2.5);
 }
 
 }  // namespace

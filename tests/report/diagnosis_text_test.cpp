@@ -66,6 +66,15 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
+TEST(DiagnosisText, SaysOfAnErrorWhenItIsAboutStretchesOfAnotherLength) {
+  Diagnosis mixed = diagnosis(Verdict::effect_found);
+  mixed.base_segment = mixed.ranking.front().segment = 5.0;
+  mixed.ranking.back().segment = 1.0;
+  const std::string text = diagnosis_text(mixed, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("nats  1.10 × floor\n"));
+  EXPECT_THAT(text, HasSubstr("nats  1.10 × floor  over 1.00 s\n"));
+}
+
 TEST(DiagnosisText, ShowsAsManyDigitsAsTheIntervalDeserves) {
   Diagnosis sharp = diagnosis(Verdict::effect_found);
   sharp.ranking.front().effects = {{"torque_gain", "actuator.motor", {{"gain", "1", 0.99837, 0.99812, 0.99862}}}};

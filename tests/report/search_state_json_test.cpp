@@ -16,9 +16,8 @@ SearchState state() {
   SearchState state;
   state.added = {friction_entry()};
   state.values = {1.0 / 3.0, 2e-17};
-  state.states = {Eigen::Vector2d(0.1, -0.7), Eigen::VectorXd(0)};
-  KeptRival rival{friction_entry(), {0.3}, {Eigen::Vector2d(1.0 / 7.0, 2.0)}, true, {11.0, 1.5, 8.0, 14.0 / 3.0}};
-  state.last = SearchStep{{}, {rival, rival}, 1, {Eigen::Vector3d(1.0, 2.0, 1.0 / 9.0)}};
+  KeptRival rival{friction_entry(), {0.3}, true, {11.0, 1.5, 8.0, 14.0 / 3.0}};
+  state.last = SearchStep{{}, {rival, rival}, 1};
   state.tried = {{}, {"coulomb_friction @ joint.hinge"}, {"a @ world", "b @ joint.hinge"}};
   state.gains[{"coulomb_friction @ joint.hinge"}] = {11.0, 1.5, 8.0, 14.0};
   state.base_values = {0.25};
@@ -39,11 +38,9 @@ TEST(SearchStateJson, IsReadDigitForDigit) {
   ASSERT_TRUE(read);
   EXPECT_EQ(search_state_json(*read), written);
   EXPECT_EQ(read->values, state().values);
-  EXPECT_EQ(read->states, state().states);
   EXPECT_EQ(read->tried, state().tried);
   ASSERT_TRUE(read->last);
   EXPECT_EQ(read->last->chosen, 1U);
-  EXPECT_EQ(read->last->timing, state().last->timing);
   EXPECT_EQ(read->last->rivals.front().entry.range, friction_entry().range);
   EXPECT_TRUE(read->law_leads);
 }

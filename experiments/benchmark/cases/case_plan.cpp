@@ -21,6 +21,7 @@ struct SetPlan {
   const char* name;
   std::uint64_t seed;
   double duration;  ///< s, of each trial
+  int substeps;     ///< of the owner's model, a sample interval
   std::vector<Group> groups;
 };
 
@@ -30,12 +31,14 @@ const std::vector<SetPlan>& sets() {
       {"tuning",
        20260,
        5.0,
+       20,
        {{"one_joint", 62}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
       {"reporting",
        77003,
        5.0,
+       20,
        {{"one_joint", 600}, {"two_joint", 200}, {"nothing", 400}, {"two_effects", 100}, {"withheld", 100}}},
-      {"fixed", 4001, 2.0, {{"one_joint", 30}, {"nothing", 10}}}};
+      {"fixed", 4001, 2.0, 8, {{"one_joint", 30}, {"nothing", 10}}}};
   return all;
 }
 
@@ -98,6 +101,7 @@ class Planner {
     plan.number = number;
     plan.group = group;
     plan.duration = set_.duration;
+    plan.substeps = set_.substeps;
     plan.seed = mixed(set_.seed, 1000 + static_cast<std::uint64_t>(number));
     const Cell cell = cells_.next();
     plan.noise = cell.noise;

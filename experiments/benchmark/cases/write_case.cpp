@@ -9,8 +9,6 @@
 namespace hidden_effects {
 namespace {
 
-constexpr int kSubsteps = 20;
-
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
@@ -119,7 +117,7 @@ std::string rig_text(const MadeCase& made) {
       "[target.time]\ncolumn = \"t\"\n\n{}[model]\nfile = \"robot.toml\"\neffects = []\n\n{}\n[engine]\nstep = {}\n"
       "substeps = {}\n",
       files_text(made, false), files_text(made, true), columns_text(made.base.spec), free_text(made), number(interval),
-      kSubsteps);
+      made.plan.substeps);
 }
 
 std::string recording_text(const MadeCase& made, const MadeTrial& trial) {

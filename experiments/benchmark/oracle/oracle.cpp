@@ -67,6 +67,7 @@ std::vector<Width> widths_of(const Explanation& at, const Eigen::MatrixXd& infor
     if (covariance(row, row) > 0.0)
       widths[static_cast<std::size_t>(told[k])].width = 2.0 * kQuantile * scale[row] * std::sqrt(covariance(row, row));
   }
+  std::erase_if(widths, [](const Width& one) { return one.parameter == kTiming; });
   return widths;
 }
 

@@ -98,8 +98,9 @@ Bounds bounds_of(const PlantModel& model) {
   PlantSpec nominal = model.spec;
   Eigen::Index next = 0;
   for (const FreeValue& value : model.free) {
-    bounds.lower[next] = value.lower * value.of(nominal);
-    bounds.upper[next++] = value.upper * value.of(nominal);
+    const double unit = value.of(nominal) == 0.0 ? 1.0 : value.of(nominal);
+    bounds.lower[next] = value.lower * unit;
+    bounds.upper[next++] = value.upper * unit;
   }
   for (const PlacedLaw& law : model.laws)
     for (const bool positive : positive_parameters(*law.kind)) {

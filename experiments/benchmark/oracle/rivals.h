@@ -11,8 +11,8 @@ std::vector<PlacedLaw> library_laws(const PlantSpec& spec);
 /// The library's law of the same effect at the same place.
 PlacedLaw library_form(const PlacedLaw& law);
 
-/// Bounds of a fit: those of the base's free values; a law's parameter that `at_size` never makes negative stays
-/// positive, as the library has it.
+/// Bounds of a fit: those of the base's free values, times the nominal value unless that is 0; a law's parameter that
+/// `at_size` never makes negative stays positive, as the library has it.
 struct Bounds {
   Eigen::VectorXd lower, upper;
 };

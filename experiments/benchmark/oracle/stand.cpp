@@ -44,7 +44,16 @@ TrueData::TrueData(const MadeCase& made, const OracleOptions& options) : made_(m
   whiten_ = kalman_whitener(made.truth, made.truth_values, true_trials, made.noise, options.step);
 }
 
-Explanation TrueData::truth() const { return {made_.truth, made_.truth_values, starts_, 0.0}; }
+Explanation TrueData::truth() const {
+  Explanation at{made_.truth, made_.truth_values, starts_, 0.0};
+  const auto frees = static_cast<Eigen::Index>(at.model.free.size());
+  const double interval = trials_.front().excitation.interval;
+  at.model.free.push_back(
+      {kTiming, 0.0, -interval, interval, [](PlantSpec& spec) -> double& { return spec.lateness; }});
+  at.values.resize(made_.truth_values.size() + 1);
+  at.values << made_.truth_values.head(frees), 0.0, made_.truth_values.tail(made_.truth_values.size() - frees);
+  return at;
+}
 
 Scales TrueData::scales(const PlacedLaw& law) const {
   return scales_of(made_.truth.spec, law.kind->place, law.element, excitations_of(trials_), motions_);

@@ -8,6 +8,10 @@
 
 namespace hidden_effects {
 
+/// A value that every model of the oracle has free: which instant a sample's command belongs to, up to one sample
+/// interval either way, is no effect but a matter of recording.
+inline constexpr const char* kTiming = "timing";
+
 /// A model, its values and where the trials start; what it leaves of the truth.
 struct Explanation {
   PlantModel model;
@@ -21,7 +25,7 @@ class TrueData {
  public:
   TrueData(const MadeCase& made, const OracleOptions& options);
 
-  Explanation truth() const;
+  Explanation truth() const;  ///< with `kTiming` after what the owner frees
   const std::vector<FittedTrial>& trials() const { return trials_; }
   const Whiten& whiten() const { return whiten_; }
   const OracleOptions& options() const { return options_; }

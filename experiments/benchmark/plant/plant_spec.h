@@ -59,6 +59,7 @@ struct PlantSpec {
   std::vector<PlantBody> bodies;
   std::vector<PlantJoint> joints;
   std::vector<PlantDrive> drives;
+  double lateness = 0.0;  ///< s, of all commands, beside what each drive has
   std::vector<PlantSensor> sensors;
 };
 

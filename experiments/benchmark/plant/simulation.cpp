@@ -103,7 +103,7 @@ void Simulation::add_drive_forces(const Moment& at, double time, double* memory,
   for (std::size_t d = 0; d < spec_.drives.size(); ++d) {
     const PlantDrive& drive = spec_.drives[d];
     const int rotor = rotor_of_drive_[d], moved = rotor < 0 ? drive.joint : rotor;
-    double late = drive.delay;
+    double late = drive.delay + spec_.lateness;
     for (const auto& law : laws_) late += law->lateness(static_cast<int>(d), time);
     double value = mean_command(d, time - 0.5 * step_ - late);
     if (!drive.servo) value *= drive.gain;

@@ -88,6 +88,17 @@ TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
   EXPECT_THAT(names(answer.alike(1)), testing::ElementsAre("command_offset"));
 }
 
+/// Which side of a sample a command is held on is a matter of recording: a delay of less than a sample is told from
+/// nothing by nobody.
+TEST(Oracle, ADelayWithinASampleIsNotToldFromAnyOtherLaw) {
+  const std::vector<std::string> others = {"coulomb_friction", "sensor_delay"};
+  for (const double delay : {0.002, 0.02}) {
+    const MadeCase made = pendulum_case({{"command_delay", 0, {delay}}}, white_noise(), kSamples);
+    const std::vector<std::string> alike = names(ask_oracle(made, {.among = others}).alike(0));
+    EXPECT_EQ(std::count(alike.begin(), alike.end(), "coulomb_friction"), delay < 0.005 ? 1 : 0) << delay;
+  }
+}
+
 TEST(Oracle, NothingHiddenHasWidthsAlone) {
   const OracleAnswer answer = ask_oracle(pendulum_case({}, white_noise(), kSamples));
   EXPECT_TRUE(answer.rivals.empty());

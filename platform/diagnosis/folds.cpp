@@ -1,0 +1,70 @@
+#include "diagnosis/folds.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+std::size_t count_of(const Folds& folds) {
+  std::size_t count = 1;
+  for (const std::vector<std::size_t>& blocks : folds)
+    for (const std::size_t fold : blocks) count = std::max(count, fold + 1);
+  return count;
+}
+
+void add(const WeightedSegment& segment, Normal& normal) {
+  normal.gram += segment.values.transpose() * segment.values;
+  normal.score += segment.values.transpose() * segment.residual;
+}
+
+/// What the blocks of other folds say; nothing where there are none.
+void add_without(std::size_t fold, const RobustSegment& segment, Eigen::VectorXd weights,
+                 const std::vector<std::size_t>& folds, Normal& normal) {
+  if (std::all_of(folds.begin(), folds.end(), [&](std::size_t other) { return other == fold; })) return;
+  for (Eigen::Index row = 0; row < segment.bins(); ++row)
+    if (folds[segment.block_of[static_cast<std::size_t>(row)]] == fold) weights(row) = 0.0;
+  add(weighted(segment, weights), normal);
+}
+
+}  // namespace
+
+Normals normals_of(const std::vector<RobustSegment>& segments, const std::vector<Eigen::VectorXd>& weights,
+                   const Folds& folds) {
+  const Eigen::Index values = segments.empty() ? 0 : segments.front().values.cols();
+  const Normal nothing{Eigen::MatrixXd::Zero(values, values), Eigen::VectorXd::Zero(values)};
+  Normals normals{nothing, std::vector<Normal>(count_of(folds), nothing)};
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    Normal whole = nothing;
+    add(weighted(segments[k], weights[k]), whole);
+    normals.all.gram += whole.gram;
+    normals.all.score += whole.score;
+    for (std::size_t fold = 0; fold < normals.without.size(); ++fold) {
+      Normal& without = normals.without[fold];
+      if (std::find(folds[k].begin(), folds[k].end(), fold) != folds[k].end()) {
+        add_without(fold, segments[k], weights[k], folds[k], without);
+      } else {
+        without.gram += whole.gram;
+        without.score += whole.score;
+      }
+    }
+  }
+  return normals;
+}
+
+Eigen::VectorXd held_out(const std::vector<RobustSegment>& segments, const Folds& folds,
+                         const std::function<Eigen::VectorXd(std::size_t segment, std::size_t fold)>& residual) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    std::vector<double> blocks(folds[k].size(), 0.0);
+    for (const std::size_t fold : std::set(folds[k].begin(), folds[k].end())) {
+      const Eigen::VectorXd deviances = block_deviances(segments[k], residual(k, fold));
+      for (std::size_t block = 0; block < blocks.size(); ++block)
+        if (folds[k][block] == fold) blocks[block] = deviances(static_cast<Eigen::Index>(block));
+    }
+    all.insert(all.end(), blocks.begin(), blocks.end());
+  }
+  return Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+}  // namespace lacuna

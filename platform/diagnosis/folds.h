@@ -1,0 +1,33 @@
+#pragma once
+
+#include "diagnosis/robust_segment.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace lacuna {
+
+/// By segment and block: which fold it belongs to.
+using Folds = std::vector<std::vector<std::size_t>>;
+
+/// Normal equations of the values.
+struct Normal {
+  Eigen::MatrixXd gram;
+  Eigen::VectorXd score;
+};
+
+struct Normals {
+  Normal all;
+  std::vector<Normal> without;  ///< each fold; where blocks of a segment stay, its start is told by these
+};
+
+/// `weights`: of each segment's rows.
+Normals normals_of(const std::vector<RobustSegment>& segments, const std::vector<Eigen::VectorXd>& weights,
+                   const Folds& folds);
+
+/// Deviance of every block, one after the other, from the residual of its segment that its fold was left out of.
+Eigen::VectorXd held_out(const std::vector<RobustSegment>& segments, const Folds& folds,
+                         const std::function<Eigen::VectorXd(std::size_t segment, std::size_t fold)>& residual);
+
+}  // namespace lacuna
