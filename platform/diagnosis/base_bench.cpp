@@ -7,27 +7,28 @@ namespace lacuna {
 namespace {
 
 constexpr int kIterations = 10, kStartIterations = 4;
-constexpr double kFarBetter = 0.5;  ///< of what is left over
+constexpr int kFirstIterations = 2;                     ///< after which values that have far to go have begun to
+constexpr double kFarBetter = 0.5, kBeginsToBe = 0.75;  ///< of what is left over
 
-/// A problem whose values are held where they are.
+/// A problem whose values are held where they are: of its unknowns the states alone are left.
 class HeldValues : public SegmentedProblem {
  public:
-  HeldValues(SegmentedProblem& problem, Eigen::VectorXd values) : problem_(problem), values_(std::move(values)) {}
+  HeldValues(ShootingProblem& problem, Eigen::VectorXd values) : problem_(problem), values_(std::move(values)) {}
 
-  const Eigen::VectorXd& lower() const override { return values_; }
-  const Eigen::VectorXd& upper() const override { return values_; }
+  const Eigen::VectorXd& lower() const override { return none_; }
+  const Eigen::VectorXd& upper() const override { return none_; }
   Eigen::Index robust_rows(std::size_t k) const override { return problem_.robust_rows(k); }
   bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override {
-    return problem_.residuals(point, residuals);
+    return problem_.residuals({values_, point.states}, residuals);
   }
   void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                  std::vector<SegmentJacobian>& jacobians) override {
-    problem_.linearize(point, residuals, jacobians);
+    problem_.linearize_states({values_, point.states}, residuals, jacobians);
   }
 
  private:
-  SegmentedProblem& problem_;
-  Eigen::VectorXd values_;
+  ShootingProblem& problem_;
+  const Eigen::VectorXd values_, none_;
 };
 
 LeastSquaresOptions options_of(int iterations) {
@@ -41,21 +42,28 @@ LeastSquaresOptions options_of(int iterations) {
 }  // namespace
 
 bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution& base, Moving moving) {
-  const FitPoint start{space.clamp(space.to_coordinates(base.values)), base.states};
-  HeldValues held(problem, start.values);
-  const LeastSquaresResult started = minimize(held, start, options_of(kStartIterations));
+  const Eigen::VectorXd values = space.clamp(space.to_coordinates(base.values));
+  HeldValues held(problem, values);
+  const LeastSquaresResult started = minimize(held, {Eigen::VectorXd(), base.states}, options_of(kStartIterations));
   if (!started.valid) return false;
-  LeastSquaresResult search = minimize(problem, started.point, options_of(kIterations));
-  if (moving == Moving::if_needed && search.cost > kFarBetter * started.cost) search = started;
-  base.values = space.to_values(search.point.values);
-  base.states = search.point.states;
+  FitPoint point{values, started.point.states};
+  const bool all = moving == Moving::all;
+  LeastSquaresResult search = minimize(problem, point, options_of(all ? kIterations : kFirstIterations));
+  if (!all && search.cost <= kBeginsToBe * started.cost)
+    search = minimize(problem, search.point, options_of(kIterations - kFirstIterations));
+  if (all || search.cost <= kFarBetter * started.cost) point = search.point;
+  base.values = space.to_values(point.values);
+  base.states = point.states;
   return true;
 }
 
 BaseBench::BaseBench(const Contender& contender, const BaseSolution& start, int threads)
     : predictor_(*contender.model, start.trials, threads),
+      rough_(contender.definition, start, threads),
       space_(contender.definition.free),
-      problem_(predictor_, space_, start.segments, start.noise) {}
+      problem_(predictor_, space_, start.segments, start.noise) {
+  problem_.difference_by(rough_.predictor());
+}
 
 void BaseBench::settle(BaseSolution& base, Moving moving) {
   if (!lacuna::settle(problem_, space_, base, moving))

@@ -2,6 +2,7 @@
 
 #include "diagnosis/base_solution.h"
 #include "diagnosis/contender.h"
+#include "diagnosis/rough_predictor.h"
 
 namespace lacuna {
 
@@ -31,6 +32,7 @@ class BaseBench {
 
  private:
   TrialPredictor predictor_;
+  RoughPredictor rough_;
   ParameterSpace space_;
   ShootingProblem problem_;
 };

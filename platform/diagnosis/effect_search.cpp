@@ -11,6 +11,7 @@
 #include "diagnosis/search_ending.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
+#include "diagnosis/unaided.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +23,9 @@ namespace {
 
 constexpr double kByChance = 2.0;    ///< of the deviance, a parameter (H. Akaike, 1974)
 constexpr double kLittleMore = 0.1;  ///< of the gain: no reason for more parameters
-constexpr int kUsualRounds = 2;      ///< one that finds an effect, one that finds nothing more
+/// Of the gain, and standard errors: an effect that adds less of both makes up for the form of those that are there.
+constexpr double kHardlyMore = 0.03, kUnsure = 4.0;
+constexpr int kUsualRounds = 2;  ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
  public:
@@ -48,6 +51,7 @@ class EffectSearch {
     for (int number = 1 + rounds_before();; ++number) {
       if (number > kUsualRounds) meter_.add_parts(kRoundParts);
       Round round = look();
+      unaided_.reset();
       if (state_.tried.empty()) describe_first(round);
       state_.tried.insert(names_of(contender_.added));
       again_ = {};
@@ -110,12 +114,21 @@ class EffectSearch {
   }
 
   /// The rival to go on with: not one that leads back to where the search was.
-  std::optional<std::size_t> next_of(const Round& round) const {
+  std::optional<std::size_t> next_of(const Round& round) {
     if (contender_.added.size() >= state_.most_effects) return std::nullopt;
     const std::optional<std::size_t> chosen = choose(round, contender_.added.empty() ? kFirstLevel : kFurtherLevel);
     if (!chosen) return std::nullopt;
+    if (adds_hardly_more(round)) return std::nullopt;
     const EffectEntry& entry = round.hypotheses[round.rivals[*chosen].hypothesis].entry;
     return state_.tried.contains(names_with(contender_.added, entry)) ? std::nullopt : chosen;
+  }
+
+  /// Whether the best rival adds little that is uncertain to what the effects gain that are there.
+  bool adds_hardly_more(const Round& round) {
+    const Gain& further = round.rivals.front().gain;
+    if (contender_.added.empty() || further.value >= kUnsure * further.standard_error) return false;
+    const std::optional<Unaided>& without = unaided(round);
+    return without && further.value < kHardlyMore * without->behind.value;
   }
 
   /// Goes on with the rival that is chosen first of those that do not only take the place of a simpler effect; the
@@ -155,14 +168,19 @@ class EffectSearch {
 
   /// Whether an effect took the place of a simpler one and adds little to what that gained: a friction of more
   /// parameters makes up for the form of a plain one.
-  bool only_richer(const Contender& before, const Round& round, std::size_t chosen) const {
+  bool only_richer(const Contender& before, const Round& round, std::size_t chosen) {
     if (contender_.added.size() > before.added.size() || contender_.values.size() <= before.values.size()) return false;
-    Contender none = plain_;
-    none.values = state_.base_values;
-    const Refit fit = refit_reduced(none, round, task_.threads);
-    if (!fit.valid) return false;
-    const Gain gained = gain(held_out_deviance(fit, round.folds), round.held_out, task_.seed);
-    return round.rivals[chosen].gain.value <= kLittleMore * gained.value;
+    const std::optional<Unaided>& without = unaided(round);
+    return without && round.rivals[chosen].gain.value <= kLittleMore * without->behind.value;
+  }
+
+  const std::optional<Unaided>& unaided(const Round& round) {
+    if (!unaided_) {
+      Contender none = plain_;
+      none.values = state_.base_values;
+      unaided_ = refit_unaided(none, round, task_.seed, task_.threads);
+    }
+    return *unaided_;
   }
 
   /// The ranking names the look-alikes of the last effect alone; those of one before become a finding.
@@ -232,11 +250,10 @@ class EffectSearch {
 
   /// Whether fewer effects are enough; the search goes on with these, and with no more of them.
   bool does_with_fewer(const Round& round) {
-    if (!state_.first) return false;
-    Contender none = plain_;
-    none.values = state_.base_values;
-    const std::optional<FewerEffects> fewer = fewer_effects(
-        {contender_, alternatives(), none, *state_.first, task_.catalog, round, task_.seed, task_.threads});
+    if (!state_.first || contender_.added.size() < 2 || !unaided(round)) return false;
+    const std::optional<FewerEffects> fewer =
+        fewer_effects({contender_, alternatives(), plain_, *unaided(round), *state_.first, task_.catalog, round,
+                       task_.seed, task_.threads});
     if (!fewer) return false;
     state_.so_far.findings.push_back(to_string(*fewer, contender_.added));
     go_on_with(*fewer);
@@ -269,7 +286,9 @@ class EffectSearch {
   }
 
   Diagnosis ended(const Round& round, bool outdone_by_law) {
-    end_search({task_, cut_, plain_, contender_, again_, round, outdone_by_law, state_, meter_});
+    const std::optional<Unaided> none;
+    const std::optional<Unaided>& without = contender_.added.empty() ? none : unaided(round);
+    end_search({task_, cut_, plain_, contender_, again_, round, without, outdone_by_law, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }
@@ -291,7 +310,8 @@ class EffectSearch {
   double substeps_for_;  ///< s, ... for segments of this length
   Contender contender_;
   SearchState state_;
-  Rejudged again_;  ///< the last choice, under the noise of the round at hand
+  std::optional<std::optional<Unaided>> unaided_;  ///< of the round at hand, once it was asked for
+  Rejudged again_;                                 ///< the last choice, under the noise of the round at hand
   double seconds_before_ = 0.0;
 };
 

@@ -26,13 +26,9 @@ struct Judged {
 
 class Contest {
  public:
-  explicit Contest(const FewerEffectsTask& task) : task_(task) {}
+  explicit Contest(const FewerEffectsTask& task) : task_(task), all_(task.unaided.behind) {}
 
   std::optional<FewerEffects> run() {
-    const Refit none = refit_reduced(task_.plain, task_.now, task_.threads);
-    if (!none.valid) return std::nullopt;
-    none_ = held_out_deviance(none, task_.now.folds);
-    all_ = gain(none_, task_.now.held_out, task_.seed);
     if (all_.value <= kByChance) return std::nullopt;
     add_rivals();
     add_parts();
@@ -90,7 +86,7 @@ class Contest {
   void add(std::vector<EffectEntry> added, Refit fit, std::optional<std::size_t> of_first) {
     if (!fit.valid) return;
     const Eigen::VectorXd held_out = held_out_deviance(fit, task_.now.folds);
-    const Gain over_none = gain(none_, held_out, task_.seed);
+    const Gain over_none = gain(task_.unaided.held_out, held_out, task_.seed);
     judged_.push_back(
         {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out});
   }
@@ -118,8 +114,7 @@ class Contest {
   }
 
   const FewerEffectsTask& task_;
-  Eigen::VectorXd none_;  ///< held-out deviance of the model without any effect
-  Gain all_;              ///< of the answer
+  const Gain all_;  ///< of the answer
   std::vector<Judged> judged_;
 };
 

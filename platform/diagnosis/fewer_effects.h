@@ -3,6 +3,7 @@
 #include "diagnosis/contender.h"
 #include "diagnosis/round.h"
 #include "diagnosis/search_state.h"
+#include "diagnosis/unaided.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,8 @@ struct FewerEffects {
 struct FewerEffectsTask {
   const Contender& answer;
   const std::vector<Contender>& alternatives;  ///< to the answer, with another last effect
-  const Contender& plain;                      ///< the model without any effect added, with its refitted values
+  const Contender& plain;                      ///< the model without any effect added
+  const Unaided& unaided;                      ///< the same, under the noise of `now`
   const SearchStep& first;                     ///< of the model without any effect
   const PluginCatalog& catalog;
   const Round& now;  ///< of the answer

@@ -1,5 +1,6 @@
 #include "diagnosis/force_responses.h"
 
+#include "diagnosis/rough_predictor.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
 #include "foundation/parallel.h"
@@ -116,6 +117,8 @@ bool floats(const RobotSpec& robot) {
 ForceResponses force_responses(const ModelDefinition& definition, const ShootingProblem& problem, const RowBins& bins,
                                const FitPoint& point, const std::vector<double>& values, double residual, int threads) {
   ForceResponses responses;
+  ModelDefinition rough = definition;
+  rough.engine = for_differences(definition.engine);
   const RobotSpec& robot = definition.structure.robot;
   std::vector<DisturbedJoint> joints;
   for (const JointSpec& joint : robot.joints)
@@ -138,7 +141,7 @@ ForceResponses force_responses(const ModelDefinition& definition, const Shooting
   }
   for (const DisturbedJoint& joint : joints) {
     responses.joints.push_back(joint.joint);
-    Pulser pulser(definition, problem, bins, point, values, joint, responses.width);
+    Pulser pulser(rough, problem, bins, point, values, joint, responses.width);
     const double force = pulser.size(residual);
     for (std::size_t k = 0; k < problem.segments().size(); ++k)
       responses.of[k].emplace_back(Eigen::MatrixXd::Zero(bins.rows(k), pulses));

@@ -1,5 +1,7 @@
 #include "diagnosis/refit.h"
 
+#include "diagnosis/rough_predictor.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -89,6 +91,8 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   const TrialPredictor predictor(refitted.model, base.trials, threads);
   const ParameterSpace space(refitted.definition.free);
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
+  const RoughPredictor rough(refitted.definition, base, threads);
+  shooting.difference_by(rough.predictor());
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, base.nuisance);
   if (base.free_run) {

@@ -47,16 +47,13 @@ class EndedSearch {
   void judge_base() {
     if (ending_.answer.added.empty()) return;
     const Round& last = ending_.last;
-    Contender none = ending_.plain;
-    none.values = ending_.state.base_values;
-    const Refit fit = refit_reduced(none, last, task_.threads);
-    if (!fit.valid) {
+    if (!ending_.unaided) {
       result_.answer_gain = ending_.state.gains.at(names_of(ending_.answer.added));
       return;
     }
-    result_.answer_gain = gain(held_out_deviance(fit, last.folds), last.held_out, task_.seed);
+    result_.answer_gain = ending_.unaided->behind;
     if (result_.base_segment == last.base.segment) return;
-    result_.base = channel_errors(last.base, last.bins, last.noise, fit, last.folds);
+    result_.base = channel_errors(last.base, last.bins, last.noise, ending_.unaided->fit, last.folds);
     result_.base_segment = last.base.segment;
   }
 

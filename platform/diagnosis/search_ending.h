@@ -4,6 +4,7 @@
 #include "diagnosis/rejudge.h"
 #include "diagnosis/round.h"
 #include "diagnosis/search_state.h"
+#include "diagnosis/unaided.h"
 
 namespace lacuna {
 
@@ -13,8 +14,9 @@ struct SearchEnding {
   const BaseSolution& cut;  ///< of the trials
   const Contender& plain;   ///< the experiment's model, with substeps that suffice
   const Contender& answer;
-  const Rejudged& again;  ///< the answer's last effect and its rivals, under the noise of `last`
-  const Round& last;      ///< of the answer: it found nothing more to add
+  const Rejudged& again;                  ///< the answer's last effect and its rivals, under the noise of `last`
+  const Round& last;                      ///< of the answer: it found nothing more to add
+  const std::optional<Unaided>& unaided;  ///< under the noise of `last`; nothing where it cannot be simulated
   bool outdone_by_law = false;
   SearchState& state;
   ProgressMeter& meter;

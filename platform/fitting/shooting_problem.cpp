@@ -90,15 +90,15 @@ ResidualPlace ShootingProblem::place(std::size_t k, Eigen::Index row) const {
           channel_of_[trial][static_cast<std::size_t>(segment.columns[i])]};
 }
 
-bool ShootingProblem::segment_residuals(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& state,
-                                        int worker, Eigen::VectorXd& residuals) {
+bool ShootingProblem::segment_residuals(const TrialPredictor& predictor, std::size_t k, const Eigen::VectorXd& values,
+                                        const Eigen::VectorXd& state, int worker, Eigen::VectorXd& residuals) {
   throw_if_interrupted();
   const Segment& segment = segments_[k];
   StartState start = segment.start;
   for (std::size_t j = 0; j < segment.unknown.size(); ++j)
     set_component(start, segment.unknown[j], state(static_cast<Eigen::Index>(j)));
   Prediction& prediction = predictions_[static_cast<std::size_t>(worker)];
-  predictor_.predict(segment.stretch, space_.to_values(values), start, worker, prediction);
+  predictor.predict(segment.stretch, space_.to_values(values), start, worker, prediction);
   ++simulations_;
   if (!prediction.valid) {
     ++invalid_;
@@ -120,41 +120,71 @@ bool ShootingProblem::segment_residuals(std::size_t k, const Eigen::VectorXd& va
   return true;
 }
 
-bool ShootingProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
+std::string ShootingProblem::simulate(const TrialPredictor& predictor, const FitPoint& point,
+                                      std::vector<Eigen::VectorXd>& residuals) {
   residuals.resize(segments_.size());
   std::vector<std::string> failures(segments_.size());
-  parallel_for(segments_.size(), predictor_.workers(), [&](std::size_t k, int worker) {
-    if (!segment_residuals(k, point.values, point.states[k], worker, residuals[k]))
+  parallel_for(segments_.size(), predictor.workers(), [&](std::size_t k, int worker) {
+    if (!segment_residuals(predictor, k, point.values, point.states[k], worker, residuals[k]))
       failures[k] = predictions_[static_cast<std::size_t>(worker)].reason + " ";
   });
   const auto failed = std::find_if(failures.begin(), failures.end(), [](const std::string& f) { return !f.empty(); });
-  if (failed == failures.end()) return true;
-  reason_ = *failed;
+  return failed == failures.end() ? "" : *failed;
+}
+
+bool ShootingProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
+  const std::string failure = simulate(predictor_, point, residuals);
+  if (failure.empty()) return true;
+  reason_ = failure;
   return false;
+}
+
+std::vector<ShootingProblem::Origin> ShootingProblem::origins(const FitPoint& point,
+                                                              const std::vector<Eigen::VectorXd>& residuals) {
+  std::vector<Origin> all{{predictor_, point, residuals}};
+  if (rough_ != nullptr && simulate(*rough_, point, rough_residuals_).empty())
+    all.push_back({*rough_, point, rough_residuals_});
+  return all;
 }
 
 void ShootingProblem::linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                                 std::vector<SegmentJacobian>& jacobians) {
   jacobians.resize(segments_.size());
-  double sum = 0.0;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     jacobians[k].values.resize(residuals[k].size(), space_.size());
     jacobians[k].state.resize(residuals[k].size(), segments_[k].deviation.size());
-    sum += residuals[k].squaredNorm();
   }
-  const double target = kWantedChange * std::max(noise_over_scale(), rms(sum, static_cast<double>(samples_)));
+  differentiate(origins(point, residuals), columns_, jacobians);
+}
+
+void ShootingProblem::linearize_states(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                       std::vector<SegmentJacobian>& jacobians) {
+  jacobians.resize(segments_.size());
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    jacobians[k].values.resize(residuals[k].size(), 0);
+    jacobians[k].state.resize(residuals[k].size(), segments_[k].deviation.size());
+  }
   std::vector<Column> columns = columns_;
-  for (int round = 0; round < kStepRounds && !columns.empty(); ++round) {
-    difference(point, residuals, columns, false, jacobians);
-    const std::vector<bool> again = adapt_steps(jacobians, target);
-    std::erase_if(columns, [&](const Column& column) { return !again[kind(column)]; });
-  }
+  std::erase_if(columns, [&](const Column& column) { return is_shared(column); });
+  differentiate(origins(point, residuals), std::move(columns), jacobians);
 }
 
 void ShootingProblem::linearize_finely(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                                        std::vector<SegmentJacobian>& jacobians) {
   linearize(point, residuals, jacobians);  // finds the steps
-  difference(point, residuals, columns_, true, jacobians);
+  difference(origins(point, residuals), columns_, true, jacobians);
+}
+
+void ShootingProblem::differentiate(const std::vector<Origin>& origins, std::vector<Column> columns,
+                                    std::vector<SegmentJacobian>& jacobians) {
+  double sum = 0.0;
+  for (const Eigen::VectorXd& residual : origins.front().residuals) sum += residual.squaredNorm();
+  const double target = kWantedChange * std::max(noise_over_scale(), rms(sum, static_cast<double>(samples_)));
+  for (int round = 0; round < kStepRounds && !columns.empty(); ++round) {
+    difference(origins, columns, false, jacobians);
+    const std::vector<bool> again = adapt_steps(jacobians, columns, target);
+    std::erase_if(columns, [&](const Column& column) { return !again[kind(column)]; });
+  }
 }
 
 double ShootingProblem::noise_over_scale() const {
@@ -169,32 +199,35 @@ std::size_t ShootingProblem::kind(const Column& column) const {
   return static_cast<std::size_t>(space_.size() + segments_[column.segment].unknown[which]);
 }
 
-void ShootingProblem::difference(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                                 const std::vector<Column>& columns, bool central,
+void ShootingProblem::difference(const std::vector<Origin>& origins, const std::vector<Column>& columns, bool central,
                                  std::vector<SegmentJacobian>& jacobians) {
   parallel_for(columns.size(), predictor_.workers(), [&](std::size_t i, int worker) {
     const Column& column = columns[i];
     SegmentJacobian& jacobian = jacobians[column.segment];
-    const bool shared = column.index < space_.size();
-    auto derivative = shared ? jacobian.values.col(column.index) : jacobian.state.col(column.index - space_.size());
-    if (!difference_column(point, residuals[column.segment], column, central, worker, derivative)) derivative.setZero();
+    auto derivative =
+        is_shared(column) ? jacobian.values.col(column.index) : jacobian.state.col(column.index - space_.size());
+    const bool valid = std::any_of(origins.rbegin(), origins.rend(), [&](const Origin& origin) {
+      return difference_column(origin, column, central, worker, derivative);
+    });
+    if (!valid) derivative.setZero();
   });
 }
 
-bool ShootingProblem::difference_column(const FitPoint& point, const Eigen::VectorXd& residuals, const Column& column,
-                                        bool central, int worker, Eigen::Ref<Eigen::VectorXd> derivative) {
-  const bool shared = column.index < space_.size();
+bool ShootingProblem::difference_column(const Origin& origin, const Column& column, bool central, int worker,
+                                        Eigen::Ref<Eigen::VectorXd> derivative) {
+  const bool shared = is_shared(column);
   const Eigen::Index j = shared ? column.index : column.index - space_.size();
   const double step = steps_[kind(column)];
-  Eigen::VectorXd values = point.values;
-  Eigen::VectorXd state = point.states[column.segment];
+  const Eigen::VectorXd& residuals = origin.residuals[column.segment];
+  Eigen::VectorXd values = origin.point.values;
+  Eigen::VectorXd state = origin.point.states[column.segment];
   double& moving = shared ? values(j) : state(j);
   const double at = moving;
   Eigen::VectorXd ahead, behind;
   const auto evaluate = [&](double offset, Eigen::VectorXd& shifted) {
     moving = at + offset;
     const bool inside = !shared || (moving >= lower()(j) && moving <= upper()(j));
-    return inside && segment_residuals(column.segment, values, state, worker, shifted);
+    return inside && segment_residuals(origin.predictor, column.segment, values, state, worker, shifted);
   };
   const bool forward = evaluate(step, ahead);
   const bool backward = (central || !forward) && evaluate(-step, behind);
@@ -213,14 +246,14 @@ double ShootingProblem::largest_step(std::size_t kind) const {
   return space_.logarithmic(j) ? 0.1 : 0.01 * (space_.upper()(j) - space_.lower()(j));
 }
 
-std::vector<bool> ShootingProblem::adapt_steps(const std::vector<SegmentJacobian>& jacobians, double target) {
+std::vector<bool> ShootingProblem::adapt_steps(const std::vector<SegmentJacobian>& jacobians,
+                                               const std::vector<Column>& columns, double target) {
   std::vector<double> squares(steps_.size(), 0.0), counts(steps_.size(), 0.0);
-  for (const Column& column : columns_) {
-    const bool shared = column.index < space_.size();
+  for (const Column& column : columns) {
     const SegmentJacobian& jacobian = jacobians[column.segment];
     const Eigen::Index rows = robust_rows(column.segment);
     const auto derivative =
-        shared ? jacobian.values.col(column.index) : jacobian.state.col(column.index - space_.size());
+        is_shared(column) ? jacobian.values.col(column.index) : jacobian.state.col(column.index - space_.size());
     squares[kind(column)] += derivative.head(rows).squaredNorm();
     counts[kind(column)] += static_cast<double>(rows);
   }

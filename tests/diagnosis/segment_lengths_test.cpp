@@ -124,7 +124,7 @@ double usual_length(RecordedPendulum rig) {
 }
 
 TEST(SegmentLengths, TheUsualOneIsFiveSecondsOrTheLongestTrial) {
-  EXPECT_DOUBLE_EQ(usual_length({}), 5.0);
+  EXPECT_DOUBLE_EQ(usual_length(RecordedPendulum{}), 5.0);
   RecordedPendulum rig;
   rig.trials = {recorded({}, "short.csv", multisine, 2.0, 1)};
   EXPECT_DOUBLE_EQ(usual_length(std::move(rig)), 2.0);

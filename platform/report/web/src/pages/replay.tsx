@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useLoaded } from '../data/use';
 import { savePng } from '../kit/download';
 import { Moment } from '../kit/moment';
@@ -84,7 +84,8 @@ function Playing({ play, title, start }: { play: Play; title: string; start: num
   const [speed, setSpeed] = useState('1');
   const go = (time: number) => moment.set(Math.min(Math.max(time, first), last));
   useEffect(() => go(start || first), []);
-  useEffect(() => {
+  // At once with the button's label, so that no frame comes after a pause.
+  useLayoutEffect(() => {
     if (!playing) return;
     let before = performance.now(),
       frame = 0;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "diagnosis/base_solution.h"
+#include "evaluation/model_definition.h"
+#include "evaluation/trial_predictor.h"
+
+#include <memory>
+
+namespace lacuna {
+
+/// Coarser steps, for simulations whose differences alone are wanted: derivatives, probes, pulses of a force. Both
+/// sides of a difference have the same error of integration, and what stays of it is to the difference as that error is
+/// to the prediction.
+EngineSettings for_differences(EngineSettings engine);
+
+/// Simulates a model with such steps.
+class RoughPredictor {
+ public:
+  /// Of `base` the trials are copied. A simulation through contacts has no such differences, and steps that are as
+  /// coarse as can be no coarser ones: there is no predictor then.
+  RoughPredictor(const ModelDefinition& definition, const BaseSolution& base, int workers);
+
+  /// Null if there is none.
+  const TrialPredictor* predictor() const { return predictor_.get(); }
+
+ private:
+  std::unique_ptr<CompiledModel> model_;
+  std::unique_ptr<TrialPredictor> predictor_;
+};
+
+}  // namespace lacuna
