@@ -16,6 +16,8 @@ namespace {
 constexpr double kMostOfIt = 0.95;    ///< of all that is to be gained
 constexpr double kMoved = 2.0;        ///< standard errors
 constexpr double kNoticeable = 0.01;  ///< of the value
+constexpr double kWorthSaying = 2.0;  ///< nats, what one more effect would gain
+constexpr double kHardly = 0.1;       ///< of what the answer gains
 
 std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
   const ParameterSpace space(contender.definition.free);
@@ -46,6 +48,17 @@ std::string what_is_left(const Diagnosis& diagnosis) {
     return "what is left depends on no joint's position, velocity or command";
   return fmt::format("{:.1f} % of the squared error above the floor is left, and it has structure",
                      100.0 * std::clamp(after / before, 0.0, 1.0));
+}
+
+/// One more effect that was not taken, though it predicts a little better.
+std::string what_was_not_taken(const Diagnosis& diagnosis, const Round& last) {
+  if (last.rivals.empty() || last.screening.p > kFurtherLevel) return "";
+  const Rival& best = last.rivals.front();
+  const double share = best.gain.value / diagnosis.answer_gain.value;
+  if (best.gain.value < kWorthSaying || share > kHardly) return "";
+  return fmt::format(
+      "{} beside it would gain {:.1f} nats more, {:.2g} % of what is explained: it more likely makes up for a form",
+      name_of(last.hypotheses[best.hypothesis].entry), best.gain.value, 100.0 * share);
 }
 
 /// Of all that is to be gained, all told under one noise.
@@ -88,6 +101,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
     case Verdict::effect_found:
       if (tested) findings.push_back(what_is_left(diagnosis));
       if (std::string text = soaked_up(base, contender, last); !text.empty()) findings.push_back(std::move(text));
+      if (std::string text = what_was_not_taken(diagnosis, last); !text.empty()) findings.push_back(std::move(text));
       break;
     case Verdict::not_in_library:
       if (!answer_comes_first(diagnosis))
