@@ -12,6 +12,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
+constexpr double kUnsure = 5.0;        ///< standard errors of what is lost: less may be a matter of form
 constexpr double kHardly = 0.05;       ///< of it
 constexpr double kByChance = 2.0;      ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
@@ -110,7 +111,7 @@ class Contest {
 
   bool is_enough(const Judged& one) const {
     const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
-    return lost.value <= std::max(kByChance, kLittle * all_.value);
+    return lost.value <= std::max(kByChance, std::min(kLittle * all_.value, kUnsure * lost.standard_error));
   }
 
   const FewerEffectsTask& task_;

@@ -113,6 +113,21 @@ TEST_F(NoiseModelTest, GivesTheSameDigitsWithAnyThreads) {
   EXPECT_EQ(estimate_.deviations(), other.deviations());
 }
 
+TEST(BoundedResponses, AreTheOnesGivenUnlessADirectionReachesTooFar) {
+  Eigen::MatrixXd state = free_start();
+  EXPECT_EQ(bounded_responses(state), state);
+  const Eigen::VectorXd own = state.col(0);
+  state.col(1) = 3e6 * state.col(1) + 2.0 * own;
+  const Eigen::MatrixXd bounded = bounded_responses(state);
+  EXPECT_NEAR(bounded.norm(), 1e5, 1.0);
+  const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(kRows, kRows) + bounded * bounded.transpose());
+  ASSERT_EQ(factor.info(), Eigen::Success);
+  const Eigen::VectorXd far = state.col(1).normalized();  // what such a start can do is no evidence any more
+  EXPECT_LT(far.dot(factor.solve(far)), 1e-8);
+  const Eigen::VectorXd near = (own - far * far.dot(own)).normalized();  // and what it cannot stays as it was
+  EXPECT_NEAR(near.dot(bounded * bounded.transpose() * near), near.dot(state * state.transpose() * near), 1.0);
+}
+
 /// White noise of deviation 1, a doubt c in every bin as one random number, and slow noise of the same size.
 TEST(DoubtfulNoise, IsNeverSmallerThanTheDoubts) {
   constexpr double kDoubt = 3.0;
