@@ -13,8 +13,8 @@ enum class Moving { if_needed, all };
 /// others leave half as much.
 bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution& base, Moving moving);
 
-/// A round's model at its base solution, ready to be simulated. Trials, segments and noise of `start` are copied into
-/// its problem; `contender` must live as long as it.
+/// A round's model at its base solution, ready to be simulated. Trials and segments of `start` are copied; its noise
+/// and `contender` must live as long as the bench.
 class BaseBench {
  public:
   BaseBench(const Contender& contender, const BaseSolution& start, int threads);

@@ -82,12 +82,14 @@ bool is_about_earlier(const std::string& finding, const std::vector<EffectEntry>
 /// The floor is that of the first or the last round: the one in which less that is structured passes for noise. Models
 /// that were judged over segments of another length keep the floor of that length.
 void measure_by(std::vector<ChannelError> floors, double segment, Diagnosis& diagnosis) {
-  for (std::size_t c = 0; c < floors.size(); ++c) floors[c].floor = std::min(floors[c].floor, diagnosis.base[c].floor);
+  const bool as_long = diagnosis.base_segment == segment;
+  for (std::size_t c = 0; as_long && c < floors.size(); ++c)
+    floors[c].floor = std::min(floors[c].floor, diagnosis.base[c].floor);
   const auto take_floor = [&](std::vector<ChannelError>& errors) {
     for (std::size_t c = 0; c < errors.size(); ++c) errors[c].floor = floors[c].floor;
     return times_floor(errors);
   };
-  diagnosis.base_times_floor = take_floor(diagnosis.base);
+  diagnosis.base_times_floor = as_long ? take_floor(diagnosis.base) : times_floor(diagnosis.base);
   for (RankedModel& model : diagnosis.ranking)
     model.times_floor = model.segment == segment ? take_floor(model.errors) : times_floor(model.errors);
 }

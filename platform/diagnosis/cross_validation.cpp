@@ -2,8 +2,6 @@
 
 #include "fitting/seeded_noise.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,8 +12,6 @@ namespace {
 constexpr std::size_t kFewTrials = 4;  ///< below, trials are divided
 constexpr std::size_t kFolds = 8;
 constexpr int kDraws = 999;
-constexpr double kTold = 1e-12;     ///< of the strongest direction's information
-constexpr double kLeastKept = 0.2;  ///< of a direction's information, without a fold
 
 }  // namespace
 
@@ -44,31 +40,13 @@ Folds folds(const std::vector<Segment>& segments, const RowBins& bins) {
 
 namespace {
 
-/// Directions that the data tell, each with information 1: values × directions.
-Eigen::MatrixXd told(const Eigen::MatrixXd& gram) {
-  const Eigen::VectorXd unit = gram.diagonal().unaryExpr(
-      [](double information) { return information > 0.0 ? 1.0 / std::sqrt(information) : 0.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * gram * unit.asDiagonal());
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < eigen.eigenvalues().size(); ++i)
-    if (eigen.eigenvalues()(i) > kTold * eigen.eigenvalues().maxCoeff()) kept.push_back(i);
-  return unit.asDiagonal() * Eigen::MatrixXd(eigen.eigenvectors()(Eigen::all, kept)) *
-         eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-}
-
 /// Where the quadratic model of the deviance has its minimum without a fold, from where the fit is; of the values that
-/// are `inside`. Where the fold tells a direction nearly alone (a stop that is hit once), nobody would predict it from
-/// the others, and the quadratic model points to where it does not hold: at least a fifth of what is told counts as
-/// kept.
+/// are `inside`.
 Eigen::VectorXd step_to_minimum(const Normal& all, const Normal& without, const std::vector<Eigen::Index>& inside) {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(all.score.size());
-  if (inside.empty()) return step;
-  const Eigen::MatrixXd directions = told(all.gram(inside, inside));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> kept(directions.transpose() *
-                                                            Eigen::MatrixXd(without.gram(inside, inside)) * directions);
-  const Eigen::VectorXd score =
-      kept.eigenvectors().transpose() * (directions.transpose() * Eigen::VectorXd(without.score(inside)));
-  step(inside) = -directions * (kept.eigenvectors() * score.cwiseQuotient(kept.eigenvalues().cwiseMax(kLeastKept)));
+  if (!inside.empty())
+    step(inside) = minimum_without({all.gram(inside, inside), all.score(inside)},
+                                   {without.gram(inside, inside), without.score(inside)});
   return step;
 }
 

@@ -44,8 +44,10 @@ double duration_of(const Trial& trial) {
 /// What cuts the trials of a task; everything referred to must outlive it.
 class Cutter {
  public:
-  Cutter(const CutTask& task, const Follower& follower, const StartStates& states, BaseSolution& base)
+  Cutter(const CutTask& task, const Follower& follower, const TrialPredictor& plain, const StartStates& states,
+         const BaseSolution& base)
       : task_(task),
+        plain_(plain),
         states_(states),
         base_(base),
         predictor_(follower.model, base.trials, task.threads),
@@ -57,9 +59,8 @@ class Cutter {
   /// Into segments of about `length` s, 0: whole trials.
   BaseSolution cut(double length) const {
     BaseSolution all = base_;
-    const TrialPredictor plain(task_.model, base_.trials, task_.threads);
-    all.segment = std::min(length, longest_fit_trial(base_.trials));
-    all.segments = make_segments(plain, states_, length, task_.values, kRunIn);
+    all.segment = longest_piece(length);
+    all.segments = make_segments(plain_, states_, length, task_.values, kRunIn);
     for (Segment& segment : all.segments)
       if (segment.stretch.first == 0 && segment.run_in == 0) segment.deviation *= kDoubtOfStart;
     all.values = values_;
@@ -75,11 +76,15 @@ class Cutter {
     if (wanted <= kShort || best.segments.empty() || longest_fit_trial(base_.trials) <= kAsLong * kShort) return best;
     const std::optional<double> near = settled(best);
     values_ = best.values;
-    if (task_.segment > 0.0) return cut(wanted);
+    if (task_.segment > 0.0) {
+      best = cut(wanted);
+      settled(best);
+      return best;
+    }
     const double horizon = automatic_horizon(predictor_, states_, best.values, kShort, kFollowed);
     std::size_t as_many = 0;
     for (const double length : kLongLengths) {
-      if (!near || length > kAsLong * horizon) continue;
+      if (!near || longest_piece(length) > kAsLong * horizon) continue;
       BaseSolution longer = cut(length);
       if (longer.segments.size() == as_many) continue;  // trials that are shorter
       as_many = longer.segments.size();
@@ -90,6 +95,15 @@ class Cutter {
   }
 
  private:
+  /// Of the trials, cut into equal ones of about `length` s: what a trial of 7 s is cut into by 5 s is itself.
+  double longest_piece(double length) const {
+    double longest = 0.0;
+    for (std::size_t trial = 0; trial < base_.trials.size(); ++trial)
+      longest = std::max(longest, duration_of(base_.trials[trial]) /
+                                      static_cast<double>(lacuna::cut(base_.trials[trial], trial, length).size()));
+    return longest;
+  }
+
   /// What is left once the model has settled, RMS, multiples of the sensor noise; nothing if it cannot.
   std::optional<double> settled(BaseSolution& base) const {
     ShootingProblem problem(predictor_, space_, base.segments, base.noise);
@@ -106,6 +120,7 @@ class Cutter {
   }
 
   const CutTask& task_;
+  const TrialPredictor& plain_;  ///< of what is cut for
   const StartStates& states_;
   const BaseSolution& base_;
   TrialPredictor predictor_;
@@ -154,7 +169,8 @@ BaseSolution cut_trials(const CutTask& task, const Follower& follower) {
     reconstructible = reconstructible && states.reconstructible(trial);
   }
   if (measured) {
-    Cutter cutter(task, follower, states, base);
+    const BaseSolution uncut = base;
+    Cutter cutter(task, follower, predictor, states, uncut);
     base = reconstructible ? cutter.cut_long() : cutter.cut(0.0);
   } else {
     cut_free_runs(task, predictor, states, base);

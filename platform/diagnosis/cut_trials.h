@@ -41,8 +41,8 @@ struct Follower {
 
 /// The trials that are not held out, cut into segments of about `segment` s whose starts are told by the measurements
 /// around them; whole, where an effect has a state that no sensor tells; into blocks of free runs (free_run.h) where
-/// not all positions are measured. Values and states are those of `follower`, settled (base_bench.h) where it chose the
-/// length.
+/// not all positions are measured. Values and states are those of `follower`, settled (base_bench.h) on segments that
+/// are longer than a second.
 ///
 /// The usual length is 5 s, so that slow errors have time to show; 2.5, 1.25 or 1 s where an uncertain start moves the
 /// prediction by far more than the noise (fitting/stages.h), or where the model leaves far more over than on segments

@@ -33,11 +33,12 @@ class EffectSearch {
       : task_(task),
         meter_(task.progress),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
-        plain_(plain(task.experiment, task.catalog, cut_.values,
-                     sufficient_substeps(task.definition, cut_, task.threads))),
-        substeps_for_(cut_.segment),
+        plain_(plain_with(task.resume == nullptr ? sufficient_substeps(task.definition, cut_, task.threads)
+                                                 : task.resume->substeps)),
         contender_(plain_) {
     meter_.set_parts(kRoundParts * kUsualRounds);
+    state_.substeps = plain_.definition.engine.substeps;
+    state_.substeps_for = cut_.segment;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
     const int before = rounds_before();
@@ -65,6 +66,8 @@ class EffectSearch {
   }
 
  private:
+  Contender plain_with(int substeps) const { return plain(task_.experiment, task_.catalog, cut_.values, substeps); }
+
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
@@ -76,19 +79,25 @@ class EffectSearch {
 
   /// Into segments that the contender can follow.
   BaseSolution cut_for_contender() const {
+    if (cut_.free_run) {  // blocks of the same length for all
+      BaseSolution same = cut_;
+      same.values = contender_.values;
+      return same;
+    }
     return cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
                       {contender_.definition, *contender_.model, contender_.values, Moving::if_needed});
   }
 
   /// Errors of the integration grow with the length of the segments.
   void take_substeps_for(const BaseSolution& start) {
-    if (start.segment <= substeps_for_) return;
-    substeps_for_ = start.segment;
+    if (start.segment <= state_.substeps_for) return;
+    state_.substeps_for = start.segment;
     ModelDefinition finest = contender_.definition;
     finest.engine.substeps = task_.definition.engine.substeps;
     const int substeps = sufficient_substeps(finest, start, task_.threads);
-    if (substeps <= plain_.definition.engine.substeps) return;
-    plain_ = plain(task_.experiment, task_.catalog, plain_.values, substeps);
+    if (substeps <= state_.substeps) return;
+    state_.substeps = substeps;
+    plain_ = plain_with(substeps);
     contender_ = with_effects(plain_, contender_.added, contender_.values, task_.catalog);
   }
 
@@ -255,7 +264,7 @@ class EffectSearch {
         fewer_effects({contender_, alternatives(), plain_, *unaided(round), *state_.first, task_.catalog, round,
                        task_.seed, task_.threads});
     if (!fewer) return false;
-    state_.so_far.findings.push_back(to_string(*fewer, contender_.added));
+    state_.enough[names_of(fewer->added)] = to_string(*fewer, contender_.added);
     go_on_with(*fewer);
     return true;
   }
@@ -306,8 +315,7 @@ class EffectSearch {
   const DiagnosisTask& task_;
   ProgressMeter meter_;
   const BaseSolution cut_;
-  Contender plain_;      ///< the experiment's model, with substeps that suffice ...
-  double substeps_for_;  ///< s, ... for segments of this length
+  Contender plain_;  ///< the experiment's model, with substeps that suffice
   Contender contender_;
   SearchState state_;
   std::optional<std::optional<Unaided>> unaided_;  ///< of the round at hand, once it was asked for

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
 constexpr double kUnsure = 5.0;        ///< standard errors of what is lost: less may be a matter of form
-constexpr double kHardly = 0.05;       ///< of it
+constexpr double kHardly = 0.05;       ///< of the answer's gain
 constexpr double kByChance = 2.0;      ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;

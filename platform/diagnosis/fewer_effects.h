@@ -38,10 +38,10 @@ struct FewerEffectsTask {
 /// The search goes forward, under a noise that holds what is not found yet; so two effects may stand where a single
 /// one, which did not lead then, is enough. Under the noise of the answer's own round, each rival of the first step,
 /// each part of the answer and each alternative to its last effect are refitted alone. Of the smallest that lose no
-/// more than a tenth of the answer's gain, or 2 nats, the best is returned, or one with fewer parameters that is at
-/// most a twentieth of that gain behind it: an effect that adds less than that is likelier to make up for the form of
-/// another than to be there, and the next diagnosis, with the others in the model, finds it if it is. Nothing where the
-/// answer has one effect only or needs all of them.
+/// more than a tenth of the answer's gain and five standard errors, or 2 nats, the best is returned, or one with fewer
+/// parameters that is at most a twentieth of that gain behind it: an effect that adds less than that is likelier to
+/// make up for the form of another than to be there, and the next diagnosis, with the others in the model, finds it if
+/// it is. Nothing where the answer has one effect only or needs all of them.
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task);
 
 /// A sentence that begins with the effects that are enough.

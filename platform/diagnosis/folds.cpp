@@ -1,10 +1,16 @@
 #include "diagnosis/folds.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace lacuna {
 namespace {
+
+constexpr double kTold = 1e-12;     ///< of the strongest direction's information
+constexpr double kLeastKept = 0.2;  ///< of a direction's information, without a fold
 
 std::size_t count_of(const Folds& folds) {
   std::size_t count = 1;
@@ -25,6 +31,18 @@ void add_without(std::size_t fold, const RobustSegment& segment, Eigen::VectorXd
   for (Eigen::Index row = 0; row < segment.bins(); ++row)
     if (folds[segment.block_of[static_cast<std::size_t>(row)]] == fold) weights(row) = 0.0;
   add(weighted(segment, weights), normal);
+}
+
+/// Directions that the data tell, each with information 1: values × directions.
+Eigen::MatrixXd told(const Eigen::MatrixXd& gram) {
+  const Eigen::VectorXd unit = gram.diagonal().unaryExpr(
+      [](double information) { return information > 0.0 ? 1.0 / std::sqrt(information) : 0.0; });
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * gram * unit.asDiagonal());
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < eigen.eigenvalues().size(); ++i)
+    if (eigen.eigenvalues()(i) > kTold * eigen.eigenvalues().maxCoeff()) kept.push_back(i);
+  return unit.asDiagonal() * Eigen::MatrixXd(eigen.eigenvectors()(Eigen::all, kept)) *
+         eigen.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace
@@ -50,6 +68,23 @@ Normals normals_of(const std::vector<RobustSegment>& segments, const std::vector
     }
   }
   return normals;
+}
+
+Eigen::MatrixXd least_kept(const Eigen::MatrixXd& all, const Eigen::MatrixXd& without) {
+  const Eigen::MatrixXd directions = told(all);
+  if (directions.cols() == 0) return without;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> kept(directions.transpose() * without * directions);
+  const Eigen::VectorXd lacking = (kLeastKept - kept.eigenvalues().array()).cwiseMax(0.0);
+  if (lacking.maxCoeff() == 0.0) return without;
+  const Eigen::MatrixXd back = all * directions * kept.eigenvectors();
+  return without + back * lacking.asDiagonal() * back.transpose();
+}
+
+Eigen::VectorXd minimum_without(const Normal& all, const Normal& without) {
+  const Eigen::MatrixXd directions = told(all.gram);
+  if (directions.cols() == 0) return Eigen::VectorXd::Zero(all.score.size());
+  const Eigen::MatrixXd kept = directions.transpose() * least_kept(all.gram, without.gram) * directions;
+  return -directions * kept.ldlt().solve(directions.transpose() * without.score);
 }
 
 Eigen::VectorXd held_out(const std::vector<RobustSegment>& segments, const Folds& folds,

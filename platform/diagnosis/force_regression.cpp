@@ -64,7 +64,15 @@ void ForceRegression::leave_to_values() {
   build();
 }
 
-void ForceRegression::build() { normals_ = normals_of(segments_, weights_, *folds_); }
+void ForceRegression::build() {
+  normals_ = normals_of(segments_, weights_, *folds_);
+  if (values_ == 0) return;
+  const Eigen::MatrixXd told = normals_.all.gram.topLeftCorner(values_, values_);
+  for (Normal& without : normals_.without) {
+    auto values = without.gram.topLeftCorner(values_, values_);
+    values = least_kept(told, values);
+  }
+}
 
 bool ForceRegression::settle(const Columns& forces, double ridge) {
   bool changed = false;

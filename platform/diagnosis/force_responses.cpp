@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace lacuna {
@@ -40,7 +41,12 @@ class Pulser {
     const std::vector<Eigen::MatrixXd> with = predictions(TrialPredictor(*model_, std::move(trials), 1));
     if (calm_.empty()) return {};
     std::vector<Eigen::VectorXd> change;
-    for (std::size_t k = 0; k < with.size(); ++k) change.emplace_back((with[k] - calm_[k]) / force);
+    for (std::size_t k = 0; k < with.size(); ++k) {
+      if (with[k].size() == 0 || calm_[k].size() == 0)
+        change.emplace_back(Eigen::VectorXd::Zero(bins_.rows(k)));
+      else
+        change.emplace_back((with[k] - calm_[k]) / force);
+    }
     return change;
   }
 
@@ -62,6 +68,11 @@ class Pulser {
     return force;
   }
 
+  /// Whether all segments can be simulated without force; known once a size was asked for.
+  bool runs() const {
+    return std::all_of(calm_.begin(), calm_.end(), [](const Eigen::MatrixXd& one) { return one.size() > 0; });
+  }
+
  private:
   std::vector<Interval> intervals(std::size_t trial, int number) const {
     std::vector<Interval> found;
@@ -75,6 +86,7 @@ class Pulser {
     return found;
   }
 
+  /// By segment; empty where it cannot be simulated.
   std::vector<Eigen::MatrixXd> predictions(const TrialPredictor& predictor) const {
     std::vector<Eigen::MatrixXd> all;
     Prediction prediction;
@@ -84,13 +96,14 @@ class Pulser {
       for (std::size_t j = 0; j < segment.unknown.size(); ++j)
         set_component(start, segment.unknown[j], point_.states[k](static_cast<Eigen::Index>(j)));
       predictor.predict(segment.stretch, values_, start, 0, prediction);
-      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(segment.rows.size()), 1);
-      if (prediction.valid)
-        for (std::size_t i = 0; i < segment.rows.size(); ++i)
-          rows(static_cast<Eigen::Index>(i), 0) =
-              prediction.samples(segment.rows[i], segment.columns[i]) /
-              problem_.scales()[problem_.place(k, static_cast<Eigen::Index>(i)).channel];
-      all.push_back(bins_.means(k, rows));
+      all.emplace_back();
+      if (!prediction.valid) continue;
+      Eigen::MatrixXd rows(static_cast<Eigen::Index>(segment.rows.size()), 1);
+      for (std::size_t i = 0; i < segment.rows.size(); ++i)
+        rows(static_cast<Eigen::Index>(i), 0) =
+            prediction.samples(segment.rows[i], segment.columns[i]) /
+            problem_.scales()[problem_.place(k, static_cast<Eigen::Index>(i)).channel];
+      all.back() = bins_.means(k, rows);
     }
     return all;
   }
@@ -141,12 +154,16 @@ ForceResponses force_responses(const ModelDefinition& definition, const Shooting
   }
   for (const DisturbedJoint& joint : joints) {
     responses.joints.push_back(joint.joint);
-    Pulser pulser(rough, problem, bins, point, values, joint, responses.width);
-    const double force = pulser.size(residual);
+    auto pulser = std::make_unique<Pulser>(rough, problem, bins, point, values, joint, responses.width);
+    double force = pulser->size(residual);
+    if (!pulser->runs()) {  // coarser steps are too coarse
+      pulser = std::make_unique<Pulser>(definition, problem, bins, point, values, joint, responses.width);
+      force = pulser->size(residual);
+    }
     for (std::size_t k = 0; k < problem.segments().size(); ++k)
       responses.of[k].emplace_back(Eigen::MatrixXd::Zero(bins.rows(k), pulses));
     parallel_for(static_cast<std::size_t>(pulses), threads, [&](std::size_t pulse, int) {
-      const std::vector<Eigen::VectorXd> change = pulser.response(static_cast<int>(pulse), force);
+      const std::vector<Eigen::VectorXd> change = pulser->response(static_cast<int>(pulse), force);
       for (std::size_t k = 0; k < change.size(); ++k)
         responses.of[k].back().col(static_cast<Eigen::Index>(pulse)) = change[k];
     });

@@ -140,6 +140,7 @@ void cut_free_runs(const CutTask& task, const TrialPredictor& predictor, const S
                    BaseSolution& base) {
   base.free_run = true;
   base.values = task.values;
+  base.segment = block_of(task);
   base.bin_widths = widths(task.definition.structure.robot, base.noise);
   for (Segment& run : make_segments(predictor, states, 0.0, task.values)) {
     run.deviation *= kDoubtOfStart;

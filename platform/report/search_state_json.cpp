@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 3;  ///< to be counted up when the state, or the search that follows from it, changes
+constexpr int kFormat = 4;  ///< to be counted up when the state, or the search that follows from it, changes
 
 ordered_json entries_json(const std::vector<EffectEntry>& entries) {
   ordered_json all = ordered_json::array();
@@ -66,6 +66,10 @@ SearchState read_state(const ordered_json& whole) {
   state.tried = whole.at("tried").get<std::set<EffectNames>>();
   for (const ordered_json& one : whole.at("gains"))
     state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
+  for (const ordered_json& one : whole.at("enough"))
+    state.enough[one.at("effects").get<EffectNames>()] = one.at("finding");
+  state.substeps = whole.at("substeps");
+  state.substeps_for = whole.at("substeps_for_s");
   state.base_values = whole.at("base_values").get<std::vector<double>>();
   state.law_leads = whole.at("law_leads");
   state.so_far = read_diagnosis(whole.at("so_far").dump());
@@ -77,6 +81,8 @@ SearchState read_state(const ordered_json& whole) {
 std::string search_state_json(const SearchState& state) {
   ordered_json gains = ordered_json::array();
   for (const auto& [names, gain] : state.gains) gains.push_back({{"effects", names}, {"gain", gain_json(gain)}});
+  ordered_json enough = ordered_json::array();
+  for (const auto& [names, finding] : state.enough) enough.push_back({{"effects", names}, {"finding", finding}});
   Diagnosis first_answer = state.so_far;
   first_answer.ranking = state.first_ranking;
   const ordered_json whole = {{"format", kFormat},
@@ -88,6 +94,9 @@ std::string search_state_json(const SearchState& state) {
                               {"most_effects", state.most_effects},
                               {"tried", state.tried},
                               {"gains", gains},
+                              {"enough", enough},
+                              {"substeps", state.substeps},
+                              {"substeps_for_s", state.substeps_for},
                               {"base_values", state.base_values},
                               {"law_leads", state.law_leads},
                               {"so_far", ordered_json::parse(diagnosis_json(state.so_far))}};

@@ -1,5 +1,6 @@
 #include "diagnosis/cross_validation.h"
 
+#include "diagnosis/force_regression.h"
 #include "diagnosis/synthetic_segments.h"
 
 #include <gtest/gtest.h>
@@ -61,9 +62,8 @@ TEST(CrossValidation, EqualsFitsThatLeaveAFoldOut) {
   }
 }
 
-/// A value that the others tell a millionth as well would go anywhere; the segment that tells it is judged as if a
-/// fifth of what it says had stayed.
-TEST(CrossValidation, AFoldThatTellsAValueAloneIsNoExtrapolation) {
+/// A value that the first segment, which is a fold of its own, tells a million times as well as the others.
+Refit regression_told_by_one() {
   Refit fit = regression(6);
   Eigen::MatrixXd all(kSegments * kRows, 2);
   Eigen::VectorXd residual(kSegments * kRows);
@@ -74,11 +74,41 @@ TEST(CrossValidation, AFoldThatTellsAValueAloneIsNoExtrapolation) {
   }
   const Eigen::VectorXd best = all.householderQr().solve(residual);
   for (RobustSegment& segment : fit.segments) segment.residual -= segment.values * best;
+  return fit;
+}
+
+Folds first_apart() {
   Folds folds = five_folds();
   folds[0] = {5};
+  return folds;
+}
+
+/// Without the first segment the value would go anywhere; it is judged as if a fifth of what it says had stayed.
+TEST(CrossValidation, AFoldThatTellsAValueAloneIsNoExtrapolation) {
+  const Refit fit = regression_told_by_one();
+  const Folds folds = first_apart();
   const double left = fit.segments[0].residual.squaredNorm(), held_out = held_out_deviance(fit, folds)(0);
   EXPECT_GT(held_out, left);
   EXPECT_LT(held_out, 2.0 * left);
+}
+
+TEST(CrossValidation, BesideForcesIsTheSame) {
+  const Refit fit = regression_told_by_one();
+  const Folds folds = first_apart();
+  SeededNoise random(9, 0);
+  std::vector<Eigen::MatrixXd> factors(kSegments, Eigen::MatrixXd::Identity(kRows, kRows)), columns;
+  for (int k = 0; k < kSegments; ++k) columns.push_back(normal(kRows, 3, random));
+  const ForceRegression regression(fit, factors, columns, folds);
+  const Eigen::VectorXd own = held_out_deviance(fit, folds), beside = regression.held_out({});
+  for (Eigen::Index k = 0; k < own.size(); ++k) EXPECT_NEAR(beside(k), own(k), 1e-6 * own(k)) << k;
+}
+
+TEST(CrossValidation, OfValuesThatChangeNothingIsWhatTheyLeave) {
+  Refit fit = regression(6);
+  for (RobustSegment& segment : fit.segments) segment.values.setZero();
+  const Eigen::VectorXd deviance = held_out_deviance(fit, five_folds());
+  for (std::size_t k = 0; k < kSegments; ++k)
+    EXPECT_DOUBLE_EQ(deviance(static_cast<Eigen::Index>(k)), fit.segments[k].residual.squaredNorm());
 }
 
 /// The segments of `fit`, joined to long ones of four blocks each.

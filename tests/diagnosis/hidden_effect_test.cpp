@@ -57,6 +57,9 @@ TEST(FrictionByDirection, IsOneEffectAndNotTwo) {
   EXPECT_EQ(found.effect, "directional_friction");
   EXPECT_NEAR(found.parameters.at(0).value, 0.01, 0.002);
   EXPECT_NEAR(found.parameters.at(1).value, 0.03, 0.002);
+  EXPECT_THAT(diagnosis.findings,
+              testing::Contains(testing::HasSubstr("directional_friction @ joint.hinge alone gains")))
+      << "two effects were found first";
 }
 
 EffectEntry friction_in_model(double torque) {
