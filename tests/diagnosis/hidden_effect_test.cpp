@@ -57,9 +57,18 @@ TEST(FrictionByDirection, IsOneEffectAndNotTwo) {
   EXPECT_EQ(found.effect, "directional_friction");
   EXPECT_NEAR(found.parameters.at(0).value, 0.01, 0.002);
   EXPECT_NEAR(found.parameters.at(1).value, 0.03, 0.002);
-  EXPECT_THAT(diagnosis.findings,
-              testing::Contains(testing::HasSubstr("directional_friction @ joint.hinge alone gains")))
-      << "two effects were found first";
+}
+
+TEST(FrictionByDirection, IsEnoughWhereTwoEffectsWereFoundFirst) {
+  const Diagnosis diagnosis =
+      diagnosed({.inertia = 0.03, .damping = 0.02, .friction = 0.03, .backward = 0.016},
+                {"coulomb_friction", "directional_friction", "joint_offset_torque", "command_offset"});
+  ASSERT_EQ(diagnosis.ranking.at(0).effects.size(), 1u);
+  EXPECT_EQ(diagnosis.ranking.at(0).effects.at(0).effect, "directional_friction");
+  EXPECT_THAT(
+      diagnosis.findings,
+      testing::Contains(testing::HasSubstr(
+          "directional_friction @ joint.hinge alone gains 100.0 % of what coulomb_friction @ joint.hinge and")));
 }
 
 EffectEntry friction_in_model(double torque) {
