@@ -21,6 +21,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # The same numbers from every build of one source: no contraction that depends on inlining.
 add_compile_options(-ffp-contract=off)
+include(processor)
 
 # All plugin libraries of this project: what runs the program depends on them.
 add_custom_target(all_plugins)

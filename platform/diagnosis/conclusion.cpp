@@ -36,13 +36,15 @@ std::vector<RandomForce> random_forces(const Round& round) {
   return forces;
 }
 
+/// That a search through many effects ends with one is no evidence; that it predicts what was left out is.
+bool is_sure(const Gain& gain) { return gain.value > kByChance && gain.lower_95 > 0.0; }
+
 Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const Round& last) {
   const double best = last.rivals.empty() ? 0.0 : last.rivals.front().gain.value;
   const double free = diagnosis.free_force_gain.lower_95;
   const bool is_law = diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best);
   if (is_law && (contender.added.empty() || !answer_is_most(diagnosis))) return Verdict::not_in_library;
-  if (!contender.added.empty())
-    return diagnosis.answer_gain.value > kByChance ? Verdict::effect_found : Verdict::cannot_tell;
+  if (!contender.added.empty()) return is_sure(diagnosis.answer_gain) ? Verdict::effect_found : Verdict::cannot_tell;
   return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
 }
 

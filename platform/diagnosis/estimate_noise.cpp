@@ -1,3 +1,4 @@
+#include "diagnosis/inverse_of_factor.h"
 #include "diagnosis/noise_model.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
@@ -125,10 +126,11 @@ class MarginalLikelihood {
       const auto back = one.factor.matrixL().transpose();
       const Eigen::MatrixXd columns = solver.matrixL().solve(one.columns.transpose()).transpose();
       const Eigen::VectorXd left = back.solve(one.residual - one.columns * sizes);
-      Eigen::MatrixXd weights = one.factor.solve(Eigen::MatrixXd::Identity(left.size(), left.size()));
+      Eigen::MatrixXd weights = inverse_of_factor(one.factor.matrixLLT());
       const Eigen::MatrixXd explained = back.solve(columns);
-      weights.noalias() -= explained * explained.transpose();
-      weights.noalias() -= left * left.transpose();
+      auto half = weights.selfadjointView<Eigen::Lower>();
+      half.rankUpdate(explained, -1.0);
+      half.rankUpdate(left, -1.0);
       by_segment[k] = noise_.slopes(k, weights);
     });
     std::fill(slopes.begin(), slopes.end(), 0.0);

@@ -52,7 +52,7 @@ BaseSolution base_for(const Round& round, const std::vector<Probe>& probes, cons
   if (base.nuisance.empty()) return base;
   const Probe& probe = probes[scores.front().probe];
   const std::vector<Eigen::MatrixXd> response(probe.response.begin(), probe.response.end());
-  if (is_among(response, base.nuisance)) base.nuisance.clear();
+  if (is_among(response, base.nuisance, base.linear)) base.nuisance.clear();
   return base;
 }
 

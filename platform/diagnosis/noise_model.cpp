@@ -69,6 +69,16 @@ Eigen::MatrixXd doubt_shape(const std::vector<RowBins::Bin>& bins, const Eigen::
   return shape;
 }
 
+/// Of symmetric matrices, by their lower halves.
+double trace_of_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  double below = 0.0;
+  for (Eigen::Index column = 0; column + 1 < a.cols(); ++column) {
+    const Eigen::Index rows = a.rows() - column - 1;
+    below += a.col(column).tail(rows).dot(b.col(column).tail(rows));
+  }
+  return 2.0 * below + a.diagonal().dot(b.diagonal());
+}
+
 std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResponses& forces, bool doubtful) {
   using Kind = NoiseComponent::Kind;
   std::map<std::size_t, bool> channels;
@@ -135,7 +145,7 @@ Eigen::VectorXd NoiseModel::slopes(std::size_t k, const Eigen::MatrixXd& weights
   Eigen::VectorXd slopes(static_cast<Eigen::Index>(components_.size()));
   for (std::size_t i = 0; i < components_.size(); ++i)
     slopes(static_cast<Eigen::Index>(i)) =
-        2.0 * std::pow(components_[i].deviation, 2) * weights.cwiseProduct(shapes_[k][i]).sum();
+        2.0 * std::pow(components_[i].deviation, 2) * trace_of_product(weights, shapes_[k][i]);
   return slopes;
 }
 

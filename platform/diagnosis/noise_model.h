@@ -43,7 +43,8 @@ class NoiseModel {
   /// Bins × bins.
   Eigen::MatrixXd covariance(std::size_t k) const;
   std::size_t segments() const { return shapes_.size(); }
-  /// Derivatives of tr(weights · covariance) by the logarithms of the deviations; `weights`: bins × bins, symmetric.
+  /// Derivatives of tr(weights · covariance) by the logarithms of the deviations; `weights`: bins × bins, symmetric, of
+  /// which the lower half is read.
   Eigen::VectorXd slopes(std::size_t k, const Eigen::MatrixXd& weights) const;
 
  private:

@@ -7,18 +7,29 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAlike = 0.02;  ///< share below which a column is another one, scaled
+constexpr double kAlike = 0.08;  ///< share below which a column is another one, scaled and at another size
 
-/// Share of the column's power that the others, without their starts, do not span.
-double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others) {
+/// What a start cannot make up for, of columns of its segment.
+Eigen::MatrixXd beside_start(const Eigen::MatrixXd& state, const Eigen::MatrixXd& columns) {
+  if (state.cols() == 0) return columns;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(state);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(state.rows(), state.cols());
+  return columns - basis * (basis.transpose() * columns);
+}
+
+/// Share of the column's power that the others do not span, starts apart.
+double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
+                    const std::vector<LinearSegment>& segments) {
   const Eigen::Index count = others.front().cols();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd mixed = Eigen::VectorXd::Zero(count);
   double power = 0.0;
   for (std::size_t k = 0; k < column.size(); ++k) {
-    gram += others[k].transpose() * others[k];
-    mixed += others[k].transpose() * column[k].col(0);
-    power += column[k].squaredNorm();
+    const Eigen::MatrixXd own = beside_start(segments[k].state, column[k]);
+    const Eigen::MatrixXd spanned = beside_start(segments[k].state, others[k]);
+    gram += spanned.transpose() * spanned;
+    mixed += spanned.transpose() * own.col(0);
+    power += own.squaredNorm();
   }
   if (power <= 0.0) return 0.0;
   return 1.0 - mixed.dot(gram.completeOrthogonalDecomposition().solve(mixed)) / power;
@@ -26,8 +37,9 @@ double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vecto
 
 }  // namespace
 
-bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others) {
-  return share_beside(column, others) < kAlike;
+bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
+              const std::vector<LinearSegment>& segments) {
+  return share_beside(column, others, segments) < kAlike;
 }
 
 std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const BaseSolution& base, const RowBins& bins,
@@ -36,7 +48,7 @@ std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const Bas
   if (timing.empty()) return timing;
   std::vector<Eigen::MatrixXd> values;
   for (const LinearSegment& segment : base.linear) values.push_back(segment.values);
-  if (values.front().cols() > 0 && is_among(timing, values)) timing.clear();
+  if (values.front().cols() > 0 && is_among(timing, values, base.linear)) timing.clear();
   return timing;
 }
 

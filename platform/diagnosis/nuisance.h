@@ -7,8 +7,10 @@
 
 namespace lacuna {
 
-/// Whether a column, by segment, is what the others make up, but for a fiftieth of its power. Starts are not counted.
-bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others);
+/// Whether a column, by segment, is what the others make up together with the starts of `segments`, but for a
+/// twelfth of the power that the starts leave it: from the middle of a trial on, a late reading is a late command.
+bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
+              const std::vector<LinearSegment>& segments);
 
 /// The timing of commands (timing.h), unless the model has a value that does the same; empty then. `base`: linearised.
 std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const BaseSolution& base, const RowBins& bins,

@@ -1,6 +1,7 @@
 #include "diagnosis/probe.h"
 
 #include "diagnosis/data_scales.h"
+#include "diagnosis/rough_predictor.h"
 #include "fitting/rms_of_parts.h"
 
 #include <algorithm>
@@ -28,13 +29,14 @@ constexpr double kSame = 1e-9;                    ///< of the sensor noise
 /// Simulates a hypothesis at the base's solution, on some of its segments.
 class Bench {
  public:
-  Bench(const Hypothesis& hypothesis, const BaseSolution& base, std::vector<std::size_t> segments)
+  /// `predictor`: of the hypothesis's model.
+  Bench(const Hypothesis& hypothesis, const TrialPredictor& predictor, const BaseSolution& base,
+        std::vector<std::size_t> segments)
       : hypothesis_(hypothesis),
         base_(base),
-        predictor_(*hypothesis.model, base.trials, 1),
         space_(hypothesis.definition.free),
         segments_(std::move(segments)),
-        problem_(predictor_, space_, chosen(base), base.noise) {}
+        problem_(predictor, space_, chosen(base), base.noise) {}
 
   const ParameterSpace& space() const { return space_; }
   bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
@@ -55,7 +57,6 @@ class Bench {
 
   const Hypothesis& hypothesis_;
   const BaseSolution& base_;
-  TrialPredictor predictor_;
   ParameterSpace space_;
   std::vector<std::size_t> segments_;
   std::vector<Eigen::VectorXd> states_;
@@ -88,13 +89,18 @@ std::vector<std::size_t> ladder_segments(const BaseSolution& base) {
 /// How far a parameter must go from its neutral value to matter.
 class Ladder {
  public:
-  Ladder(const Hypothesis& hypothesis, const BaseSolution& base)
+  /// `rough`: with coarser steps, of which changes need no more; null: there is none.
+  Ladder(const Hypothesis& hypothesis, const TrialPredictor& predictor, const TrialPredictor* rough,
+         const BaseSolution& base)
       : hypothesis_(hypothesis),
-        bench_(hypothesis, base, ladder_segments(base)),
+        bench_(hypothesis, predictor, base, ladder_segments(base)),
         may_jump_(base.free_run),
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
     residual_ = std::max(1.0, rms_of_parts(calm_));
+    if (rough == nullptr) return;
+    rough_.emplace(hypothesis, *rough, base, ladder_segments(base));
+    if (!rough_->residuals(hypothesis_.neutral, rough_calm_)) rough_.reset();
   }
 
   bool valid() const { return valid_; }
@@ -181,8 +187,9 @@ class Ladder {
   std::optional<double> changed_by(std::size_t i, double way) {
     std::vector<double> own = others_;
     own[i] = value(i, way);
-    if (!bench_.residuals(own, moved_)) return std::nullopt;
-    for (std::size_t k = 0; k < calm_.size(); ++k) moved_[k] -= calm_[k];
+    const std::vector<Eigen::VectorXd>& calm = rough_ ? rough_calm_ : calm_;
+    if (!(rough_ ? *rough_ : bench_).residuals(own, moved_)) return std::nullopt;
+    for (std::size_t k = 0; k < calm.size(); ++k) moved_[k] -= calm[k];
     return rms_of_parts(moved_);
   }
 
@@ -198,13 +205,14 @@ class Ladder {
 
   const Hypothesis& hypothesis_;
   Bench bench_;
+  std::optional<Bench> rough_;
   double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
   double direction_ = 1.0;  ///< of the way that is climbed: up or down
   bool is_enough_ = false;  ///< the size that was found last
   bool may_jump_;           ///< a foot that just touches leaves the ground at the smallest tilt
   std::vector<double> others_;
   bool valid_ = false;
-  std::vector<Eigen::VectorXd> calm_, moved_;
+  std::vector<Eigen::VectorXd> calm_, rough_calm_, moved_;
 };
 
 /// Each parameter that matters by itself; the others go to `shapes`. Whether any matters as much as the residual does.
@@ -283,11 +291,13 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
 
 std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
                                const std::map<std::string, double>& scales) {
-  Ladder ladder(hypothesis, base);
+  const TrialPredictor predictor(*hypothesis.model, base.trials, 1);
+  const RoughPredictor rough(hypothesis.definition, base, 1);
+  Ladder ladder(hypothesis, predictor, rough.predictor(), base);
   if (!ladder.valid()) return {};
   std::vector<Probe> probes = sized_probes(ladder, hypothesis, scales);
   if (probes.empty()) return {};
-  Bench bench(hypothesis, base, all_segments(base));
+  Bench bench(hypothesis, predictor, base, all_segments(base));
   std::vector<Eigen::VectorXd> calm, moved;
   if (ladder.starts_at_base(base, bins)) {
     for (const LinearSegment& segment : base.linear) calm.push_back(segment.residual);

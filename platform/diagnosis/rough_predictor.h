@@ -8,7 +8,7 @@
 
 namespace lacuna {
 
-/// Coarser steps, for simulations whose differences alone are wanted: derivatives and pulses of a force. Both
+/// Coarser steps, for simulations whose differences alone are wanted: derivatives, pulses of a force, sizes. Both
 /// sides of a difference have the same error of integration, and what stays of it is to the difference as that error is
 /// to the prediction.
 EngineSettings for_differences(EngineSettings engine);

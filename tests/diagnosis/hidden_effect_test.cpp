@@ -8,8 +8,9 @@
 namespace lacuna {
 namespace {
 
-/// `present`: what the model has already.
-Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {}) {
+/// `present`: what the model has already; `segment`: s, 0 for the usual length.
+Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {},
+                    double segment = 0.0) {
   Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
   experiment.engine.step = 0.01;
   experiment.engine.substeps = 8;
@@ -26,6 +27,7 @@ Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& 
                    .trials = trials,
                    .values = definition.start_values(),
                    .among = among,
+                   .segment = segment,
                    .threads = 2});
 }
 
@@ -41,7 +43,8 @@ TEST(Limits, OfAMotorAreFoundFromFarAbove) {
 
 /// No segment but the first begins at rest: what the sensor shows there happened before.
 TEST(SensorDelay, IsFoundInSegmentsThatBeginInTheMiddle) {
-  const Diagnosis diagnosis = diagnosed({.inertia = 0.03, .damping = 0.02, .lateness = 0.008}, {"sensor_delay"});
+  const Diagnosis diagnosis =
+      diagnosed({.inertia = 0.03, .damping = 0.02, .lateness = 0.008}, {"sensor_delay"}, {}, 3.0);
   ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
   EXPECT_NEAR(diagnosis.ranking.at(0).effects.at(0).parameters.at(0).value, 0.008, 0.0005);
 }
@@ -60,9 +63,8 @@ TEST(FrictionByDirection, IsOneEffectAndNotTwo) {
 }
 
 TEST(FrictionByDirection, IsEnoughWhereTwoEffectsWereFoundFirst) {
-  const Diagnosis diagnosis =
-      diagnosed({.inertia = 0.03, .damping = 0.02, .friction = 0.03, .backward = 0.016},
-                {"coulomb_friction", "directional_friction", "joint_offset_torque", "command_offset"});
+  const Diagnosis diagnosis = diagnosed({.inertia = 0.03, .damping = 0.02, .friction = 0.03, .backward = 0.012},
+                                        {"coulomb_friction", "directional_friction", "joint_offset_torque"});
   ASSERT_EQ(diagnosis.ranking.at(0).effects.size(), 1u);
   EXPECT_EQ(diagnosis.ranking.at(0).effects.at(0).effect, "directional_friction");
   EXPECT_THAT(

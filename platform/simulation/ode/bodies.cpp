@@ -33,15 +33,35 @@ double largest(const double* vector) {
 
 }  // namespace
 
-void set_motion(dBodyID body, const BodyState& s) {
-  // dBodySetQuaternion normalises, which changes the last bits of what was normalised before. So the quaternion goes
-  // where ODE keeps it, with the rotation ODE makes of it.
-  auto* quaternion = const_cast<dReal*>(dBodyGetQuaternion(body));
-  std::copy_n(s.begin() + 3, 4, quaternion);
-  dQtoR(quaternion, const_cast<dReal*>(dBodyGetRotation(body)));
-  dBodySetPosition(body, s[0], s[1], s[2]);  // also tells the body's shapes that it has moved
-  dBodySetLinearVel(body, s[7], s[8], s[9]);
-  dBodySetAngularVel(body, s[10], s[11], s[12]);
+void set_motion(dBodyID body, const Pose& pose, const BodyState& s) {
+  std::copy_n(s.begin(), 3, const_cast<double*>(pose.position));
+  set_orientation(pose, {s[3], s[4], s[5], s[6]});
+  std::copy_n(s.begin() + 7, 3, const_cast<double*>(pose.velocity));
+  std::copy_n(s.begin() + 10, 3, const_cast<double*>(pose.angular_velocity));
+  tell_shapes(body, pose);
+}
+
+void set_orientation(const Pose& pose, const Eigen::Quaterniond& q) {
+  // dBodySetQuaternion normalises, which changes the last bits of what was normalised before. So everything goes where
+  // ODE keeps it, and the rotation is that of dQtoR, bit for bit.
+  auto* quaternion = const_cast<double*>(pose.quaternion);
+  quaternion[0] = q.w(), quaternion[1] = q.x(), quaternion[2] = q.y(), quaternion[3] = q.z();
+  auto* rotation = const_cast<double*>(pose.rotation);
+  const double xx = 2.0 * q.x() * q.x(), yy = 2.0 * q.y() * q.y(), zz = 2.0 * q.z() * q.z();
+  rotation[0] = 1.0 - yy - zz;
+  rotation[1] = 2.0 * (q.x() * q.y() - q.w() * q.z());
+  rotation[2] = 2.0 * (q.x() * q.z() + q.w() * q.y());
+  rotation[4] = 2.0 * (q.x() * q.y() + q.w() * q.z());
+  rotation[5] = 1.0 - xx - zz;
+  rotation[6] = 2.0 * (q.y() * q.z() - q.w() * q.x());
+  rotation[8] = 2.0 * (q.x() * q.z() - q.w() * q.y());
+  rotation[9] = 2.0 * (q.y() * q.z() + q.w() * q.x());
+  rotation[10] = 1.0 - xx - yy;
+}
+
+void tell_shapes(dBodyID body, const Pose& pose) {
+  if (dBodyGetFirstGeom(body) == nullptr) return;
+  dBodySetPosition(body, pose.position[0], pose.position[1], pose.position[2]);
 }
 
 void Bodies::create(dWorldID world, const RobotSpec& robot) {
@@ -95,10 +115,10 @@ void Bodies::save(simulation::StateWriter& writer) const {
 }
 
 void Bodies::load(simulation::StateReader& reader) {
-  for (const dBodyID body : ids_) {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
     BodyState state{};
     reader.get(state);
-    set_motion(body, state);
+    set_motion(ids_[i], poses_[i], state);
   }
 }
 
@@ -118,7 +138,7 @@ void Bodies::hold() {
 void Bodies::take_back() {
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const auto& [motion, force, torque] = held_[i];
-    set_motion(ids_[i], motion);
+    set_motion(ids_[i], poses_[i], motion);
     dBodySetForce(ids_[i], force[0], force[1], force[2]);
     dBodySetTorque(ids_[i], torque[0], torque[1], torque[2]);
   }

@@ -40,8 +40,13 @@ struct Pose {
 inline constexpr std::size_t kDoublesPerBody = 13;
 using BodyState = std::array<double, kDoublesPerBody>;
 
-/// Gives a body exactly this motion; the quaternion must be a unit one.
-void set_motion(dBodyID body, const BodyState& state);
+/// Gives a body exactly this motion; the quaternion must be a unit one. `pose`: the body's.
+void set_motion(dBodyID body, const Pose& pose, const BodyState& state);
+
+/// Gives a body's orientation, a unit quaternion, and the rotation that ODE makes of it. Its shapes do not know yet.
+void set_orientation(const Pose& pose, const Eigen::Quaterniond& orientation);
+/// Tells a body's shapes that its pose has been changed.
+void tell_shapes(dBodyID body, const Pose& pose);
 
 /// A robot's bodies in an ODE world. ODE's body frame is the spec's, moved to the centre of mass.
 class Bodies {

@@ -148,7 +148,7 @@ void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contac
   else
     step_world(contact);
   check_bodies();
-  read_forces();
+  if (needs_.measure_joints) read_forces();
   joints_.update();
   ground_.collide(ground_.slope());
 }
@@ -156,10 +156,12 @@ void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contac
 void Mechanism::step_world(const ContactSpec& contact) {
   if (contact.slope != ground_.slope()) ground_.collide(contact.slope);
   bodies_.hold();
-  if (solve_world(contact)) return;
-  bodies_.take_back();
-  ground_.break_ties();
-  if (!solve_world(contact)) throw Error(std::string("ODE could not solve the step: ") + complaint());
+  if (!solve_world(contact)) {
+    bodies_.take_back();
+    ground_.break_ties();
+    if (!solve_world(contact)) throw Error(std::string("ODE could not solve the step: ") + complaint());
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) row_velocities_[i] = joints_.row_velocity(i);
 }
 
 bool Mechanism::solve_world(const ContactSpec& contact) {
@@ -187,6 +189,7 @@ void Mechanism::step_robot() {
   }
   for (const MotorRow& servo : servos_) add(servo);
   const std::span<const double> velocities = robot_step_->advance(laws_, joints_.velocities());
+  std::copy(velocities.begin(), velocities.end(), row_velocities_.begin());
   if (!needs_.measure_joints) return;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].friction.exists()) rows_[i].friction.settle(velocities[i]);
@@ -234,8 +237,6 @@ void Mechanism::check_bodies() const {
 
 void Mechanism::read_forces() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    row_velocities_[i] = joints_.row_velocity(i);
-    if (!needs_.measure_joints) continue;
     const CoordinateRows& rows = rows_[i];
     law_forces_[i] = rows.force;
     if (rows.impedance.exists()) law_forces_[i] += rows.resistance * (rows.target - row_velocities_[i]);

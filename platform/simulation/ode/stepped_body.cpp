@@ -7,6 +7,11 @@ namespace {
 
 constexpr double kParallel = 1e-24;  ///< square of a sine: a momentum that is turned by less is not turned
 
+/// What ODE keeps at a place, to be changed there.
+Eigen::Map<Eigen::Vector3d> written(const double* place) {
+  return Eigen::Map<Eigen::Vector3d>(const_cast<double*>(place));
+}
+
 }  // namespace
 
 SteppedBody::SteppedBody(dBodyID body, const Pose& pose, const BodySpec& spec)
@@ -18,12 +23,18 @@ SteppedBody::SteppedBody(dBodyID body, const Pose& pose, const BodySpec& spec)
 void SteppedBody::move(const Eigen::Vector3d& v, const Eigen::Vector3d& w, double step) const {
   const Eigen::Quaterniond before = pose_.q();
   const Eigen::Quaterniond rate = Eigen::Quaterniond(0.0, w.x(), w.y(), w.z()) * before;
-  const Eigen::Quaterniond after(Eigen::Vector4d(before.coeffs() + 0.5 * step * rate.coeffs()).normalized());
-  const Eigen::Vector3d x = pose_.x() + step * v;
-  set_motion(body_, {x.x(), x.y(), x.z(), after.w(), after.x(), after.y(), after.z(), v.x(), v.y(), v.z(), w.x(), w.y(),
-                     w.z()});
-  dBodySetForce(body_, 0.0, 0.0, 0.0);
-  dBodySetTorque(body_, 0.0, 0.0, 0.0);
+  set_orientation(pose_,
+                  Eigen::Quaterniond(Eigen::Vector4d(before.coeffs() + 0.5 * step * rate.coeffs()).normalized()));
+  written(pose_.angular_velocity) = w;
+  move(v, step);
+}
+
+void SteppedBody::move(const Eigen::Vector3d& v, double step) const {
+  written(pose_.position) += step * v;
+  written(pose_.velocity) = v;
+  written(force_).setZero();
+  written(torque_).setZero();
+  tell_shapes(body_, pose_);
 }
 
 Eigen::Vector3d turned_momentum(const Eigen::Vector3d& angular_velocity, const Eigen::Matrix3d& inertia, double step) {

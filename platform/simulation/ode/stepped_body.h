@@ -23,6 +23,8 @@ class SteppedBody {
 
   /// Moves the body for a step at this velocity, in the world; what was gathered has been used.
   void move(const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity, double step) const;
+  /// The same of a body that does not turn.
+  void move(const Eigen::Vector3d& velocity, double step) const;
 
  private:
   dBodyID body_;

@@ -3,6 +3,7 @@
 #include "foundation/address.h"
 #include "foundation/problem.h"
 #include "simulation/shared/joint_tree.h"
+#include "simulation/shared/sensor_bank.h"
 
 #include <Eigen/Cholesky>
 
@@ -111,10 +112,6 @@ void check_actuators(const RobotSpec& robot, ProblemList& problems) {
       problems.add({}, where + "its command_lower is above its command_upper");
     if (const std::string complaint = gap_complaint(actuator); !complaint.empty()) problems.add({}, complaint);
   }
-}
-
-bool reads_joint(SensorKind kind) {
-  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
 }
 
 void check_sensors(const RobotSpec& robot, ProblemList& problems) {

@@ -10,10 +10,6 @@
 namespace lacuna::simulation {
 namespace {
 
-bool reads_joint(SensorKind kind) {
-  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
-}
-
 bool reads_motion_of_body(SensorKind kind) {
   return !reads_joint(kind) && kind != SensorKind::touch && kind != SensorKind::contact_force;
 }

@@ -12,6 +12,11 @@
 
 namespace lacuna::simulation {
 
+/// Whether sensors of that kind belong to a joint; the others belong to a body.
+inline bool reads_joint(SensorKind kind) {
+  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
+}
+
 /// What sensors read besides the `StepView`.
 struct SensedForces {
   std::span<const double> joint_forces;             ///< per coordinate, of the last step
