@@ -83,11 +83,14 @@ struct Diagnosis {
   double base_segment = 0.0;  ///< s, of the segments that `base` is about; 0: whole trials
   std::vector<RandomForce> forces;
   std::vector<RankedModel> ranking;  ///< the first is the answer; empty: nothing is better than the base
-  double p_by_chance = 1.0;          ///< how often noise alone reaches the first round's best score
-  double chance_95 = 0.0;            ///< nats, of the first round
-  double free_force_p = 1.0;         ///< whether a force of any form still explains more than noise, after the answer
-  Gain free_force_gain;              ///< of that force, over the answer
-  Gain answer_gain;  ///< of the answer over the model without any effect, in the noise of `free_force_gain`
+  /// The model's own free values, by address, fitted beside the answer under the estimated noise; empty where no
+  /// verdict says that the model is right with it.
+  std::vector<FoundParameter> values;
+  double p_by_chance = 1.0;   ///< how often noise alone reaches the first round's best score
+  double chance_95 = 0.0;     ///< nats, of the first round
+  double free_force_p = 1.0;  ///< whether a force of any form still explains more than noise, after the answer
+  Gain free_force_gain;       ///< of that force, over the answer
+  Gain answer_gain;           ///< of the answer over the model without any effect, in the noise of `free_force_gain`
   std::vector<ForceCurve> residual_force;  ///< that force, where it explains more than noise
   std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
   bool formulas_of_rest = false;         ///< for what the answer leaves, under its noise; else for what the model lacks

@@ -6,6 +6,8 @@
 #include "diagnosis/feedback_bias.h"
 #include "diagnosis/propose_test.h"
 #include "diagnosis/segment_lengths.h"
+#include "diagnosis/selection.h"
+#include "diagnosis/steady_fit.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +32,7 @@ class EndedSearch {
     if (is_answer() && enough != ending_.state.enough.end()) result_.findings.push_back(enough->second);
     if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();
     if (is_answer()) look_at_answer();
+    if (is_answer() || result_.verdict == Verdict::nothing_missing) state_values();
     look_for_feedback();
     tell_probability(result_, steady_, !ending_.cut.free_run);
   }
@@ -86,6 +89,14 @@ class EndedSearch {
     if (!verdict.survives) result_.probability *= kUnsteady;
     steady_ = verdict.survives;
     result_.findings.insert(result_.findings.end(), verdict.findings.begin(), verdict.findings.end());
+  }
+
+  /// Of the answer's effects and the model beside them, without the integrator's error.
+  void state_values() {
+    const Contender& answer = ending_.answer;
+    const Refit steady = steady_fit(answer, ending_.last, ending_.cut.trials, task_.threads);
+    result_.values = own_values(answer.added, answer.definition, steady);
+    if (is_answer()) result_.ranking.front().effects = found_effects(answer.added, answer.definition, steady);
   }
 
   /// The test that would tell the answer from what looks most like it.

@@ -43,6 +43,24 @@ bool explains_structure(const Round& round, const Rival& rival) {
   return round.free_force.p < kFreeForceLevel && rival.gain.lower_95 > 0.0;
 }
 
+std::string prefix_of(const EffectEntry& entry) { return "effect." + entry.id + "."; }
+
+/// A free value and its interval, which has no ends at a bound and where the data tell nothing.
+FoundParameter fitted(const ModelDefinition& definition, const Refit& fit, std::size_t value, const std::string& name) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  const ParameterSpace space(definition.free);
+  const auto j = static_cast<Eigen::Index>(value);
+  FoundParameter parameter{name, definition.free[value].unit, fit.values[value], kNothing, kNothing};
+  const double deviation = std::sqrt(fit.covariance(j, j));
+  const double at = space.to_coordinate(j, fit.values[value]);
+  const double untold = (space.upper()(j) - space.lower()(j)) / std::sqrt(12.0);  // anywhere within its bounds
+  if (!fit.at_bound[value] && deviation > 0.0 && deviation < kSaysSomething * untold) {
+    parameter.lower_95 = space.to_value(j, std::max(space.lower()(j), at - kBeyond * deviation));
+    parameter.upper_95 = space.to_value(j, std::min(space.upper()(j), at + kBeyond * deviation));
+  }
+  return parameter;
+}
+
 }  // namespace
 
 std::optional<std::size_t> choose(const Round& round, double level) {
@@ -74,29 +92,28 @@ std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std
 
 std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
                                        const Refit& fit) {
-  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  const ParameterSpace space(definition.free);
   std::vector<FoundEffect> effects;
   for (const EffectEntry& entry : added) {
     FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
-    const std::string prefix = "effect." + entry.id + ".";
-    for (std::size_t i = 0; i < definition.free.size(); ++i) {
-      const FreeValue& free = definition.free[i];
-      if (!free.address.starts_with(prefix)) continue;
-      const auto j = static_cast<Eigen::Index>(i);
-      FoundParameter parameter{free.address.substr(prefix.size()), free.unit, fit.values[i], kNothing, kNothing};
-      const double deviation = std::sqrt(fit.covariance(j, j));
-      const double at = space.to_coordinate(j, fit.values[i]);
-      const double untold = (space.upper()(j) - space.lower()(j)) / std::sqrt(12.0);  // anywhere within its bounds
-      if (!fit.at_bound[i] && deviation > 0.0 && deviation < kSaysSomething * untold) {
-        parameter.lower_95 = space.to_value(j, std::max(space.lower()(j), at - kBeyond * deviation));
-        parameter.upper_95 = space.to_value(j, std::min(space.upper()(j), at + kBeyond * deviation));
-      }
-      effect.parameters.push_back(parameter);
-    }
+    const std::string prefix = prefix_of(entry);
+    for (std::size_t i = 0; i < definition.free.size(); ++i)
+      if (definition.free[i].address.starts_with(prefix))
+        effect.parameters.push_back(fitted(definition, fit, i, definition.free[i].address.substr(prefix.size())));
     effects.push_back(std::move(effect));
   }
   return effects;
+}
+
+std::vector<FoundParameter> own_values(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
+                                       const Refit& fit) {
+  std::vector<FoundParameter> values;
+  for (std::size_t i = 0; i < definition.free.size(); ++i) {
+    const std::string& address = definition.free[i].address;
+    const bool is_own = std::none_of(added.begin(), added.end(),
+                                     [&](const EffectEntry& entry) { return address.starts_with(prefix_of(entry)); });
+    if (is_own) values.push_back(fitted(definition, fit, i, address));
+  }
+  return values;
 }
 
 Gain sum(const Gain& a, const Gain& b) {

@@ -27,6 +27,10 @@ std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std
 std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
                                        const Refit& fit);
 
+/// A model's own free values with intervals, by address: all but those of added effects.
+std::vector<FoundParameter> own_values(const std::vector<EffectEntry>& added, const ModelDefinition& definition,
+                                       const Refit& fit);
+
 /// Gains of two steps, one after the other.
 Gain sum(const Gain& a, const Gain& b);
 

@@ -7,11 +7,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
+ordered_json by_name(const std::vector<FoundParameter>& parameters) {
+  ordered_json object = ordered_json::object();
+  for (const FoundParameter& one : parameters)
+    object[one.name] = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
+  return object;
+}
+
 ordered_json document(const FoundEffect& effect) {
-  ordered_json parameters = ordered_json::object();
-  for (const FoundParameter& one : effect.parameters)
-    parameters[one.name] = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
-  return {{"effect", effect.effect}, {"where", effect.where}, {"parameters", parameters}};
+  return {{"effect", effect.effect}, {"where", effect.where}, {"parameters", by_name(effect.parameters)}};
 }
 
 ordered_json by_channel(const std::vector<ChannelError>& errors, double ChannelError::*figure) {
@@ -110,6 +114,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
         {"ratio_to_floor", diagnosis.base_times_floor},
         {"segment_s", diagnosis.base_segment}}},
       {"ranking", list(diagnosis.ranking)},
+      {"values", by_name(diagnosis.values)},
       {"segment_lengths", list(diagnosis.lengths)},
       {"p_by_chance", diagnosis.p_by_chance},
       {"chance_95", diagnosis.chance_95},

@@ -41,12 +41,15 @@ std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_jso
   return errors;
 }
 
+std::vector<FoundParameter> parameters_of(const ordered_json& json) {
+  std::vector<FoundParameter> all;
+  for (const auto& [name, one] : json.items())
+    all.push_back({name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
+  return all;
+}
+
 FoundEffect effect_of(const ordered_json& json) {
-  FoundEffect effect{json["effect"], json["where"], {}};
-  for (const auto& [name, one] : json["parameters"].items())
-    effect.parameters.push_back(
-        {name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
-  return effect;
+  return {json["effect"], json["where"], parameters_of(json["parameters"])};
 }
 
 RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
@@ -95,6 +98,7 @@ Diagnosis read_diagnosis(const std::string& document) {
   for (const ordered_json& one : whole["random_forces"])
     diagnosis.forces.push_back({one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"])});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
+  diagnosis.values = parameters_of(whole.value("values", ordered_json::object()));
   for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
     diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
     for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));

@@ -33,14 +33,17 @@ std::string names_text(const RankedModel& model) {
   return fmt::format("{}", fmt::join(names, " + "));
 }
 
+std::string parameters_text(const std::vector<FoundParameter>& parameters) {
+  std::vector<std::string> texts;
+  for (const FoundParameter& one : parameters) texts.push_back(parameter_text(one));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 /// The answer's effects with their values, and what these data do not tell from the last of them.
 std::string answer_text(const RankedModel& answer) {
   std::string text;
-  for (const FoundEffect& effect : answer.effects) {
-    std::vector<std::string> values;
-    for (const FoundParameter& one : effect.parameters) values.push_back(parameter_text(one));
-    text += fmt::format("   {}: {}\n", effect.effect, fmt::join(values, ", "));
-  }
+  for (const FoundEffect& effect : answer.effects)
+    text += fmt::format("   {}: {}\n", effect.effect, parameters_text(effect.parameters));
   if (!answer.look_alikes.empty())
     text += fmt::format("   not told apart from it here: {}\n", fmt::join(answer.look_alikes, ", "));
   return text;
@@ -118,6 +121,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
   text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
                       diagnosis.free_force_p);
   text += noise_text(diagnosis);
+  if (!diagnosis.values.empty()) text += fmt::format("values: {}\n", parameters_text(diagnosis.values));
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);
   if (!diagnosis.next_test.empty()) text += fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);

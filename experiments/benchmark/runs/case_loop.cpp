@@ -11,8 +11,9 @@ void note_held_out(const char* stage, const Comparison& comparison, CaseResult& 
   for (const NamedValue& one : comparison.held_out) result.held_out.push_back({stage, one.name, one.value});
 }
 
-void note_free_values(const CaseTask& task, const Comparison& comparison, CaseResult& result) {
-  for (const IntervalRecord& value : comparison.values) {
+/// As the last diagnosis states them.
+void note_free_values(const CaseTask& task, CaseResult& result) {
+  for (const IntervalRecord& value : result.diagnoses.back().values) {
     const auto known = std::find_if(task.free_values.begin(), task.free_values.end(),
                                     [&](const NamedValue& one) { return one.name == value.parameter; });
     if (known != task.free_values.end()) result.free_values.push_back({value, known->value});
@@ -48,7 +49,7 @@ void use_program(const CaseTask& task, const ProgramSettings& settings, UserSess
   const bool changed = !result.diagnoses.front().added.empty();
   const Comparison last = changed ? session.compare() : base;
   note_held_out("found", last, result);
-  note_free_values(task, last, result);
+  note_free_values(task, result);
 }
 
 }  // namespace

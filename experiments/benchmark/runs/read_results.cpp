@@ -72,6 +72,7 @@ DiagnosisRecord read_diagnosis(const std::string& json) {
     record.json = json;
     record.next_test = document.value("next_test", "");
     for (const ordered_json& model : document.at("ranking")) record.ranking.push_back(model_of(model));
+    for (const auto& [name, one] : document.at("values").items()) record.values.push_back(interval_of(name, one));
     return record;
   });
 }
@@ -84,8 +85,6 @@ ReadComparison read_comparison(const std::string& json) {
       const bool whole = score.at("failed_trials").get<int>() == 0;
       comparison.held_out.push_back({score.at("channel"), whole ? number(score.at("rmse")) : kUnknown});
     }
-    for (const ordered_json& value : document.at("fit").at("values"))
-      comparison.values.push_back(interval_of(value.at("address"), value));
     return comparison;
   });
 }

@@ -12,8 +12,7 @@ DiagnosisRecord read_diagnosis(const std::string& json);
 
 /// What `lacuna compare --json` wrote.
 struct ReadComparison {
-  std::vector<NamedValue> held_out;    ///< RMSE by channel over the held-out trials; NaN where one was not simulated
-  std::vector<IntervalRecord> values;  ///< fitted, by address
+  std::vector<NamedValue> held_out;  ///< RMSE by channel over the held-out trials; NaN where one was not simulated
 };
 ReadComparison read_comparison(const std::string& json);
 

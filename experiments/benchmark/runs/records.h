@@ -68,7 +68,8 @@ struct DiagnosisRecord {
   std::string json;
   std::string next_test;  ///< that would tell the answer from its closest look-alike; empty: none is proposed
   std::vector<RankedModelRecord> ranking;
-  std::vector<EffectAt> added;  ///< to the model because of it
+  std::vector<IntervalRecord> values;  ///< of the model's own, beside the answer
+  std::vector<EffectAt> added;         ///< to the model because of it
 };
 
 /// RMSE of a free run over the held-out trials, by channel.

@@ -106,7 +106,7 @@ CREATE TABLE IF NOT EXISTS added_effect (
 ) STRICT;
 
 -- 95 % intervals: of parameters of the first ranked model (round ≥ 1, effect and place named), and of the free values
--- that the last model was fitted with (round 0, effect and place empty).
+-- as the last diagnosis states them (round 0, effect and place empty).
 CREATE TABLE IF NOT EXISTS interval (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,

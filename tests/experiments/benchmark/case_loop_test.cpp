@@ -32,6 +32,7 @@ esac
 
 std::string answer(const std::string& verdict, const std::string& effects) {
   return R"({"verdict": ")" + verdict + R"(", "probability": 0.9, "p_by_chance": 0.01, "seconds": 2,
+      "values": {"body.arm.mass": {"value": 1.0, "ci95": [0.9, 1.1]}},
       "base": {"ratio_to_floor": 3}, "ranking": [{"probability": 0.9, "gain": 10, "ratio_to_floor": 1, "class": [],
       "effects": [)" +
          effects + "]}]}";
@@ -45,7 +46,7 @@ class CaseLoop : public testing::Test {
   CaseLoop() {
     std::filesystem::permissions(folder_.write("lacuna", kProgram), std::filesystem::perms::owner_all);
     folder_.write("comparison.json", R"({"pooled": [{"channel": "angle", "held_out": true, "failed_trials": 0,
-        "rmse": 0.2}], "fit": {"values": [{"address": "body.arm.mass", "value": 1.0, "ci95": [0.9, 1.1]}]}})");
+        "rmse": 0.2}]})");
     folder_.write("effects.json", R"({"components": [{"kind": "effect", "name": "joint_spring"},
         {"kind": "metric", "name": "rmse"}, {"kind": "effect", "name": "restitution"},
         {"kind": "effect", "name": "mount_tilt"}]})");

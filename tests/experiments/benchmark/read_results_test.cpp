@@ -28,6 +28,7 @@ TEST(ReadDiagnosis, TakesWhatTheProgramWrites) {
   model.look_alikes = {"joint_offset_torque @ joint.hinge", "mount_tilt @ world"};
   model.gain.value = 40.0;
   diagnosis.ranking = {model};
+  diagnosis.values = {{"body.arm.mass", "kg", 1.0, 0.9, kNone}};
 
   const DiagnosisRecord record = read_diagnosis(lacuna::diagnosis_json(diagnosis));
   EXPECT_EQ(record.verdict, "effect_found");
@@ -42,6 +43,9 @@ TEST(ReadDiagnosis, TakesWhatTheProgramWrites) {
   EXPECT_TRUE(std::isnan(first.effects.at(1).parameters.at(0).lower));
   EXPECT_EQ(first.look_alikes.at(0), (EffectAt{"joint_offset_torque", "joint.hinge"}));
   EXPECT_EQ(first.look_alikes.at(1), (EffectAt{"mount_tilt", "world"}));
+  EXPECT_EQ(record.values.at(0).parameter, "body.arm.mass");
+  EXPECT_EQ(record.values.at(0).lower, 0.9);
+  EXPECT_TRUE(std::isnan(record.values.at(0).upper));
 }
 
 TEST(ReadDiagnosis, RefusesAnythingElse) {
@@ -53,13 +57,10 @@ TEST(ReadComparison, TakesTheHeldOutErrors) {
   const ReadComparison read = read_comparison(R"({"pooled": [
       {"channel": "angle", "held_out": false, "failed_trials": 0, "rmse": 0.1},
       {"channel": "angle", "held_out": true, "failed_trials": 0, "rmse": 0.2},
-      {"channel": "speed", "held_out": true, "failed_trials": 1, "rmse": 0.3}],
-      "fit": {"values": [{"address": "body.arm.mass", "value": 1.0, "ci95": [0.9, null]}]}})");
+      {"channel": "speed", "held_out": true, "failed_trials": 1, "rmse": 0.3}]})");
   ASSERT_EQ(read.held_out.size(), 2U);
   EXPECT_EQ(read.held_out[0].value, 0.2);
   EXPECT_TRUE(std::isnan(read.held_out[1].value));
-  EXPECT_EQ(read.values.at(0).lower, 0.9);
-  EXPECT_TRUE(std::isnan(read.values.at(0).upper));
 }
 
 }  // namespace

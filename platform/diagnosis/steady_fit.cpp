@@ -1,0 +1,44 @@
+#include "diagnosis/steady_fit.h"
+
+#include "diagnosis/integration_error.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+constexpr int kMostFits = 6;
+constexpr double kStays = 0.1;  ///< standard errors
+
+bool stays(const Contender& model, const Refit& before, const Refit& after) {
+  const ParameterSpace space(model.definition.free);
+  const Eigen::VectorXd moved = space.to_coordinates(after.values) - space.to_coordinates(before.values);
+  for (Eigen::Index j = 0; j < moved.size(); ++j)
+    if (std::abs(moved(j)) > kStays * std::sqrt(after.covariance(j, j))) return false;
+  return true;
+}
+
+}  // namespace
+
+Refit steady_fit(const Contender& model, const Round& last, const std::vector<Trial>& measured, int threads) {
+  Refit fit = last.fit;
+  std::vector<std::size_t> own_places(fit.values.size());
+  std::iota(own_places.begin(), own_places.end(), std::size_t{0});
+  for (int time = 0; time < kMostFits; ++time) {
+    BaseSolution base = last.base;
+    base.trials = measured;
+    base.values = fit.values;
+    base.states = fit.states;
+    if (!correct_for_steps(model.definition, base, threads)) return fit;
+    Refit again =
+        refit({model.definition, *model.model, own_places}, base, last.bins, last.factors, {fit.values}, threads);
+    if (!again.valid) return fit;
+    const bool same = stays(model, fit, again);
+    fit = std::move(again);
+    if (same) return fit;
+  }
+  return fit;
+}
+
+}  // namespace lacuna
