@@ -25,6 +25,7 @@ constexpr double kFarBehind = 0.3, kFarDeviance = 20.0;
 struct Listed {
   std::size_t hypothesis = 0;
   std::vector<ProbeScore> scores;
+  bool acts_as_timing = false;  ///< it is refitted without the nuisance that does the same
 };
 
 /// The best score first.
@@ -41,19 +42,9 @@ std::vector<Listed> shortlist(const Screening& screening) {
     const bool comparable = score.deviance >= kComparable * screening.scores.front().deviance;
     if (list.size() < (by_chance ? kRefitsByChance : kFewestRefits) ||
         (comparable && !by_chance && list.size() < kMostRefits))
-      list.push_back({score.hypothesis, {score}});
+      list.push_back({score.hypothesis, {score}, false});
   }
   return list;
-}
-
-/// The base that a hypothesis is refitted on: without a nuisance that does what the effect does.
-BaseSolution base_for(const Round& round, const std::vector<Probe>& probes, const std::vector<ProbeScore>& scores) {
-  BaseSolution base = round.base;
-  if (base.nuisance.empty()) return base;
-  const Probe& probe = probes[scores.front().probe];
-  const std::vector<Eigen::MatrixXd> response(probe.response.begin(), probe.response.end());
-  if (is_among(response, base.nuisance, base.linear)) base.nuisance.clear();
-  return base;
 }
 
 /// Values to start a refit from: the probe, and the probe scaled to the size that its score wants.
@@ -74,8 +65,12 @@ void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeSco
 
 class RivalFits {
  public:
-  RivalFits(const Round& round, const std::vector<std::vector<Probe>>& probes)
-      : round_(round), probes_(probes), list_(shortlist(round.screening)), rivals_(list_.size()) {}
+  RivalFits(const Contender& contender, const Round& round, const std::vector<std::vector<Probe>>& probes)
+      : contender_(contender),
+        round_(round),
+        probes_(probes),
+        list_(shortlist(round.screening)),
+        rivals_(list_.size()) {}
 
   std::vector<Rival> run(std::uint64_t seed, int threads) {
     parallel_for(list_.size(), threads, [&](std::size_t i, int) { scout(i); });
@@ -93,7 +88,8 @@ class RivalFits {
 
  private:
   void scout(std::size_t i) {
-    const auto& [h, scores] = list_[i];
+    const auto& [h, scores, unused] = list_[i];
+    list_[i].acts_as_timing = acts_as_timing(probes_[h][scores.front().probe], contender_, round_.base, round_.bins);
     std::vector<std::vector<double>> starts;
     for (const ProbeScore& score : scores)
       add_starts(round_.hypotheses[h], probes_[h][score.probe], score, round_.base.values, starts);
@@ -119,25 +115,27 @@ class RivalFits {
 
   Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const std::vector<Eigen::VectorXd>& states,
             int iterations) const {
-    const auto& [h, scores] = list_[i];
+    const auto& [h, scores, untimed] = list_[i];
     const Hypothesis& hypothesis = round_.hypotheses[h];
-    BaseSolution base = base_for(round_, probes_[h], scores);
+    BaseSolution base = round_.base;
+    if (untimed) base.nuisance.clear();
     base.states = states;
     return refit({hypothesis.definition, *hypothesis.model, hypothesis.base}, base, round_.bins, round_.factors, starts,
                  1, {std::max(RefitEffort().precision, kFineEnough * scores.front().deviance), iterations});
   }
 
+  const Contender& contender_;
   const Round& round_;
   const std::vector<std::vector<Probe>>& probes_;
-  const std::vector<Listed> list_;
+  std::vector<Listed> list_;
   std::vector<Rival> rivals_;
 };
 
 }  // namespace
 
-std::vector<Rival> fit_rivals(const Round& round, const std::vector<std::vector<Probe>>& probes, std::uint64_t seed,
-                              int threads) {
-  return RivalFits(round, probes).run(seed, threads);
+std::vector<Rival> fit_rivals(const Contender& contender, const Round& round,
+                              const std::vector<std::vector<Probe>>& probes, std::uint64_t seed, int threads) {
+  return RivalFits(contender, round, probes).run(seed, threads);
 }
 
 }  // namespace lacuna

@@ -7,7 +7,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kAlike = 0.08;  ///< share below which a column is another one, scaled and at another size
+constexpr double kAlike = 0.035;  ///< share below which a column is another one, scaled
+constexpr double kPerhaps = 0.3;  ///< the same where they are of other sizes, and not linear in them
 
 /// What a start cannot make up for, of columns of its segment.
 Eigen::MatrixXd beside_start(const Eigen::MatrixXd& state, const Eigen::MatrixXd& columns) {
@@ -17,9 +18,14 @@ Eigen::MatrixXd beside_start(const Eigen::MatrixXd& state, const Eigen::MatrixXd
   return columns - basis * (basis.transpose() * columns);
 }
 
-/// Share of the column's power that the others do not span, starts apart.
-double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
-                    const std::vector<LinearSegment>& segments) {
+/// A column fitted by others, starts apart.
+struct Likeness {
+  Eigen::VectorXd sizes;  ///< of the others
+  double left = 0.0;      ///< share of the column's power that they do not span
+};
+
+Likeness likeness(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
+                  const std::vector<LinearSegment>& segments) {
   const Eigen::Index count = others.front().cols();
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd mixed = Eigen::VectorXd::Zero(count);
@@ -31,15 +37,26 @@ double share_beside(const std::vector<Eigen::MatrixXd>& column, const std::vecto
     mixed += spanned.transpose() * own.col(0);
     power += own.squaredNorm();
   }
-  if (power <= 0.0) return 0.0;
-  return 1.0 - mixed.dot(gram.completeOrthogonalDecomposition().solve(mixed)) / power;
+  const Eigen::VectorXd sizes = gram.completeOrthogonalDecomposition().solve(mixed);
+  return {sizes, power > 0.0 ? 1.0 - mixed.dot(sizes) / power : 0.0};
 }
 
 }  // namespace
 
 bool is_among(const std::vector<Eigen::MatrixXd>& column, const std::vector<Eigen::MatrixXd>& others,
               const std::vector<LinearSegment>& segments) {
-  return share_beside(column, others, segments) < kAlike;
+  return likeness(column, others, segments).left < kAlike;
+}
+
+bool acts_as_timing(const Probe& probe, const Contender& contender, const BaseSolution& base, const RowBins& bins) {
+  if (base.nuisance.empty()) return false;
+  const std::vector<Eigen::MatrixXd> response(probe.response.begin(), probe.response.end());
+  const Likeness roughly = likeness(response, base.nuisance, base.linear);
+  const double shift = -roughly.sizes(0);  // the response is of the prediction, the timing of the residual
+  if (roughly.left > kPerhaps || shift == 0.0) return false;
+  const std::vector<Eigen::MatrixXd> as_large =
+      timing_columns(*contender.model, contender.definition, base, bins, 1, shift);
+  return !as_large.empty() && is_among(response, as_large, base.linear);
 }
 
 std::vector<Eigen::MatrixXd> timing_beside(const Contender& contender, const BaseSolution& base, const RowBins& bins,

@@ -44,7 +44,7 @@ SearchStep step_of(const Contender& contender, const Round& round, std::size_t c
   SearchStep step{contender.added, {}, chosen};
   for (std::size_t i = 0; i < round.rivals.size(); ++i) {
     const Rival& rival = round.rivals[i];
-    step.rivals.push_back({entry_of(round, i), rival.fit.values, rival.fit.nuisance.size() > 0, rival.gain});
+    step.rivals.push_back({entry_of(round, i), rival.fit.values, rival.gain});
   }
   return step;
 }

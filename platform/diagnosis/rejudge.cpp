@@ -44,14 +44,13 @@ std::vector<Contender> models_of(const RejudgeTask& task, const std::vector<std:
   return models;
 }
 
+/// With the timing of commands beside its values, even where these do nearly the same: a lag and a timing are much like
+/// a delay.
 Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
   BaseSolution base = without_values(task.now.base);
-  base.nuisance.clear();
-  if (rival.timed) {
-    base.values = rival.values;
-    base.nuisance = timing_columns(*model.model, model.definition, base, task.now.bins, threads);
-    base.values.clear();
-  }
+  base.values = rival.values;
+  base.nuisance = timing_columns(*model.model, model.definition, base, task.now.bins, threads);
+  base.values.clear();
   return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
                {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations});
 }
@@ -149,7 +148,7 @@ Rejudged rejudge(const RejudgeTask& task) {
     const Eigen::VectorXd held_out = held_out_deviance(fits[i].fit, task.now.folds);
     const Gain ahead = gain(task.now.held_out, held_out, task.seed);
     const std::size_t freedom = before.rivals[close[i]].values.size();
-    const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit;
+    const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit && ahead.value < kToldApart;
     if (!a_limit && ahead.value > -inseparable) alikes.push_back({i, ahead.value, freedom});
     const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
     const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&

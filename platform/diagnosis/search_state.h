@@ -24,7 +24,6 @@ EffectNames names_with(const std::vector<EffectEntry>& entries, const EffectEntr
 struct KeptRival {
   EffectEntry entry;           ///< what it adds
   std::vector<double> values;  ///< of the model with it, SI
-  bool timed = false;          ///< the timing of commands was fitted beside them
   Gain gain;                   ///< over the round's model
 };
 

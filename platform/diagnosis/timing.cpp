@@ -5,8 +5,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kShare = 0.25;  ///< of a sample interval, that commands are moved by
-
 double sample_interval(const Trial& trial) {
   const Eigen::VectorXd& times = trial.commands.series.times;
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
@@ -23,20 +21,20 @@ bool residuals_of(const CompiledModel& model, const ModelDefinition& definition,
 }  // namespace
 
 std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
-                                            const BaseSolution& base, const RowBins& bins, int threads) {
+                                            const BaseSolution& base, const RowBins& bins, int threads, double shift) {
   std::vector<Trial> late = base.trials;
   double longest = 0.0;
   for (Trial& trial : late) {
     const double interval = sample_interval(trial);
     longest = std::max(longest, interval);
-    trial.commands.series.times.array() += kShare * interval;
+    trial.commands.series.times.array() += shift * interval;
   }
   std::vector<Eigen::VectorXd> now, later;
   if (longest == 0.0 || !residuals_of(model, definition, base, base.trials, threads, now) ||
       !residuals_of(model, definition, base, late, threads, later))
     return {};
   std::vector<Eigen::MatrixXd> columns;
-  for (std::size_t k = 0; k < now.size(); ++k) columns.push_back(bins.means(k, (later[k] - now[k]) / kShare));
+  for (std::size_t k = 0; k < now.size(); ++k) columns.push_back(bins.means(k, (later[k] - now[k]) / shift));
   return columns;
 }
 

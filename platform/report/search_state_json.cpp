@@ -40,10 +40,7 @@ Gain read_gain(const ordered_json& json) { return {json.at(0), json.at(1), json.
 ordered_json step_json(const SearchStep& step) {
   ordered_json rivals = ordered_json::array();
   for (const KeptRival& one : step.rivals)
-    rivals.push_back({{"entry", entries_json({one.entry})},
-                      {"values", one.values},
-                      {"timed", one.timed},
-                      {"gain", gain_json(one.gain)}});
+    rivals.push_back({{"entry", entries_json({one.entry})}, {"values", one.values}, {"gain", gain_json(one.gain)}});
   return {{"added", entries_json(step.added)}, {"rivals", rivals}, {"chosen", step.chosen}};
 }
 
@@ -51,7 +48,7 @@ SearchStep read_step(const ordered_json& json) {
   SearchStep step{read_entries(json.at("added")), {}, json.at("chosen")};
   for (const ordered_json& one : json.at("rivals"))
     step.rivals.push_back({read_entries(one.at("entry")).front(), one.at("values").get<std::vector<double>>(),
-                           one.at("timed"), read_gain(one.at("gain"))});
+                           read_gain(one.at("gain"))});
   return step;
 }
 

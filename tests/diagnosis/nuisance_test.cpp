@@ -27,7 +27,7 @@ TEST(IsAmong, CountsWhatAStartMakesUpForAsNoDifference) {
   EXPECT_FALSE(is_among({shifted}, {bend}, {known}));
 }
 
-TEST(IsAmong, ToleratesATwelfthOfThePower) {
+TEST(IsAmong, ToleratesAThirtiethOfThePower) {
   const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(kBins, 0.0, 1.0);
   const Eigen::VectorXd one = (6.0 * times).array().sin(), other = (19.0 * times).array().cos();
   const std::vector<LinearSegment> segments = {segment_of(times)};

@@ -16,7 +16,7 @@ SearchState state() {
   SearchState state;
   state.added = {friction_entry()};
   state.values = {1.0 / 3.0, 2e-17};
-  KeptRival rival{friction_entry(), {0.3}, true, {11.0, 1.5, 8.0, 14.0 / 3.0}};
+  KeptRival rival{friction_entry(), {0.3}, {11.0, 1.5, 8.0, 14.0 / 3.0}};
   state.last = SearchStep{{}, {rival, rival}, 1};
   state.tried = {{}, {"coulomb_friction @ joint.hinge"}, {"a @ world", "b @ joint.hinge"}};
   state.gains[{"coulomb_friction @ joint.hinge"}] = {11.0, 1.5, 8.0, 14.0};
