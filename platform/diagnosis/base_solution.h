@@ -12,7 +12,7 @@ struct BaseSolution {
   std::vector<Trial> trials;        ///< those fitted to
   std::vector<ChannelNoise> noise;  ///< sensor noise; its deviations are what residuals are divided by
   std::vector<Segment> segments;
-  double segment = 0.0;                 ///< s, how long the longest of them is, run-in included
+  double segment = 0.0;                 ///< s, how long the longest of them is, without what runs in
   std::vector<double> values;           ///< of the model's free values, SI
   std::vector<Eigen::VectorXd> states;  ///< of the segments' unknown starts
   std::vector<LinearSegment> linear;    ///< at these values and states

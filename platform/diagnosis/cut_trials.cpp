@@ -110,7 +110,7 @@ class Cutter {
     problem.difference_by(rough_.predictor());
     if (!settle(problem, space_, base, moving_)) return std::nullopt;
     std::vector<Eigen::VectorXd> residuals;
-    problem.residuals({space_.to_coordinates(base.values), base.states}, residuals);
+    if (!problem.residuals({space_.to_coordinates(base.values), base.states}, residuals)) return std::nullopt;
     double squares = 0.0, count = 0.0;
     for (std::size_t k = 0; k < residuals.size(); ++k) {
       squares += residuals[k].head(problem.robust_rows(k)).squaredNorm();

@@ -58,7 +58,7 @@ struct RankedModel {
   double probability = 0.0;              ///< among the ranking and the base; uncalibrated
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
-  double segment = 0.0;      ///< s, of the segments that the errors are about; 0: whole trials
+  double segment = 0.0;      ///< s, of the segments that the errors are about
 };
 
 /// A random force that the residual shows.
@@ -80,7 +80,7 @@ struct Diagnosis {
   Evidence evidence;
   std::vector<ChannelError> base;
   double base_times_floor = 0.0;
-  double base_segment = 0.0;  ///< s, of the segments that `base` is about; 0: whole trials
+  double base_segment = 0.0;  ///< s, of the segments that `base` is about
   std::vector<RandomForce> forces;
   std::vector<RankedModel> ranking;  ///< the first is the answer; empty: nothing is better than the base
   /// The model's own free values, by address, fitted beside the answer under the estimated noise; empty where no

@@ -17,14 +17,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace lacuna {
 namespace {
 
-constexpr double kByChance = 2.0;    ///< of the deviance, a parameter (H. Akaike, 1974)
+constexpr double kSpent = 2.0;       ///< of the deviance, a parameter (H. Akaike, 1974)
 constexpr double kLittleMore = 0.1;  ///< of the gain: no reason for more parameters
 /// Of the gain, and standard errors: an effect that adds less of both makes up for the form of those that are there.
-constexpr double kHardlyMore = 0.03, kUnsure = 4.0;
+constexpr double kHardlyMore = 0.03, kNotSure = 4.0;
 constexpr int kUsualRounds = 2;  ///< one that finds an effect, one that finds nothing more
 
 class EffectSearch {
@@ -135,19 +136,27 @@ class EffectSearch {
   /// Whether the best rival adds little that is uncertain to what the effects gain that are there.
   bool adds_hardly_more(const Round& round) {
     const Gain& further = round.rivals.front().gain;
-    if (contender_.added.empty() || further.value >= kUnsure * further.standard_error) return false;
+    if (contender_.added.empty() || further.value >= kNotSure * further.standard_error) return false;
     const std::optional<Unaided>& without = unaided(round);
     return without && further.value < kHardlyMore * without->behind.value;
   }
 
-  /// Goes on with the rival that is chosen first of those that do not only take the place of a simpler effect; the
-  /// others are no rivals any more. Whether there is one.
+  /// Goes on with the rival that is chosen first of those that do not only take the place of a simpler effect. Whether
+  /// there is one.
   bool takes_one(Round& round) {
+    std::vector<Rival> only_richer;
+    bool taken = false;
     while (const std::optional<std::size_t> chosen = next_of(round)) {
-      if (takes_in(round, *chosen)) return true;
+      taken = takes_in(round, *chosen);
+      if (taken) break;
+      only_richer.push_back(std::move(round.rivals[*chosen]));
       round.rivals.erase(round.rivals.begin() + static_cast<std::ptrdiff_t>(*chosen));
     }
-    return false;
+    // They are no answer, but the library has them.
+    std::move(only_richer.begin(), only_richer.end(), std::back_inserter(round.rivals));
+    std::stable_sort(round.rivals.begin(), round.rivals.end(),
+                     [](const Rival& a, const Rival& b) { return a.gain.value > b.gain.value; });
+    return taken;
   }
 
   bool takes_in(const Round& round, std::size_t chosen) {
@@ -179,8 +188,17 @@ class EffectSearch {
   /// parameters makes up for the form of a plain one.
   bool only_richer(const Contender& before, const Round& round, std::size_t chosen) {
     if (contender_.added.size() > before.added.size() || contender_.values.size() <= before.values.size()) return false;
-    const std::optional<Unaided>& without = unaided(round);
-    return without && round.rivals[chosen].gain.value <= kLittleMore * without->behind.value;
+    const EffectNames stayed = names_of(contender_.added);
+    double gained = 0.0;  // by those that left
+    for (std::size_t i = 0; i < before.added.size(); ++i)
+      if (!stayed.contains(name_of(before.added[i]))) gained += gain_of(before, i, round);
+    return round.rivals[chosen].gain.value <= kLittleMore * gained;
+  }
+
+  /// What one of its effects gains beside the others, in a round of that model.
+  double gain_of(const Contender& model, std::size_t which, const Round& round) const {
+    const Refit less = refit_reduced(lacuna::without(model, which, plain_, task_.catalog), round, task_.threads);
+    return less.valid ? gain(held_out_deviance(less, round.folds), round.held_out, task_.seed).value : 0.0;
   }
 
   const std::optional<Unaided>& unaided(const Round& round) {
@@ -242,7 +260,7 @@ class EffectSearch {
     for (std::size_t i = 0; i + 1 < contender_.added.size();) {
       Contender less = without(contender_, i, plain_, task_.catalog);
       const Refit fit = refit_reduced(less, round, task_.threads);
-      const double by_chance = kByChance * static_cast<double>(contender_.values.size() - less.values.size());
+      const double by_chance = kSpent * static_cast<double>(contender_.values.size() - less.values.size());
       const bool spent = fit.valid && (fit.deviance - round.rivals[chosen].fit.deviance <= by_chance ||
                                        gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0);
       if (!spent || state_.tried.contains(names_of(less.added))) {

@@ -70,7 +70,7 @@ class MarginalLikelihood {
     noise_.set_deviations(deviations);
     std::vector<Part> parts(segments_.size());
     parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { parts[k] = part(k); });
-    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.valid; })) return kUnlikely;
+    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.valid; })) return unlikely(slopes);
     const Eigen::Index count = explained_.front().cols();
     Explained explained{0.0, Eigen::MatrixXd::Identity(count, count) / power_, Eigen::VectorXd::Zero(count)};
     for (const Part& one : parts) {
@@ -79,7 +79,7 @@ class MarginalLikelihood {
       explained.score += one.columns.transpose() * one.residual;
     }
     const Eigen::LLT<Eigen::MatrixXd> solver(explained.information);
-    if (solver.info() != Eigen::Success) return kUnlikely;
+    if (solver.info() != Eigen::Success) return unlikely(slopes);
     const Eigen::VectorXd sizes = solver.solve(explained.score);
     if (!slopes.empty()) add_slopes(parts, solver, sizes, slopes);
     return explained.deviance + log_determinant(solver) - explained.score.dot(sizes);
@@ -101,6 +101,11 @@ class MarginalLikelihood {
     Eigen::VectorXd score;
   };
 
+  static double unlikely(std::vector<double>& slopes) {
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    return kUnlikely;
+  }
+
   static double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& solver) {
     return 2.0 * solver.matrixLLT().diagonal().array().log().sum();
   }
@@ -108,7 +113,7 @@ class MarginalLikelihood {
   Part part(std::size_t k) const {
     const LinearSegment& segment = segments_[k];
     Part result;
-    result.factor.compute(noise_.covariance(k) + segment.state * segment.state.transpose());
+    result.factor = factor_of(noise_.covariance(k) + segment.state * segment.state.transpose());
     if (result.factor.info() != Eigen::Success) return result;
     result.valid = true;
     result.residual = result.factor.matrixL().solve(segment.residual);

@@ -12,9 +12,9 @@ namespace lacuna {
 namespace {
 
 constexpr double kLittle = 0.1;        ///< of the answer's gain
-constexpr double kUnsure = 5.0;        ///< standard errors of what is lost: less may be a matter of form
-constexpr double kHardly = 0.05;       ///< of the answer's gain
-constexpr double kByChance = 2.0;      ///< nats
+constexpr double kUncertain = 5.0;     ///< standard errors of what is lost: less may be a matter of form
+constexpr double kHardlyLess = 0.05;   ///< of the answer's gain
+constexpr double kNothingMuch = 2.0;   ///< nats
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -30,7 +30,7 @@ class Contest {
   explicit Contest(const FewerEffectsTask& task) : task_(task), all_(task.unaided.behind) {}
 
   std::optional<FewerEffects> run() {
-    if (all_.value <= kByChance) return std::nullopt;
+    if (all_.value <= kNothingMuch) return std::nullopt;
     add_rivals();
     add_parts();
     for (std::size_t size = 1; size < task_.answer.added.size(); ++size)
@@ -101,7 +101,7 @@ class Contest {
     double most = 0.0;
     for (const Judged* one : enough) most = std::max(most, one->model.gain.value);
     std::erase_if(enough, [&](const Judged* one) {
-      return most - one->model.gain.value > std::max(kByChance, kHardly * all_.value);
+      return most - one->model.gain.value > std::max(kNothingMuch, kHardlyLess * all_.value);
     });
     return *std::min_element(enough.begin(), enough.end(), [](const Judged* one, const Judged* other) {
       return std::pair(one->model.fit.values.size(), -one->model.gain.value) <
@@ -111,7 +111,7 @@ class Contest {
 
   bool is_enough(const Judged& one) const {
     const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
-    return lost.value <= std::max(kByChance, std::min(kLittle * all_.value, kUnsure * lost.standard_error));
+    return lost.value <= std::max(kNothingMuch, std::min(kLittle * all_.value, kUncertain * lost.standard_error));
   }
 
   const FewerEffectsTask& task_;

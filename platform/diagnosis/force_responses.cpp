@@ -131,7 +131,7 @@ ForceResponses force_responses(const ModelDefinition& definition, const Shooting
                                const FitPoint& point, const std::vector<double>& values, double residual, int threads) {
   ForceResponses responses;
   ModelDefinition rough = definition;
-  rough.engine = for_differences(definition.engine);
+  rough.engine = for_differences(definition);
   const RobotSpec& robot = definition.structure.robot;
   std::vector<DisturbedJoint> joints;
   for (const JointSpec& joint : robot.joints)

@@ -95,6 +95,14 @@ std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResp
 
 }  // namespace
 
+Eigen::LLT<Eigen::MatrixXd> factor_of(Eigen::MatrixXd covariance) {
+  constexpr double kRounding = 1e-10;  // of the largest variance
+  Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  if (factor.info() == Eigen::Success) return factor;
+  covariance.diagonal().array() += kRounding * covariance.diagonal().maxCoeff();
+  return factor.compute(covariance);
+}
+
 NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces, const std::vector<Eigen::MatrixXd>& doubts)
     : components_(list_components(bins, forces, !doubts.empty())), shapes_(bins.segments()) {
   using Kind = NoiseComponent::Kind;

@@ -3,6 +3,8 @@
 #include "diagnosis/force_responses.h"
 #include "diagnosis/linear_segments.h"
 
+#include <Eigen/Cholesky>
+
 #include <string>
 #include <vector>
 
@@ -54,6 +56,10 @@ class NoiseModel {
   /// By segment and component: its covariance at deviation 1.
   std::vector<std::vector<Eigen::MatrixXd>> shapes_;
 };
+
+/// The lower Cholesky factor of a covariance; where one noise is so much larger than the others that these are its
+/// rounding, of the covariance with a little white noise more. Not every matrix has one: see `info()`.
+Eigen::LLT<Eigen::MatrixXd> factor_of(Eigen::MatrixXd covariance);
 
 /// Sets the deviations of `noise` to those, from the least on, that maximise the marginal likelihood: what the start
 /// states, the model's values and `columns` explain is left to them, so that a structured error that a candidate would

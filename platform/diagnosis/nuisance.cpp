@@ -13,8 +13,8 @@ constexpr double kPerhaps = 0.3;  ///< the same where they are of other sizes, a
 /// What a start cannot make up for, of columns of its segment.
 Eigen::MatrixXd beside_start(const Eigen::MatrixXd& state, const Eigen::MatrixXd& columns) {
   if (state.cols() == 0) return columns;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(state);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(state.rows(), state.cols());
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(state);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(state.rows(), qr.rank());
   return columns - basis * (basis.transpose() * columns);
 }
 

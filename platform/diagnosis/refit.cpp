@@ -90,8 +90,8 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
             RefitEffort effort) {
   const TrialPredictor predictor(refitted.model, base.trials, threads);
   const ParameterSpace space(refitted.definition.free);
-  ShootingProblem shooting(predictor, space, base.segments, base.noise);
   const RoughPredictor rough(refitted.definition, base, threads);
+  ShootingProblem shooting(predictor, space, base.segments, base.noise);
   shooting.difference_by(rough.predictor());
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, base.nuisance);

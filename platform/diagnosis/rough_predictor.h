@@ -10,8 +10,8 @@ namespace lacuna {
 
 /// Coarser steps, for simulations whose differences alone are wanted: derivatives, pulses of a force, sizes. Both
 /// sides of a difference have the same error of integration, and what stays of it is to the difference as that error is
-/// to the prediction.
-EngineSettings for_differences(EngineSettings engine);
+/// to the prediction; but not where bodies may hit the ground, whose settings are the model's own.
+EngineSettings for_differences(const ModelDefinition& definition);
 
 /// Simulates a model with such steps.
 class RoughPredictor {

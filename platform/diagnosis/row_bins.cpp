@@ -65,10 +65,15 @@ std::vector<std::size_t> RowBins::blocks(std::size_t k) const {
   const auto [first, last] = std::minmax_element(all.begin(), all.end(), earlier);
   const double begin = first->time, duration = last->time - begin;
   const double pieces = std::max(1.0, std::round(duration / kBlock));
-  std::vector<std::size_t> block;
+  std::vector<double> piece;
   for (const Bin& bin : all)
-    block.push_back(
-        duration > 0.0 ? static_cast<std::size_t>(std::min(pieces - 1.0, (bin.time - begin) / duration * pieces)) : 0);
+    piece.push_back(duration > 0.0 ? std::floor(std::min(pieces - 1.0, (bin.time - begin) / duration * pieces)) : 0.0);
+  std::map<double, std::size_t> numbers;  // of the pieces that hold bins
+  for (const double one : piece) numbers[one] = 0;
+  std::size_t count = 0;
+  for (auto& [unused, number] : numbers) number = count++;
+  std::vector<std::size_t> block;
+  for (const double one : piece) block.push_back(numbers[one]);
   return block;
 }
 

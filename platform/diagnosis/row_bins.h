@@ -25,7 +25,8 @@ class RowBins {
   const std::vector<Bin>& bins(std::size_t k) const { return segments_[k].bins; }
   Eigen::Index rows(std::size_t k) const { return static_cast<Eigen::Index>(segments_[k].bins.size()); }
   Eigen::Index rows() const;
-  /// Of each bin of a segment: the number of its block, half a second by which predictions are judged.
+  /// Of each bin of a segment: the number of its block, half a second by which predictions are judged. Times without
+  /// bins have none.
   std::vector<std::size_t> blocks(std::size_t k) const;
   /// Bins × columns. `rows`: the problem's rows of segment `k`; those of priors, which come last, are left out.
   Eigen::MatrixXd means(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& rows) const;

@@ -31,8 +31,10 @@ class EndedSearch {
     const auto enough = ending_.state.enough.find(names_of(ending_.answer.added));
     if (is_answer() && enough != ending_.state.enough.end()) result_.findings.push_back(enough->second);
     if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();
-    if (is_answer()) look_at_answer();
-    if (is_answer() || result_.verdict == Verdict::nothing_missing) state_values();
+    if (is_answer())
+      look_at_answer();
+    else if (result_.verdict == Verdict::nothing_missing)
+      state_values_alone();
     look_for_feedback();
     tell_probability(result_, steady_, !ending_.cut.free_run);
   }
@@ -72,17 +74,20 @@ class EndedSearch {
   void look_at_answer() {
     ending_.meter.add_parts(1);
     ending_.meter.begin_part("other lengths of segments");
-    change_lengths();
+    const Refit steady = steady_fit(ending_.answer, ending_.last, ending_.cut.trials, task_.threads);
+    state_values(steady);
+    change_lengths(steady);
     if (result_.verdict == Verdict::effect_found) propose();
     ending_.meter.end_part();
   }
 
   /// What does not survive a change of segment length is less likely to be the answer.
-  void change_lengths() {
+  void change_lengths(const Refit& steady) {
     result_.lengths = refit_at_lengths(
         {{task_.definition, task_.model, task_.trials, task_.values, ending_.last.base.segment, task_.threads},
          ending_.answer,
          ending_.last,
+         steady,
          task_.threads});
     const LengthVerdict verdict =
         judge_lengths(result_.ranking.front().effects, ending_.last.base.segment, result_.lengths, task_.catalog);
@@ -92,11 +97,19 @@ class EndedSearch {
   }
 
   /// Of the answer's effects and the model beside them, without the integrator's error.
-  void state_values() {
+  void state_values(const Refit& steady) {
     const Contender& answer = ending_.answer;
-    const Refit steady = steady_fit(answer, ending_.last, ending_.cut.trials, task_.threads);
     result_.values = own_values(answer.added, answer.definition, steady);
-    if (is_answer()) result_.ranking.front().effects = found_effects(answer.added, answer.definition, steady);
+    result_.ranking.front().effects = found_effects(answer.added, answer.definition, steady);
+  }
+
+  /// Of the model without what was found, if anything was, for it only makes up for a form.
+  void state_values_alone() {
+    if (ending_.answer.added.empty())
+      result_.values = own_values({}, ending_.plain.definition,
+                                  steady_fit(ending_.answer, ending_.last, ending_.cut.trials, task_.threads));
+    else if (ending_.unaided)
+      result_.values = own_values({}, ending_.plain.definition, ending_.unaided->fit);
   }
 
   /// The test that would tell the answer from what looks most like it.

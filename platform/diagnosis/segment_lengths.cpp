@@ -38,7 +38,7 @@ std::optional<double> horizon(const LengthTask& task, const RobotSpec& robot, co
 double horizon(const LengthTask& task) {
   const Contender& contender = task.contender;
   const std::optional<double> own =
-      horizon(task, contender.definition.structure.robot, *contender.model, task.last.fit.values);
+      horizon(task, contender.definition.structure.robot, *contender.model, task.fit.values);
   if (own) return *own;
   return horizon(task, task.cut.definition.structure.robot, task.cut.model, task.cut.values).value_or(0.0);
 }
@@ -89,8 +89,7 @@ Refit refit_over(const LengthTask& task, double length) {
   CutTask cut = task.cut;
   cut.segment = length;
   const Contender& contender = task.contender;
-  BaseSolution base =
-      cut_trials(cut, {contender.definition, *contender.model, task.last.fit.values, Moving::if_needed});
+  BaseSolution base = cut_trials(cut, {contender.definition, *contender.model, task.fit.values, Moving::if_needed});
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);
@@ -133,7 +132,7 @@ double deviance_against_answer(const LengthTask& task, const Refit& fit) {
   for (std::size_t m = 0; m < moved.size(); ++m) {
     const auto place = static_cast<std::size_t>(moved[m]);
     way(static_cast<Eigen::Index>(m)) =
-        space.to_coordinate(moved[m], task.last.fit.values[place]) - space.to_coordinate(moved[m], fit.values[place]);
+        space.to_coordinate(moved[m], task.fit.values[place]) - space.to_coordinate(moved[m], fit.values[place]);
   }
   Eigen::MatrixXd left = information(moved, moved);
   if (!others.empty()) {

@@ -14,7 +14,8 @@ namespace lacuna {
 struct LengthTask {
   CutTask cut;                 ///< of the search: the model as it was, the trials as measured, the length
   const Contender& contender;  ///< with the found effects
-  const Round& last;           ///< its noise and values
+  const Round& last;           ///< its noise
+  const Refit& fit;            ///< of the contender, over the search's own segments
   int threads = 1;
 };
 

@@ -5,12 +5,6 @@
 #include <Eigen/Cholesky>
 
 namespace lacuna {
-namespace {
-
-constexpr double kRounding = 1e-10;  ///< of the largest variance
-
-}  // namespace
-
 WhitenedProblem::WhitenedProblem(ShootingProblem& problem, const RowBins& bins,
                                  const std::vector<Eigen::MatrixXd>& factors,
                                  const std::vector<Eigen::MatrixXd>& nuisance)
@@ -74,12 +68,7 @@ void WhitenedProblem::linearize(const FitPoint& point, const std::vector<Eigen::
 std::vector<Eigen::MatrixXd> noise_factors(const NoiseModel& noise) {
   std::vector<Eigen::MatrixXd> factors;
   for (std::size_t k = 0; k < noise.segments(); ++k) {
-    Eigen::MatrixXd covariance = noise.covariance(k);
-    Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    if (factor.info() != Eigen::Success) {  // one noise is so much larger than the others that these are its rounding
-      covariance.diagonal().array() += kRounding * covariance.diagonal().maxCoeff();
-      factor.compute(covariance);
-    }
+    const Eigen::LLT<Eigen::MatrixXd> factor = factor_of(noise.covariance(k));
     if (factor.info() != Eigen::Success)
       throw Error("the covariance of the noise is not positive definite; is a channel without any noise?");
     factors.emplace_back(factor.matrixL());

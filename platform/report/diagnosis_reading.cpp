@@ -36,8 +36,9 @@ std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_jso
   const ordered_json& floor = of.contains("noise_floor") ? of["noise_floor"] : whole["noise_floor"];
   std::vector<ChannelError> errors;
   for (const auto& [channel, unit] : whole["units"].items())
-    errors.push_back(
-        {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(of["cv_rmse"][channel])});
+    if (floor.contains(channel))  // a model whose errors were not told yet has none
+      errors.push_back(
+          {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(of["cv_rmse"][channel])});
   return errors;
 }
 

@@ -60,7 +60,7 @@ std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, doub
 std::string ranking_text(const Diagnosis& diagnosis) {
   std::vector<std::vector<std::string>> rows = {{"", "", "gain held out", "error"}};
   for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i)
-    rows.push_back(row_of(i + 1, diagnosis.ranking[i], diagnosis.base_segment));
+    rows.push_back(row_of(i + 1, diagnosis.ranking[i], diagnosis.ranking.front().segment));
   if (diagnosis.verdict == Verdict::nothing_missing || diagnosis.ranking.empty()) return text_table(rows, 2);
   const std::string table = text_table(rows, 2);
   const std::size_t first_end = table.find('\n', table.find('\n') + 1) + 1;

@@ -81,7 +81,7 @@ EffectEntry friction_in_model(double torque) {
 /// what the model has.
 TEST(PresentEffect, ThatIsNotQuiteOfTheRightFormIsNoReasonToAddAnother) {
   const Diagnosis slight =
-      diagnosed({.inertia = 0.03, .damping = 0.01, .friction = 0.03, .backward = 0.0003, .noise = 2e-3},
+      diagnosed({.inertia = 0.03, .damping = 0.01, .friction = 0.03, .backward = 0.0015, .noise = 2e-3},
                 {"joint_offset_torque"}, {friction_in_model(0.03)});
   EXPECT_EQ(slight.verdict, Verdict::nothing_missing) << slight.base_times_floor;
   EXPECT_LT(slight.p_by_chance, 0.01) << "and yet it is beyond chance";

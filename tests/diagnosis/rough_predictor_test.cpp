@@ -93,17 +93,23 @@ TEST_F(RoughDerivatives, HaveNoPredictorWhereStepsAreCoarseOrImpactsDecide) {
   EXPECT_EQ(RoughPredictor(rig_.definition, base_, 1).predictor(), nullptr);
 }
 
-TEST(ForDifferences, TakesAQuarterOfTheSubstepsButTwo) {
-  const auto substeps = [](int own) {
-    EngineSettings engine;
-    engine.substeps = own;
-    return for_differences(engine).substeps;
-  };
-  EXPECT_EQ(substeps(20), 5);
-  EXPECT_EQ(substeps(4), 2);
-  EXPECT_EQ(substeps(2), 2);
-  EXPECT_EQ(substeps(1), 1);
+int substeps_for_differences(int own, bool may_touch = false) {
+  ModelDefinition definition;
+  definition.engine.substeps = own;
+  definition.structure.robot.contact.ground = may_touch;
+  definition.structure.robot.bodies.emplace_back();
+  definition.structure.robot.bodies.back().shapes.emplace_back();
+  return for_differences(definition).substeps;
 }
+
+TEST(ForDifferences, TakesAQuarterOfTheSubstepsButTwo) {
+  EXPECT_EQ(substeps_for_differences(20), 5);
+  EXPECT_EQ(substeps_for_differences(4), 2);
+  EXPECT_EQ(substeps_for_differences(2), 2);
+  EXPECT_EQ(substeps_for_differences(1), 1);
+}
+
+TEST(ForDifferences, LeavesTheStepsWhereABodyMayHitTheGround) { EXPECT_EQ(substeps_for_differences(20, true), 20); }
 
 }  // namespace
 }  // namespace lacuna

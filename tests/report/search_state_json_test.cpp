@@ -51,6 +51,16 @@ TEST(SearchStateJson, IsReadDigitForDigit) {
   EXPECT_EQ(read->substeps_for, 4.995);
 }
 
+/// A model that does with fewer effects is ranked before its errors are told.
+TEST(SearchStateJson, MayRankAModelWithoutErrors) {
+  SearchState early = state();
+  early.so_far.ranking.front().errors.clear();
+  const std::optional<SearchState> read = read_search_state(search_state_json(early));
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->so_far.ranking.front().errors.empty());
+  EXPECT_EQ(read->so_far.base.size(), 1U);
+}
+
 TEST(SearchStateJson, MayHaveNoChoiceToTakeBack) {
   SearchState without = state();
   without.last.reset();

@@ -146,6 +146,8 @@ JOIN loop_end l ON (l.version, l.set_name, l.number) = (i.version, i.set_name, i
 LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
                           = (i.version, i.set_name, i.number, i.parameter)
 WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
+  AND (SELECT d.verdict FROM diagnosis d WHERE (d.version, d.set_name, d.number) = (i.version, i.set_name, i.number)
+       ORDER BY d.round DESC LIMIT 1) = 'nothing_missing'
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
 -- Cases that `run --diagnoses` did not go on with although something was found: they say nothing of the loop.
