@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMostFits = 6;
 constexpr double kStays = 0.1;  ///< standard errors
+constexpr double kWorse = 4.0;  ///< of the deviance: what is taken off is no integrator's error then
 
 bool stays(const Contender& model, const Refit& before, const Refit& after) {
   const ParameterSpace space(model.definition.free);
@@ -34,6 +35,7 @@ Refit steady_fit(const Contender& model, const Round& last, const std::vector<Tr
     Refit again =
         refit({model.definition, *model.model, own_places}, base, last.bins, last.factors, {fit.values}, threads);
     if (!again.valid) return fit;
+    if (again.deviance > last.fit.deviance + kWorse) return last.fit;
     const bool same = stays(model, fit, again);
     fit = std::move(again);
     if (same) return fit;
