@@ -19,9 +19,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms on std::string in GCC 12 (its bugs 105329 and 105651); the sanitizers look for the true ones.
   add_compile_options(-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
-# The same numbers from every build of one source for one processor: no contraction that depends on inlining.
+# The same numbers from every build of one source: no contraction that depends on inlining.
 add_compile_options(-ffp-contract=off)
-include(processor)
 
 # All plugin libraries of this project: what runs the program depends on them.
 add_custom_target(all_plugins)

@@ -9,7 +9,7 @@ function(lacuna_add_plugin name)
   add_library(${name} MODULE ${ARG_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE lacuna::interface)
   target_compile_definitions(${name} PRIVATE LACUNA_BUILD_ID="${PROJECT_VERSION}")
-  # The same numbers from every build of one source for one processor: no contraction that depends on inlining.
+  # The same numbers from every build of one source: no contraction that depends on inlining.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES
     PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON

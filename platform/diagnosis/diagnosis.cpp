@@ -50,6 +50,8 @@ Diagnosis diagnose(const DiagnosisTask& task) {
     doubts = data_doubts(about);
     if (!disqualifying(doubts).empty()) return without_search(doubts);
   }
+  if (!task.among.empty() && result.verdict == Verdict::not_in_library)
+    result.findings.emplace_back("only the effects that were named were tried: another one of the library may have it");
   for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
   return result;
 }

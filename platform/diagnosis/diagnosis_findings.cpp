@@ -90,7 +90,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
             fmt::format("what the search ended with, {}, predicts what was left out by {:.1f} ± {:.1f} nats better "
                         "than the model alone, no more than chance might: more trials, or livelier ones, would tell",
                         fmt::join(names_of(contender.added), " and "), diagnosis.answer_gain.value,
-                        diagnosis.answer_gain.standard_error));
+                        1.96 * diagnosis.answer_gain.standard_error));
         break;
       }
       if (last.screening.p > kFirstLevel) break;

@@ -36,7 +36,7 @@ constexpr const char* kSecondLine = "triangle motor 0.1 N*m 2 Hz 0.5 s";
 
 std::string said(const std::string& effect, const std::string& look_alikes, const std::string& next_test) {
   return fmt::format(R"({{"verdict": "effect_found", "probability": 0.9, "p_by_chance": 0.01, "seconds": 2,
-      "base": {{"ratio_to_floor": 3}}, "next_test": "{}", "ranking": [{{"probability": 0.9, "gain": 10,
+      "base": {{"ratio_to_floor": 3}}, "values": {{}}, "next_test": "{}", "ranking": [{{"probability": 0.9, "gain": 10,
       "ratio_to_floor": 1, "class": [{}], "effects": [{{"effect": "{}", "where": "joint.hinge", "parameters": {{}}}}]}}]}})",
                      next_test, look_alikes, effect);
 }
