@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kLittle = 0.05;  ///< of what the effects explain
-constexpr double kAtFloor = 1.3;  ///< times the floor
+constexpr double kAtFloor = 1.4;  ///< times the floor
 
 Contender without_effects(const Contender& plain, const PluginCatalog& catalog) {
   Contender bare;
