@@ -1,8 +1,7 @@
 #include "app/commands.h"
 
 #include "app/options.h"
-#include "app/usage_error.h"
-
+#include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 

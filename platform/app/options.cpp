@@ -1,10 +1,9 @@
 #include "app/options.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include "command_line/whole_number.h"
 
-#include <charconv>
-#include <limits>
+#include <CLI/CLI.hpp>
+
 
 namespace lacuna {
 namespace {
@@ -12,20 +11,6 @@ namespace {
 std::string typed_command;
 
 constexpr std::uint64_t kMostThreads = 1024;
-
-/// A whole number from `lower` to `upper`. CLI11's own checks would take -3 for 2^64 - 3.
-CLI::Validator whole_number(std::uint64_t lower, std::uint64_t upper) {
-  const std::string range = fmt::format("a whole number from {} to {}", lower, upper);
-  return CLI::Validator(
-      [lower, upper, range](const std::string& text) {
-        std::uint64_t number = 0;
-        const char* end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(text.data(), end, number);
-        const bool fits = error == std::errc() && stop == end && number >= lower && number <= upper;
-        return fits ? std::string() : "must be " + range + ", but is \"" + text + "\"";
-      },
-      "");
-}
 
 /// A misspelt folder would otherwise just be one without plugins.
 CLI::Validator folder() {
@@ -86,7 +71,7 @@ void add_work_options(CLI::App& command, CommonOptions& options) {
       ->check(whole_number(1, kMostThreads));
   command.add_option("--seed", options.seed, "Seed, instead of the file's")
       ->option_text("N")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+      ->check(whole_number(0));
   add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
   command.add_flag("--quiet", options.quiet, "Print results only");
 }

@@ -3,6 +3,7 @@
 #include "app/replicates.h"
 #include "app/scratch_folder.h"
 #include "app/stored_bench.h"
+#include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
@@ -94,7 +95,7 @@ void add_reproduce_command(CLI::App& program) {
   command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
   command->add_option("--threads", options->threads, "Threads (default: one a processor)")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   command->add_flag("--quiet", options->quiet, "Print results only");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)

@@ -4,6 +4,7 @@
 #include "app/replicates.h"
 #include "app/run_plan.h"
 #include "app/shape_reading.h"
+#include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "report/run_text.h"
@@ -98,7 +99,7 @@ void add_run_command(CLI::App& program) {
   command
       ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
       ->option_text("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number(1, 1000000));
   command->add_flag("--resume", options->resume, "Go on with this experiment's runs that were not done");
   command->callback([options] { run(*options); });
 }

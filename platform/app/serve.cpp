@@ -2,6 +2,7 @@
 #include "app/options.h"
 #include "app/replays.h"
 #include "app/scratch_folder.h"
+#include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "report/page_server.h"
 #include "report/pages.h"
@@ -123,7 +124,7 @@ void add_serve_command(CLI::App& program) {
   command->add_option("database", options->database, "Database file")->required()->option_text("DB");
   command->add_option("--port", options->port, "Port (default: a free one)")
       ->option_text("N")
-      ->check(CLI::Range(0, 65535));
+      ->check(whole_number(0, 65535));
   command
       ->add_option(
           "--host", options->host,

@@ -13,6 +13,8 @@ namespace lacuna {
 
 Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig(options)) {
   if (!rig_.left_out.empty()) fmt::print(stderr, "{}\n", rig_.left_out);
+  for (const ReadingNote& note : rig_.notes)
+    if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
 }
 
 Workbench::Workbench(const CommonOptions& options, Rig rig)

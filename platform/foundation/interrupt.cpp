@@ -30,7 +30,7 @@ void watch_for_interrupts() {
 bool interrupt_requested() { return requested; }
 
 void throw_if_interrupted() {
-  if (interrupt_requested()) throw Interrupted("interrupted; what was finished is kept");
+  if (interrupt_requested()) throw Interrupted("interrupted; what was finished, if anything, is kept");
 }
 
 void pause_for(double seconds) {

@@ -34,7 +34,7 @@ bool is_masked(const RecordingSource& source, double from, double to) {
 
 void check_unit(double median, int line, const RecordingSource& source, FileReport& report) {
   if (median <= kSlowestPlausible && median >= kFastestPlausible) return;
-  report.note("time unit", line, [&] {
+  report.doubt("time unit", line, [&] {
     return fmt::format("samples are {} apart when column `{}` is read in {}; is it in {}?", seconds(median),
                        source.time_column, source.time_unit, median > kSlowestPlausible ? "ms or us" : "s or ms");
   });
@@ -133,7 +133,7 @@ void check_intervals(const TrialClock& clock, const CsvTable& table, const Recor
     }
   }
   if (dropped > 0.0)
-    report.note("dropped", first_dropped, [&] {
+    report.doubt("dropped", first_dropped, [&] {
       return fmt::format(
           "about {:.0f} samples of {} are missing (usual interval {}), the first before this line; the "
           "time stamps are taken as they are",

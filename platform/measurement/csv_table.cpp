@@ -91,8 +91,8 @@ class TableReader {
         std::all_of(beyond, splitter_.cells().end(), [](std::string_view cell) { return trimmed(cell).empty(); }))
       return true;  // delimiters at the end of the line
     if (cells < names && cut) {
-      report_.note("cut", number,
-                   [] { return std::string("the file breaks off in its last line, which is left out"); });
+      report_.doubt("cut", number,
+                    [] { return std::string("the file breaks off in its last line, which is left out"); });
       return false;
     }
     report_.problem("size", number, [&] { return wrong_size(cells, names); });

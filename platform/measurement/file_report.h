@@ -10,7 +10,8 @@
 
 namespace lacuna {
 
-/// What is said about one measured file: problems, which make it unusable, and notes. Of complaints
+/// What is said about one measured file: problems, which make it unusable, notes, and doubts, the notes that every
+/// command repeats. Of complaints
 /// that are alike the first three are kept, the last of them with "and 312 more like it". Messages
 /// are given as functions, so that a file with a million bad cells does not format a million
 /// sentences. Belongs to one thread.
@@ -30,6 +31,10 @@ class FileReport {
   void note(const std::string& kind, int line, Message&& message) {
     say(notes_, kind, line, std::forward<Message>(message));
   }
+  template <typename Message>
+  void doubt(const std::string& kind, int line, Message&& message) {
+    say(notes_, kind, line, std::forward<Message>(message), true);
+  }
 
   /// Hands over what was collected.
   void move_to(ProblemList& problems, std::vector<ReadingNote>& notes);
@@ -40,6 +45,7 @@ class FileReport {
   struct Sentence {
     int line = 0;
     std::string text;
+    bool doubt = false;
   };
   struct Kind {
     int count = 0;
@@ -51,11 +57,11 @@ class FileReport {
   };
 
   template <typename Message>
-  static void say(Collection& collection, const std::string& kind, int line, Message&& message) {
+  static void say(Collection& collection, const std::string& kind, int line, Message&& message, bool doubt = false) {
     Kind& seen = collection.kinds[kind];
     if (++seen.count > kShownOfAKind) return;
     seen.last_shown = collection.shown.size();
-    collection.shown.push_back({line, message()});
+    collection.shown.push_back({line, message(), doubt});
   }
   static void count_the_rest(Collection& collection);
 

@@ -57,19 +57,19 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, FileReport
   const ColumnMapping& mapping = *column.mapping;
   const std::string in_name = unit_in_name(mapping.column);
   if (!in_name.empty() && !same_unit(in_name, mapping.unit))
-    report.note("unit of " + mapping.column, format.header_line, [&] {
+    report.doubt("unit of " + mapping.column, format.header_line, [&] {
       return fmt::format("column `{}` has the unit {} in its name, but is read in {}", mapping.column, in_name,
                          mapping.unit);
     });
   const auto place = std::find(format.names.begin(), format.names.end(), mapping.column);
   const auto index = static_cast<std::size_t>(place - format.names.begin());
   if (index < format.units.size() && !format.units[index].empty() && !same_unit(format.units[index], mapping.unit))
-    report.note("units row of " + mapping.column, format.first_line - 1, [&] {
+    report.doubt("units row of " + mapping.column, format.first_line - 1, [&] {
       return fmt::format("the row of units says {} for column `{}`, which is read in {}", format.units[index],
                          mapping.column, mapping.unit);
     });
   if (mapping.unit == "1" && mapping.gain_unit.empty() && column.channel.unit == "rad")
-    report.note("no unit of " + mapping.column, format.header_line, [&] {
+    report.doubt("no unit of " + mapping.column, format.header_line, [&] {
       return fmt::format("column `{}` has no unit and is read in rad; say unit = \"rad\" or \"deg\"", mapping.column);
     });
 }
@@ -79,7 +79,7 @@ void check_size(const PlannedColumn& column, const SignalShape& shape, int line,
   const double size = std::max(std::abs(shape.lowest), std::abs(shape.highest));
   for (const PlausibleSize& plausible : kPlausibleSizes) {
     if (column.channel.unit != plausible.unit || size <= plausible.largest) continue;
-    report.note("size of " + mapping.column, line, [&] {
+    report.doubt("size of " + mapping.column, line, [&] {
       return fmt::format("column `{}` reaches {} when read in {}; is it in {}?", mapping.column,
                          format_quantity(size, column.channel.unit), mapping.unit, plausible.likelier);
     });
@@ -87,7 +87,7 @@ void check_size(const PlannedColumn& column, const SignalShape& shape, int line,
   const double written = (shape.highest - shape.lowest) / std::abs(column.factor);
   for (const SmallUnit& small : kSmallUnits) {
     if (mapping.unit != small.column_unit || written > small.smallest || mapping.gain != 1.0) continue;
-    report.note("size of " + mapping.column, line, [&] {
+    report.doubt("size of " + mapping.column, line, [&] {
       return fmt::format("column `{}` moves within {:.3g} {} only; is it in {}?", mapping.column, written, mapping.unit,
                          small.likelier);
     });
@@ -99,7 +99,7 @@ void check_column(const PlannedColumn& column, const TimeSeries& series, Eigen::
   const SignalShape shape = shape_of(series, c);
   const ColumnMapping& mapping = *column.mapping;
   if (shape.count == 0) {
-    report.note("no value of " + mapping.column, line,
+    report.doubt("no value of " + mapping.column, line,
                 [&] { return fmt::format("column `{}` has no value in the whole trial", mapping.column); });
     return;
   }
@@ -111,7 +111,7 @@ void check_column(const PlannedColumn& column, const TimeSeries& series, Eigen::
     });
   if (shape.lowest < shape.highest) check_size(column, shape, line, report);
   if (shape.clipped == 0 || command) return;
-  report.note("saturated " + mapping.column, line, [&] {
+  report.doubt("saturated " + mapping.column, line, [&] {
     return fmt::format(
         "column `{}` stays at its {} {} for {} samples, {} times after moving fast: saturated? target.time.mask keeps "
         "such "
@@ -145,7 +145,7 @@ void check_velocity(const Trial& trial, const RecordingPlan& plan, std::size_t v
     }
   }
   if (std::abs(best.correlation) < kCertain) return;
-  report.note("slope of " + plan.sensors[velocity].mapping->column, line, [&] {
+  report.doubt("slope of " + plan.sensors[velocity].mapping->column, line, [&] {
     return fmt::format("column `{}` against the slope of `{}`: {}", plan.sensors[velocity].mapping->column,
                        plan.sensors[best_position].mapping->column, in_words(best.ratio));
   });

@@ -16,6 +16,7 @@ namespace lacuna {
 struct ReadingNote {
   SourceLocation location;
   std::string message;
+  bool doubt = false;  ///< what was read may not be what was meant, or not all of it
 };
 
 struct Recording {

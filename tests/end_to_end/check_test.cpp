@@ -6,7 +6,7 @@
 namespace lacuna {
 namespace {
 
-using testing::HasSubstr;
+using testing::HasSubstr, testing::Not;
 
 /// Whatever is wrong with a recording is said by `check`, before anything is fitted.
 class Check : public testing::Test {
@@ -59,6 +59,14 @@ TEST_F(Check, PrintsNotesOnWhatLooksOdd) {
   const Outcome outcome = check({"--set", "target.commands.motor.unit=\"mN*m\""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("has the unit N*m in its name, but is read in mN*m"));
+}
+
+TEST_F(Check, HasItsDoubtsRepeatedByWhatUsesTheRecordings) {
+  program_.write(sine_, program_.read(sine_) + "8.002,0.2");
+  const Outcome compare = program_.run({"compare", "first-steps.toml"});
+  EXPECT_EQ(compare.exit_code, 0) << compare.errors;
+  EXPECT_THAT(compare.errors, HasSubstr("sine.csv:4003: the file breaks off in its last line, which is left out"));
+  EXPECT_THAT(compare.errors, Not(HasSubstr("chirp.csv")));
 }
 
 TEST_F(Check, TakesATestOfOneControlPeriodWhateverUnitsItIsWrittenIn) {

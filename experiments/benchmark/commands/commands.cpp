@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 
 #include <CLI/CLI.hpp>
@@ -34,8 +35,11 @@ int run_program(int argc, char** argv) {
   lacuna::watch_for_interrupts();
   try {
     program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help) == 0 ? kDone : kFailed;
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kDone : kBadInput;
+    fmt::print(stderr, "{}\n", lacuna::usage_sentence(program, error, argc, argv));
+    return kBadInput;
   } catch (const lacuna::Interrupted& error) {
     return told(error, kInterrupted);
   } catch (const std::invalid_argument& error) {

@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
 #include "foundation/digest.h"
 #include "foundation/interrupt.h"
@@ -23,7 +24,7 @@ struct RunOptions {
   std::string set, cases, part, version;
   fs::path database, work, lacuna;
   int jobs = 1, most_diagnoses = ProgramSettings{}.most_diagnoses;
-  double longest = 1800.0;
+  int longest = 1800;
   bool keep = false, baselines = false, settle = false, without_oracle = false;
 };
 
@@ -70,7 +71,7 @@ void run(const RunOptions& options) {
   const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
   if (!fs::exists(file))
     throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
-  const ProgramSettings settings{file, options.longest, options.most_diagnoses, lacuna::interrupt_requested};
+  const ProgramSettings settings{file, static_cast<double>(options.longest), options.most_diagnoses, lacuna::interrupt_requested};
   Database database(options.database);
   keep_version(database, options.version, identity_of(settings, options.work));
   const Telling told;
@@ -100,17 +101,17 @@ void add_run_command(CLI::App& program) {
   command->add_option("--cases", options->cases, "Numbers of the cases (default: all)")->option_text("A-B");
   command->add_option("--part", options->part, "The K-th of N equal parts of them")->option_text("K/N");
   command->add_option("--jobs", options->jobs, "Cases at a time (default: 1)")
-      ->check(CLI::PositiveNumber)
+      ->check(lacuna::whole_number(1, 1024))
       ->option_text("J");
   command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")->option_text("PATH");
   command->add_option("--version", options->version, "Name of the method's version, such as a commit")
       ->required()
       ->option_text("TEXT");
   command->add_option("--time-limit", options->longest, "Seconds that one call may take (default: 1800)")
-      ->check(CLI::PositiveNumber)
+      ->check(lacuna::whole_number(1, 1000000))
       ->option_text("S");
   command->add_option("--diagnoses", options->most_diagnoses, "Of a case at most (default: 3); 1 adds nothing")
-      ->check(CLI::PositiveNumber)
+      ->check(lacuna::whole_number(1, 100))
       ->option_text("N");
   command->add_flag("--keep", options->keep, "Keep the files of the cases");
   command->add_flag("--baselines", options->baselines, "Ask other methods, too: as long again as a diagnosis");

@@ -1,4 +1,4 @@
-#include "app/usage_error.h"
+#include "command_line/usage_error.h"
 
 #include "foundation/problem.h"
 
@@ -49,18 +49,29 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string joined(const std::vector<std::string>& parts, const std::string& between) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
   return text;
 }
+
+std::string listed(const std::vector<std::string>& names) { return joined(names, ", "); }
 
 /// Words that neither the program nor a command took.
 std::string complaint_of_extras(const Place& place, const std::vector<std::string>& extras) {
   for (const std::string& word : extras)
     if (word.starts_with('-'))
       return "there is no option " + option_part(word) + did_you_mean(option_part(word), option_names(*place.command));
-  return "one argument too many: " + (extras.empty() ? "" : extras.front());
+  return "one argument too many: " + extras.front();
+}
+
+/// All that are missing, where CLI11 names the first alone; a command may have its own words for what it requires.
+std::string complaint_of_missing(const CLI::App& command, const CLI::ParseError& error) {
+  std::vector<std::string> missing;
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_required() && option->count() == 0) missing.push_back(option->get_name());
+  if (missing.empty()) return error.what();
+  return listed(missing) + (missing.size() == 1 ? " is required" : " are required");
 }
 
 std::string complaint(const CLI::App& program, const Place& place, const CLI::ParseError& error) {
@@ -69,9 +80,14 @@ std::string complaint(const CLI::App& program, const Place& place, const CLI::Pa
   if (!commands.empty() && !names_none)
     return "there is no command \"" + place.rest.front() + "\"" + did_you_mean(place.rest.front(), commands);
   if (!commands.empty() && place.rest.empty()) return "name a command: " + listed(commands);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-    return complaint_of_extras(place, program.remaining(true));
-  return error.what();
+  const std::vector<std::string> extras = program.remaining(true);
+  std::vector<std::string> complaints;
+  if (!extras.empty()) complaints.push_back(complaint_of_extras(place, extras));
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    complaints.push_back(complaint_of_missing(*place.command, error));
+  else if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr)
+    complaints.push_back(error.what());
+  return joined(complaints, "; ");
 }
 
 }  // namespace
