@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace lacuna {
@@ -71,7 +72,7 @@ std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome) {
 
 void cannot_tell(Diagnosis& diagnosis) {
   diagnosis.verdict = Verdict::cannot_tell;
-  diagnosis.probability = 0.5;
+  diagnosis.probability = std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Of the last effect the ranking says itself what it is not told from now.

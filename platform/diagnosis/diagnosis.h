@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -74,7 +75,7 @@ using Evidence = std::map<std::string, double>;
 
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
-  double probability = 0.0;  ///< of the verdict
+  double probability = std::numeric_limits<double>::quiet_NaN();  ///< of the verdict; NaN: `cannot_tell` states none
   bool form_only = false;    ///< what is left makes up for the form of effects that the model has (present_effects.h)
   bool calibrated = false;   ///< the probability is how often such verdicts were right (calibration.h)
   Evidence evidence;

@@ -135,7 +135,7 @@ void weigh(Diagnosis& diagnosis) {
       diagnosis.probability = std::min(1.0 - std::exp(-most) / total, above_zero(diagnosis.ranking.front().gain));
       break;
     case Verdict::not_in_library: diagnosis.probability = 1.0 - diagnosis.free_force_p; break;
-    case Verdict::cannot_tell: diagnosis.probability = 0.5; break;
+    case Verdict::cannot_tell: diagnosis.probability = std::numeric_limits<double>::quiet_NaN(); break;
   }
 }
 

@@ -49,12 +49,11 @@ std::string answer_text(const RankedModel& answer) {
   return text;
 }
 
-/// Errors over segments of another length than the answer's, `segment` s, have a floor of their own.
+/// Errors over segments of another length than the answer's, `segment` s, are no measure beside its own.
 std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, double segment) {
-  std::vector<std::string> row = {std::to_string(rank), names_text(model), gain_text(model.gain) + " nats",
-                                  fmt::format("{:.2f} × floor", model.times_floor)};
-  if (model.segment != segment) row.push_back("over " + format_quantity(model.segment, "s"));
-  return row;
+  const std::string error = model.segment == segment ? fmt::format("{:.2f} × floor", model.times_floor)
+                                                     : "over " + format_quantity(model.segment, "s");
+  return {std::to_string(rank), names_text(model), gain_text(model.gain) + " nats", error};
 }
 
 std::string ranking_text(const Diagnosis& diagnosis) {
@@ -105,8 +104,9 @@ std::string untestable_text(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string probability_text(const Diagnosis& diagnosis) {
-  return fmt::format("{:.2f} ({})", diagnosis.probability,
+std::string verdict_text(const Diagnosis& diagnosis) {
+  if (std::isnan(diagnosis.probability)) return std::string(to_string(diagnosis.verdict));
+  return fmt::format("{} · P {:.2f} ({})", to_string(diagnosis.verdict), diagnosis.probability,
                      diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
 }
 
@@ -114,7 +114,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
   if (diagnosis.base.empty())  // nothing was searched
     return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                        fmt::join(diagnosis.findings, "\n"));
-  std::string text = fmt::format("verdict {} · P {}\n", to_string(diagnosis.verdict), probability_text(diagnosis));
+  std::string text = "verdict " + verdict_text(diagnosis) + "\n";
   text += answers_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);

@@ -6,8 +6,8 @@
 
 namespace lacuna {
 
-/// "0.93 (uncalibrated)", or what it was calibrated on.
-std::string probability_text(const Diagnosis& diagnosis);
+/// "effect_found · P 0.93 (uncalibrated)", or what it was calibrated on; `cannot_tell` states no probability.
+std::string verdict_text(const Diagnosis& diagnosis);
 
 /// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
 /// command to go on with.

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 namespace hidden_effects {
@@ -44,7 +45,8 @@ std::string answer_text(const CaseResult& result) {
   if (first.verdict == "effect_found" && !first.ranking.empty())
     for (const RankedEffectRecord& effect : first.ranking.front().effects)
       words += fmt::format(" {} @ {}", effect.what.effect, effect.what.place);
-  return fmt::format("{}, P {:.2f}, {:.0f} s", words, first.probability, first.seconds);
+  if (!std::isnan(first.probability)) words += fmt::format(", P {:.2f}", first.probability);
+  return fmt::format("{}, {:.0f} s", words, first.seconds);
 }
 
 /// What it says of itself and which file it is: another build may give other results.

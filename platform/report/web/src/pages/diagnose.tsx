@@ -64,10 +64,12 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
       </div>
       <p class="lead">
         <strong>{verdictSentence(document)}</strong>{' '}
-        <span class="muted">
-          probability {plain(document.probability, 2)} (
-          {document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})
-        </span>
+        {document.probability !== null && (
+          <span class="muted">
+            probability {plain(document.probability, 2)} (
+            {document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})
+          </span>
+        )}
       </p>
       {document.ranking.length > 0 && <Ranking document={document} />}
       <Force document={document} />
