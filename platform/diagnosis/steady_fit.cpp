@@ -1,6 +1,7 @@
 #include "diagnosis/steady_fit.h"
 
 #include "diagnosis/integration_error.h"
+#include "diagnosis/jackknife.h"
 
 #include <cmath>
 #include <numeric>
@@ -20,9 +21,7 @@ bool stays(const Contender& model, const Refit& before, const Refit& after) {
   return true;
 }
 
-}  // namespace
-
-Refit steady_fit(const Contender& model, const Round& last, const std::vector<Trial>& measured, int threads) {
+Refit corrected(const Contender& model, const Round& last, const std::vector<Trial>& measured, int threads) {
   Refit fit = last.fit;
   std::vector<std::size_t> own_places(fit.values.size());
   std::iota(own_places.begin(), own_places.end(), std::size_t{0});
@@ -40,6 +39,14 @@ Refit steady_fit(const Contender& model, const Round& last, const std::vector<Tr
     fit = std::move(again);
     if (same) return fit;
   }
+  return fit;
+}
+
+}  // namespace
+
+Refit steady_fit(const Contender& model, const Round& last, const std::vector<Trial>& measured, int threads) {
+  Refit fit = corrected(model, last, measured, threads);
+  fit.covariance = wary_covariance(fit, last.folds);
   return fit;
 }
 
