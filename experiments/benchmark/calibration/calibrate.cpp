@@ -18,7 +18,9 @@ namespace {
 using Verdicts = std::vector<const JudgedVerdict*>;
 
 constexpr std::size_t kCasesPerFigure = 5;
-constexpr std::size_t kFewestVerdicts = 10;  ///< of a kind: how often rarer ones are right is not known
+/// Of a kind: how often rarer ones are right is not known. Of few it is their share, with half a case of either kind
+/// beside them (H. Jeffreys' prior).
+constexpr std::size_t kFewestVerdicts = 3;
 
 /// Figures that all of them have.
 std::vector<std::string> common_evidence(const Verdicts& verdicts) {

@@ -41,12 +41,16 @@ TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
     verdicts.push_back(verdict("servo_pendulum", 0.0, i % 10 < 3));
     verdicts.push_back(verdict("cart_pole", 1.0, false));
   }
-  for (int i = 0; i < 9; ++i) {
-    verdicts.push_back(verdict("cart_pole", 1.0, true));
-    verdicts.back().verdict = "not_in_library";
+  for (const char* rare : {"nothing_missing", "not_in_library"}) {
+    for (int i = 0; i < 3; ++i) {
+      verdicts.push_back(verdict("cart_pole", 1.0, i > 0));
+      verdicts.back().verdict = rare;
+    }
   }
+  verdicts.pop_back();
   const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
-  EXPECT_FALSE(calibration.all.contains("not_in_library")) << "nine are too few";
+  EXPECT_FALSE(calibration.all.contains("not_in_library")) << "two are too few";
+  EXPECT_NEAR(calibration.all.at("nothing_missing").probability({}), 2.5 / 4.0, 1e-6) << "two of three were right";
   const auto without = calibration.without.at("cart_pole").at("effect_found");
   EXPECT_NEAR(without.probability({{"log_lead", 2.0}}), 0.9, 0.03);
   EXPECT_NEAR(without.probability({{"log_lead", 0.0}}), 0.3, 0.03);
