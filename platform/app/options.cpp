@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-
 namespace lacuna {
 namespace {
 
@@ -69,9 +68,7 @@ void add_work_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads (default: one a processor)")
       ->option_text("N")
       ->check(whole_number(1, kMostThreads));
-  command.add_option("--seed", options.seed, "Seed, instead of the file's")
-      ->option_text("N")
-      ->check(whole_number(0));
+  command.add_option("--seed", options.seed, "Seed, instead of the file's")->option_text("N")->check(whole_number(0));
   add_result_option(command, "json", options.json, "Results as JSON, to standard output or FILE");
   command.add_flag("--quiet", options.quiet, "Print results only");
 }

@@ -3,6 +3,8 @@
 #include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <vector>
 
@@ -49,14 +51,6 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& between) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
-  return text;
-}
-
-std::string listed(const std::vector<std::string>& names) { return joined(names, ", "); }
-
 /// Words that neither the program nor a command took.
 std::string complaint_of_extras(const Place& place, const std::vector<std::string>& extras) {
   for (const std::string& word : extras)
@@ -71,7 +65,7 @@ std::string complaint_of_missing(const CLI::App& command, const CLI::ParseError&
   for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0) missing.push_back(option->get_name());
   if (missing.empty()) return error.what();
-  return listed(missing) + (missing.size() == 1 ? " is required" : " are required");
+  return fmt::format("{} {} required", fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are");
 }
 
 std::string complaint(const CLI::App& program, const Place& place, const CLI::ParseError& error) {
@@ -79,7 +73,7 @@ std::string complaint(const CLI::App& program, const Place& place, const CLI::Pa
   const bool names_none = place.rest.empty() || place.rest.front().starts_with('-');
   if (!commands.empty() && !names_none)
     return "there is no command \"" + place.rest.front() + "\"" + did_you_mean(place.rest.front(), commands);
-  if (!commands.empty() && place.rest.empty()) return "name a command: " + listed(commands);
+  if (!commands.empty() && place.rest.empty()) return "name a command: " + fmt::format("{}", fmt::join(commands, ", "));
   const std::vector<std::string> extras = program.remaining(true);
   std::vector<std::string> complaints;
   if (!extras.empty()) complaints.push_back(complaint_of_extras(place, extras));
@@ -87,7 +81,7 @@ std::string complaint(const CLI::App& program, const Place& place, const CLI::Pa
     complaints.push_back(complaint_of_missing(*place.command, error));
   else if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr)
     complaints.push_back(error.what());
-  return joined(complaints, "; ");
+  return fmt::format("{}", fmt::join(complaints, "; "));
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ using Evidence = std::map<std::string, double>;
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
   double probability = std::numeric_limits<double>::quiet_NaN();  ///< of the verdict; NaN: `cannot_tell` states none
-  bool form_only = false;    ///< what is left makes up for the form of effects that the model has (present_effects.h)
-  bool calibrated = false;   ///< the probability is how often such verdicts were right (calibration.h)
+  bool form_only = false;   ///< what is left makes up for the form of effects that the model has (present_effects.h)
+  bool calibrated = false;  ///< the probability is how often such verdicts were right (calibration.h)
   Evidence evidence;
   std::vector<ChannelError> base;
   double base_times_floor = 0.0;

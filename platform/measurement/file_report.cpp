@@ -20,7 +20,7 @@ void FileReport::move_to(ProblemList& problems, std::vector<ReadingNote>& notes)
   for (Sentence& sentence : problems_.shown) problems.add({file_, sentence.line, 0}, std::move(sentence.text));
   std::stable_sort(notes_.shown.begin(), notes_.shown.end(),
                    [](const Sentence& a, const Sentence& b) { return a.line < b.line; });
-  for (Sentence& sentence : notes_.shown) 
+  for (Sentence& sentence : notes_.shown)
     notes.push_back({{file_, sentence.line, 0}, std::move(sentence.text), sentence.doubt});
   problems_ = {};
   notes_ = {};

@@ -100,7 +100,7 @@ void check_column(const PlannedColumn& column, const TimeSeries& series, Eigen::
   const ColumnMapping& mapping = *column.mapping;
   if (shape.count == 0) {
     report.doubt("no value of " + mapping.column, line,
-                [&] { return fmt::format("column `{}` has no value in the whole trial", mapping.column); });
+                 [&] { return fmt::format("column `{}` has no value in the whole trial", mapping.column); });
     return;
   }
   if (shape.lowest == shape.highest && shape.count > 1)

@@ -106,9 +106,8 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   const Series chance{"chance, 95 %",     Mark::path, kOrange, {diagnosis.chance_95, diagnosis.chance_95},
                       {-0.5, rows - 0.5}, {}};
   panel.series = {gain, interval, chance};
-  Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)),
-                "held-out log likelihood over the model [nats]",
-                {panel}};
+  Figure figure{
+      fmt::format("{} · {}", title, verdict_text(diagnosis)), "held-out log likelihood over the model [nats]", {panel}};
   figure.height = 200 + 44 * static_cast<int>(panel.y_names.size());
   return figure;
 }

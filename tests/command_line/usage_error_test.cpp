@@ -39,9 +39,10 @@ TEST(UsageSentence, NamesAllOptionsThatAreMissing) {
 }
 
 TEST(UsageSentence, NamesAnUnknownWordBeforeWhatIsMissing) {
-  EXPECT_EQ(answer_to({"cases", "run", "--jbos", "2"}),
-            "bench cases run: there is no option --jbos (did you mean \"--jobs\"?); --set, --db are required; see bench "
-            "cases run --help");
+  EXPECT_EQ(
+      answer_to({"cases", "run", "--jbos", "2"}),
+      "bench cases run: there is no option --jbos (did you mean \"--jobs\"?); --set, --db are required; see bench "
+      "cases run --help");
   EXPECT_EQ(answer_to({"cases", "ran"}),
             "bench cases: there is no command \"ran\" (did you mean \"run\"?); see bench cases --help");
   EXPECT_EQ(answer_to({"cases"}), "bench cases: name a command: plan, run; see bench cases --help");

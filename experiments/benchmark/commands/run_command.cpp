@@ -73,7 +73,8 @@ void run(const RunOptions& options) {
   const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
   if (!fs::exists(file))
     throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
-  const ProgramSettings settings{file, static_cast<double>(options.longest), options.most_diagnoses, lacuna::interrupt_requested};
+  const ProgramSettings settings{file, static_cast<double>(options.longest), options.most_diagnoses,
+                                 lacuna::interrupt_requested};
   Database database(options.database);
   keep_version(database, options.version, identity_of(settings, options.work));
   const Telling told;
