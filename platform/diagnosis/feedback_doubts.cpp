@@ -18,9 +18,11 @@ constexpr double kPartOfNoise = 0.5;  // of the noise that the readings hold
 constexpr double kExact = 1e-5;       // of the command's own deviation
 constexpr double kNearly = 0.02;      // of the same
 constexpr double kFeedback = 0.2;     // of the scatter of a command, that is the readings'
-constexpr double kWhite = -0.5;       // white noise has −2/3, between neighbouring second differences
+constexpr double kWhite = -0.7;       // white noise has −4/5, between neighbouring fourth differences
 constexpr Eigen::Index kLate = 3;     // samples that a controller takes
+constexpr Eigen::Index kApart = 5;    // samples, beyond which fourth differences share none
 constexpr Eigen::Index kFewest = 50;
+constexpr Eigen::Index kFewestToShare = 200;  // of fewer, chance makes a share that large
 
 /// Samples of the trial at which everything was measured, and the commands of the same times.
 struct Together {
@@ -39,6 +41,11 @@ Together together(const Trial& trial) {
 Eigen::VectorXd second_differences(const Eigen::VectorXd& values) {
   const Eigen::Index n = values.size() - 2;
   return values.tail(n) - 2.0 * values.segment(1, n) + values.head(n);
+}
+
+/// What is smooth is gone from fourth differences, be it a command or the motion that follows it; noise is not.
+Eigen::VectorXd roughness(const Eigen::VectorXd& values) {
+  return second_differences(second_differences(second_differences(values)));
 }
 
 double spread(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
@@ -60,19 +67,28 @@ bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double
          (left < kNearly && data.readings.cols() == 1 && fit.coefficients(0) > 0.0);
 }
 
-/// The share of a command's scatter that is a reading's, of the same or the last few samples; 0 where the reading is so
-/// smooth that its scatter is motion.
-double shared_scatter(const Together& data, Eigen::Index u, Eigen::Index c) {
-  const Eigen::VectorXd reading = second_differences(data.readings.col(c)),
-                        command = second_differences(data.commands.col(u));
-  const Eigen::Index n = reading.size() - kLate;
-  const double power = reading.squaredNorm();
-  if (!(power > 0.0) || reading.head(n).dot(reading.segment(1, n)) > kWhite * power) return 0.0;
-  Eigen::MatrixXd columns(n, kLate + 1);
-  for (Eigen::Index late = 0; late <= kLate; ++late) columns.col(late) = reading.segment(kLate - late, n);
-  const Eigen::VectorXd wanted = command.tail(n);
+/// The share of `wanted` that a few neighbouring samples of a reading tell, for the first of `wanted` those from
+/// `first` on.
+double share_of(const Eigen::VectorXd& wanted, const Eigen::VectorXd& reading, Eigen::Index first) {
+  Eigen::MatrixXd columns(wanted.size(), kLate + 1);
+  for (Eigen::Index late = 0; late <= kLate; ++late) columns.col(late) = reading.segment(first + late, wanted.size());
   const double size = wanted.norm();
   return size > 0.0 ? 1.0 - straight_fit(columns / size, wanted / size).squares : 0.0;
+}
+
+/// The share of a command's scatter that is the noise of a reading's same or last few samples: what these tell of it
+/// beyond what older and later ones do, whose noise is another, but which know as much of motion that follows a
+/// command. 0 where the reading is so smooth that its scatter is motion.
+double shared_scatter(const Together& data, Eigen::Index u, Eigen::Index c) {
+  if (data.readings.rows() < kFewestToShare) return 0.0;
+  const Eigen::VectorXd reading = roughness(data.readings.col(c)), command = roughness(data.commands.col(u));
+  const Eigen::Index last = reading.size() - 1;
+  const double power = reading.squaredNorm();
+  if (!(power > 0.0) || reading.head(last).dot(reading.tail(last)) > kWhite * power) return 0.0;
+  constexpr Eigen::Index kOlder = 0, kSame = kLate + kApart, kLater = 2 * kSame;
+  const Eigen::VectorXd wanted = command.segment(kSame + kLate, command.size() - kLater - kLate);
+  const double by_motion = std::max(share_of(wanted, reading, kOlder), share_of(wanted, reading, kLater));
+  return share_of(wanted, reading, kSame) - by_motion;
 }
 
 /// What is alike in several files, so that it is said once.

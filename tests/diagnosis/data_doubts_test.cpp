@@ -177,6 +177,17 @@ TEST(DataDoubts, NoteFeedback) {
   EXPECT_THAT(notes_of(RecordedPendulum()), testing::Each(Not(HasSubstr("feedback"))));
 }
 
+/// Motion that follows a smooth command is seen through little noise, and through more of it than there is motion
+/// between neighbouring samples.
+TEST(DataDoubts, DoNotTakeMotionThatFollowsACommandForFeedback) {
+  const auto lively = [](double t) { return 2.0 * std::sin(2.0 * M_PI * 5.0 * t) + std::sin(2.0 * M_PI * 8.0 * t); };
+  for (const double noise : {3e-5, 3e-4, 1e-3, 3e-3, 1e-2}) {
+    RecordedPendulum rig;
+    for (Trial& trial : rig.trials) trial = recorded({.noise = noise}, trial.name, lively, 6.0, 3);
+    EXPECT_THAT(notes_of(rig), testing::Each(Not(HasSubstr("feedback")))) << noise << " rad";
+  }
+}
+
 TEST(DataDoubts, NameWhatNeverChanges) {
   RecordedPendulum rig;
   rig.angle(1).setConstant(0.1);
