@@ -1,6 +1,7 @@
 #include "app/diagnosed_start.h"
 
 #include "app/records.h"
+#include "foundation/address.h"
 #include "storage/result_store.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ std::map<std::string, double> diagnosed_start(const CommonOptions& options, cons
                                               const EffectEntry& entry) {
   std::map<std::string, double> start;
   for (const CandidateValueRecord& found : diagnosed_values(options, base, entry)) {
-    const std::string address = "effect." + entry.id + "." + found.name;
+    const std::string address = effect_address(entry.id, found.name);
     for (const FreeValue& free : extended.definition.free)
       if (free.address == address) start[found.name] = std::clamp(short_number(found.value), free.lower, free.upper);
   }

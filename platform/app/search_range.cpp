@@ -1,5 +1,7 @@
 #include "app/search_range.h"
 
+#include "foundation/address.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +27,7 @@ std::map<std::string, std::pair<double, double>> search_range(const EffectEntry&
   std::map<std::string, std::pair<double, double>> ranges;
   for (const auto& [name, start] : entry.start)
     for (const FreeValue& free : extended.free) {
-      if (free.address != "effect." + entry.id + "." + name || start == 0.0) continue;
+      if (free.address != effect_address(entry.id, name) || start == 0.0) continue;
       const std::pair<double, double> range = around(start, free);
       const bool narrower = range.first > free.lower || range.second < free.upper;
       if (narrower && range.first < range.second) ranges[name] = range;

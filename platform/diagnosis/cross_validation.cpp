@@ -42,7 +42,8 @@ namespace {
 
 /// Where the quadratic model of the deviance has its minimum without a fold, from where the fit is; of the values that
 /// are `inside`.
-Eigen::VectorXd step_to_minimum(const Normal& all, const Normal& without, const std::vector<Eigen::Index>& inside) {
+Eigen::VectorXd step_to_minimum(const NormalEquations& all, const NormalEquations& without,
+                                const std::vector<Eigen::Index>& inside) {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(all.score.size());
   if (!inside.empty())
     step(inside) = minimum_without({all.gram(inside, inside), all.score(inside)},
@@ -64,7 +65,7 @@ std::vector<Eigen::VectorXd> steps_without(const Refit& fit, const Folds& folds)
   const Eigen::VectorXd given_up =
       fit.converged ? Eigen::VectorXd::Zero(count) : step_to_minimum(normals.all, normals.all, inside);
   std::vector<Eigen::VectorXd> steps;
-  for (const Normal& without : normals.without)
+  for (const NormalEquations& without : normals.without)
     steps.emplace_back(step_to_minimum(normals.all, without, inside) - given_up);
   return steps;
 }

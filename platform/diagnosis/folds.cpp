@@ -19,18 +19,13 @@ std::size_t count_of(const Folds& folds) {
   return count;
 }
 
-void add(const WeightedSegment& segment, Normal& normal) {
-  normal.gram += segment.values.transpose() * segment.values;
-  normal.score += segment.values.transpose() * segment.residual;
-}
-
 /// What the blocks of other folds say; nothing where there are none.
 void add_without(std::size_t fold, const RobustSegment& segment, Eigen::VectorXd weights,
-                 const std::vector<std::size_t>& folds, Normal& normal) {
+                 const std::vector<std::size_t>& folds, NormalEquations& normal) {
   if (std::all_of(folds.begin(), folds.end(), [&](std::size_t other) { return other == fold; })) return;
   for (Eigen::Index row = 0; row < segment.bins(); ++row)
     if (folds[segment.block_of[static_cast<std::size_t>(row)]] == fold) weights(row) = 0.0;
-  add(weighted(segment, weights), normal);
+  normal.add(weighted(segment, weights));
 }
 
 /// Directions that the data tell, each with information 1: values × directions.
@@ -50,21 +45,18 @@ Eigen::MatrixXd told(const Eigen::MatrixXd& gram) {
 Normals normals_of(const std::vector<RobustSegment>& segments, const std::vector<Eigen::VectorXd>& weights,
                    const Folds& folds) {
   const Eigen::Index values = segments.empty() ? 0 : segments.front().values.cols();
-  const Normal nothing{Eigen::MatrixXd::Zero(values, values), Eigen::VectorXd::Zero(values)};
-  Normals normals{nothing, std::vector<Normal>(count_of(folds), nothing)};
+  const NormalEquations nothing = no_equations(values);
+  Normals normals{nothing, std::vector<NormalEquations>(count_of(folds), nothing)};
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    Normal whole = nothing;
-    add(weighted(segments[k], weights[k]), whole);
-    normals.all.gram += whole.gram;
-    normals.all.score += whole.score;
+    NormalEquations whole = nothing;
+    whole.add(weighted(segments[k], weights[k]));
+    normals.all.add(whole);
     for (std::size_t fold = 0; fold < normals.without.size(); ++fold) {
-      Normal& without = normals.without[fold];
-      if (std::find(folds[k].begin(), folds[k].end(), fold) != folds[k].end()) {
+      NormalEquations& without = normals.without[fold];
+      if (std::find(folds[k].begin(), folds[k].end(), fold) != folds[k].end())
         add_without(fold, segments[k], weights[k], folds[k], without);
-      } else {
-        without.gram += whole.gram;
-        without.score += whole.score;
-      }
+      else
+        without.add(whole);
     }
   }
   return normals;
@@ -80,7 +72,7 @@ Eigen::MatrixXd least_kept(const Eigen::MatrixXd& all, const Eigen::MatrixXd& wi
   return without + back * lacking.asDiagonal() * back.transpose();
 }
 
-Eigen::VectorXd minimum_without(const Normal& all, const Normal& without) {
+Eigen::VectorXd minimum_without(const NormalEquations& all, const NormalEquations& without) {
   const Eigen::MatrixXd directions = told(all.gram);
   if (directions.cols() == 0) return Eigen::VectorXd::Zero(all.score.size());
   const Eigen::MatrixXd kept = directions.transpose() * least_kept(all.gram, without.gram) * directions;

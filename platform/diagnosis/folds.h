@@ -1,5 +1,6 @@
 #pragma once
 
+#include "diagnosis/normal_equations.h"
 #include "diagnosis/robust_segment.h"
 
 #include <cstddef>
@@ -11,15 +12,9 @@ namespace lacuna {
 /// By segment and block: which fold it belongs to.
 using Folds = std::vector<std::vector<std::size_t>>;
 
-/// Normal equations of the values.
-struct Normal {
-  Eigen::MatrixXd gram;
-  Eigen::VectorXd score;
-};
-
 struct Normals {
-  Normal all;
-  std::vector<Normal> without;  ///< each fold; where blocks of a segment stay, its start is told by these
+  NormalEquations all;
+  std::vector<NormalEquations> without;  ///< each fold; where blocks of a segment stay, its start is told by these
 };
 
 /// `weights`: of each segment's rows.
@@ -33,7 +28,7 @@ Eigen::MatrixXd least_kept(const Eigen::MatrixXd& all, const Eigen::MatrixXd& wi
 
 /// The change of the values to where the deviance without a fold is least, with `least_kept` of it; nothing along
 /// directions that no fold tells.
-Eigen::VectorXd minimum_without(const Normal& all, const Normal& without);
+Eigen::VectorXd minimum_without(const NormalEquations& all, const NormalEquations& without);
 
 /// Deviance of every block, one after the other, from the residual of its segment that its fold was left out of.
 Eigen::VectorXd held_out(const std::vector<RobustSegment>& segments, const Folds& folds,

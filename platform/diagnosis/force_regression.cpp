@@ -68,7 +68,7 @@ void ForceRegression::build() {
   normals_ = normals_of(segments_, weights_, *folds_);
   if (values_ == 0) return;
   const Eigen::MatrixXd told = normals_.all.gram.topLeftCorner(values_, values_);
-  for (Normal& without : normals_.without) {
+  for (NormalEquations& without : normals_.without) {
     auto values = without.gram.topLeftCorner(values_, values_);
     values = least_kept(told, values);
   }
@@ -96,7 +96,7 @@ bool ForceRegression::settle(const Columns& forces, double ridge) {
 Eigen::VectorXd ForceRegression::held_out(const Columns& forces, double ridge) const {
   const Columns all = with_values(forces);
   std::vector<Eigen::VectorXd> sizes;
-  for (const Normal& without : normals_.without) sizes.push_back(solution(without, all, ridge));
+  for (const NormalEquations& without : normals_.without) sizes.push_back(solution(without, all, ridge));
   return lacuna::held_out(segments_, *folds_,
                           [&](std::size_t k, std::size_t fold) { return residual(k, all, sizes[fold]); });
 }
@@ -137,7 +137,7 @@ Eigen::MatrixXd ForceRegression::information(const Eigen::MatrixXd& gram, const 
   return known;
 }
 
-Eigen::VectorXd ForceRegression::solution(const Normal& normal, const Columns& all, double ridge) const {
+Eigen::VectorXd ForceRegression::solution(const NormalEquations& normal, const Columns& all, double ridge) const {
   if (all.empty()) return {};
   return -solve_scaled(information(normal.gram, all, ridge), Eigen::VectorXd(normal.score(all)));
 }

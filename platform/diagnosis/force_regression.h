@@ -41,7 +41,7 @@ class ForceRegression {
   /// Columns of the values and of these forces.
   Columns with_values(const Columns& forces) const;
   Eigen::MatrixXd information(const Eigen::MatrixXd& gram, const Columns& all, double ridge) const;
-  Eigen::VectorXd solution(const Normal& normal, const Columns& all, double ridge) const;
+  Eigen::VectorXd solution(const NormalEquations& normal, const Columns& all, double ridge) const;
   Eigen::VectorXd residual(std::size_t k, const Columns& all, const Eigen::VectorXd& sizes) const;
   double power_beside(Eigen::Index column, const Columns& others) const;
 

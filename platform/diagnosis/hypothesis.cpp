@@ -70,7 +70,7 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   for (const FreeValue& value : base.free) hypothesis.base.push_back(index_of(free, value.address));
   for (std::size_t i = 0; i < description.parameters.size(); ++i) {
     const ParameterDeclaration& parameter = description.parameters[i];
-    hypothesis.own.push_back(index_of(free, "effect." + entry.id + "." + parameter.name));
+    hypothesis.own.push_back(index_of(free, effect_address(entry.id, parameter.name)));
     hypothesis.defaults.push_back(parameter.default_value);
     hypothesis.neutral.push_back(description.neutral.empty() ? parameter.default_value : description.neutral[i]);
   }

@@ -1,6 +1,7 @@
 #include "diagnosis/present_effects.h"
 
 #include "diagnosis/search_state.h"
+#include "foundation/address.h"
 
 #include <algorithm>
 #include <map>
@@ -16,8 +17,8 @@ Contender without_effects(const Contender& plain, const PluginCatalog& catalog) 
   bare.experiment = plain.experiment;
   ModelSection& model = bare.experiment.model;
   model.effects.clear();
-  std::erase_if(model.free, [](const FreeRange& free) { return free.pattern.starts_with("effect."); });
-  std::erase_if(model.set, [](const auto& value) { return value.first.starts_with("effect."); });
+  std::erase_if(model.free, [](const FreeRange& free) { return is_of_effect(free.pattern); });
+  std::erase_if(model.set, [](const auto& value) { return is_of_effect(value.first); });
   bare.definition = define_model(bare.experiment, catalog);
   bare.model = compile(bare.definition.structure, bare.definition.engine);
   std::map<std::string, double> known;

@@ -1,7 +1,9 @@
 #include "diagnosis/rejudge.h"
 
+#include "diagnosis/normal_equations.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/timing.h"
+#include "foundation/address.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -72,36 +74,24 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
   return false;
 }
 
-/// By how much the deviance grows, to second order, where a value at a bound moves by `distance` into its range and all
-/// others are fitted again.
-double cost_of_moving(const Refit& fit, std::size_t value, double distance) {
+/// The same of one value at a bound that moves by `distance` into its range, as far as the deviance grows that way.
+double cost_of_leaving(const Refit& fit, std::size_t value, double distance) {
   const Eigen::Index count = fit.covariance.rows(), moved = static_cast<Eigen::Index>(value);
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-  double slope = 0.0;
-  for (const WeightedSegment& segment : fit.weighted) {
-    information += segment.values.transpose() * segment.values;
-    slope += segment.values.col(moved).dot(segment.residual);
-  }
+  const NormalEquations equations = normal_equations(fit.weighted, count);
   std::vector<Eigen::Index> others;
   for (Eigen::Index i = 0; i < count; ++i)
     if (i != moved && !fit.at_bound[static_cast<std::size_t>(i)]) others.push_back(i);
-  double left = information(moved, moved);
-  if (!others.empty()) {
-    const Eigen::VectorXd mixed = information(others, moved);
-    const Eigen::MatrixXd own = information(others, others);
-    left -= mixed.dot(own.completeOrthogonalDecomposition().solve(mixed));
-  }
-  return 2.0 * std::abs(slope) * distance + left * distance * distance;
+  const double way = std::copysign(distance, equations.score(moved));
+  return cost_of_moving(equations, {moved}, Eigen::VectorXd::Constant(1, way), others);
 }
 
 /// A value of that effect is at a bound where the data hold it.
 bool is_at_limit(const ModelDefinition& definition, const EffectEntry& entry, const Refit& fit) {
   const ParameterSpace space(definition.free);
-  const std::string prefix = "effect." + entry.id + ".";
   for (std::size_t i = 0; fit.valid && i < definition.free.size(); ++i) {
     const auto j = static_cast<Eigen::Index>(i);
-    if (!fit.at_bound[i] || !definition.free[i].address.starts_with(prefix)) continue;
-    if (cost_of_moving(fit, i, kSomeWay * (space.upper()(j) - space.lower()(j))) > kHeld) return true;
+    if (!fit.at_bound[i] || !is_of_effect(definition.free[i].address, entry.id)) continue;
+    if (cost_of_leaving(fit, i, kSomeWay * (space.upper()(j) - space.lower()(j))) > kHeld) return true;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
 #include "fitting/stages.h"
+#include "foundation/address.h"
 #include "foundation/interrupt.h"
 
 #include <algorithm>
@@ -108,22 +109,14 @@ Refit refit_over(const LengthTask& task, double length) {
   return refit({definition, *model, places}, base, bins, noise_factors(*noise), {base.values}, task.threads);
 }
 
-/// By how much the deviance grows, to second order, where the effects get the answer's values and all else is fitted
-/// again. What these segments tell little of grows little.
+/// By how much the deviance grows where the effects get the answer's values and all else is fitted again.
 double deviance_against_answer(const LengthTask& task, const Refit& fit) {
   const ParameterSpace space(task.contender.definition.free);
   const auto count = static_cast<Eigen::Index>(fit.values.size());
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd slope = Eigen::VectorXd::Zero(count);
-  for (const WeightedSegment& segment : fit.weighted) {
-    information += segment.values.transpose() * segment.values;
-    slope += segment.values.transpose() * segment.residual;
-  }
   std::vector<Eigen::Index> moved, others;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    const bool of_effect = task.contender.definition.free[place].address.starts_with("effect.");
-    if (of_effect)
+    if (is_of_effect(task.contender.definition.free[place].address))
       moved.push_back(i);
     else if (!fit.at_bound[place])
       others.push_back(i);
@@ -134,12 +127,7 @@ double deviance_against_answer(const LengthTask& task, const Refit& fit) {
     way(static_cast<Eigen::Index>(m)) =
         space.to_coordinate(moved[m], task.fit.values[place]) - space.to_coordinate(moved[m], fit.values[place]);
   }
-  Eigen::MatrixXd left = information(moved, moved);
-  if (!others.empty()) {
-    const Eigen::MatrixXd own = information(others, others), mixed = information(moved, others);
-    left -= mixed * own.completeOrthogonalDecomposition().solve(mixed.transpose());
-  }
-  return std::max(0.0, 2.0 * slope(moved).dot(way) + way.dot(left * way));
+  return std::max(0.0, cost_of_moving(normal_equations(fit.weighted, count), moved, way, others));
 }
 
 }  // namespace

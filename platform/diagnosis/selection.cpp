@@ -1,5 +1,7 @@
 #include "diagnosis/selection.h"
 
+#include "foundation/address.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,8 +44,6 @@ std::size_t simpler_first(const Round& round, std::size_t chosen) {
 bool explains_structure(const Round& round, const Rival& rival) {
   return round.free_force.p < kFreeForceLevel && rival.gain.lower_95 > 0.0;
 }
-
-std::string prefix_of(const EffectEntry& entry) { return "effect." + entry.id + "."; }
 
 /// A free value and its interval, which has no ends at a bound and where the data tell nothing.
 FoundParameter fitted(const ModelDefinition& definition, const Refit& fit, std::size_t value, const std::string& name) {
@@ -95,10 +95,10 @@ std::vector<FoundEffect> found_effects(const std::vector<EffectEntry>& added, co
   std::vector<FoundEffect> effects;
   for (const EffectEntry& entry : added) {
     FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
-    const std::string prefix = prefix_of(entry);
+    const std::size_t name_begins = effect_address(entry.id, "").size();
     for (std::size_t i = 0; i < definition.free.size(); ++i)
-      if (definition.free[i].address.starts_with(prefix))
-        effect.parameters.push_back(fitted(definition, fit, i, definition.free[i].address.substr(prefix.size())));
+      if (is_of_effect(definition.free[i].address, entry.id))
+        effect.parameters.push_back(fitted(definition, fit, i, definition.free[i].address.substr(name_begins)));
     effects.push_back(std::move(effect));
   }
   return effects;
@@ -110,7 +110,7 @@ std::vector<FoundParameter> own_values(const std::vector<EffectEntry>& added, co
   for (std::size_t i = 0; i < definition.free.size(); ++i) {
     const std::string& address = definition.free[i].address;
     const bool is_own = std::none_of(added.begin(), added.end(),
-                                     [&](const EffectEntry& entry) { return address.starts_with(prefix_of(entry)); });
+                                     [&](const EffectEntry& entry) { return is_of_effect(address, entry.id); });
     if (is_own) values.push_back(fitted(definition, fit, i, address));
   }
   return values;

@@ -18,7 +18,7 @@ std::map<std::string, double> values_by_address(const ModelDefinition& target, c
   RobotSpec robot = target.structure.robot;
   for (const AddressedValue& value : addressed_values(robot)) values[value.address] = *value.value;
   for (const EffectEntry& effect : target.effects)
-    for (const auto& [parameter, value] : effect.start) values["effect." + effect.id + "." + parameter] = value;
+    for (const auto& [parameter, value] : effect.start) values[effect_address(effect.id, parameter)] = value;
   for (std::size_t i = 0; i < target.free.size(); ++i) values[target.free[i].address] = hidden[i];
   return values;
 }

@@ -1,6 +1,7 @@
 #include "evaluation/proposed_model.h"
 
 #include "evaluation/robot_key.h"
+#include "foundation/address.h"
 
 #include <algorithm>
 #include <string>
@@ -27,9 +28,8 @@ std::vector<ModelEffect> model_effects(const ModelDefinition& definition) {
   std::vector<ModelEffect> effects;
   for (const EffectEntry& entry : definition.effects) {
     ModelEffect effect{entry.id, entry.optional, {}};
-    const std::string prefix = "effect." + entry.id + ".";
     for (std::size_t i = 0; i < definition.free.size(); ++i)
-      if (definition.free[i].address.starts_with(prefix)) effect.values.push_back(i);
+      if (is_of_effect(definition.free[i].address, entry.id)) effect.values.push_back(i);
     effects.push_back(std::move(effect));
   }
   return effects;

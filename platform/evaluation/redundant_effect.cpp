@@ -32,7 +32,7 @@ std::vector<double> values_somewhere(const ModelDefinition& model, const PlacedE
   bool any = false;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     for (const FreeValue& free : model.free) {
-      if (free.address != "effect." + placed.id + "." + parameters[i].name) continue;
+      if (free.address != effect_address(placed.id, parameters[i].name)) continue;
       values[i] = std::lerp(free.lower, free.upper, kSomewhere);
       any = true;
     }

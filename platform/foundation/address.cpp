@@ -4,6 +4,8 @@
 
 #include <lacuna/error.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kSmallest = 1e-12;  // of quantities that must be positive
+
+constexpr std::string_view kOfEffects = "effect.";
 
 constexpr bool kMayBeInfinite = true;  // "no limit", or rigid
 
@@ -272,6 +276,17 @@ bool matches(std::string_view pattern, std::string_view address) {
     }
   }
   return !address.empty() && pattern.front() == address.front() && matches(pattern.substr(1), address.substr(1));
+}
+
+std::string effect_address(std::string_view id, std::string_view parameter) {
+  return fmt::format("{}{}.{}", kOfEffects, id, parameter);
+}
+
+bool is_of_effect(std::string_view address) { return address.starts_with(kOfEffects); }
+
+bool is_of_effect(std::string_view address, std::string_view id) {
+  return is_of_effect(address) && address.substr(kOfEffects.size()).starts_with(id) &&
+         address.substr(kOfEffects.size() + id.size()).starts_with('.');
 }
 
 ElementMatch match_elements(const RobotSpec& robot, const std::vector<std::string>& patterns) {

@@ -31,6 +31,12 @@ bool values_in_bounds(const RobotSpec& robot);
 /// other than a dot.
 bool matches(std::string_view pattern, std::string_view address);
 
+/// Of a parameter of a placed effect: `effect.ID.PARAMETER`.
+std::string effect_address(std::string_view id, std::string_view parameter);
+/// Whether an address is a placed effect's, not the robot's; whether it is that of placement `id`.
+bool is_of_effect(std::string_view address);
+bool is_of_effect(std::string_view address, std::string_view id);
+
 /// Channels of a sensor, and of all sensors in spec order: names and SI units.
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor);
 std::vector<Channel> sensor_channels(const RobotSpec& robot);

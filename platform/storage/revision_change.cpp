@@ -1,5 +1,6 @@
 #include "storage/revision_change.h"
 
+#include "foundation/address.h"
 #include "storage/canonical_text.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ void append(std::string& sentence, const std::string& part) {
 std::vector<FreeValueRecord> free_of_robot(const RevisionRecord& revision) {
   std::vector<FreeValueRecord> free;
   std::copy_if(revision.free.begin(), revision.free.end(), std::back_inserter(free),
-               [](const FreeValueRecord& value) { return !value.address.starts_with("effect."); });
+               [](const FreeValueRecord& value) { return !is_of_effect(value.address); });
   return free;
 }
 

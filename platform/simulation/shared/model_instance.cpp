@@ -37,7 +37,7 @@ void add_effect_places(const ModelStructure& structure, std::vector<Place>& plac
     const PlacedEffect& placed = structure.effects[effect];
     const ParameterDeclarations declared = placed.effect->describe().parameters;
     for (std::size_t value = 0; value < declared.size(); ++value)
-      places.push_back({"effect." + placed.id + "." + declared[value].name,
+      places.push_back({effect_address(placed.id, declared[value].name),
                         declared[value].lower,
                         declared[value].upper,
                         {.effect = static_cast<int>(effect), .value = value}});
