@@ -1,11 +1,10 @@
+#include "eea/same_rows.h"
 #include "eea/small_run.h"
 #include "report/shape_study.h"
 #include "support/small_shape.h"
 #include "support/target_genome.h"
 
 #include <gmock/gmock.h>
-
-#include <cmath>
 
 /// The algorithm with models that bring a robot of their own.
 namespace lacuna {
@@ -17,8 +16,6 @@ using testing::HasSubstr;
 constexpr double kRoundedAway = 1e-9;  // of ranges after 20 steps, where two robots differ by rounding
 
 constexpr std::size_t kFrontRow = 6, kArmRow = 18, kRoll = 3, kTurn = 4;
-
-bool same_digits(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 ScoredTrial trial_of(const EeaBench& bench, const MemoryJournal& journal, std::size_t number) {
   const EeaDefinition& definition = bench.definition();
@@ -59,17 +56,6 @@ TEST(MorphologyRun, PassesSayHowFarTheShapeIsFromTheTargets) {
   EXPECT_EQ(journal.models[39].genome, journal.models[*journal.passes[0].best_model].genome) << "the seed";
 }
 
-void expect_same_models(const std::vector<ModelRow>& a, const std::vector<ModelRow>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].number, b[i].number);
-    EXPECT_EQ(a[i].generation, b[i].generation);
-    EXPECT_EQ(a[i].genome, b[i].genome);
-    EXPECT_TRUE(same_digits(a[i].score, b[i].score)) << "model " << a[i].number;
-    EXPECT_EQ(a[i].reused, b[i].reused);
-  }
-}
-
 TEST(MorphologyRun, AnyNumberOfThreadsGivesTheSameRows) {
   const auto bench = small_bench({}, kSmallShape);
   const MemoryJournal one = run(*bench, 1), three = run(*bench, 3);
@@ -96,7 +82,7 @@ TEST(MorphologyRun, ModelsThatCannotDifferAreSimulatedOnce) {
   const auto naive = small_bench({"estimation.parameters.generations=30", "estimation.reuse=false"}, kSmallShape);
   const MemoryJournal a = run(*bench), b = run(*naive);
   ASSERT_EQ(a.models.size(), b.models.size());
-  for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same_digits(a.models[i].score, b.models[i].score)) << i;
+  for (std::size_t i = 0; i < a.models.size(); ++i) EXPECT_TRUE(same(a.models[i].score, b.models[i].score)) << i;
   EXPECT_GT(a.passes[0].reused, 10U) << "a mutation often leaves the robot what it was";
 }
 

@@ -1,3 +1,4 @@
+#include "eea/same_rows.h"
 #include "eea/small_run.h"
 
 #include <gmock/gmock.h>
@@ -52,21 +53,6 @@ fitness = "random"
 parameters = { population = 2, keep = 1, generations = 1 }
 )";
 
-bool same_digits_of(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-void expect_same_rows(const std::vector<ModelRow>& a, const std::vector<ModelRow>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].genome, b[i].genome) << i;
-    EXPECT_TRUE(same_digits_of({a[i].score}, {b[i].score})) << i;
-    EXPECT_TRUE(same_digits_of(a[i].trial_scores, b[i].trial_scores)) << i;
-    EXPECT_EQ(a[i].reused, b[i].reused) << i;
-  }
-}
-
 std::size_t index_of(const EeaDefinition& definition, const std::string& address) {
   const std::vector<FreeValue>& free = definition.model.free;
   const auto found =
@@ -106,7 +92,7 @@ TEST(SwitchesRun, RivalsShareAPopulation) {
 
 TEST(SwitchesRun, AnyNumberOfThreadsGivesTheSameRows) {
   const auto bench = small_bench({}, kStickyCart);
-  expect_same_rows(run(*bench, 1).models, run(*bench, 2).models);
+  expect_same_models(run(*bench, 1).models, run(*bench, 2).models);
 }
 
 /// From a checkpoint of each phase of each pass.
@@ -119,8 +105,8 @@ TEST(SwitchesRun, GoesOnWithTheSameRows) {
     const std::uint64_t before = state.models;
     MemoryJournal rest;
     run(*bench, rest, state);
-    expect_same_rows(rest.models, {whole.models.begin() + static_cast<std::ptrdiff_t>(before), whole.models.end()});
-    EXPECT_TRUE(same_digits_of(rest.passes.back().best_values, whole.passes.back().best_values));
+    expect_same_models(rest.models, {whole.models.begin() + static_cast<std::ptrdiff_t>(before), whole.models.end()});
+    EXPECT_TRUE(same(rest.passes.back().best_values, whole.passes.back().best_values));
   }
 }
 
