@@ -78,9 +78,13 @@ TEST_F(Figures, AWithheldEffectIsRecognisedByTheVerdict) {
   for (int number = 0; number < 4; ++number) {
     CaseResult result = small_case(number, "withheld", {kCoulomb});
     result.diagnoses = {small_diagnosis(1, number == 0 ? "effect_found" : "not_in_library", 0.9)};
+    const double left = number < 2 ? 2000.0 : 20.0;
+    result.oracle.rivals = {{0, kStribeck, 0.5, false}, {0, kSpring, left, true}, {0, {"", ""}, 5000.0, true}};
     keep(result);
   }
   EXPECT_DOUBLE_EQ(figure("not_in_library").value, 0.75);
+  EXPECT_EQ(figure("not_in_library_left").n, 2U);
+  EXPECT_DOUBLE_EQ(figure("not_in_library_left").value, 0.5);
   EXPECT_EQ(figure("top3").n, 0U);
 }
 
