@@ -1,10 +1,9 @@
 #include "app/diagnosed_start.h"
 
 #include "app/records.h"
+#include "app/short_number.h"
 #include "foundation/address.h"
 #include "storage/result_store.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -23,8 +22,6 @@ std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options,
   if (!revision) return {};
   return store.diagnosed_values(revision->id, entry.effect, entry.where.empty() ? "world" : entry.where.front());
 }
-
-double short_number(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
 }  // namespace
 

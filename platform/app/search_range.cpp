@@ -1,8 +1,7 @@
 #include "app/search_range.h"
 
+#include "app/short_number.h"
 #include "foundation/address.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,6 @@ namespace lacuna {
 namespace {
 
 constexpr double kWider = 10.0;
-
-double short_number(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
 std::pair<double, double> around(double start, const FreeValue& free) {
   const double most = kWider * std::abs(start);

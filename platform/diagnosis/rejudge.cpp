@@ -74,7 +74,7 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
   return false;
 }
 
-/// The same of one value at a bound that moves by `distance` into its range, as far as the deviance grows that way.
+/// By how much the deviance grows where a value at a bound moves by `distance` into its range.
 double cost_of_leaving(const Refit& fit, std::size_t value, double distance) {
   const Eigen::Index count = fit.covariance.rows(), moved = static_cast<Eigen::Index>(value);
   const NormalEquations equations = normal_equations(fit.weighted, count);

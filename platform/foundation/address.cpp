@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kSmallest = 1e-12;  // of quantities that must be positive
 
-constexpr std::string_view kOfEffects = "effect.";
-
 constexpr bool kMayBeInfinite = true;  // "no limit", or rigid
+
+constexpr std::string_view kOfEffects = "effect.";
 
 /// Lists values under their addresses.
 class Collector {
