@@ -97,13 +97,14 @@ std::vector<JudgedVerdict> judged_verdicts(Database& database, const std::string
   std::vector<JudgedVerdict> verdicts;
   for (const Row& row : database.query(
            "WITH v AS MATERIALIZED (SELECT * FROM verdict_right) SELECT j.rig, j.noise, j.strength, j.effect, "
-           "v.verdict, d.json, v.is_right FROM v CROSS JOIN judged j USING (version, set_name, number) "
+           "j.form, v.verdict, d.json, v.is_right FROM v CROSS JOIN judged j USING (version, set_name, number) "
            "JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (v.version, v.set_name, v.number, 1) "
            "WHERE +v.version = ? AND +v.set_name = ? AND v.verdict <> 'cannot_tell' AND j.group_name <> 'contact' "
            "ORDER BY v.number",
            {version, set}))
     verdicts.push_back({text(row[0]), text(row[1]), fmt::format("{:g}", real(row[2])), text(row[3]), text(row[4]),
-                        nlohmann::json::parse(text(row[5])).value("evidence", lacuna::Evidence{}), real(row[6])});
+                        text(row[5]), nlohmann::json::parse(text(row[6])).value("evidence", lacuna::Evidence{}),
+                        real(row[7])});
   return verdicts;
 }
 

@@ -10,7 +10,7 @@ namespace hidden_effects {
 
 /// A first verdict with what spoke for it, and whether it is right (view `verdict_right`).
 struct JudgedVerdict {
-  std::string rig, noise, strength, effect, verdict;  ///< of the case, as `FigureValue` has them; of the answer
+  std::string rig, noise, strength, effect, form, verdict;  ///< of the case, as `FigureValue` has them; of the answer
   lacuna::Evidence evidence;
   double is_right = 0.0;
 };

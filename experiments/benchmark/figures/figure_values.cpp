@@ -34,12 +34,13 @@ std::string strength_text(const Cell& strength) {
 /// longer.
 void read_values(Database& database, FigureValues& all) {
   for (const Row& row : database.query("WITH v AS MATERIALIZED (SELECT * FROM figure_value WHERE value IS NOT NULL) "
-                                       "SELECT v.figure, v.value, v.probability, j.noise, j.strength, j.rig, j.effect "
+                                       "SELECT v.figure, v.value, v.probability, j.noise, j.strength, j.rig, j.effect, "
+                                       "j.form "
                                        "FROM v CROSS JOIN judged j USING (version, set_name, number) "
                                        "WHERE +v.version = ? AND +v.set_name = ? ORDER BY number",
                                        {all.version, all.set}))
-    all.values.push_back(
-        {text(row[0]), real(row[1]), real(row[2]), text(row[3]), strength_text(row[4]), text(row[5]), text(row[6])});
+    all.values.push_back({text(row[0]), real(row[1]), real(row[2]), text(row[3]), strength_text(row[4]), text(row[5]),
+                          text(row[6]), text(row[7])});
 }
 
 std::string what_is_there(Database& database) {

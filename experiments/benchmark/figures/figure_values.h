@@ -21,7 +21,7 @@ struct FigureKind {
 struct FigureValue {
   std::string figure;
   double value = 0.0, probability = 0.0;
-  std::string noise, strength, rig, effect;
+  std::string noise, strength, rig, effect, form;
 };
 
 /// What the cases of one version and set give.

@@ -13,7 +13,7 @@ void add_left_out(Database& database, FigureValues& all) {
     if (verdict == calibration.end()) continue;
     const double probability = verdict->second.probability(one.evidence);
     const auto add = [&](const char* figure, double value) {
-      all.values.push_back({figure, value, probability, one.noise, one.strength, one.rig, one.effect});
+      all.values.push_back({figure, value, probability, one.noise, one.strength, one.rig, one.effect, one.form});
     };
     add("brier_left_out", (probability - one.is_right) * (probability - one.is_right));
     add("calibration_left_out", one.is_right);

@@ -138,6 +138,8 @@ std::string markdown(const FigureValues& all) {
     page += fmt::format("\n## By strength, {} noise\n\n{}", noise,
                         figure_table(all, columns_of(all, &FigureValue::strength,
                                                      [&](const FigureValue& one) { return one.noise == noise; })));
+  page += fmt::format("\n## By form of the hidden law, all noise\n\n{}",
+                      figure_table(all, columns_of(all, &FigureValue::form, is_any)));
   page += fmt::format("\n## By rig, disturbed noise\n\n{}",
                       figure_table(all, columns_of(all, &FigureValue::rig, is_disturbed)));
   page += fmt::format("\n## By rig, all noise\n\n{}", figure_table(all, columns_of(all, &FigureValue::rig, is_any)));

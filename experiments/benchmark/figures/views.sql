@@ -13,7 +13,8 @@ WHERE c.absorbed AND NOT EXISTS (SELECT 1 FROM oracle_rival o
                                  WHERE (o.version, o.set_name, o.number) = (c.version, c.set_name, c.number)
                                    AND o.effect = '' AND o.told_apart = 1);
 
--- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold: 'nothing' also where the refitted base explains them.
+-- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold:
+-- 'nothing' also where the refitted base explains them. `form` is that of the hidden laws.
 CREATE TEMP VIEW judged AS
 SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
        CASE WHEN c.strength < 2.1 THEN 1.5 WHEN c.strength < 5.5 THEN 3 WHEN c.strength >= 5.5 THEN 10 END AS strength,
@@ -28,6 +29,12 @@ SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
             WHEN c.group_name = 'two_effects' THEN 'two effects'
             ELSE (SELECT h.effect FROM hidden_law h
                   WHERE (h.version, h.set_name, h.number, h.law) = (c.version, c.set_name, c.number, 0)) END AS effect,
+       CASE WHEN (c.version, c.set_name, c.number) IN absorbs OR (c.version, c.set_name, c.number) IN hides_nothing
+              THEN 'nothing'
+            WHEN EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number)
+                                                        = (c.version, c.set_name, c.number) AND NOT h.library_form)
+              THEN 'another'
+            ELSE 'the library''s' END AS form,
        d.verdict, d.probability, d.seconds
 FROM bench_case c
 LEFT JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (c.version, c.set_name, c.number, 1);

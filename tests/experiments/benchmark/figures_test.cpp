@@ -231,6 +231,17 @@ TEST_F(Figures, ThePageHasEstimateIntervalAndGoal) {
   EXPECT_THAT(page, HasSubstr("| coulomb_friction |"));
 }
 
+TEST_F(Figures, FormsOfTheHiddenLawStandBesideEachOther) {
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  CaseResult bristles = answered(1, small_diagnosis(1, "effect_found", 0.9, {kSpring}));
+  bristles.about.hidden.front().library_form = false;
+  keep(bristles);
+  const std::string page = markdown(read_figures(database_, "", "tuning"));
+  EXPECT_THAT(page, HasSubstr("## By form of the hidden law, all noise\n\n| figure | another | the library's |"));
+  EXPECT_THAT(page, HasSubstr("| first class right, strength 3 (score 1/(1 + k)) | 0.0 % [0.0, 79.3] n 1 | "
+                              "100.0 % [20.7, 100.0] n 1 |"));
+}
+
 /// Right first, right second, and with nothing chosen: one of three first, two of three among the first.
 TEST_F(Figures, OtherMethodsAreScoredOnTheSameCases) {
   for (int number = 0; number < 3; ++number) {
