@@ -2,6 +2,7 @@
 
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/cut_trials.h"
+#include "diagnosis/deeper_minimum.h"
 #include "diagnosis/fewer_effects.h"
 #include "diagnosis/integration_error.h"
 #include "diagnosis/outdone_library.h"
@@ -75,6 +76,16 @@ class EffectSearch {
     BaseSolution start = contender_.added.empty() ? cut_ : cut_for_contender();
     take_substeps_for(start);
     correct_for_steps(contender_.definition, start, task_.threads);
+    Round round = look_from(start);
+    const std::optional<Refit> deeper = deeper_minimum(contender_, round, task_.threads);
+    if (!deeper) return round;
+    start.values = contender_.values = deeper->values;
+    start.states = deeper->states;
+    meter_.add_parts(kRoundParts);
+    return look_from(start);
+  }
+
+  Round look_from(const BaseSolution& start) {
     return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
   }
 

@@ -8,6 +8,7 @@
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
 #include "fitting/step_shift.h"
+#include "foundation/address.h"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,15 @@ RobustLoss loss_of(const FitSection& options) {
   throw Error("fit.loss is \"" + options.loss + "\"; write \"huber\" or \"squared\"");
 }
 
+/// `values` with those of effects' parameters that the experiment file gives.
+std::vector<double> with_written_effects(const ModelDefinition& definition, std::vector<double> values) {
+  for (const EffectEntry& entry : definition.effects)
+    for (const auto& [parameter, unused] : entry.start)
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (definition.free[i].address == effect_address(entry.id, parameter)) values[i] = definition.free[i].start;
+  return values;
+}
+
 /// What all stages of one fit share.
 class Fitter {
  public:
@@ -74,6 +84,7 @@ class Fitter {
       refine_candidates(stage.name, last ? kFine : kMiddling);
       if (refined_ < kRivals) meter_.end_part();
       if (last && stages.size() > 1) search_anew(stage.name);
+      if (last) return_to_written(stage.name);
       record(stage);
       keep_rivals(candidates_, problem_->samples());
     }
@@ -177,8 +188,20 @@ class Fitter {
   /// best. Where the values moved on the way, all starting points are tried once more.
   void search_anew(const std::string& stage) {
     if (!moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) return;
-    const std::vector<Eigen::VectorXd> points =
-        start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed);
+    try_points(start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed), stage);
+  }
+
+  /// Short segments, or a base that is far off, may also lead away from what is known of an effect, such as what a
+  /// diagnosis found: where they did, the values that the experiment gives it are tried once more, beside the base's
+  /// best.
+  void return_to_written(const std::string& stage) {
+    const std::vector<double> found = space_.to_values(candidates_.front().values);
+    const std::vector<double> written = with_written_effects(task_.definition, found);
+    if (moved(written, found)) try_points({space_.to_coordinates(written)}, stage);
+  }
+
+  /// Points that lead to something better become candidates.
+  void try_points(const std::vector<Eigen::VectorXd>& points, const std::string& stage) {
     meter_.add_parts(2 * static_cast<int>(points.size()));
     std::vector<Candidate> others = refine_all(*problem_, points, search(kCoarse), meter_, stage + ", anew");
     refined_ += static_cast<int>(others.size());

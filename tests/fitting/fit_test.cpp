@@ -285,6 +285,21 @@ TEST(Fit, FindsADeadZoneThatHasNoGradientAtZero) {
   EXPECT_GE(result.agreeing, 2);
 }
 
+/// A decay that starts far off drags the frequency, which has a minimum at each period, away from what is known of it.
+TEST(Fit, GoesBackToWhatTheExperimentSaysOfAnEffect) {
+  const FormulaModel model([](std::span<const double> values, double t) {
+    return 5.0 * std::exp(-values[0] * t) + 0.2 * std::sin(values[1] * t);
+  });
+  ModelDefinition definition =
+      define({free_value("body.arm.mass", 5.0, 0.01, 50.0), free_value("effect.ripple.frequency", 6.1, 0.1, 100.0)});
+  const std::vector<Trial> trials = {record(model, {0.3, 6.28}, regular_times(1001, 200.0), {}, {}, kNoise, 3)};
+  FitSection options;
+  options.starts = 1;
+  EXPECT_GT(std::abs(fit({definition, model, trials, options}).values[1].value - 6.28), 0.5);
+  definition.effects = {{"ripple", "ripple", {}, {{"frequency", 6.1}}, {}}};
+  EXPECT_NEAR(fit({definition, model, trials, options}).values[1].value, 6.28, 0.01);
+}
+
 TEST(Fit, ReportsProgressThatEnds) {
   const OneJointModel model(pendulum);
   const ModelDefinition definition = pendulum_definition();
