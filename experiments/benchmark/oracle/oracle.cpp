@@ -75,9 +75,8 @@ bool wanted(const PlacedLaw& law, const std::vector<std::string>& among) {
   return among.empty() || std::find(among.begin(), among.end(), law.kind->effect) != among.end();
 }
 
-/// All laws of the library in the place of law number `law`; those that the model has already stay out.
-std::vector<Rival> rivals_of(const TrueData& data, const Explanation& at, std::size_t law) {
-  const Stand stand(data, at, law);
+/// All laws of the library in the place of that which was taken out; those that the model has already stay out.
+std::vector<Rival> rivals_at(const Stand& stand, const TrueData& data, const Explanation& at) {
   std::vector<Rival> rivals;
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
     const auto& laws = at.model.laws;
@@ -109,7 +108,14 @@ OracleAnswer ask_oracle(const MadeCase& made, const OracleOptions& options) {
   if (made.truth.laws.empty()) return answer;
   answer.base_non_centrality = base_non_centrality(made, data);
   answer.detectable = answer.base_non_centrality >= kToldApart;
-  for (std::size_t l = 0; l < at.model.laws.size(); ++l) answer.rivals.push_back(rivals_of(data, at, l));
+  const bool alone = at.model.laws.size() == 1;  // then its absence leaves the base
+  for (std::size_t l = 0; l < at.model.laws.size(); ++l) {
+    const Stand stand(data, at, l);
+    const double left = stand.without();
+    answer.absences.push_back(alone ? Absence{answer.base_non_centrality, answer.detectable}
+                                    : Absence{left, left >= at.deviance + kToldApart});
+    answer.rivals.push_back(rivals_at(stand, data, at));
+  }
   return answer;
 }
 

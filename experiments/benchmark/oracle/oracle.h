@@ -36,6 +36,12 @@ struct Rival {
   bool told_apart = true;  ///< from the truth
 };
 
+/// Nothing in the place of a hidden law, other hidden laws staying.
+struct Absence {
+  double non_centrality = 0.0;
+  bool told_apart = true;  ///< from the truth
+};
+
 struct Width {
   std::string parameter;  ///< an address of the base, or "coulomb_friction.torque"
   double value = 0.0;
@@ -48,6 +54,7 @@ struct OracleAnswer {
   bool detectable = false;      ///< the truth is told from the base
   double non_centrality = 0.0;  ///< of the truth's representative in the library; 0 where the truth is of its form
   std::vector<PlacedLaw> representative;
+  std::vector<Absence> absences;           ///< by hidden law
   std::vector<std::vector<Rival>> rivals;  ///< by hidden law, the least non-centrality first
   std::vector<Width> widths;               ///< of the representative's values
 

@@ -120,6 +120,7 @@ Stand::Stand(const TrueData& data, const Explanation& at, std::size_t law) : dat
   kept.values << at.values.head(first), at.values.tail(at.values.size() - first - count);
   footings_.emplace_back(data, kept, Nuisances(data.question(at)).without(first, count));
   if (const auto refitted = data.refitted(kept, 0.0, 0.01)) {
+    without_ = refitted->deviance;
     const Nuisances about(data.question(*refitted));
     footings_.emplace_back(data, *refitted, about);
   }

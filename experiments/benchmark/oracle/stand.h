@@ -4,6 +4,7 @@
 #include "oracle/oracle.h"
 #include "oracle/rivals.h"
 
+#include <limits>
 #include <optional>
 
 namespace hidden_effects {
@@ -75,6 +76,9 @@ class Stand {
   /// further.
   Rival judge(const PlacedLaw& rival, double reference) const;
 
+  /// What the best fit with nothing in its place leaves; infinite where the plant runs away.
+  double without() const { return without_; }
+
   /// The best fit with a law, however slow.
   std::optional<Explanation> best(const PlacedLaw& law) const;
 
@@ -97,6 +101,7 @@ class Stand {
   const TrueData& data_;
   PlacedLaw taken_;
   std::vector<double> taken_parameters_;
+  double without_ = std::numeric_limits<double>::infinity();
   std::vector<Footing> footings_;  ///< about the truth, and about the best fit without the law
 };
 

@@ -62,7 +62,8 @@ OracleRecord oracle_record(const MadeCase& made, const std::vector<DiagnosisReco
   OracleRecord record;
   for (std::size_t law = 0; law < answer.rivals.size(); ++law) {
     const int number = static_cast<int>(law);
-    add_once({number, {"", ""}, answer.base_non_centrality, answer.detectable}, record.rivals);
+    const Absence& absence = answer.absences[law];
+    add_once({number, {"", ""}, absence.non_centrality, absence.told_apart}, record.rivals);
     for (const Rival& rival : answer.rivals[law])
       add_once({number, effect_at(rival.law, made.truth.spec), rival.non_centrality, rival.told_apart}, record.rivals);
   }

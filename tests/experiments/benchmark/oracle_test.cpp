@@ -88,6 +88,17 @@ TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
   EXPECT_THAT(names(answer.alike(1)), testing::ElementsAre("command_offset"));
 }
 
+/// Viscous friction is what the base's damping does; of two laws that one is there for nobody to find.
+TEST(Oracle, OneOfTwoLawsMayBeAbsorbedByTheBase) {
+  const MadeCase made =
+      pendulum_case({{"viscous_friction", 0, {0.01}}, {"joint_offset_torque", 0, {0.05}}}, white_noise(), kSamples);
+  const OracleAnswer answer = ask_oracle(made, {.among = {"command_offset"}});
+  ASSERT_EQ(answer.absences.size(), 2u);
+  EXPECT_FALSE(answer.absences[0].told_apart);
+  EXPECT_TRUE(answer.absences[1].told_apart);
+  EXPECT_GT(answer.absences[1].non_centrality, 100.0);
+}
+
 /// Which side of a sample a command is held on is a matter of recording: a delay of less than a sample is told from
 /// nothing by nobody.
 TEST(Oracle, ADelayWithinASampleIsNotToldFromAnyOtherLaw) {
