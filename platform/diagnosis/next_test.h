@@ -24,8 +24,16 @@ struct RivalModel {
   std::vector<double> values;  ///< of its free values, SI
   /// Of the free values' coordinates (fitting/parameter_space.h), as `Refit::covariance`: a row and a column a value. A
   /// value whose row is 0 or NaN is held where it stands at a bound, and is known no better than its bounds say where
-  /// it does not.
+  /// it does not. With a `command_interval` one more row and column: that of the instant that commands act at.
   Eigen::MatrixXd covariance;
+  /// s: which instant within so long, either way, the commands of the data and of the test act at is fitted beside the
+  /// values (timing.h), and what is said of it counts by this interval. 0: it is known.
+  double command_interval = 0.0;
+  double command_shift = 0.0;  ///< how much later than said they act, as the data leave it; by the interval
+
+  Eigen::Index coordinates() const {
+    return static_cast<Eigen::Index>(definition.free.size()) + (command_interval > 0.0 ? 1 : 0);
+  }
 };
 
 /// What is asked for.

@@ -1,6 +1,7 @@
 #include "diagnosis/propose_test.h"
 
 #include "diagnosis/test_conditions.h"
+#include "diagnosis/timing.h"
 #include "evaluation/test_space.h"
 
 #include <algorithm>
@@ -22,9 +23,16 @@ std::unique_ptr<CompiledModel> coarse(const ModelDefinition& definition) {
   return compile(definition.structure, engine);
 }
 
-RivalModel rival(const FittedRival& one, const CompiledModel& model) {
-  const auto count = static_cast<Eigen::Index>(one.definition.free.size());
-  return {one.name, one.definition, model, one.fit.values, one.fit.covariance.topLeftCorner(count, count)};
+/// Its timing beside its values where that was fitted, too.
+RivalModel rival(const FittedRival& one, const CompiledModel& model, double command_interval) {
+  RivalModel rival{one.name, one.definition, model, one.fit.values, {}};
+  if (one.fit.nuisance.size() == 1) {
+    rival.command_interval = command_interval;
+    rival.command_shift = one.fit.nuisance(0);
+  }
+  const Eigen::Index fitted = rival.coordinates();
+  rival.covariance = one.fit.covariance.topLeftCorner(fitted, fitted);
+  return rival;
 }
 
 double longest(const std::vector<Trial>& trials) {
@@ -46,9 +54,10 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedR
   TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(round.base.trials));
   limit_to_trials(space, round.base.trials);
   TestConditions conditions = like_the_trials(round, space.control_period);
+  const double interval = longest_sample_interval(round.base.trials);
   const std::unique_ptr<CompiledModel> first = coarse(one.definition), second = coarse(other.definition);
   NextTestTask task{.catalog = catalog,
-                    .rivals = {rival(one, *first), rival(other, *second)},
+                    .rivals = {rival(one, *first, interval), rival(other, *second, interval)},
                     .noise = std::move(conditions.noise),
                     .space = std::move(space),
                     .start = std::move(conditions.start),

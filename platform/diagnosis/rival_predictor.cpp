@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace lacuna {
 namespace {
@@ -14,29 +15,10 @@ constexpr double kStartMove = 0.005;    ///< the same of the start, whose deviat
 constexpr double kSmallestMove = 1e-3;  ///< what the bounds leave less than this of is held
 constexpr double kAtBound = 1e-9;       ///< of a range
 
-/// The covariance with what it does not say: values that the data leave open have that of their range.
-Eigen::MatrixXd completed(const RivalModel& rival, const ParameterSpace& space, const Eigen::VectorXd& at) {
-  Eigen::MatrixXd covariance = rival.covariance;
-  for (Eigen::Index j = 0; j < space.size(); ++j) {
-    const double variance = covariance(j, j);
-    if (std::isfinite(variance) && variance > 0.0) continue;
-    covariance.row(j).setZero();
-    covariance.col(j).setZero();
-    const double range = space.upper()(j) - space.lower()(j);
-    const bool at_bound = at(j) <= space.lower()(j) + kAtBound * range || at(j) >= space.upper()(j) - kAtBound * range;
-    if (!at_bound && std::isfinite(range)) covariance(j, j) = range * range / 12.0;
-  }
-  return covariance;
-}
-
-/// How far one can go along a direction, up to `kMove`, before a value leaves its bounds.
-double way(const ParameterSpace& space, const Eigen::VectorXd& at, const Eigen::VectorXd& direction) {
-  double most = kMove;
-  for (Eigen::Index j = 0; j < at.size(); ++j) {
-    if (direction(j) > 0.0) most = std::min(most, (space.upper()(j) - at(j)) / direction(j));
-    if (direction(j) < 0.0) most = std::min(most, (space.lower()(j) - at(j)) / direction(j));
-  }
-  return most;
+/// The test with its commands so much later, s.
+Test later(Test test, double delay) {
+  if (auto* commands = std::get_if<CommandSeries>(&test.drive)) commands->series.times.array() += delay;
+  return test;
 }
 
 }  // namespace
@@ -48,32 +30,55 @@ RivalPredictor::RivalPredictor(const RivalModel& rival, std::vector<double> time
       deviations_(std::move(deviations)),
       start_deviation_(std::move(start_deviation)),
       space_(rival.definition.free),
-      at_(space_.to_coordinates(rival.values)),
-      values_(rival.values),
+      command_interval_(rival.command_interval),
+      at_(Eigen::VectorXd::Zero(rival.coordinates())),
+      lower_(Eigen::VectorXd::Constant(rival.coordinates(), -1.0)),
+      upper_(Eigen::VectorXd::Constant(rival.coordinates(), 1.0)),
       coordinates_(rival.model.coordinates().size()) {
-  add_moves(rival);
+  at_.head(space_.size()) = space_.to_coordinates(rival.values);
+  lower_.head(space_.size()) = space_.lower();
+  upper_.head(space_.size()) = space_.upper();
+  if (command_interval_ > 0.0) at_(space_.size()) = rival.command_shift;
+  add_moves(completed(rival.covariance));
   for (std::size_t i = 0; i < start_deviation_.size(); ++i)
     if (start_deviation_[i] > 0.0) unknown_starts_.push_back(i);
 }
 
-void RivalPredictor::add_moves(const RivalModel& rival) {
-  if (space_.size() == 0) return;
-  const Eigen::MatrixXd covariance = completed(rival, space_, at_);
+Eigen::MatrixXd RivalPredictor::completed(Eigen::MatrixXd covariance) const {
+  for (Eigen::Index j = 0; j < at_.size(); ++j) {
+    const double variance = covariance(j, j);
+    if (std::isfinite(variance) && variance > 0.0) continue;
+    covariance.row(j).setZero();
+    covariance.col(j).setZero();
+    const double range = upper_(j) - lower_(j);
+    const bool at_bound = at_(j) <= lower_(j) + kAtBound * range || at_(j) >= upper_(j) - kAtBound * range;
+    if (!at_bound && std::isfinite(range)) covariance(j, j) = range * range / 12.0;
+  }
+  return covariance;
+}
+
+double RivalPredictor::way(const Eigen::VectorXd& direction) const {
+  double most = kMove;
+  for (Eigen::Index j = 0; j < at_.size(); ++j) {
+    if (direction(j) > 0.0) most = std::min(most, (upper_(j) - at_(j)) / direction(j));
+    if (direction(j) < 0.0) most = std::min(most, (lower_(j) - at_(j)) / direction(j));
+  }
+  return most;
+}
+
+void RivalPredictor::add_moves(const Eigen::MatrixXd& covariance) {
+  if (at_.size() == 0) return;
   const Eigen::VectorXd sizes = covariance.diagonal().cwiseSqrt();
   const Eigen::VectorXd inverse = sizes.unaryExpr([](double size) { return size > 0.0 ? 1.0 / size : 0.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * covariance * inverse.asDiagonal());
-  for (Eigen::Index k = 0; k < space_.size(); ++k) {
+  for (Eigen::Index k = 0; k < at_.size(); ++k) {
     if (!(eigen.eigenvalues()(k) > 0.0)) continue;
     const Eigen::VectorXd direction =
         std::sqrt(eigen.eigenvalues()(k)) * sizes.cwiseProduct(eigen.eigenvectors().col(k));
-    const double forth = way(space_, at_, direction), back = way(space_, at_, -direction);
+    const double forth = way(direction), back = way(-direction);
     const double step = forth >= back ? forth : -back;
     if (std::abs(step) >= kSmallestMove) moves_.push_back({direction, step});
   }
-}
-
-std::vector<double> RivalPredictor::values_at(const Eigen::VectorXd& coordinates) const {
-  return space_.to_values(space_.clamp(coordinates));
 }
 
 Test RivalPredictor::moved_start(Test test, std::size_t component, double deviations) const {
@@ -98,18 +103,26 @@ bool RivalPredictor::readings(std::span<const double> values, const Test& test, 
   return readings.allFinite();
 }
 
+bool RivalPredictor::readings_at(const Eigen::VectorXd& coordinates, const Test& test, int worker,
+                                 Eigen::VectorXd& moved) const {
+  const Eigen::VectorXd within = coordinates.cwiseMax(lower_).cwiseMin(upper_);
+  const std::vector<double> values = space_.to_values(within.head(space_.size()));
+  if (command_interval_ == 0.0) return readings(values, test, worker, moved);
+  return readings(values, later(test, within(space_.size()) * command_interval_), worker, moved);
+}
+
 bool RivalPredictor::predict(const Test& test, int worker, RivalPrediction& prediction) const {
-  if (!readings(values_, test, worker, prediction.readings)) return false;
+  if (!readings_at(at_, test, worker, prediction.readings)) return false;
   prediction.follows.resize(prediction.readings.size(),
                             static_cast<Eigen::Index>(moves_.size() + unknown_starts_.size()));
   Eigen::VectorXd moved;
   Eigen::Index column = 0;
   for (const Move& move : moves_) {
-    if (!readings(values_at(at_ + move.step * move.direction), test, worker, moved)) return false;
+    if (!readings_at(at_ + move.step * move.direction, test, worker, moved)) return false;
     prediction.follows.col(column++) = (moved - prediction.readings) / move.step;
   }
   for (const std::size_t component : unknown_starts_) {
-    if (!readings(values_, moved_start(test, component, kStartMove), worker, moved)) return false;
+    if (!readings_at(at_, moved_start(test, component, kStartMove), worker, moved)) return false;
     prediction.follows.col(column++) = (moved - prediction.readings) / kStartMove;
   }
   return true;
@@ -122,7 +135,7 @@ bool RivalPredictor::predict_moved(const Test& test, int worker, const Eigen::Ve
   Eigen::Index column = 0;
   for (const Move& move : moves_) at += deviations(column++) * move.direction;
   for (const std::size_t component : unknown_starts_) from = moved_start(from, component, deviations(column++));
-  return readings(values_at(at), from, worker, moved);
+  return readings_at(at, from, worker, moved);
 }
 
 }  // namespace lacuna

@@ -26,13 +26,17 @@ class RivalPredictor {
   bool predict_moved(const Test& test, int worker, const Eigen::VectorXd& deviations, Eigen::VectorXd& readings) const;
 
  private:
-  /// A direction of the free values' coordinates, one standard deviation long, and how far a difference goes along it.
+  /// A direction of the coordinates, one standard deviation long, and how far a difference goes along it.
   struct Move {
     Eigen::VectorXd direction;
     double step = 0.0;  ///< deviations
   };
-  void add_moves(const RivalModel& rival);
-  std::vector<double> values_at(const Eigen::VectorXd& coordinates) const;
+  /// The covariance with what it does not say: what the data leave open has that of its range.
+  Eigen::MatrixXd completed(Eigen::MatrixXd covariance) const;
+  /// How far one can go along a direction, up to a half, before a coordinate leaves its bounds.
+  double way(const Eigen::VectorXd& direction) const;
+  void add_moves(const Eigen::MatrixXd& covariance);
+  bool readings_at(const Eigen::VectorXd& coordinates, const Test& test, int worker, Eigen::VectorXd& readings) const;
   /// The test, begun so many deviations off in a component of the start.
   Test moved_start(Test test, std::size_t component, double deviations) const;
   bool readings(std::span<const double> values, const Test& test, int worker, Eigen::VectorXd& readings) const;
@@ -42,8 +46,8 @@ class RivalPredictor {
   std::vector<double> deviations_;
   std::vector<double> start_deviation_;
   ParameterSpace space_;
-  Eigen::VectorXd at_;  ///< the values' coordinates
-  std::vector<double> values_;
+  double command_interval_;             ///< s; 0: commands act when they are said to
+  Eigen::VectorXd at_, lower_, upper_;  ///< coordinates: the values', then where the commands act
   std::vector<Move> moves_;
   std::vector<std::size_t> unknown_starts_;  ///< components
   std::size_t coordinates_ = 0;

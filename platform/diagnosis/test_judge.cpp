@@ -64,10 +64,10 @@ const NextTestTask& checked(const NextTestTask& task) {
     throw Error(task.rivals[0].name + " and " + task.rivals[1].name +
                 " do not have the same sensors, so no test tells them apart");
   for (const RivalModel& rival : task.rivals) {
-    const auto free = static_cast<Eigen::Index>(rival.definition.free.size());
-    if (rival.covariance.rows() != free || rival.covariance.cols() != free)
-      throw Error(fmt::format("the covariance of {} is {} × {}, but it has {} free values", rival.name,
-                              rival.covariance.rows(), rival.covariance.cols(), free));
+    const Eigen::Index fitted = rival.coordinates();
+    if (rival.covariance.rows() != fitted || rival.covariance.cols() != fitted)
+      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of it are fitted", rival.name,
+                              rival.covariance.rows(), rival.covariance.cols(), fitted));
   }
   if (readings_of(task).channels.empty()) throw Error("no noise is known of any sensor, so a test cannot be judged");
   return task;

@@ -20,17 +20,18 @@ bool residuals_of(const CompiledModel& model, const ModelDefinition& definition,
 
 }  // namespace
 
+double longest_sample_interval(const std::vector<Trial>& trials) {
+  double longest = 0.0;
+  for (const Trial& trial : trials) longest = std::max(longest, sample_interval(trial));
+  return longest;
+}
+
 std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
                                             const BaseSolution& base, const RowBins& bins, int threads, double shift) {
   std::vector<Trial> late = base.trials;
-  double longest = 0.0;
-  for (Trial& trial : late) {
-    const double interval = sample_interval(trial);
-    longest = std::max(longest, interval);
-    trial.commands.series.times.array() += shift * interval;
-  }
+  for (Trial& trial : late) trial.commands.series.times.array() += shift * sample_interval(trial);
   std::vector<Eigen::VectorXd> now, later;
-  if (longest == 0.0 || !residuals_of(model, definition, base, base.trials, threads, now) ||
+  if (longest_sample_interval(base.trials) == 0.0 || !residuals_of(model, definition, base, base.trials, threads, now) ||
       !residuals_of(model, definition, base, late, threads, later))
     return {};
   std::vector<Eigen::MatrixXd> columns;

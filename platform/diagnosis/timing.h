@@ -16,4 +16,7 @@ std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const Mo
                                             const BaseSolution& base, const RowBins& bins, int threads,
                                             double shift = kUsualShift);
 
+/// s, between commands: the longest mean of a trial; 0 where nothing is commanded.
+double longest_sample_interval(const std::vector<Trial>& trials);
+
 }  // namespace lacuna

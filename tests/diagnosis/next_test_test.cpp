@@ -218,6 +218,42 @@ TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
   EXPECT_LT((prediction.follows.col(2) - by_start).norm(), 0.01 * by_start.norm());
 }
 
+/// Where it is not known within a sample interval when commands act, the readings follow that, too.
+TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
+  constexpr double kInterval = 0.01, kDeviation = 0.4, kShift = 0.1;
+  const Pendulum pendulum("");
+  RivalModel rival = pendulum.rival("rigid", {0.0, 0.0, kDeviation});
+  rival.command_interval = kInterval;
+  rival.command_shift = kShift;
+  for (const Eigen::Index held : {0, 1}) rival.covariance(held, held) = 1e-20;
+  const std::vector<double> times = {0.5, 1.0, 1.5};
+  const RivalPredictor predictor(rival, times, {0}, {kNoise}, {}, 1);
+  lacuna::Test test;
+  test.duration = 1.5;
+  CommandSeries commands;
+  commands.series = {{{"motor", "N*m"}}, Eigen::Vector2d(0.0, 0.3), Eigen::Vector2d(0.1, 0.3)};
+  test.drive = commands;
+  RivalPrediction prediction;
+  ASSERT_TRUE(predictor.predict(test, 0, prediction));
+  const auto read = [&](double delay) {
+    const TestPredictor plain(*pendulum.model, times, 1);
+    TestPrediction seen;
+    std::uint64_t steps = 0;
+    std::string reason;
+    lacuna::Test moved = test;
+    std::get<CommandSeries>(moved.drive).series.times.array() += delay;
+    EXPECT_TRUE(plain.predict({pendulum.values}, moved, 0, seen, steps, reason)) << reason;
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
+  };
+  EXPECT_LT((prediction.readings - read(kShift * kInterval)).norm(), 1e-6 * prediction.readings.norm());
+  const double later = kShift + 0.5 * kDeviation;
+  const Eigen::VectorXd by_delay = 2.0 * (read(later * kInterval) - read(kShift * kInterval));
+  Eigen::Index widest = 0;
+  prediction.follows.colwise().norm().maxCoeff(&widest);
+  ASSERT_GT(by_delay.norm(), 1.0);
+  EXPECT_LT((prediction.follows.col(widest).cwiseAbs() - by_delay.cwiseAbs()).norm(), 0.02 * by_delay.norm());
+}
+
 TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
   const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
   EXPECT_EQ(to_string(test),
