@@ -31,7 +31,8 @@ std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const Mo
   std::vector<Trial> late = base.trials;
   for (Trial& trial : late) trial.commands.series.times.array() += shift * sample_interval(trial);
   std::vector<Eigen::VectorXd> now, later;
-  if (longest_sample_interval(base.trials) == 0.0 || !residuals_of(model, definition, base, base.trials, threads, now) ||
+  if (longest_sample_interval(base.trials) == 0.0 ||
+      !residuals_of(model, definition, base, base.trials, threads, now) ||
       !residuals_of(model, definition, base, late, threads, later))
     return {};
   std::vector<Eigen::MatrixXd> columns;
