@@ -33,8 +33,8 @@ SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
               THEN 'nothing'
             WHEN EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number)
                                                         = (c.version, c.set_name, c.number) AND NOT h.library_form)
-              THEN 'another'
-            ELSE 'the library''s' END AS form,
+              THEN 'another form'
+            ELSE 'the library''s form' END AS form,
        d.verdict, d.probability, d.seconds
 FROM bench_case c
 LEFT JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (c.version, c.set_name, c.number, 1);
@@ -93,24 +93,33 @@ WHERE NOT (EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.
                                                         = (h.version, h.set_name, h.number, '', 1)
                                                       AND o.law <> h.law));
 
--- An added effect stands for a hidden law if it is that, or if the oracle does not tell it from it.
+-- What the oracle does not tell from a hidden law that is told from nothing: the same data, in other words.
+CREATE TEMP VIEW stand_in AS
+SELECT o.version, o.set_name, o.number, o.law, o.effect, o.place
+FROM oracle_rival o JOIN told_law h USING (version, set_name, number, law) WHERE o.told_apart = 0;
+
+-- An added effect stands for a hidden law if it is that, or a stand-in.
 CREATE TEMP VIEW stands_for AS
 SELECT a.version, a.set_name, a.number, a.effect, a.place, h.law
 FROM added_effect a
 JOIN hidden_law h ON (h.version, h.set_name, h.number) = (a.version, a.set_name, a.number)
 WHERE (h.effect, h.place) = (a.effect, a.place)
-   OR EXISTS (SELECT 1 FROM oracle_rival o
+   OR EXISTS (SELECT 1 FROM stand_in o
               WHERE (o.version, o.set_name, o.number, o.law) = (h.version, h.set_name, h.number, h.law)
-                AND (o.effect, o.place) = (a.effect, a.place) AND o.told_apart = 0);
+                AND (o.effect, o.place) = (a.effect, a.place));
 
--- How diagnose, add, diagnose again ended.
+-- How diagnose, add, diagnose again ended. The true set holds each law that is told; one that is not may be in it.
 CREATE TEMP VIEW loop_end AS
 SELECT j.version, j.set_name, j.number,
        j.failure IS NULL
        AND (SELECT d.verdict FROM diagnosis d WHERE (d.version, d.set_name, d.number) = (j.version, j.set_name, j.number)
             ORDER BY d.round DESC LIMIT 1) <> 'effect_found'
        AND (SELECT count(*) FROM added_effect a WHERE (a.version, a.set_name, a.number) = (j.version, j.set_name, j.number))
-         = (SELECT count(*) FROM told_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number))
+         = (SELECT count(*) FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number)
+              AND (EXISTS (SELECT 1 FROM told_law t WHERE (t.version, t.set_name, t.number, t.law)
+                                                        = (h.version, h.set_name, h.number, h.law))
+                   OR EXISTS (SELECT 1 FROM added_effect a WHERE (a.version, a.set_name, a.number, a.effect, a.place)
+                                                               = (h.version, h.set_name, h.number, h.effect, h.place))))
        AND NOT EXISTS (SELECT 1 FROM added_effect a
                        WHERE (a.version, a.set_name, a.number) = (j.version, j.set_name, j.number)
                          AND NOT EXISTS (SELECT 1 FROM stands_for s
@@ -154,7 +163,7 @@ LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
                           = (i.version, i.set_name, i.number, i.effect || '.' || i.parameter)
 WHERE i.round = 1 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL;
 
--- Intervals of the free values, where the model that they were fitted with is right.
+-- Intervals of the free values, where the model that they were fitted with is right and none of them takes up a law.
 CREATE TEMP VIEW value_interval AS
 SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
 FROM interval i
@@ -165,6 +174,9 @@ LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
 WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
   AND (SELECT d.verdict FROM diagnosis d WHERE (d.version, d.set_name, d.number) = (i.version, i.set_name, i.number)
        ORDER BY d.round DESC LIMIT 1) = 'nothing_missing'
+  AND NOT EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number)
+                    AND NOT EXISTS (SELECT 1 FROM told_law t WHERE (t.version, t.set_name, t.number, t.law)
+                                                                 = (h.version, h.set_name, h.number, h.law)))
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
 -- Cases that `run --diagnoses` did not go on with although something was found: they say nothing of the loop.
@@ -176,7 +188,7 @@ WHERE c.failure IS NULL AND d.verdict = 'effect_found' AND d.round < 3
   AND NOT EXISTS (SELECT 1 FROM added_effect a WHERE (a.version, a.set_name, a.number, a.round)
                                                    = (d.version, d.set_name, d.number, d.round));
 
--- The second diagnosis of cases whose first one added what is hidden, or what the oracle does not tell from it, and
+-- The second diagnosis of cases whose first one added what is hidden and told, or what the oracle does not tell from it, and
 -- nothing besides; without a verdict where it ended early.
 CREATE TEMP VIEW second_diagnosis AS
 SELECT j.version, j.set_name, j.number, d.verdict
@@ -207,9 +219,8 @@ SELECT s.version, s.set_name, s.number, r.choice, r.tests,
             WHEN EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number, h.effect, h.place)
                                                         = (s.version, s.set_name, s.number, r.effect, r.place))
               THEN 'truth'
-            WHEN EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.effect, o.place)
-                                                          = (s.version, s.set_name, s.number, r.effect, r.place)
-                                                        AND o.told_apart = 0)
+            WHEN EXISTS (SELECT 1 FROM stand_in o WHERE (o.version, o.set_name, o.number, o.effect, o.place)
+                                                      = (s.version, s.set_name, s.number, r.effect, r.place))
               THEN 'stand-in'
             ELSE 'another' END AS left_over,
        EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (s.version, s.set_name, s.number)

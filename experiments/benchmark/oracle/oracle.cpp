@@ -30,11 +30,14 @@ Explanation representative(const TrueData& data) {
   return at;
 }
 
-/// Of the base alone, refitted.
+/// Of the base alone, refitted with the timing of commands.
 double base_non_centrality(const MadeCase& made, const TrueData& data) {
   Explanation base = data.truth();
+  const FreeValue timing = base.model.free.back();
   base.model = made.base;
-  base.values = made.base_values;
+  base.model.free.push_back(timing);
+  base.values.resize(made.base_values.size() + 1);
+  base.values << made.base_values, 0.0;
   const auto fitted = data.refitted(base, kToldApart, 0.0);
   return fitted ? fitted->deviance : std::numeric_limits<double>::infinity();
 }
@@ -89,6 +92,20 @@ std::vector<Rival> rivals_at(const Stand& stand, const TrueData& data, const Exp
   return rivals;
 }
 
+/// Which of the representative's laws is the hidden one; those that took the place of another form stand last.
+std::size_t place_of(const PlacedLaw& hidden, const std::vector<PlacedLaw>& laws) {
+  const auto found = std::find_if(laws.begin(), laws.end(),
+                                  [&](const PlacedLaw& one) { return one == hidden || one == library_form(hidden); });
+  return static_cast<std::size_t>(found - laws.begin());
+}
+
+Absence absence_at(const Stand& stand, const TrueData& data, const Explanation& at) {
+  const double told = at.deviance + kToldApart;
+  const auto patiently = stand.without() ? data.refitted(*stand.without(), told, 0.0) : std::nullopt;
+  const double left = patiently ? patiently->deviance : std::numeric_limits<double>::infinity();
+  return {left, left >= told};
+}
+
 }  // namespace
 
 std::vector<PlacedLaw> OracleAnswer::alike(std::size_t hidden) const {
@@ -108,12 +125,10 @@ OracleAnswer ask_oracle(const MadeCase& made, const OracleOptions& options) {
   if (made.truth.laws.empty()) return answer;
   answer.base_non_centrality = base_non_centrality(made, data);
   answer.detectable = answer.base_non_centrality >= kToldApart;
-  const bool alone = at.model.laws.size() == 1;  // then its absence leaves the base
-  for (std::size_t l = 0; l < at.model.laws.size(); ++l) {
-    const Stand stand(data, at, l);
-    const double left = stand.without();
-    answer.absences.push_back(alone ? Absence{answer.base_non_centrality, answer.detectable}
-                                    : Absence{left, left >= at.deviance + kToldApart});
+  for (const PlacedLaw& hidden : made.truth.laws) {
+    const Stand stand(data, at, place_of(hidden, at.model.laws));
+    answer.absences.push_back(at.model.laws.size() == 1 ? Absence{answer.base_non_centrality, answer.detectable}
+                                                        : absence_at(stand, data, at));
     answer.rivals.push_back(rivals_at(stand, data, at));
   }
   return answer;

@@ -36,10 +36,10 @@ struct Rival {
   bool told_apart = true;  ///< from the truth
 };
 
-/// Nothing in the place of a hidden law, other hidden laws staying.
+/// Nothing in the place of a hidden law, other hidden laws staying; where it is alone, the base.
 struct Absence {
   double non_centrality = 0.0;
-  bool told_apart = true;  ///< from the truth
+  bool told_apart = true;  ///< from the truth, or, of two laws, from their representative
 };
 
 struct Width {
@@ -54,8 +54,8 @@ struct OracleAnswer {
   bool detectable = false;      ///< the truth is told from the base
   double non_centrality = 0.0;  ///< of the truth's representative in the library; 0 where the truth is of its form
   std::vector<PlacedLaw> representative;
-  std::vector<Absence> absences;           ///< by hidden law
-  std::vector<std::vector<Rival>> rivals;  ///< by hidden law, the least non-centrality first
+  std::vector<Absence> absences;           ///< by hidden law of the case
+  std::vector<std::vector<Rival>> rivals;  ///< by hidden law of the case, the least non-centrality first
   std::vector<Width> widths;               ///< of the representative's values
 
   /// The members of a hidden law's class besides itself.

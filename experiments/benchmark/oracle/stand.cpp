@@ -119,11 +119,8 @@ Stand::Stand(const TrueData& data, const Explanation& at, std::size_t law) : dat
   kept.values.resize(at.values.size() - count);
   kept.values << at.values.head(first), at.values.tail(at.values.size() - first - count);
   footings_.emplace_back(data, kept, Nuisances(data.question(at)).without(first, count));
-  if (const auto refitted = data.refitted(kept, 0.0, 0.01)) {
-    without_ = refitted->deviance;
-    const Nuisances about(data.question(*refitted));
-    footings_.emplace_back(data, *refitted, about);
-  }
+  without_ = data.refitted(kept, 0.0, 0.01);
+  if (without_) footings_.emplace_back(data, *without_, Nuisances(data.question(*without_)));
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include "oracle/oracle.h"
 #include "oracle/rivals.h"
 
-#include <limits>
 #include <optional>
 
 namespace hidden_effects {
@@ -76,8 +75,8 @@ class Stand {
   /// further.
   Rival judge(const PlacedLaw& rival, double reference) const;
 
-  /// What the best fit with nothing in its place leaves; infinite where the plant runs away.
-  double without() const { return without_; }
+  /// A fit with nothing in its place; nothing where the plant runs away.
+  const std::optional<Explanation>& without() const { return without_; }
 
   /// The best fit with a law, however slow.
   std::optional<Explanation> best(const PlacedLaw& law) const;
@@ -101,7 +100,7 @@ class Stand {
   const TrueData& data_;
   PlacedLaw taken_;
   std::vector<double> taken_parameters_;
-  double without_ = std::numeric_limits<double>::infinity();
+  std::optional<Explanation> without_;
   std::vector<Footing> footings_;  ///< about the truth, and about the best fit without the law
 };
 

@@ -53,6 +53,13 @@ void add_once(const OracleRival& one, std::vector<OracleRival>& all) {
   if (!known) all.push_back(one);
 }
 
+/// Of two laws that do for each other, but not both: that of both.
+Absence absence_of(const OracleAnswer& answer, std::size_t law) {
+  const bool none_is_told =
+      std::none_of(answer.absences.begin(), answer.absences.end(), [](const Absence& one) { return one.told_apart; });
+  return none_is_told ? Absence{answer.base_non_centrality, answer.detectable} : answer.absences[law];
+}
+
 }  // namespace
 
 OracleRecord oracle_record(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {
@@ -62,7 +69,7 @@ OracleRecord oracle_record(const MadeCase& made, const std::vector<DiagnosisReco
   OracleRecord record;
   for (std::size_t law = 0; law < answer.rivals.size(); ++law) {
     const int number = static_cast<int>(law);
-    const Absence& absence = answer.absences[law];
+    const Absence absence = absence_of(answer, law);
     add_once({number, {"", ""}, absence.non_centrality, absence.told_apart}, record.rivals);
     for (const Rival& rival : answer.rivals[law])
       add_once({number, effect_at(rival.law, made.truth.spec), rival.non_centrality, rival.told_apart}, record.rivals);

@@ -123,7 +123,8 @@ CREATE TABLE IF NOT EXISTS interval (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
--- What these data can tell from a hidden law with the truth known. No effect: the law left out.
+-- What these data can tell from a hidden law with the truth known. No effect: the law left
+-- out; of two laws that do for each other, both.
 CREATE TABLE IF NOT EXISTS oracle_rival (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,

@@ -31,7 +31,7 @@ TEST(LogisticFit, StaysFiniteWhereAllAreRight) {
 }
 
 JudgedVerdict verdict(const char* rig, double lead, bool right) {
-  return {rig, "white", "3", "cogging", "the library's", "effect_found", {{"log_lead", lead}}, right ? 1.0 : 0.0};
+  return {rig, "white", "3", "cogging", "the library's form", "effect_found", {{"log_lead", lead}}, right ? 1.0 : 0.0};
 }
 
 TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {

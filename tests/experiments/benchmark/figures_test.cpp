@@ -118,6 +118,26 @@ TEST_F(Figures, TheLoopEndsAtTheTrueSetUpToTheOraclesClass) {
   EXPECT_EQ(figure("true_set").n, 3U) << "where nobody went on, nothing is known of the loop";
 }
 
+/// The oracle does not tell the spring from nothing in its place, and so not from anything else. Right is the friction
+/// alone, or both; with something else beside it the set is no true one, and without the friction neither.
+TEST_F(Figures, OfTwoLawsOneThatIsNotToldNeedNotBeFound) {
+  const EffectAt kOther{"mount_tilt", "world"};
+  const std::vector<std::vector<EffectAt>> added = {{kCoulomb}, {kCoulomb, kSpring}, {kCoulomb, kOther}, {kSpring}};
+  for (int number = 0; number < 4; ++number) {
+    CaseResult result = small_case(number, "two_effects", {kCoulomb, kSpring});
+    const std::vector<EffectAt>& found = added[static_cast<std::size_t>(number)];
+    result.diagnoses = {small_diagnosis(1, "effect_found", 0.9, found), small_diagnosis(2, "nothing_missing", 0.9)};
+    result.diagnoses[0].added = found;
+    result.oracle.rivals = {
+        {0, {"", ""}, 500.0, true}, {0, kOther, 400.0, true}, {1, {"", ""}, 0.5, false}, {1, kOther, 0.4, false}};
+    keep(result);
+  }
+  EXPECT_EQ(figure("both_found").n, 0U) << "nobody can find both";
+  EXPECT_EQ(figure("true_set").n, 4U);
+  EXPECT_DOUBLE_EQ(figure("true_set").value, 0.5);
+  EXPECT_EQ(figure("second_nothing").n, 2U);
+}
+
 /// Ratios √((1.0² + 1.1²)/2) = 1.051 and √((1.0² + 1.3²)/2) = 1.160; a found model that could not be simulated.
 TEST_F(Figures, HeldOutErrorIsMeanedOverChannels) {
   for (int number = 0; number < 3; ++number) {
@@ -237,7 +257,8 @@ TEST_F(Figures, FormsOfTheHiddenLawStandBesideEachOther) {
   bristles.about.hidden.front().library_form = false;
   keep(bristles);
   const std::string page = markdown(read_figures(database_, "", "tuning"));
-  EXPECT_THAT(page, HasSubstr("## By form of the hidden law, all noise\n\n| figure | another | the library's |"));
+  EXPECT_THAT(page,
+              HasSubstr("## By form of the hidden law, all noise\n\n| figure | another form | the library's form |"));
   EXPECT_THAT(page, HasSubstr("| first class right, strength 3 (score 1/(1 + k)) | 0.0 % [0.0, 79.3] n 1 | "
                               "100.0 % [20.7, 100.0] n 1 |"));
 }

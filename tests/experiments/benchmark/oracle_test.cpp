@@ -88,6 +88,17 @@ TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
   EXPECT_THAT(names(answer.alike(1)), testing::ElementsAre("command_offset"));
 }
 
+/// What takes the place of a law is told of that law, also where a law of another form stands before it.
+TEST(Oracle, LawsAreToldInTheCasesOrder) {
+  const MadeCase made =
+      pendulum_case({{"twofold_lag", 0, {0.05}}, {"coulomb_friction", 0, {0.03}}}, white_noise(), kSamples);
+  const OracleAnswer answer = ask_oracle(made, {.among = {"directional_friction"}});
+  ASSERT_EQ(answer.rivals.size(), 2u);
+  EXPECT_EQ(names(answer.representative), (std::vector<std::string>{"coulomb_friction", "actuator_lag"}));
+  EXPECT_THAT(names(answer.alike(0)), testing::IsEmpty());
+  EXPECT_THAT(names(answer.alike(1)), testing::ElementsAre("directional_friction"));
+}
+
 /// Viscous friction is what the base's damping does; of two laws that one is there for nobody to find.
 TEST(Oracle, OneOfTwoLawsMayBeAbsorbedByTheBase) {
   const MadeCase made =
