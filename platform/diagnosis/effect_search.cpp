@@ -75,18 +75,26 @@ class EffectSearch {
   Round look() {
     BaseSolution start = contender_.added.empty() ? cut_ : cut_for_contender();
     take_substeps_for(start);
-    correct_for_steps(contender_.definition, start, task_.threads);
-    Round round = look_from(start);
+    Round round = look_from(start, contender_.added.empty() ? Moving::all : Moving::if_needed);
     const std::optional<Refit> deeper = deeper_minimum(contender_, round, task_.threads);
     if (!deeper) return round;
-    start.values = contender_.values = deeper->values;
+    go_deeper(*deeper, round);
+    start.values = deeper->values;
     start.states = deeper->states;
-    meter_.add_parts(kRoundParts);
-    return look_from(start);
+    return look_from(start, Moving::if_needed);
   }
 
-  Round look_from(const BaseSolution& start) {
-    return run_round({task_.catalog, contender_, start, task_.among, task_.seed, task_.threads, meter_});
+  Round look_from(BaseSolution start, Moving moving) {
+    correct_for_steps(contender_.definition, start, task_.threads);
+    return run_round({task_.catalog, contender_, start, moving, task_.among, task_.seed, task_.threads, meter_});
+  }
+
+  void go_deeper(const Refit& deeper, const Round& round) {
+    contender_.values = deeper.values;
+    meter_.add_parts(kRoundParts);
+    if (contender_.added.empty()) return;
+    Gain& known = state_.gains[names_of(contender_.added)];
+    known = sum(known, gain(round.held_out, held_out_deviance(deeper, round.folds), task_.seed));
   }
 
   /// Into segments that the contender can follow.

@@ -8,8 +8,8 @@ namespace lacuna {
 struct RivalPrediction {
   Eigen::VectorXd readings;
   /// How the readings change by one standard deviation of each thing that a refit to this test would find anew, which
-  /// are independent of each other: directions of the model's free values as the data so far leave them, unknown parts
-  /// of the start. A column each; none: nothing is refitted.
+  /// are independent of each other: directions of the model's free values and of the instant that commands act at, as
+  /// the data so far leave them, unknown parts of the start. A column each; none: nothing is refitted.
   Eigen::MatrixXd follows;
   /// How far all that is off already where the readings are predicted, in deviations; empty: not at all.
   Eigen::VectorXd moved = {};

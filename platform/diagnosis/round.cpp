@@ -84,7 +84,7 @@ class Look {
   void list_noises() {
     BaseSolution& base = round_.base;
     base = task_.start;
-    bench_.settle(base, model_.added.empty() ? Moving::all : Moving::if_needed);
+    bench_.settle(base, task_.moving);
     bench_.linearise(round_.bins, base);
     base.nuisance = timing_beside(model_, base, round_.bins, task_.threads);
     if (base.free_run)

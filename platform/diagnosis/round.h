@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/contender.h"
+#include "diagnosis/base_bench.h"
 #include "diagnosis/cross_validation.h"
 #include "diagnosis/force_formula.h"
 #include "diagnosis/free_force.h"
@@ -47,6 +47,7 @@ struct RoundTask {
   const PluginCatalog& catalog;
   const Contender& contender;
   const BaseSolution& start;  ///< as cut for the contender, whose values it has
+  Moving moving;              ///< how the round settles on them (base_bench.h)
   const std::vector<std::string>& among;
   std::uint64_t seed = 1;
   int threads = 1;

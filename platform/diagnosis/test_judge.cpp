@@ -66,8 +66,9 @@ const NextTestTask& checked(const NextTestTask& task) {
   for (const RivalModel& rival : task.rivals) {
     const Eigen::Index fitted = rival.coordinates();
     if (rival.covariance.rows() != fitted || rival.covariance.cols() != fitted)
-      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of it are fitted", rival.name,
-                              rival.covariance.rows(), rival.covariance.cols(), fitted));
+      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of its values are fitted{}", rival.name,
+                              rival.covariance.rows(), rival.covariance.cols(), fitted,
+                              rival.command_interval > 0.0 ? ", the timing of commands among them" : ""));
   }
   if (readings_of(task).channels.empty()) throw Error("no noise is known of any sensor, so a test cannot be judged");
   return task;

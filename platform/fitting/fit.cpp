@@ -48,12 +48,10 @@ RobustLoss loss_of(const FitSection& options) {
   throw Error("fit.loss is \"" + options.loss + "\"; write \"huber\" or \"squared\"");
 }
 
-/// `values` with those of effects' parameters that the experiment file gives.
-std::vector<double> with_written_effects(const ModelDefinition& definition, std::vector<double> values) {
-  for (const EffectEntry& entry : definition.effects)
-    for (const auto& [parameter, unused] : entry.start)
-      for (std::size_t i = 0; i < values.size(); ++i)
-        if (definition.free[i].address == effect_address(entry.id, parameter)) values[i] = definition.free[i].start;
+/// `values` with where effects start; 0 says nothing of a size.
+std::vector<double> with_known_starts(const std::vector<FreeValue>& free, std::vector<double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (is_of_effect(free[i].address) && free[i].start != 0.0) values[i] = free[i].start;
   return values;
 }
 
@@ -84,7 +82,7 @@ class Fitter {
       refine_candidates(stage.name, last ? kFine : kMiddling);
       if (refined_ < kRivals) meter_.end_part();
       if (last && stages.size() > 1) search_anew(stage.name);
-      if (last) return_to_written(stage.name);
+      if (last) return_to_known(stage.name);
       record(stage);
       keep_rivals(candidates_, problem_->samples());
     }
@@ -194,10 +192,10 @@ class Fitter {
   /// Short segments, or a base that is far off, may also lead away from what is known of an effect, such as what a
   /// diagnosis found: where they did, the values that the experiment gives it are tried once more, beside the base's
   /// best.
-  void return_to_written(const std::string& stage) {
+  void return_to_known(const std::string& stage) {
     const std::vector<double> found = space_.to_values(candidates_.front().values);
-    const std::vector<double> written = with_written_effects(task_.definition, found);
-    if (moved(written, found)) try_points({space_.to_coordinates(written)}, stage);
+    const std::vector<double> known = with_known_starts(task_.definition.free, found);
+    if (moved(known, found)) try_points({space_.to_coordinates(known)}, stage);
   }
 
   /// Points that lead to something better become candidates.

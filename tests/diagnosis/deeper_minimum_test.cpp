@@ -23,7 +23,7 @@ class DeeperMinimum : public testing::Test {
     const std::vector<Trial> trials = {recorded(kTruth, "multi.csv", multisine, 6.0, 3),
                                        recorded(kTruth, "steps.csv", steps, 6.0, 4)};
     const BaseSolution start = cut_trials({model_.definition, *model_.model, trials, model_.values, 0.0, 2});
-    round_.emplace(run_round({built_catalog(), model_, start, {"coulomb_friction"}, 1, 2, meter_}));
+    round_.emplace(run_round({built_catalog(), model_, start, Moving::all, {"coulomb_friction"}, 1, 2, meter_}));
   }
 
   static constexpr PendulumTruth kTruth = {.inertia = 0.03, .damping = 0.02, .friction = 0.02};
