@@ -83,15 +83,19 @@ SELECT h.version, h.set_name, h.number, h.law,
                  AND (r.effect, r.place) = (h.effect, h.place)) AS ever_named
 FROM hidden_law h;
 
--- Hidden laws but, of two, one that the oracle does not tell from nothing in its place: the base or the other takes it up,
--- and an answer without it is whole.
+-- Of two hidden laws one that the oracle does not tell from nothing in its place: the base or the other takes it up, and an
+-- answer without it is whole.
+CREATE TEMP VIEW untold_law AS
+SELECT h.* FROM hidden_law h
+WHERE EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.law, o.effect, o.told_apart)
+                                               = (h.version, h.set_name, h.number, h.law, '', 0))
+  AND EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.effect, o.told_apart)
+                                               = (h.version, h.set_name, h.number, '', 1) AND o.law <> h.law);
+
 CREATE TEMP VIEW told_law AS
 SELECT h.* FROM hidden_law h
-WHERE NOT (EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.law, o.effect, o.told_apart)
-                                                    = (h.version, h.set_name, h.number, h.law, '', 0))
-           AND EXISTS (SELECT 1 FROM oracle_rival o WHERE (o.version, o.set_name, o.number, o.effect, o.told_apart)
-                                                        = (h.version, h.set_name, h.number, '', 1)
-                                                      AND o.law <> h.law));
+WHERE NOT EXISTS (SELECT 1 FROM untold_law u WHERE (u.version, u.set_name, u.number, u.law)
+                                                 = (h.version, h.set_name, h.number, h.law));
 
 -- What the oracle does not tell from a hidden law that is told from nothing: the same data, in other words.
 CREATE TEMP VIEW stand_in AS
@@ -116,8 +120,8 @@ SELECT j.version, j.set_name, j.number,
             ORDER BY d.round DESC LIMIT 1) <> 'effect_found'
        AND (SELECT count(*) FROM added_effect a WHERE (a.version, a.set_name, a.number) = (j.version, j.set_name, j.number))
          = (SELECT count(*) FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number)
-              AND (EXISTS (SELECT 1 FROM told_law t WHERE (t.version, t.set_name, t.number, t.law)
-                                                        = (h.version, h.set_name, h.number, h.law))
+              AND (NOT EXISTS (SELECT 1 FROM untold_law u WHERE (u.version, u.set_name, u.number, u.law)
+                                                              = (h.version, h.set_name, h.number, h.law))
                    OR EXISTS (SELECT 1 FROM added_effect a WHERE (a.version, a.set_name, a.number, a.effect, a.place)
                                                                = (h.version, h.set_name, h.number, h.effect, h.place))))
        AND NOT EXISTS (SELECT 1 FROM added_effect a
@@ -174,9 +178,7 @@ LEFT JOIN oracle_width w ON (w.version, w.set_name, w.number, w.parameter)
 WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL AND j.made
   AND (SELECT d.verdict FROM diagnosis d WHERE (d.version, d.set_name, d.number) = (i.version, i.set_name, i.number)
        ORDER BY d.round DESC LIMIT 1) = 'nothing_missing'
-  AND NOT EXISTS (SELECT 1 FROM hidden_law h WHERE (h.version, h.set_name, h.number) = (j.version, j.set_name, j.number)
-                    AND NOT EXISTS (SELECT 1 FROM told_law t WHERE (t.version, t.set_name, t.number, t.law)
-                                                                 = (h.version, h.set_name, h.number, h.law)))
+  AND NOT EXISTS (SELECT 1 FROM untold_law u WHERE (u.version, u.set_name, u.number) = (j.version, j.set_name, j.number))
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
 -- Cases that `run --diagnoses` did not go on with although something was found: they say nothing of the loop.
