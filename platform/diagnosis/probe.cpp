@@ -20,6 +20,7 @@ constexpr double kFirst = 1e-3;      ///< of a parameter's range, the first size
 constexpr double kStride = 100.0;    ///< at most, from a size to the next
 constexpr int kTrials = 24;
 constexpr double kBeside = 0.01;                  ///< of a parameter's range, where one matters only beside another
+constexpr double kOutside = 2.0;                  ///< of the robot's length, where nothing of it gets
 constexpr double kEnough = 0.5;                   ///< of the residual
 constexpr double kTooMuch = 1.5;                  ///< of the residual
 constexpr double kVisible = 1e-3;                 ///< of the sensor noise
@@ -63,6 +64,17 @@ class Bench {
   ShootingProblem problem_;
 };
 
+/// The longest way between two joints or centres of mass, m.
+double size_of(const RobotSpec& robot) {
+  std::vector<Eigen::Vector3d> points;
+  for (const JointSpec& joint : robot.joints) points.push_back(joint.anchor);
+  for (const BodySpec& body : robot.bodies) points.push_back(body.position + body.orientation * body.com);
+  double longest = 0.0;
+  for (const Eigen::Vector3d& one : points)
+    for (const Eigen::Vector3d& other : points) longest = std::max(longest, (one - other).norm());
+  return longest;
+}
+
 std::vector<std::size_t> all_segments(const BaseSolution& base) {
   std::vector<std::size_t> all(base.segments.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -94,6 +106,7 @@ class Ladder {
          const BaseSolution& base)
       : hypothesis_(hypothesis),
         bench_(hypothesis, predictor, base, ladder_segments(base)),
+        robot_size_(size_of(hypothesis.definition.structure.robot)),
         may_jump_(base.free_run),
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
@@ -120,10 +133,13 @@ class Ladder {
   /// nothing.
   bool one_sided(std::size_t i) const { return direction_ < 0.0 || !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
 
-  /// The value that share of the way from its neutral value to a bound; a negative share goes down.
-  double beside(std::size_t i, double share) const {
-    const double way = share * room(i, share);
-    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + way);
+  /// The value a little of the way up (1) or down (−1) from its neutral value to a bound. A place is just out of the
+  /// robot's way: from further off all places are alike.
+  double beside(std::size_t i, double direction) const {
+    double way = kBeside * room(i, direction);
+    if (hypothesis_.definition.free[hypothesis_.own[i]].unit == "m" && robot_size_ > 0.0)
+      way = std::min(way, kOutside * robot_size_);
+    return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction * way);
   }
 
   /// The value at which parameter `i`, the others as set, changes the prediction by about as much as the residual;
@@ -206,6 +222,7 @@ class Ladder {
   const Hypothesis& hypothesis_;
   Bench bench_;
   std::optional<Bench> rough_;
+  double robot_size_;       ///< m; 0: a single point
   double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
   double direction_ = 1.0;  ///< of the way that is climbed: up or down
   bool is_enough_ = false;  ///< the size that was found last
@@ -241,7 +258,7 @@ void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vecto
   for (std::size_t i = 0; i < neutral.size() && neutral.size() > 1; ++i)
     for (const double side : {1.0, -1.0}) {
       std::vector<double> others = neutral;
-      others[i] = ladder.beside(i, side * kBeside);
+      others[i] = ladder.beside(i, side);
       if (others[i] != neutral[i]) climb(ladder, others, probes, unused);
     }
 }

@@ -66,9 +66,9 @@ class EntryCheck {
         complaints_(complaints) {}
 
   std::optional<Placement> run(const RobotSpec& robot) {
-    if (!find_plugin()) return std::nullopt;
-    check_parameters();
-    if (!robot.bodies.empty() && match(robot)) {
+    const bool known = find_plugin();
+    if (known) check_parameters();
+    if (!robot.bodies.empty() && match(robot) && known) {
       check_kind();
       check_units(robot);
       if (good_) try_amend(robot);

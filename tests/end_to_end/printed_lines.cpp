@@ -39,9 +39,27 @@ bool close(const std::string& said, const std::string& printed, double tolerance
   return std::abs(a - b) <= std::max({tolerance * std::abs(a), tolerance * std::abs(b), 1.001 * last_digit(said)});
 }
 
+/// Figures with their uncertainty, "+1108 ± 204": as the uncertainty has it, which itself is no more than an estimate.
+bool close_estimates(const std::string& said, const std::string& printed) {
+  static const std::regex kEstimate("([+-]?[0-9.]+) ± ([0-9.]+)");
+  std::sregex_iterator x(said.begin(), said.end(), kEstimate), y(printed.begin(), printed.end(), kEstimate), end;
+  for (; x != end && y != end; ++x, ++y) {
+    const double uncertainty = std::max(std::stod((*x)[2]), std::stod((*y)[2]));
+    const double other = std::min(std::stod((*x)[2]), std::stod((*y)[2]));
+    if (std::abs(std::stod((*x)[1]) - std::stod((*y)[1])) > uncertainty || uncertainty > 2.0 * other) return false;
+  }
+  return x == end && y == end;
+}
+
+std::string without_estimates(const std::string& line) {
+  static const std::regex kEstimate("[+-]?[0-9.]+ ± [0-9.]+");
+  return std::regex_replace(line, kEstimate, "estimate");
+}
+
 bool same_line(const std::string& said, const std::string& printed, double tolerance) {
   static const std::regex kNumber("[0-9]+(\\.[0-9]+)?");
-  const std::string a = comparable(said), b = comparable(printed);
+  if (!close_estimates(said, printed)) return false;
+  const std::string a = without_estimates(comparable(said)), b = without_estimates(comparable(printed));
   if (std::regex_replace(a, kNumber, "#") != std::regex_replace(b, kNumber, "#")) return false;
   std::sregex_iterator x(a.begin(), a.end(), kNumber), y(b.begin(), b.end(), kNumber), end;
   for (; x != end && y != end; ++x, ++y)

@@ -15,6 +15,15 @@ TEST(Difference, SeesAnotherWordAnotherFigureAndAMissingLine) {
   EXPECT_NE(difference({"pendulum · refitted 3 values, 24 s", "fit 9.1 mrad", "more"}, printed, 0.01), "");
 }
 
+TEST(Difference, LetsAFigureDifferByItsUncertainty) {
+  const std::vector<std::string> printed = {"1 friction +1181 ± 255 nats 0.66 × floor"};
+  EXPECT_EQ(difference({"1 friction +1108 ± 204 nats 0.66 × floor"}, printed, 0.01), "");
+  EXPECT_NE(difference({"1 friction +900 ± 204 nats 0.66 × floor"}, printed, 0.01), "");
+  EXPECT_NE(difference({"1 friction +1108 ± 100 nats 0.66 × floor"}, printed, 0.01), "");
+  EXPECT_NE(difference({"1 friction -1181 ± 255 nats 0.66 × floor"}, printed, 0.01), "");
+  EXPECT_NE(difference({"1 friction +1181 ± 255 nats 0.76 × floor"}, printed, 0.01), "");
+}
+
 TEST(Difference, LooksPastTheTimesAndHashesOfRuns) {
   const std::string hash(64, 'a'), other(64, 'b');
   const std::vector<std::string> printed = {"pass 1 · error 0.5 · 12 s",

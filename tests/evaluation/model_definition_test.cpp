@@ -166,13 +166,14 @@ TEST_F(DefineModel, AllProblemsAreNamedAtOnceAndAtTheirPlaces) {
                            {"model.effects[2].fixed[0]", {"rig.toml", 7, 60}}};
   experiment_.model.set = {{"body.arms.mass", 1.0}};
   add_effect("a", "coulomb_friction", {"joint.hinge", "joint.rial"});
-  add_effect("b", "coulomb_fricton", {"joint.hinge"});
+  add_effect("b", "coulomb_fricton", {"joint.hing"});
   EffectEntry& typo = add_effect("c", "coulomb_friction", {"joint.hinge"});
   typo.start = {{"torqe", 1.0}};
   typo.fixed = {"size"};
   EXPECT_THAT(problems(),
               ElementsAre(AllOf(HasSubstr("did you mean \"body.arm.mass\"?"), HasSubstr("model.set.body.arms.mass")),
                           HasSubstr("did you mean \"joint.rail\"?"), HasSubstr("did you mean \"coulomb_friction\"?"),
+                          HasSubstr("did you mean \"joint.hinge\"?"),
                           HasSubstr("coulomb_friction has no parameter \"torqe\" (did you mean \"torque\"?)"),
                           HasSubstr("no parameter \"size\"; it has torque")));
   EXPECT_THAT(problems()[1], testing::StartsWith("rig.toml:5:20: model.effects[0].where[1]: "));

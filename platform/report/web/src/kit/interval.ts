@@ -13,8 +13,8 @@ function digitsFor(value: number, width: number): number {
 const known = (one: number | null | undefined): one is number =>
   one !== null && one !== undefined && Number.isFinite(one);
 
-/** "0.53516 [0.53504, 0.53528] kg": as many digits as the interval deserves, one unit for all three. `otherwise` stands
- *  in the interval's place where there is none. */
+/** "0.53516 [0.53504, 0.53528] kg": as many digits as the interval deserves, one unit for all three, that of the
+ *  largest. `otherwise` stands in the interval's place where there is none. */
 export function valueText(
   value: number | null,
   lower: number | null,
@@ -25,7 +25,7 @@ export function valueText(
   if (!known(value)) return '—';
   const bounded = known(lower) && known(upper);
   const digits = bounded ? digitsFor(value, upper - lower) : kFewestDigits;
-  const prefix = prefixFor(Math.abs(value), unit);
+  const prefix = prefixFor(Math.max(...(bounded ? [value, lower, upper] : [value]).map(Math.abs)), unit);
   const number = (one: number) => plain(one * prefix.factor, digits);
   const symbol = prefix.symbol + unitText(unit);
   const interval = bounded ? ` [${number(lower)}, ${number(upper)}]` : '';
