@@ -64,6 +64,8 @@ class Bench {
   ShootingProblem problem_;
 };
 
+bool is_length(const FreeValue& free) { return free.unit == "m"; }
+
 /// The longest way between two joints or centres of mass, m.
 double size_of(const RobotSpec& robot) {
   std::vector<Eigen::Vector3d> points;
@@ -137,7 +139,7 @@ class Ladder {
   /// robot's way: from further off all places are alike.
   double beside(std::size_t i, double direction) const {
     double way = kBeside * room(i, direction);
-    if (hypothesis_.definition.free[hypothesis_.own[i]].unit == "m" && robot_size_ > 0.0)
+    if (is_length(hypothesis_.definition.free[hypothesis_.own[i]]) && robot_size_ > 0.0)
       way = std::min(way, kOutside * robot_size_);
     return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction * way);
   }
@@ -251,12 +253,23 @@ bool climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>
   return enough;
 }
 
+/// Whether it acts at a place that is fitted: at the neutral one it may matter, and yet not as it does elsewhere.
+bool has_place(const Hypothesis& hypothesis) {
+  const std::vector<FreeValue>& free = hypothesis.definition.free;
+  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
+                       [&](std::size_t i) { return is_length(free[i]); }) > 1;
+}
+
 /// Parameters that matter only where another one is not neutral, such as a payload's mass and its place: a mass on the
-/// axis of a hinge turns nothing.
-void climb_beside(Ladder& ladder, const std::vector<double>& neutral, std::vector<Probe>& probes) {
+/// axis of a hinge turns nothing. Where there are places, those are where the others are climbed, not the other way
+/// round: beside a huge mass its place would come out as next to nothing.
+void climb_beside(Ladder& ladder, const Hypothesis& hypothesis, std::vector<Probe>& probes) {
+  const std::vector<double>& neutral = hypothesis.neutral;
+  const bool only_places = has_place(hypothesis);
   std::vector<std::size_t> unused;
   for (std::size_t i = 0; i < neutral.size() && neutral.size() > 1; ++i)
     for (const double side : {1.0, -1.0}) {
+      if (only_places && !is_length(hypothesis.definition.free[hypothesis.own[i]])) continue;
       std::vector<double> others = neutral;
       others[i] = ladder.beside(i, side);
       if (others[i] != neutral[i]) climb(ladder, others, probes, unused);
@@ -282,7 +295,8 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
                                 const std::map<std::string, double>& scales) {
   std::vector<Probe> probes;
   std::vector<std::size_t> shapes, unused;
-  if (!climb(ladder, hypothesis.neutral, probes, shapes)) climb_beside(ladder, hypothesis.neutral, probes);
+  const bool enough = climb(ladder, hypothesis.neutral, probes, shapes);
+  if (!enough || has_place(hypothesis)) climb_beside(ladder, hypothesis, probes);
   if (hypothesis.defaults != hypothesis.neutral) {
     probes.push_back({hypothesis.defaults, true, {}});
     climb(ladder, hypothesis.defaults, probes, unused);

@@ -41,6 +41,18 @@ TEST(Limits, OfAMotorAreFoundFromFarAbove) {
   EXPECT_NEAR(found.parameters.at(0).value, 0.35, 0.01);
 }
 
+/// A point that is metres away, where the middle of its range's first hundredth lies, pulls in one direction only.
+TEST(CablePull, IsLookedForNearTheRobot) {
+  const Diagnosis diagnosis =
+      diagnosed({.inertia = 0.03, .damping = 0.02, .tension = 0.4, .cable_x = 0.3, .cable_z = -0.15},
+                {"cable_pull", "joint_offset_torque", "command_offset"});
+  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
+  const FoundEffect& found = diagnosis.ranking.at(0).effects.at(0);
+  ASSERT_EQ(found.effect, "cable_pull");
+  EXPECT_NEAR(found.parameters.at(0).value, 0.4, 0.1);
+  EXPECT_NEAR(found.parameters.at(1).value, 0.3, 0.1);
+}
+
 /// No segment but the first begins at rest: what the sensor shows there happened before.
 TEST(SensorDelay, IsFoundInSegmentsThatBeginInTheMiddle) {
   const Diagnosis diagnosis =

@@ -16,20 +16,31 @@ namespace lacuna {
 
 /// A pendulum on a hinge with a motor and an encoder, and recordings of it that are integrated here, not by the engine.
 struct PendulumTruth {
-  double inertia = 0.025;    // kg·m², about the hinge
-  double gravity = 0.981;    // N·m at 90°
-  double damping = 0.0;      // N·m·s/rad
-  double friction = 0.0;     // N·m, dry
-  double backward = 0.0;     // N·m, dry, more of it on the way back
-  double spring = 0.0;       // N·m/rad
-  double cubic = 0.0;        // N·m/rad³
-  double delay = 0.0;        // s, of the command
-  double lateness = 0.0;     // s, of the reading
-  double limit = 1e9;        // N·m, of the motor
-  double feedback = 0.0;     // N·m/rad, of the noisy reading, added to the command
-  double noise = 5e-4;       // rad
-  double disturbance = 0.0;  // N·m, standard deviation of a torque that nobody records, over about 0.2 s
+  double inertia = 0.025;               // kg·m², about the hinge
+  double gravity = 0.981;               // N·m at 90°
+  double damping = 0.0;                 // N·m·s/rad
+  double friction = 0.0;                // N·m, dry
+  double backward = 0.0;                // N·m, dry, more of it on the way back
+  double spring = 0.0;                  // N·m/rad
+  double cubic = 0.0;                   // N·m/rad³
+  double delay = 0.0;                   // s, of the command
+  double lateness = 0.0;                // s, of the reading
+  double limit = 1e9;                   // N·m, of the motor
+  double feedback = 0.0;                // N·m/rad, of the noisy reading, added to the command
+  double noise = 5e-4;                  // rad
+  double tension = 0.0;                 // N, of a cable from the arm's centre of mass to a point outside
+  double cable_x = 0.0, cable_z = 0.0;  // m, that point
+  double disturbance = 0.0;             // N·m, standard deviation of a torque that nobody records, over about 0.2 s
 };
+
+constexpr double kPendulumLength = 0.2;  // m, to the centre of mass
+
+/// N·m about the hinge, of the cable.
+inline double pull_of_cable(const PendulumTruth& truth, double q) {
+  const double x = -kPendulumLength * std::sin(q), z = -kPendulumLength * std::cos(q);
+  const double along_x = truth.cable_x - x, along_z = truth.cable_z - z;
+  return truth.tension * (z * along_x - x * along_z) / std::hypot(along_x, along_z);
+}
 
 inline RobotSpec pendulum_robot() {
   RobotSpec robot;
@@ -37,7 +48,7 @@ inline RobotSpec pendulum_robot() {
   BodySpec arm;
   arm.name = "arm";
   arm.mass = 0.5;
-  arm.com = {0.0, 0.0, -0.2};
+  arm.com = {0.0, 0.0, -kPendulumLength};
   arm.inertia = {.xx = 0.005, .yy = 0.005, .zz = 0.0005};
   robot.bodies = {arm};
   JointSpec hinge;
@@ -101,7 +112,7 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
       const double motor = std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit, truth.limit);
       const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
-                            truth.cubic * q * q * q;
+                            truth.cubic * q * q * q + (truth.tension > 0.0 ? pull_of_cable(truth, q) : 0.0);
       past.push_back(q);
       const double free = v + h * torque / truth.inertia;
       const double stopped = h * (truth.friction + (free < 0.0 ? truth.backward : 0.0)) / truth.inertia;
