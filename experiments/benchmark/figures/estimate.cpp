@@ -15,6 +15,14 @@ constexpr double k95 = 1.959963984540054;  // standard errors
 constexpr std::size_t kResamples = 2000;
 constexpr std::uint64_t kSeed = 20;
 
+/// Where 95 % of the values lie.
+void set_interval(std::vector<double>& found, Estimate& estimate) {
+  std::sort(found.begin(), found.end());
+  const auto quantile = [&](double p) { return found[static_cast<std::size_t>(std::lround(p * (kResamples - 1)))]; };
+  estimate.lower_95 = quantile(0.025);
+  estimate.upper_95 = quantile(0.975);
+}
+
 template <class Item, class Statistic>
 Estimate resampled(const std::vector<Item>& items, const Statistic& of) {
   if (items.empty()) return {0, kNone, kNone, kNone};
@@ -27,10 +35,7 @@ Estimate resampled(const std::vector<Item>& items, const Statistic& of) {
     for (Item& item : sample) item = items[draw.below(items.size())];
     one = of(sample);
   }
-  std::sort(found.begin(), found.end());
-  const auto quantile = [&](double p) { return found[static_cast<std::size_t>(std::lround(p * (kResamples - 1)))]; };
-  estimate.lower_95 = quantile(0.025);
-  estimate.upper_95 = quantile(0.975);
+  set_interval(found, estimate);
   return estimate;
 }
 
@@ -71,6 +76,20 @@ double calibration_error(const std::vector<Stated>& stated, int bins) {
   double sum = 0.0;
   for (const double one : excess) sum += std::abs(one);
   return sum / static_cast<double>(stated.size());
+}
+
+Estimate calibration_error_by_chance(const std::vector<Stated>& stated) {
+  if (stated.empty()) return {0, kNone, kNone, kNone};
+  Draw draw(kSeed, stated.size());
+  std::vector<double> found(kResamples);
+  std::vector<Stated> drawn = stated;
+  for (double& one : found) {
+    for (Stated& verdict : drawn) verdict.is_right = draw.uniform() < verdict.probability ? 1.0 : 0.0;
+    one = calibration_error(drawn);
+  }
+  Estimate estimate{stated.size(), mean(found), kNone, kNone};
+  set_interval(found, estimate);
+  return estimate;
 }
 
 Estimate bootstrap(const std::vector<double>& values, const std::function<double(const std::vector<double>&)>& of) {

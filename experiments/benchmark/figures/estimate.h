@@ -29,6 +29,10 @@ double median(std::vector<double> values);
 /// Mean of |stated probability − share that is right| over `bins` equally wide bins, weighted by how many each holds.
 double calibration_error(const std::vector<Stated>& stated, int bins = 10);
 
+/// What `calibration_error` would be, were each stated probability exact: its mean over 2000 draws of who is right,
+/// always the same ones, and where 95 % of them lie. With few verdicts it is far from 0.
+Estimate calibration_error_by_chance(const std::vector<Stated>& stated);
+
 /// Mean of (stated probability − is_right)² (G. W. Brier, Monthly Weather Review 78 (1950) 1-3).
 double brier_score(const std::vector<Stated>& stated);
 

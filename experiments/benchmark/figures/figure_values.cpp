@@ -85,6 +85,7 @@ Estimate estimate_of(const FigureValues& all, const FigureKind& figure,
   if (figure.kind == "share") return share(values);
   if (figure.kind == "mean") return bootstrap(values, mean);
   if (figure.kind == "median") return bootstrap(values, median);
+  if (figure.kind == "calibration by chance") return calibration_error_by_chance(stated);
   return bootstrap(stated, [](const std::vector<Stated>& sample) { return calibration_error(sample); });
 }
 

@@ -17,6 +17,7 @@ void add_left_out(Database& database, FigureValues& all) {
     };
     add("brier_left_out", (probability - one.is_right) * (probability - one.is_right));
     add("calibration_left_out", one.is_right);
+    add("calibration_by_chance", one.is_right);
   }
 }
 

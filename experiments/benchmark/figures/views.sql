@@ -243,8 +243,9 @@ SELECT version, set_name, number, min(non_centrality) AS left_over
 FROM oracle_rival WHERE told_apart AND effect <> '' GROUP BY version, set_name, number;
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
--- stated probability over ten bins; bootstrap). `least` and `most` are the goal. The values of rigs left out are no
--- rows of `figure_value`: they take the program's calibration (figures/left_out.h).
+-- stated probability over ten bins; bootstrap), and what that is by chance (draws of who is right). `least` and `most`
+-- are the goal. The values of rigs left out are no rows of `figure_value`: they take the program's calibration
+-- (figures/left_out.h).
 CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
   (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
@@ -267,16 +268,17 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (19, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, NULL),
   (20, 'brier_left_out', 'Brier score on rigs that the calibration left out', 'mean', NULL, NULL),
   (21, 'calibration_left_out', 'calibration error on rigs that the calibration left out', 'calibration', NULL, 0.05),
-  (22, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
-  (23, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
-  (24, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
-  (25, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
-  (26, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
-  (27, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
-  (28, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (29, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
-  (30, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
-  (31, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
+  (22, 'calibration_by_chance', 'what that would be by chance, were these probabilities exact', 'calibration by chance', NULL, NULL),
+  (23, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
+  (24, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
+  (25, 'tests_random', 'tests until the answer is told from its closest look-alike, random (7: not with six)', 'median', NULL, NULL),
+  (26, 'settled_chosen', 'told apart by six chosen tests at most', 'share', NULL, NULL),
+  (27, 'settled_random', 'told apart by six random tests at most', 'share', NULL, NULL),
+  (28, 'settled_none', 'told apart without a test when the two are asked about alone (not in the four above)', 'share', NULL, NULL),
+  (29, 'left_chosen', 'what chosen tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (30, 'left_random', 'what random tests left is the hidden effect, where it was one of the two', 'share', NULL, NULL),
+  (31, 'seconds', 'seconds of a diagnosis', 'median', NULL, NULL),
+  (32, 'failed', 'ended early (a refusal, a crash, no time left)', 'share', NULL, NULL);
 
 -- One row for each case (or interval) that a figure is made of. `probability` is for the calibration alone. Cases that
 -- ended early count as wrong; those that could not be made count in `failed` alone.

@@ -48,6 +48,17 @@ TEST(CalibrationError, IsTheMeanGapOfTheBins) {
   EXPECT_NEAR(calibration_error({{1.0, 1}, {0.0, 0}}), 0.0, 1e-12);
 }
 
+/// Of a hundred verdicts of 0.9 the share that is right scatters by 0.03; the mean of what it misses by is √(2/π) of
+/// it.
+TEST(CalibrationError, IsNotZeroByChance) {
+  const Estimate hundred = calibration_error_by_chance(std::vector<Stated>(100, {0.9, 1.0}));
+  EXPECT_NEAR(hundred.value, 0.0239, 0.002);
+  EXPECT_LT(hundred.lower_95, 0.005);
+  EXPECT_NEAR(hundred.upper_95, 0.06, 0.011);
+  EXPECT_NEAR(calibration_error_by_chance({{0.8, 0.0}}).value, 2.0 * 0.8 * 0.2, 0.02) << "one verdict";
+  EXPECT_TRUE(std::isnan(calibration_error_by_chance({}).value));
+}
+
 /// The standard error of the mean of 0, 1, ..., 99 is 100/√12/√100 = 2.887.
 TEST(Bootstrap, HasTheWidthOfTheNormalInterval) {
   std::vector<double> values;
