@@ -39,9 +39,14 @@ bool close(const std::string& said, const std::string& printed, double tolerance
   return std::abs(a - b) <= std::max({tolerance * std::abs(a), tolerance * std::abs(b), 1.001 * last_digit(said)});
 }
 
-/// Figures with their uncertainty, "+1108 ± 204": as the uncertainty has it, which itself is no more than an estimate.
+/// What a program says of its own uncertainty differs with the last digits that it rests on: figures with theirs,
+/// "+1108 ± 204", by that, which itself is no more than an estimate; probabilities by this much.
+constexpr double kProbability = 0.15, kRare = 0.05;
+const std::regex kEstimate("([+-]?[0-9.]+) ± ([0-9.]+)"), kProbabilityText("\\b([Pp] )([01]\\.[0-9]+)");
+/// A line with such a figure ranks a model by what it leaves of the noise, which is as uncertain.
+constexpr double kBesideAnEstimate = 0.3;
+
 bool close_estimates(const std::string& said, const std::string& printed) {
-  static const std::regex kEstimate("([+-]?[0-9.]+) ± ([0-9.]+)");
   std::sregex_iterator x(said.begin(), said.end(), kEstimate), y(printed.begin(), printed.end(), kEstimate), end;
   for (; x != end && y != end; ++x, ++y) {
     const double uncertainty = std::max(std::stod((*x)[2]), std::stod((*y)[2]));
@@ -51,15 +56,25 @@ bool close_estimates(const std::string& said, const std::string& printed) {
   return x == end && y == end;
 }
 
-std::string without_estimates(const std::string& line) {
-  static const std::regex kEstimate("[+-]?[0-9.]+ ± [0-9.]+");
-  return std::regex_replace(line, kEstimate, "estimate");
+bool close_probabilities(const std::string& said, const std::string& printed) {
+  std::sregex_iterator x(said.begin(), said.end(), kProbabilityText),
+      y(printed.begin(), printed.end(), kProbabilityText), end;
+  for (; x != end && y != end; ++x, ++y) {
+    const double a = std::stod((*x)[2]), b = std::stod((*y)[2]);
+    if (std::abs(a - b) > kProbability || (a < kRare) != (b < kRare)) return false;
+  }
+  return x == end && y == end;
+}
+
+std::string without_uncertain(const std::string& line) {
+  return std::regex_replace(std::regex_replace(line, kEstimate, "estimate"), kProbabilityText, "$1probability");
 }
 
 bool same_line(const std::string& said, const std::string& printed, double tolerance) {
   static const std::regex kNumber("[0-9]+(\\.[0-9]+)?");
-  if (!close_estimates(said, printed)) return false;
-  const std::string a = without_estimates(comparable(said)), b = without_estimates(comparable(printed));
+  if (!close_estimates(said, printed) || !close_probabilities(said, printed)) return false;
+  if (std::regex_search(said, kEstimate)) tolerance = std::max(tolerance, kBesideAnEstimate);
+  const std::string a = without_uncertain(comparable(said)), b = without_uncertain(comparable(printed));
   if (std::regex_replace(a, kNumber, "#") != std::regex_replace(b, kNumber, "#")) return false;
   std::sregex_iterator x(a.begin(), a.end(), kNumber), y(b.begin(), b.end(), kNumber), end;
   for (; x != end && y != end; ++x, ++y)

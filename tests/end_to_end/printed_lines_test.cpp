@@ -21,7 +21,19 @@ TEST(Difference, LetsAFigureDifferByItsUncertainty) {
   EXPECT_NE(difference({"1 friction +900 ± 204 nats 0.66 × floor"}, printed, 0.01), "");
   EXPECT_NE(difference({"1 friction +1108 ± 100 nats 0.66 × floor"}, printed, 0.01), "");
   EXPECT_NE(difference({"1 friction -1181 ± 255 nats 0.66 × floor"}, printed, 0.01), "");
-  EXPECT_NE(difference({"1 friction +1181 ± 255 nats 0.76 × floor"}, printed, 0.01), "");
+  EXPECT_EQ(difference({"1 friction +1181 ± 255 nats 0.76 × floor"}, printed, 0.01), "");
+  EXPECT_NE(difference({"1 friction +1181 ± 255 nats 1.06 × floor"}, printed, 0.01), "");
+}
+
+TEST(Difference, LetsAProbabilityDifferALittle) {
+  EXPECT_EQ(
+      difference({"verdict effect_found · P 0.92 (calibrated)"}, {"verdict effect_found · P 0.81 (calibrated)"}, 0.01),
+      "");
+  EXPECT_NE(
+      difference({"verdict effect_found · P 0.92 (calibrated)"}, {"verdict effect_found · P 0.71 (calibrated)"}, 0.01),
+      "");
+  EXPECT_EQ(difference({"chance · p 0.72"}, {"chance · p 0.67"}, 0.01), "");
+  EXPECT_NE(difference({"chance · p 0.06"}, {"chance · p 0.0005"}, 0.01), "");
 }
 
 TEST(Difference, LooksPastTheTimesAndHashesOfRuns) {
