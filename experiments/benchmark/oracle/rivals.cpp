@@ -81,6 +81,18 @@ std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law,
   return {};
 }
 
+std::vector<std::function<std::vector<double>(double size)>> like_gravity(const PlacedLaw& rival, const PlantSpec& spec,
+                                                                          const Scales& scales) {
+  if (rival.kind->effect != "cogging" || spec.joints[static_cast<std::size_t>(rival.element)].slides) return {};
+  const double wave = 0.1 * scales.force;
+  return {[=](double size) {
+            return std::vector{size * wave, 0.0, 1.0};
+          },
+          [=](double size) {
+            return std::vector{0.0, size * wave, 1.0};
+          }};
+}
+
 std::vector<PlacedLaw> library_laws(const PlantSpec& spec) {
   std::vector<PlacedLaw> laws;
   for (const LawKind& kind : all_laws())

@@ -3,6 +3,9 @@
 #include "cases/make_case.h"
 #include "cases/scales_of.h"
 
+#include <functional>
+#include <vector>
+
 namespace hidden_effects {
 
 /// The laws of the library wherever they apply on a plant.
@@ -25,5 +28,10 @@ std::vector<Shape> first_shapes(const LawKind& kind, const Scales& scales, std::
 /// joint: without excess, with stiff bristles, alike in both directions. Empty where there are none.
 std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law, const std::vector<double>& parameters,
                                    const Scales& scales);
+
+/// Parameters of the same kind at a size: cogging of one period a turn, which is what gravity does on a hinge, as a
+/// sine and as a cosine of its angle. None for other laws.
+std::vector<std::function<std::vector<double>(double size)>> like_gravity(const PlacedLaw& rival, const PlantSpec& spec,
+                                                                          const Scales& scales);
 
 }  // namespace hidden_effects

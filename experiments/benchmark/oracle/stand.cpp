@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -139,10 +140,14 @@ class OracleSizes {
 
   /// The best size of a shape; nothing where the plant always runs away.
   std::optional<Found> run(const Shape& shape) {
+    return run([&](double size) { return rival_.kind->at_size(size, scales_, shape); });
+  }
+
+  std::optional<Found> run(const std::function<std::vector<double>(double)>& at_size) {
     std::optional<Found> best;
     double size = 1.0;
     for (int i = 0; i < kMostSizes; ++i) {
-      const std::vector<double> parameters = rival_.kind->at_size(size, scales_, shape);
+      const std::vector<double> parameters = at_size(size);
       double factor = kLeastFactor;
       if (const auto found = attempt(parameters)) {
         if (!best || found->left < best->left) best = found;
@@ -196,6 +201,7 @@ Stand::Screened Stand::screen(const PlacedLaw& rival) const {
       if (found) screened.attempts.push_back({footing.with(rival, found->parameters), found->left});
     };
     for (const Shape& shape : first_shapes(*rival.kind, scales, data_.options().most_shapes)) keep(search.run(shape));
+    for (const auto& at_size : like_gravity(rival, data_.spec(), scales)) keep(search.run(at_size));
     if (!limit.empty()) keep(search.attempt(limit));
     screened.lower_estimate = std::min(screened.lower_estimate, left_by_all(footing.lacking(), search.effects));
   }

@@ -29,6 +29,7 @@ class TrueData {
   const std::vector<FittedTrial>& trials() const { return trials_; }
   const Whiten& whiten() const { return whiten_; }
   const OracleOptions& options() const { return options_; }
+  const PlantSpec& spec() const { return made_.truth.spec; }
   Scales scales(const PlacedLaw& law) const;  ///< of the truth's motion
 
   Question question(const Explanation& at) const;

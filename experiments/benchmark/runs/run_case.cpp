@@ -39,11 +39,6 @@ class CaseFolder {
   bool keep_;
 };
 
-/// What the library is not to have.
-std::vector<std::string> withheld(const CaseRecord& about, const OracleRecord& oracle) {
-  return about.group == "withheld" ? class_effects(about, oracle) : std::vector<std::string>();
-}
-
 /// A case whose truth runs away nearby has no oracle.
 OracleRecord oracle_of(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {
   try {
@@ -51,6 +46,11 @@ OracleRecord oracle_of(const MadeCase& made, const std::vector<DiagnosisRecord>&
   } catch (const std::runtime_error&) {
     return {};
   }
+}
+
+/// What the library is not to have. Asked again with the answer at hand, the oracle may find more that is alike.
+std::vector<std::string> withheld_of(const MadeCase& made, const CaseRecord& about) {
+  return about.group == "withheld" ? class_effects(about, oracle_of(made, {})) : std::vector<std::string>();
 }
 
 /// A case whose truth cannot be predicted (it runs away) has no such error.
@@ -63,9 +63,9 @@ void add_truth_error(const MadeCase& made, CaseResult& result) {
 }
 
 /// Data that the base cannot follow at all leave the baselines without an answer.
-void add_baselines(const MadeCase& made, CaseResult& result) {
+void add_baselines(const MadeCase& made, const std::vector<std::string>& withheld, CaseResult& result) {
   try {
-    result.baselines = ask_baselines(made, withheld(result.about, result.oracle));
+    result.baselines = ask_baselines(made, withheld);
   } catch (const std::runtime_error&) {
   }
 }
@@ -84,12 +84,11 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
   }
   write_case(*made, folder.path());
   const CaseRecord about = about_case(*made, version);
-  OracleRecord oracle;
-  if (options.oracle && about.group == "withheld") oracle = oracle_of(*made, {});
-  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld(about, oracle)}, settings);
-  result.oracle = options.oracle && about.group != "withheld" ? oracle_of(*made, result.diagnoses) : oracle;
+  const std::vector<std::string> withheld = options.oracle ? withheld_of(*made, about) : std::vector<std::string>();
+  CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld}, settings);
+  if (options.oracle) result.oracle = oracle_of(*made, result.diagnoses);
   add_truth_error(*made, result);
-  if (options.baselines) add_baselines(*made, result);
+  if (options.baselines) add_baselines(*made, withheld, result);
   if (options.settle && !result.diagnoses.empty())
     result.settling = settle(*made, result.diagnoses.front(), folder.path(), settings);
   return result;

@@ -86,6 +86,12 @@ TEST_F(Figures, AWithheldEffectIsRecognisedByTheVerdict) {
   EXPECT_EQ(figure("not_in_library_left").n, 2U);
   EXPECT_DOUBLE_EQ(figure("not_in_library_left").value, 0.5);
   EXPECT_EQ(figure("top3").n, 0U);
+  CaseResult whole = small_case(4, "withheld", {kCoulomb});
+  whole.diagnoses = {small_diagnosis(1, "effect_found", 0.9, {kStribeck})};
+  whole.oracle.rivals = {{0, kStribeck, 0.5, false}, {0, kSpring, 2000.0, true}, {0, {"", ""}, 5000.0, true}};
+  keep(whole);
+  EXPECT_EQ(figure("not_in_library").n, 4U) << "the answer is like the hidden law: it was not withheld";
+  EXPECT_EQ(figure("brier").n, 4U);
 }
 
 /// Case 0 finds both, one after the other; case 1 one of them and something else that the oracle takes for the other.

@@ -78,6 +78,12 @@ TEST(Oracle, ALawIsAlsoLookedForWhereItIsSaidToBe) {
   EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::ElementsAre("cogging"));
 }
 
+/// The screening's own shapes have many periods.
+TEST(Oracle, WhatGravityDoesIsACoggingOfOnePeriod) {
+  const MadeCase made = pendulum_case({{"buoyancy", 0, {0.02}}}, white_noise(), kSamples);
+  EXPECT_THAT(names(ask_oracle(made, {.among = {"cogging"}}).alike(0)), testing::ElementsAre("cogging"));
+}
+
 TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
   const MadeCase made =
       pendulum_case({{"coulomb_friction", 0, {0.03}}, {"joint_offset_torque", 0, {0.05}}}, white_noise(), kSamples);
