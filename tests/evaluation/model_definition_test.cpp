@@ -159,12 +159,10 @@ TEST_F(DefineModel, TheOrderOfTheListAndTheSpellingOfPlacesDoNotMatter) {
 }
 
 TEST_F(DefineModel, AllProblemsAreNamedAtOnceAndAtTheirPlaces) {
-  experiment_.locations = {{"model.set.body.arms.mass", {"rig.toml", 3, 1}},
-                           {"model.effects[0].where[1]", {"rig.toml", 5, 20}},
-                           {"model.effects[1].effect", {"rig.toml", 6, 7}},
-                           {"model.effects[1].where[0]", {"rig.toml", 6, 30}},
-                           {"model.effects[2].start.torqe", {"rig.toml", 7, 40}},
-                           {"model.effects[2].fixed[0]", {"rig.toml", 7, 60}}};
+  experiment_.locations = {
+      {"model.set.body.arms.mass", {"rig.toml", 3, 1}},      {"model.effects[0].where[1]", {"rig.toml", 5, 20}},
+      {"model.effects[1].effect", {"rig.toml", 6, 7}},       {"model.effects[1].where[0]", {"rig.toml", 6, 30}},
+      {"model.effects[2].start.torqe", {"rig.toml", 7, 40}}, {"model.effects[2].fixed[0]", {"rig.toml", 7, 60}}};
   experiment_.model.set = {{"body.arms.mass", 1.0}};
   add_effect("a", "coulomb_friction", {"joint.hinge", "joint.rial"});
   add_effect("b", "coulomb_fricton", {"joint.hing"});

@@ -93,7 +93,8 @@ lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
 
 }  // namespace
 
-std::vector<JudgedVerdict> judged_verdicts(Database& database, const std::string& version, const std::string& set) {
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
+                                           const std::string& set) {
   std::vector<JudgedVerdict> verdicts;
   for (const Row& row : database.query(
            "WITH v AS MATERIALIZED (SELECT * FROM verdict_right) SELECT j.rig, j.noise, j.strength, j.effect, "

@@ -16,7 +16,8 @@ struct JudgedVerdict {
 };
 
 /// All of a version and set but `cannot_tell`, which states no probability.
-std::vector<JudgedVerdict> judged_verdicts(Database& database, const std::string& version, const std::string& set);
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
+                                           const std::string& set);
 
 /// Fits the log odds of each verdict, with the penalty of weights that tells each rig best from the others; verdicts
 /// with few cases for each figure of evidence get an intercept alone, those with less than ten cases in all nothing.

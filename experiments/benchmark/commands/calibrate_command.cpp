@@ -26,13 +26,27 @@ void add_stated(const lacuna::Calibration& calibration, const JudgedVerdict& one
   if (known != calibration.end()) to.push_back({known->second.probability(one.evidence), one.is_right});
 }
 
-/// How far off the probabilities are on the rigs that they were not fitted to, and on the cases that they were.
-void tell_errors(const std::vector<JudgedVerdict>& verdicts, const lacuna::ShippedCalibration& calibration) {
+/// Stated probabilities, of the calibration of all and of that without the rig.
+struct Told {
   std::vector<Stated> own, left_out;
+};
+
+Told told_by(const std::vector<JudgedVerdict>& verdicts, const lacuna::ShippedCalibration& calibration) {
+  Told told;
   for (const JudgedVerdict& one : verdicts) {
-    add_stated(calibration.all, one, own);
-    add_stated(calibration.without.at(one.rig), one, left_out);
+    add_stated(calibration.all, one, told.own);
+    add_stated(calibration.without.at(one.rig), one, told.left_out);
   }
+  if (told.own.empty() || told.left_out.empty())
+    throw std::invalid_argument(
+        fmt::format("{} verdicts are too few: none came often enough to be calibrated and tried on a rig left out",
+                    verdicts.size()));
+  return told;
+}
+
+/// How far off the probabilities are on the rigs that they were not fitted to, and on the cases that they were.
+void tell_errors(const Told& told) {
+  const auto& [own, left_out] = told;
   fmt::print("{} verdicts; calibration error {:.3f}, on rigs left out {:.3f} (Brier score {:.3f} and {:.3f})\n",
              own.size(), calibration_error(own), calibration_error(left_out), brier_score(own), brier_score(left_out));
 }
@@ -43,19 +57,20 @@ void calibrate(const CalibrateOptions& options) {
         "--set reporting: probabilities are judged on that set, so they are not fitted to it; take tuning");
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
-  Database database(options.database);
+  const Database database(options.database, Access::read);
   const FigureValues all = read_figures(database, options.version, options.set);
   const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.version, all.set);
   if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");
   const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
   if (calibration.without.size() < 2)
     throw std::invalid_argument("the verdicts are of one rig alone; what is fitted to it cannot be tried on another");
+  const Told told = told_by(verdicts, calibration);
   const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
                                          all.set, all.version, verdicts.size());
   std::ofstream file(options.out, std::ios::binary);
   file << lacuna::calibration_json(calibration, source);
   if (!file.flush()) throw std::runtime_error(options.out.string() + " cannot be written");
-  tell_errors(verdicts, calibration);
+  tell_errors(told);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "commands/commands.h"
+#include "commands/not_empty.h"
 
 #include "figures/baseline_table.h"
 #include "figures/pictures.h"
 #include "figures/tables.h"
+#include "runs/work_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,16 +26,16 @@ struct FiguresOptions {
 void show_figures(const FiguresOptions& options) {
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
-  Database database(options.database);
+  const Database database(options.database, Access::read);
   const FigureValues all = read_figures(database, options.version, options.set);
   const std::string page = markdown(all) + baseline_table(database, all);
-  fmt::print("{}", page);
-  if (options.out.empty()) return;
-  fs::create_directories(options.out);
+  if (options.out.empty()) return fmt::print("{}", page);
+  make_folder(options.out);
   std::ofstream file(options.out / "figures.md", std::ios::binary);
   file << page;
   if (!file.flush()) throw std::runtime_error((options.out / "figures.md").string() + " cannot be written");
   draw_pictures(database, all, options.out);
+  fmt::print("figures.md and the pictures are in {}\n", options.out.string());
 }
 
 }  // namespace
@@ -45,7 +47,11 @@ void add_figures_command(CLI::App& program) {
   command->add_option("--set", options->set, "tuning, reporting or fixed (default: reporting)")->option_text("SET");
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
       ->option_text("TEXT");
-  command->add_option("--out", options->out, "Folder for figures.md and the pictures (SVG)")->option_text("FOLDER");
+  command
+      ->add_option("--out", options->out,
+                   "Folder for figures.md and the pictures (SVG); without it, the figures are printed")
+      ->check(not_empty())
+      ->option_text("FOLDER");
   command->callback([options] { show_figures(*options); });
 }
 

@@ -2,10 +2,11 @@
 
 #include "cases/make_case.h"
 #include "cases/write_case.h"
+#include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
 #include "runs/case_truth.h"
 #include "runs/run_contact_case.h"
-#include "runs/selection.h"
+#include "runs/work_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,16 +38,22 @@ std::string make_on_ground(const CasePlan& plan, const std::filesystem::path& fo
 }
 
 void make(const MakeOptions& options) {
-  const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), std::to_string(options.number), "");
-  if (plans.empty())
-    throw std::invalid_argument(fmt::format("the set \"{}\" has no case {}", options.set, options.number));
-  const CasePlan& plan = plans.front();
+  const std::vector<CasePlan> plans = plan_all_cases(options.set);
+  if (options.number >= static_cast<int>(plans.size()))
+    throw std::invalid_argument(
+        fmt::format("--case {}: the set {} has the numbers 0 to {}", options.number, options.set, plans.size() - 1));
+  if (std::filesystem::exists(options.out) && !std::filesystem::is_empty(options.out))
+    throw std::invalid_argument(options.out.string() +
+                                ": is not empty; files of another case must not stand beside "
+                                "these, so name a new folder");
+  make_folder(options.out);
+  const CasePlan& plan = plans[static_cast<std::size_t>(options.number)];
   const std::string truth = is_contact_case(plan) ? make_on_ground(plan, options.out) : make_planar(plan, options.out);
   fmt::print("{} is in {}\n", plan.name(), options.out.string());
   if (!options.truth) return;
   std::ofstream file(options.out / "truth.json", std::ios::binary);
   file << truth;
-  if (!file.flush()) throw std::runtime_error("truth.json cannot be written");
+  if (!file.flush()) throw std::runtime_error((options.out / "truth.json").string() + " cannot be written");
 }
 
 }  // namespace
@@ -55,7 +62,10 @@ void add_make_command(CLI::App& program) {
   auto options = std::make_shared<MakeOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("make", "Write one case as a user would have it");
   command->add_option("--set", options->set, "tuning, reporting or fixed")->required()->option_text("SET");
-  command->add_option("--case", options->number, "Its number")->required()->option_text("N");
+  command->add_option("--case", options->number, "Its number")
+      ->required()
+      ->check(lacuna::whole_number(0, 1000000))
+      ->option_text("N");
   command->add_option("--out", options->out, "Folder for its files")->required()->option_text("FOLDER");
   command->add_flag("--truth", options->truth, "And what is hidden, as truth.json");
   command->callback([options] { make(*options); });

@@ -1,4 +1,5 @@
 #include "commands/commands.h"
+#include "commands/not_empty.h"
 
 #include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
@@ -8,6 +9,7 @@
 #include "runs/run_case.h"
 #include "runs/run_set.h"
 #include "runs/selection.h"
+#include "runs/work_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,7 +28,7 @@ struct RunOptions {
   fs::path database, work, lacuna;
   int jobs = 1, most_diagnoses = ProgramSettings{}.most_diagnoses;
   int longest = 1800;
-  bool keep = false, baselines = false, settle = false, without_oracle = false;
+  bool keep = false, baselines = false, settle = false, without_oracle = false, again = false;
 };
 
 /// Beside this program, where a build puts both.
@@ -38,6 +40,19 @@ std::string duration_text(double seconds) {
   return minutes < 60 ? fmt::format("{} min", minutes) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
+/// ", told from its look-alike by 2 chosen, 5 random tests"; nothing where no test was carried out.
+std::string settling_text(const CaseResult& result) {
+  std::string words;
+  if (!result.settling) return words;
+  for (const SettlingRun& run : result.settling->runs) {
+    const bool open = run.remaining.effect.empty();
+    words +=
+        fmt::format("{} {} {}", words.empty() ? "" : ",",
+                    open ? fmt::format("not by {}", run.tests.size()) : std::to_string(run.tests.size()), run.choice);
+  }
+  return words.empty() ? "; no test to settle it" : "; tests that settle it:" + words;
+}
+
 std::string answer_text(const CaseResult& result) {
   if (!result.failure.empty()) return result.failure;
   const DiagnosisRecord& first = result.diagnoses.front();
@@ -46,12 +61,16 @@ std::string answer_text(const CaseResult& result) {
     for (const RankedEffectRecord& effect : first.ranking.front().effects)
       words += fmt::format(" {} @ {}", effect.what.effect, effect.what.place);
   if (!std::isnan(first.probability)) words += fmt::format(", P {:.2f}", first.probability);
-  return fmt::format("{}, {:.0f} s", words, first.seconds);
+  return fmt::format("{}, {:.0f} s{}", words, first.seconds, settling_text(result));
 }
 
 /// What it says of itself and which file it is: another build may give other results.
 std::string identity_of(const ProgramSettings& settings, const fs::path& folder) {
-  return fmt::format("{}, {:.16}", program_version(settings, folder), lacuna::sha256_of_file(settings.lacuna));
+  const std::string version = program_version(settings, folder);
+  if (version.empty() || version.find_first_not_of("0123456789.") != std::string::npos)
+    throw std::invalid_argument(
+        fmt::format("--lacuna {}: is not lacuna, whose --version is a number", settings.lacuna.string()));
+  return fmt::format("{}, {:.16}", version, lacuna::sha256_of_file(settings.lacuna));
 }
 
 /// A line a case, with the time that the rest takes if it goes on like this.
@@ -67,26 +86,34 @@ class Telling {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+std::string failures_text(int failed) {
+  return failed == 0 ? "" : fmt::format(", of which {} ended early (--again runs such cases once more)", failed);
+}
+
 void run(const RunOptions& options) {
   const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), options.cases, options.part);
-  fs::create_directories(options.work);
+  const WorkFolder work(options.work);
   const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
   if (!fs::exists(file))
     throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
   const ProgramSettings settings{file, static_cast<double>(options.longest), options.most_diagnoses,
                                  lacuna::interrupt_requested};
   Database database(options.database);
-  keep_version(database, options.version, identity_of(settings, options.work));
+  keep_version(database, options.version, identity_of(settings, work.path()));
+  if (options.again)
+    fmt::print(stderr, "{} cases had ended early and are run again\n",
+               forget_failures(database, options.version, plans));
   const Telling told;
   const SetProgress progress = run_set(
       database, options.version, plans, options.jobs,
       [&](const CasePlan& plan) {
         return run_case(plan, options.version,
-                        {options.work, options.keep, !options.without_oracle, options.baselines, options.settle},
+                        {work.path(), options.keep, !options.without_oracle, options.baselines, options.settle},
                         settings);
       },
       lacuna::interrupt_requested, told);
-  fmt::print(stderr, "{} cases run, {} were there before, {} left\n", progress.kept, progress.before, progress.left);
+  fmt::print(stderr, "{} cases run{}, {} were there before, {} left\n", progress.kept, failures_text(progress.failed),
+             progress.before, progress.left);
   if (progress.stopped) throw lacuna::Interrupted("interrupted; run the same command again to go on");
 }
 
@@ -101,14 +128,19 @@ void add_run_command(CLI::App& program) {
   command->add_option("--work", options->work, "Folder for the files of cases under way")
       ->required()
       ->option_text("FOLDER");
-  command->add_option("--cases", options->cases, "Numbers of the cases (default: all)")->option_text("A-B");
-  command->add_option("--part", options->part, "The K-th of N equal parts of them")->option_text("K/N");
+  command->add_option("--cases", options->cases, "Numbers of the cases (default: all)")
+      ->check(not_empty())
+      ->option_text("A-B");
+  command->add_option("--part", options->part, "The K-th of N equal parts of them")
+      ->check(not_empty())
+      ->option_text("K/N");
   command->add_option("--jobs", options->jobs, "Cases at a time (default: 1)")
       ->check(lacuna::whole_number(1, 1024))
       ->option_text("J");
   command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")->option_text("PATH");
   command->add_option("--version", options->version, "Name of the method's version, such as a commit")
       ->required()
+      ->check(not_empty())
       ->option_text("TEXT");
   command->add_option("--time-limit", options->longest, "Seconds that one call may take (default: 1800)")
       ->check(lacuna::whole_number(1, 1000000))
@@ -121,6 +153,7 @@ void add_run_command(CLI::App& program) {
   command->add_flag("--settle", options->settle,
                     "Carry out the tests that are proposed, and random ones, until the answer is told from its closest "
                     "look-alike: up to thirteen short diagnoses more");
+  command->add_flag("--again", options->again, "Run cases again that ended early");
   command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");
   command->callback([options] {
     try {

@@ -12,7 +12,7 @@ namespace {
 /// By method, then by figure and noise ("" for all).
 using Values = std::map<std::string, std::map<std::string, std::map<std::string, std::vector<double>>>>;
 
-Values read_baselines(Database& database, const FigureValues& all) {
+Values read_baselines(const Database& database, const FigureValues& all) {
   Values values;
   for (const Row& row : database.query(
            "WITH v AS MATERIALIZED (SELECT * FROM baseline_value) SELECT v.method, v.figure, j.noise, v.value "
@@ -32,7 +32,7 @@ std::string cell_of(const std::string& figure, const std::vector<double>& values
 
 }  // namespace
 
-std::string baseline_table(Database& database, const FigureValues& all) {
+std::string baseline_table(const Database& database, const FigureValues& all) {
   Values values = read_baselines(database, all);
   if (values.empty()) return "";
   std::string table =

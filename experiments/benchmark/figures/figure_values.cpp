@@ -10,7 +10,7 @@
 namespace hidden_effects {
 namespace {
 
-std::string last_version(Database& database, const std::string& set) {
+std::string last_version(const Database& database, const std::string& set) {
   const std::vector<Row> rows = database.query(
       "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) "
       "ORDER BY begun DESC, version DESC LIMIT 1",
@@ -18,7 +18,7 @@ std::string last_version(Database& database, const std::string& set) {
   return rows.empty() ? "" : text(rows[0][0]);
 }
 
-void count_cases(Database& database, FigureValues& all) {
+void count_cases(const Database& database, FigureValues& all) {
   const Row counts =
       database.query("SELECT count(*), count(nullif(made, 0)) FROM judged WHERE version = ? AND set_name = ?",
                      {all.version, all.set})[0];
@@ -32,7 +32,7 @@ std::string strength_text(const Cell& strength) {
 
 /// The plus signs keep SQLite from choosing cases by version inside of each view, where that takes a hundred times
 /// longer.
-void read_values(Database& database, FigureValues& all) {
+void read_values(const Database& database, FigureValues& all) {
   for (const Row& row : database.query("WITH v AS MATERIALIZED (SELECT * FROM figure_value WHERE value IS NOT NULL) "
                                        "SELECT v.figure, v.value, v.probability, j.noise, j.strength, j.rig, j.effect, "
                                        "j.form "
@@ -43,7 +43,7 @@ void read_values(Database& database, FigureValues& all) {
                           text(row[6]), text(row[7])});
 }
 
-std::string what_is_there(Database& database) {
+std::string what_is_there(const Database& database) {
   std::vector<std::string> all;
   for (const Row& row : database.query("SELECT DISTINCT set_name, version FROM bench_case ORDER BY 1, 2"))
     all.push_back(fmt::format("--set {} --version {}", text(row[0]), text(row[1])));
@@ -58,7 +58,7 @@ bool FigureKind::met_by(double value) const {
   return !(value < least) && !(value > most);  // NaN bounds bound nothing
 }
 
-FigureValues read_figures(Database& database, const std::string& version, const std::string& set) {
+FigureValues read_figures(const Database& database, const std::string& version, const std::string& set) {
   FigureValues all;
   all.set = set;
   all.version = version.empty() ? last_version(database, set) : version;

@@ -34,7 +34,7 @@ struct FigureValues {
 };
 
 /// Throws `std::runtime_error` where the database has none. An empty version: the one that was begun last.
-FigureValues read_figures(Database& database, const std::string& version, const std::string& set);
+FigureValues read_figures(const Database& database, const std::string& version, const std::string& set);
 
 /// One figure over the values that `chosen` takes.
 Estimate estimate_of(const FigureValues& all, const FigureKind& figure,

@@ -4,7 +4,7 @@
 
 namespace hidden_effects {
 
-void add_left_out(Database& database, FigureValues& all) {
+void add_left_out(const Database& database, FigureValues& all) {
   const lacuna::ShippedCalibration& shipped = lacuna::shipped_calibration();
   for (const JudgedVerdict& one : judged_verdicts(database, all.version, all.set)) {
     const auto rig = shipped.without.find(one.rig);

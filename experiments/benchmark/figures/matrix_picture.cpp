@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kCell = 26;    // px
 constexpr int kNames = 190;  // px, for the names at the left and above
-constexpr int kTitle = 40;   // px
+constexpr int kTitle = 58;   // px
 constexpr int kMargin = 60;  // px, at the right: names above lean over
 
 std::vector<std::string> columns_of(const Matrix& matrix) {
@@ -22,14 +22,22 @@ std::vector<std::string> columns_of(const Matrix& matrix) {
   return {names.begin(), names.end()};
 }
 
-std::string cell_svg(int x, int y, int number, double share, bool diagonal) {
+std::string cell_svg(int x, int y, int number, double share) {
   std::string cell = fmt::format(
-      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#0072B2\" fill-opacity=\"{:.3f}\" stroke=\"{}\"/>\n",
-      x, y, kCell, kCell, share, diagonal ? "#D55E00" : "#DDDDDD");
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#0072B2\" fill-opacity=\"{:.3f}\" "
+      "stroke=\"#DDDDDD\"/>\n",
+      x, y, kCell, kCell, share);
   if (number > 0)
     cell += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"{}\">{}</text>\n", x + kCell / 2,
                         y + kCell / 2 + 4, share > 0.5 ? "#FFFFFF" : "#3A3A3A", number);
   return cell;
+}
+
+/// Over the cells, whose lines would cut it.
+std::string frame_svg(int x, int y) {
+  return fmt::format(
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#D55E00\" stroke-width=\"2\"/>\n",
+      x + 1, y + 1, kCell - 2, kCell - 2);
 }
 
 std::string row_svg(const std::string& name, const std::map<std::string, int>& cells,
@@ -38,13 +46,15 @@ std::string row_svg(const std::string& name, const std::map<std::string, int>& c
   for (const auto& [column, number] : cells) total += number;
   std::string row = fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{} ({})</text>\n", kNames - 6,
                                 y + kCell / 2 + 4, name, total);
+  std::string frame;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto found = cells.find(columns[c]);
     const int number = found == cells.end() ? 0 : found->second;
-    row += cell_svg(kNames + static_cast<int>(c) * kCell, y, number, static_cast<double>(number) / total,
-                    columns[c] == name);
+    const int x = kNames + static_cast<int>(c) * kCell;
+    row += cell_svg(x, y, number, static_cast<double>(number) / total);
+    if (columns[c] == name) frame = frame_svg(x, y);
   }
-  return row;
+  return row + frame;
 }
 
 }  // namespace
@@ -57,8 +67,8 @@ std::string matrix_svg(const Matrix& matrix) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"sans-serif\" font-size=\"11\" fill=\"#3A3A3A\">\n<rect width=\"100%\" height=\"100%\" "
-      "fill=\"#FFFFFF\"/>\n<text x=\"12\" y=\"22\" font-size=\"14\">{2}</text>\n",
-      width, height, matrix.title);
+      "fill=\"#FFFFFF\"/>\n<text x=\"12\" y=\"22\" font-size=\"14\">{2}</text>\n<text x=\"12\" y=\"40\">{3}</text>\n",
+      width, height, matrix.title, matrix.note);
   svg += fmt::format("<text x=\"12\" y=\"{}\">{} ↓, {} →</text>\n", kTitle, matrix.row_title, matrix.column_title);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const int x = kNames + static_cast<int>(c) * kCell + kCell / 2;

@@ -10,6 +10,7 @@ namespace hidden_effects {
 struct Matrix {
   std::string title, row_title, column_title;
   std::map<std::string, std::map<std::string, int>> count;
+  std::string note = {};  ///< below the title
 };
 
 /// The matrix as SVG text: the number in each cell, shaded by its share of the row; the diagonal is framed.

@@ -17,6 +17,9 @@ using lacuna::Panel;
 using lacuna::Series;
 
 constexpr int kBins = 10;
+constexpr std::size_t kMany = 10;          ///< verdicts in a bin that a point is drawn fully for
+constexpr double kApart = 0.04;            ///< of the cases, from a point of the accuracy to the next
+constexpr std::array kWhole = {0.0, 1.0};  ///< a share's axis
 
 std::vector<Stated> stated_of(const FigureValues& all) {
   std::vector<Stated> stated;
@@ -29,6 +32,12 @@ std::string title_of(const char* what, const FigureValues& all, std::size_t n) {
   return fmt::format("{} · {} cases, version {} · n {}", what, all.set, all.version, n);
 }
 
+void add_interval(double x, const Estimate& estimate, Series& intervals) {
+  intervals.x.push_back(x);
+  intervals.y.push_back(estimate.lower_95);
+  intervals.y2.push_back(estimate.upper_95);
+}
+
 Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
   std::array<std::vector<double>, kBins> right, said;
   for (const Stated& one : stated) {
@@ -36,48 +45,57 @@ Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
     right[bin].push_back(one.is_right);
     said[bin].push_back(one.probability);
   }
-  Series points{"ten bins", Mark::points, lacuna::kBlue, {}, {}, {}};
+  Series many{"a tenth with ten verdicts or more", Mark::points, lacuna::kBlue, {}, {}, {}};
+  Series few{"with fewer", Mark::points, lacuna::kGrey, {}, {}, {}};
   Series intervals{"95 % interval", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     if (right[bin].empty()) continue;
     const Estimate estimate = share(right[bin]);
+    Series& points = estimate.n >= kMany ? many : few;
     points.x.push_back(mean(said[bin]));
     points.y.push_back(estimate.value);
-    intervals.x.push_back(points.x.back());
-    intervals.y.push_back(estimate.lower_95);
-    intervals.y2.push_back(estimate.upper_95);
+    add_interval(points.x.back(), estimate, intervals);
   }
   const Series ideal{"as stated", Mark::line, lacuna::kGrey, {0.0, 1.0}, {0.0, 1.0}, {}};
   return {title_of("Reliability of the verdicts", all, stated.size()),
           "stated probability",
-          {Panel{"share that is right", {ideal, intervals, points}, 1.0, {}}}};
+          {Panel{"share that is right", {ideal, intervals, few, many}, 1.0, {}, {}, {}, false, kWhole}}};
 }
 
-/// The surest verdicts first; those that say `cannot_tell`, and cases that ended early, never count as given.
+/// The surest verdicts first; those that say `cannot_tell`, and cases that ended early, never count as given. Verdicts
+/// of one probability come together.
 Figure accuracy(const FigureValues& all, std::vector<Stated> stated) {
   std::stable_sort(stated.begin(), stated.end(),
                    [](const Stated& a, const Stated& b) { return a.probability > b.probability; });
-  Series curve{"", Mark::line, lacuna::kBlue, {}, {}, {}};
-  double right = 0.0;
+  Series points{"the surest verdicts", Mark::points, lacuna::kBlue, {}, {}, {}};
+  Series intervals{"95 % interval", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
+  std::vector<double> right;
   for (std::size_t i = 0; i < stated.size(); ++i) {
-    right += stated[i].is_right;
-    const bool last_of_its_probability = i + 1 == stated.size() || stated[i + 1].probability < stated[i].probability;
-    if (!last_of_its_probability) continue;
-    curve.x.push_back(static_cast<double>(i + 1) / static_cast<double>(all.made));
-    curve.y.push_back(right / static_cast<double>(i + 1));
+    right.push_back(stated[i].is_right);
+    const bool last = i + 1 == stated.size();
+    if (!last && stated[i + 1].probability == stated[i].probability) continue;
+    const double coverage = static_cast<double>(i + 1) / static_cast<double>(all.made);
+    if (!last && !points.x.empty() && coverage < points.x.back() + kApart) continue;
+    const Estimate estimate = share(right);
+    points.x.push_back(coverage);
+    points.y.push_back(estimate.value);
+    add_interval(coverage, estimate, intervals);
   }
-  return {title_of("Accuracy against coverage", all, all.made),
+  return {title_of("Accuracy against coverage", all, all.made) +
+              fmt::format(", of which {} state a probability", stated.size()),
           "share of the cases, the surest verdicts first",
-          {Panel{"share of their verdicts that is right", {curve}, 1.0, {}}}};
+          {Panel{"share of their verdicts that is right", {intervals, points}, 1.0, {}, {}, {}, false, kWhole}}};
 }
 
-Matrix confusion(Database& database, const FigureValues& all) {
+Matrix confusion(const Database& database, const FigureValues& all) {
   Matrix matrix;
   for (const Row& row : database.query("SELECT hidden, named, count(*) FROM confusion "
                                        "WHERE version = ? AND set_name = ? GROUP BY hidden, named",
                                        {all.version, all.set}))
     matrix.count[text(row[0])][text(row[1])] = static_cast<int>(integer(row[2]));
   matrix.title = fmt::format("Hidden effect and the first that is named · {} cases, version {}", all.set, all.version);
+  matrix.note =
+      "Framed: the hidden effect itself. Dark: a large share of the row. Cases with two hidden effects are left out.";
   matrix.row_title = "hidden";
   matrix.column_title = "named first";
   return matrix;
@@ -85,7 +103,7 @@ Matrix confusion(Database& database, const FigureValues& all) {
 
 }  // namespace
 
-void draw_pictures(Database& database, const FigureValues& all, const std::filesystem::path& folder) {
+void draw_pictures(const Database& database, const FigureValues& all, const std::filesystem::path& folder) {
   const std::vector<Stated> stated = stated_of(all);
   if (!stated.empty()) {
     lacuna::write_svg(reliability(all, stated), folder / "reliability.svg");

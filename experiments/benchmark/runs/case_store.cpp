@@ -152,11 +152,25 @@ void keep_version(Database& database, const std::string& version, const std::str
                     version, before, program));
 }
 
-bool has_case(Database& database, const std::string& version, const std::string& set, int number) {
+bool has_case(const Database& database, const std::string& version, const std::string& set, int number) {
   return !database
               .query("SELECT 1 FROM bench_case WHERE version = ? AND set_name = ? AND number = ?",
                      {version, set, std::int64_t{number}})
               .empty();
+}
+
+int forget_failures(Database& database, const std::string& version, const std::vector<CasePlan>& plans) {
+  Transaction transaction(database);
+  int forgotten = 0;
+  for (const CasePlan& plan : plans)
+    forgotten += static_cast<int>(
+        database
+            .query("DELETE FROM bench_case WHERE version = ? AND set_name = ? AND number = ? AND failure IS NOT NULL "
+                   "RETURNING number",
+                   {version, plan.set, std::int64_t{plan.number}})
+            .size());
+  transaction.commit();
+  return forgotten;
 }
 
 void keep_case(Database& database, const CaseResult& result) {

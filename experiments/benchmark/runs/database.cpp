@@ -32,6 +32,16 @@ Cell cell_of(const SQLite::Column& column) {
   return column.getString();
 }
 
+/// The tables that the schema makes.
+std::vector<std::string> tables_of_schema() {
+  SQLite::Database made(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  made.exec(schema_sql());
+  std::vector<std::string> names;
+  SQLite::Statement tables(made, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
+  while (tables.executeStep()) names.push_back(tables.getColumn(0).getString());
+  return names;
+}
+
 }  // namespace
 
 double real(const Cell& cell) {
@@ -47,28 +57,40 @@ std::string text(const Cell& cell) {
   return words ? *words : "";
 }
 
-Database::Database(const std::filesystem::path& file) : file_(file) {
+Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
+  const int how = access == Access::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
   try {
-    connection_ =
-        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeoutMs);
-  } catch (const SQLite::Exception& error) {
-    complain(error.what());
+    connection_ = std::make_unique<SQLite::Database>(file.string(), how, kBusyTimeoutMs);
+    if (access == Access::write) make_if_empty();
+    check();
+  } catch (const std::runtime_error& error) {
+    const std::string words = error.what();
+    throw std::invalid_argument(words.starts_with(file.string()) ? words : file.string() + ": " + words);
   }
-  check_header();
-  execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+  if (access == Access::write)
+    execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
   execute(views_sql());
 }
 
 Database::~Database() = default;
 
-void Database::check_header() {
+void Database::make_if_empty() {
+  if (integer(query("SELECT count(*) FROM sqlite_master")[0][0]) > 0) return;
   Transaction transaction(*this);
-  if (integer(query("SELECT count(*) FROM sqlite_master")[0][0]) == 0)
-    execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kSchema));
-  if (integer(query("PRAGMA application_id")[0][0]) != kApplicationId) complain("is not a database of the benchmark");
-  if (integer(query("PRAGMA user_version")[0][0]) != kSchema) complain("is of another version of the benchmark");
+  if (integer(query("SELECT count(*) FROM sqlite_master")[0][0]) > 0) return;  // another process was faster
+  execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kSchema));
   execute(schema_sql());
   transaction.commit();
+}
+
+void Database::check() const {
+  if (integer(query("PRAGMA application_id")[0][0]) != kApplicationId) complain("is not a database of the benchmark");
+  if (integer(query("PRAGMA user_version")[0][0]) != kSchema) complain("is of another version of the benchmark");
+  std::string missing;
+  for (const std::string& table : tables_of_schema())
+    if (query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?", {table}).empty())
+      missing += (missing.empty() ? "" : ", ") + table;
+  if (!missing.empty()) complain(("lacks tables, so its figures would be false: " + missing).c_str());
 }
 
 void Database::execute(const std::string& statements) try {
@@ -77,7 +99,7 @@ void Database::execute(const std::string& statements) try {
   complain(error.what());
 }
 
-std::vector<Row> Database::query(const std::string& statement, const Row& values) try {
+std::vector<Row> Database::query(const std::string& statement, const Row& values) const try {
   SQLite::Statement prepared(*connection_, statement);
   for (std::size_t i = 0; i < values.size(); ++i) bind(prepared, static_cast<int>(i) + 1, values[i]);
   std::vector<Row> rows;

@@ -22,12 +22,15 @@ double real(const Cell& cell);
 std::int64_t integer(const Cell& cell);
 std::string text(const Cell& cell);
 
+enum class Access { read, write };
+
 /// The benchmark's own SQLite file (schema.sql). Several processes may write to one; a transaction waits a minute for
 /// another's. One thread at a time. Everything throws `std::runtime_error` with a sentence that names the file.
 class Database {
  public:
-  /// Makes the file if there is none. The views (figures/views.sql) exist for this connection alone.
-  explicit Database(const std::filesystem::path& file);
+  /// To write, makes the file if there is none; to read, leaves it as it is. The views (figures/views.sql) exist for
+  /// this connection alone. Throws `std::invalid_argument` for a file that is no such database, or lacks tables.
+  explicit Database(const std::filesystem::path& file, Access access = Access::write);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -35,10 +38,11 @@ class Database {
   /// Statements without parameters.
   void execute(const std::string& statements);
   /// One statement with `?` for each of the values.
-  std::vector<Row> query(const std::string& statement, const Row& values = {});
+  std::vector<Row> query(const std::string& statement, const Row& values = {}) const;
 
  private:
-  void check_header();
+  void make_if_empty();
+  void check() const;
   [[noreturn]] void complain(const char* reason) const;
 
   std::filesystem::path file_;

@@ -23,13 +23,14 @@ SetProgress run_set(Database& database, const std::string& version, const std::v
                     const RunOne& run_one, const std::function<bool()>& stop,
                     const std::function<void(const CaseResult&, const SetProgress&)>& told) {
   const std::vector<CasePlan> left = missing(database, version, plans);
-  SetProgress progress{0, static_cast<int>(plans.size() - left.size()), static_cast<int>(left.size()), false};
+  SetProgress progress{0, 0, static_cast<int>(plans.size() - left.size()), static_cast<int>(left.size()), false};
   std::mutex one_writer;
   std::atomic<bool> broken = false;  // what cannot be kept need not be computed
   const auto keep = [&](const CaseResult& result) {
     const std::lock_guard lock(one_writer);
     keep_case(database, result);
     ++progress.kept;
+    progress.failed += !result.failure.empty();
     --progress.left;
     told(result, progress);
   };

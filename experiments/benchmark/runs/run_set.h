@@ -15,6 +15,7 @@ using RunOne = std::function<CaseResult(const CasePlan&)>;
 
 struct SetProgress {
   int kept = 0;    ///< now
+  int failed = 0;  ///< of these: ended early
   int before = 0;  ///< which the database had already
   int left = 0;
   bool stopped = false;

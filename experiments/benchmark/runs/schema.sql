@@ -1,15 +1,14 @@
 -- What is kept of the benchmark of hidden effects. Numbers are SI; NULL: not known.
--- A table that a file of before does not have is made when it is opened.
 -- A place is that of the experiment's file, 'joint.hinge'; 'world' where an effect stands on nothing.
 
-CREATE TABLE IF NOT EXISTS version (
+CREATE TABLE version (
   version TEXT PRIMARY KEY,  -- of the method
-  program TEXT NOT NULL,     -- what `lacuna --version` printed
+  program TEXT NOT NULL,     -- what `lacuna --version` printed, and a digest of its file
   begun TEXT NOT NULL        -- UTC
 ) STRICT;
 
 -- A case: its plan, and how it came out.
-CREATE TABLE IF NOT EXISTS bench_case (
+CREATE TABLE bench_case (
   version TEXT NOT NULL REFERENCES version,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -24,7 +23,7 @@ CREATE TABLE IF NOT EXISTS bench_case (
   PRIMARY KEY (version, set_name, number)
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS hidden_law (
+CREATE TABLE hidden_law (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -37,7 +36,7 @@ CREATE TABLE IF NOT EXISTS hidden_law (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS hidden_value (
+CREATE TABLE hidden_value (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -49,7 +48,7 @@ CREATE TABLE IF NOT EXISTS hidden_value (
 ) STRICT;
 
 -- Round 1 is the diagnosis of the base; each later one that of the model with what was found before.
-CREATE TABLE IF NOT EXISTS diagnosis (
+CREATE TABLE diagnosis (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -65,7 +64,7 @@ CREATE TABLE IF NOT EXISTS diagnosis (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS ranked_model (
+CREATE TABLE ranked_model (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -79,7 +78,7 @@ CREATE TABLE IF NOT EXISTS ranked_model (
 ) STRICT;
 
 -- The effects of a ranked model in their order, then what the data do not tell from the last of them.
-CREATE TABLE IF NOT EXISTS ranked_effect (
+CREATE TABLE ranked_effect (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -94,7 +93,7 @@ CREATE TABLE IF NOT EXISTS ranked_effect (
 ) STRICT;
 
 -- What was added to the model after a round.
-CREATE TABLE IF NOT EXISTS added_effect (
+CREATE TABLE added_effect (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -107,7 +106,7 @@ CREATE TABLE IF NOT EXISTS added_effect (
 
 -- 95 % intervals: of parameters of the first ranked model (round ≥ 1, effect and place named), and of the free values
 -- as the last diagnosis states them (round 0, effect and place empty).
-CREATE TABLE IF NOT EXISTS interval (
+CREATE TABLE interval (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -125,7 +124,7 @@ CREATE TABLE IF NOT EXISTS interval (
 
 -- What these data can tell from a hidden law with the truth known. No effect: the law left
 -- out; of two laws that do for each other, both.
-CREATE TABLE IF NOT EXISTS oracle_rival (
+CREATE TABLE oracle_rival (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -139,7 +138,7 @@ CREATE TABLE IF NOT EXISTS oracle_rival (
 ) STRICT;
 
 -- How sharp the refitted truth is.
-CREATE TABLE IF NOT EXISTS oracle_width (
+CREATE TABLE oracle_width (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -150,7 +149,7 @@ CREATE TABLE IF NOT EXISTS oracle_width (
 ) STRICT;
 
 -- What other methods answer on the same data.
-CREATE TABLE IF NOT EXISTS baseline (
+CREATE TABLE baseline (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -161,7 +160,7 @@ CREATE TABLE IF NOT EXISTS baseline (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS baseline_rank (
+CREATE TABLE baseline_rank (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -175,7 +174,7 @@ CREATE TABLE IF NOT EXISTS baseline_rank (
 ) STRICT;
 
 -- How the first answer was told from its closest look-alike by further tests (`run --settle`).
-CREATE TABLE IF NOT EXISTS settling (
+CREATE TABLE settling (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -188,7 +187,7 @@ CREATE TABLE IF NOT EXISTS settling (
   FOREIGN KEY (version, set_name, number) REFERENCES bench_case ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS settling_run (
+CREATE TABLE settling_run (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -201,7 +200,7 @@ CREATE TABLE IF NOT EXISTS settling_run (
   FOREIGN KEY (version, set_name, number) REFERENCES settling ON DELETE CASCADE
 ) STRICT;
 
-CREATE TABLE IF NOT EXISTS settling_test (
+CREATE TABLE settling_test (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,
@@ -215,7 +214,7 @@ CREATE TABLE IF NOT EXISTS settling_test (
 ) STRICT;
 
 -- RMSE of free runs over the held-out trials.
-CREATE TABLE IF NOT EXISTS held_out (
+CREATE TABLE held_out (
   version TEXT NOT NULL,
   set_name TEXT NOT NULL,
   number INTEGER NOT NULL,

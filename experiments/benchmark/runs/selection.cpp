@@ -28,11 +28,11 @@ std::vector<CasePlan> selected(std::vector<CasePlan> plans, const std::string& c
   const std::size_t all = plans.size();
   if (!cases.empty()) {
     const auto [first, last] = two_numbers(cases, '-', "--cases", "A-B, as in 0-39");
+    if (last < first) throw std::invalid_argument("--cases " + cases + ": write the smaller number first");
+    if (last >= static_cast<int>(all))
+      throw std::invalid_argument("--cases " + cases + ": the set's numbers go from 0 to " + std::to_string(all - 1));
     std::erase_if(
         plans, [first = first, last = last](const CasePlan& one) { return one.number < first || one.number > last; });
-    if (plans.empty())
-      throw std::invalid_argument("--cases " + cases + ": the set has no such case; its numbers go from 0 to " +
-                                  std::to_string(all - 1));
   }
   if (part.empty()) return plans;
   const auto [k, n] = two_numbers(part, '/', "--part", "K/N, as in 2/8");

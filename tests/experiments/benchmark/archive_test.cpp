@@ -45,6 +45,23 @@ TEST_F(Archive, WhatIsKeptIsRestoredAndMerged) {
             "{\"it's\":\n\"INSERT INTO bench_case\"}");
 }
 
+TEST_F(Archive, ACaseStaysWholeAndOfOneProgram) {
+  make("first.db", {0, 1});
+  ASSERT_EQ(archive({"keep", "first.db", "first.sql.gz"}).code, 0);
+  make("some.db", {1});
+  Database(folder_ / "some.db").execute("DELETE FROM ranked_effect");
+  ASSERT_EQ(archive({"restore", "some.db", "first.sql.gz"}).code, 0);
+  EXPECT_EQ(integer(Database(folder_ / "some.db").query("SELECT count(*) FROM ranked_effect WHERE number = 1")[0][0]),
+            0);
+  EXPECT_EQ(integer(Database(folder_ / "some.db").query("SELECT count(*) FROM ranked_effect WHERE number = 0")[0][0]),
+            2);
+  Database(folder_ / "some.db").execute("UPDATE version SET program = '0.2.0'; DELETE FROM bench_case");
+  const ChildOutcome refused = archive({"restore", "some.db", "first.sql.gz"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.errors, testing::HasSubstr("v is of 0.1.0, there of 0.2.0"));
+  EXPECT_EQ(integer(Database(folder_ / "some.db").query("SELECT count(*) FROM bench_case")[0][0]), 0);
+}
+
 TEST_F(Archive, WhatIsNoDatabaseIsNotKept) {
   folder_.write("note.db",
                 "not a database, though longer than the header of one would be: a hundred bytes and more of text");

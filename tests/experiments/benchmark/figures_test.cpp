@@ -305,7 +305,9 @@ TEST_F(Figures, ASetWithoutCasesIsSaid) {
 
 TEST(MatrixPicture, ShadesByTheShareOfTheRow) {
   const std::string svg = matrix_svg({"title", "hidden", "named", {{"a", {{"a", 3}, {"b", 1}}}}});
-  EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.750\" stroke=\"#D55E00\""));
+  EXPECT_THAT(svg, HasSubstr("x=\"190\" y=\"248\" width=\"26\" height=\"26\" fill=\"#0072B2\" fill-opacity=\"0.750\""));
+  EXPECT_THAT(svg, HasSubstr("x=\"191\" y=\"249\" width=\"24\" height=\"24\" fill=\"none\" stroke=\"#D55E00\""))
+      << "its frame";
   EXPECT_THAT(svg, HasSubstr("fill-opacity=\"0.250\" stroke=\"#DDDDDD\""));
   EXPECT_THAT(svg, HasSubstr(">a (4)<"));
 }

@@ -2,11 +2,12 @@
 
 #include "runs/case_store.h"
 #include "runs/user_session.h"
+#include "runs/work_folder.h"
 
 #include "experiments/benchmark/small_results.h"
 #include "support/test_folder.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <atomic>
 
@@ -99,23 +100,55 @@ TEST_F(RunSet, KeepsNothingOfACaseThatCannotBeKeptWhole) {
   EXPECT_EQ(rows("diagnosis"), 0);
 }
 
+TEST_F(RunSet, CasesThatEndedEarlyAreRunAgainWhenAskedFor) {
+  const SetProgress first = run([](const CasePlan& plan) {
+    CaseResult result = whole(plan);
+    if (plan.number == 2) result.failure = "lacuna diagnose took longer than 1 s";
+    return result;
+  });
+  EXPECT_EQ(first.failed, 1);
+  EXPECT_EQ(run(whole).kept, 0);
+  EXPECT_EQ(forget_failures(database_, "v", plans_), 1);
+  EXPECT_EQ(rows("interval"), 10) << "nothing of it is left";
+  EXPECT_EQ(run(whole).kept, 1);
+}
+
+TEST(WorkFolder, BelongsToOneRun) {
+  const lacuna::TestFolder folder;
+  {
+    const WorkFolder one(folder / "a/b");
+    EXPECT_THROW(WorkFolder(folder / "a/b"), std::invalid_argument);
+    const WorkFolder other(folder / "a/c");
+  }
+  EXPECT_NO_THROW(WorkFolder(folder / "a/b"));
+  EXPECT_THROW(WorkFolder(folder.write("file", "x")), std::invalid_argument);
+}
+
 TEST_F(RunSet, AnotherVersionHasCasesOfItsOwn) {
   run(whole);
   EXPECT_FALSE(has_case(database_, "w", "tuning", 0));
   EXPECT_TRUE(has_case(database_, "v", "tuning", 0));
 }
 
-TEST(BenchmarkDatabase, OfBeforeGetsTheTablesThatItDoesNotHave) {
+TEST(BenchmarkDatabase, ThatLacksTablesIsRefusedAndLeftAsItIs) {
   const lacuna::TestFolder folder;
-  Database(folder / "benchmark.db").execute("DROP TABLE settling_test; DROP TABLE settling_run; DROP TABLE settling");
-  Database again(folder / "benchmark.db");
-  EXPECT_EQ(integer(again.query("SELECT count(*) FROM settling_test")[0][0]), 0);
+  const std::filesystem::path file = folder / "benchmark.db";
+  Database(file).execute("DROP TABLE settling_test; DROP TABLE interval");
+  for (const Access access : {Access::read, Access::write})
+    EXPECT_THAT([&] { Database again(file, access); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("interval, settling_test")));
+}
+
+TEST(BenchmarkDatabase, IsNotMadeByAReader) {
+  const lacuna::TestFolder folder;
+  EXPECT_THROW(Database(folder / "none.db", Access::read), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.db"));
 }
 
 TEST(BenchmarkDatabase, IsNoOtherProgramsFile) {
   const lacuna::TestFolder folder;
   EXPECT_THROW(Database(folder.write("other.db", "this is no database, and long enough to be looked at")),
-               std::runtime_error);
+               std::invalid_argument);
 }
 
 }  // namespace

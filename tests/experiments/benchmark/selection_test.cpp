@@ -28,7 +28,8 @@ TEST(Selection, PartsAreTheWhole) {
 
 TEST(Selection, RefusesWhatItCannotRead) {
   for (const char* part : {"0/3", "4/3", "2", "a/b"}) EXPECT_THROW(numbers("", part), std::invalid_argument) << part;
-  EXPECT_THROW(numbers("3-x", ""), std::invalid_argument);
+  for (const char* cases : {"3-x", "5-2", "0-10", "10", "-1"})
+    EXPECT_THROW(numbers(cases, ""), std::invalid_argument) << cases;
 }
 
 }  // namespace
