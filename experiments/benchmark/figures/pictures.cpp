@@ -17,7 +17,7 @@ using lacuna::Panel;
 using lacuna::Series;
 
 constexpr int kBins = 10;
-constexpr std::size_t kMany = 10;          ///< verdicts in a bin that a point is drawn fully for
+constexpr std::size_t kMany = 10;          ///< verdicts in a bin that say something
 constexpr double kApart = 0.04;            ///< of the cases, from a point of the accuracy to the next
 constexpr std::array kWhole = {0.0, 1.0};  ///< a share's axis
 
@@ -45,21 +45,20 @@ Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
     right[bin].push_back(one.is_right);
     said[bin].push_back(one.probability);
   }
-  Series many{"a tenth with ten verdicts or more", Mark::points, lacuna::kBlue, {}, {}, {}};
-  Series few{"with fewer", Mark::points, lacuna::kGrey, {}, {}, {}};
-  Series intervals{"95 % interval", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
+  Series points{"by tenths of the probability", Mark::points, lacuna::kInk, {}, {}, {}};
+  Series many{"95 % interval, ten verdicts or more", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
+  Series few{"95 % interval, fewer", Mark::whiskers, lacuna::kGrey, {}, {}, {}};
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     if (right[bin].empty()) continue;
     const Estimate estimate = share(right[bin]);
-    Series& points = estimate.n >= kMany ? many : few;
     points.x.push_back(mean(said[bin]));
     points.y.push_back(estimate.value);
-    add_interval(points.x.back(), estimate, intervals);
+    add_interval(points.x.back(), estimate, estimate.n >= kMany ? many : few);
   }
   const Series ideal{"as stated", Mark::line, lacuna::kGrey, {0.0, 1.0}, {0.0, 1.0}, {}};
   return {title_of("Reliability of the verdicts", all, stated.size()),
           "stated probability",
-          {Panel{"share that is right", {ideal, intervals, few, many}, 1.0, {}, {}, {}, false, kWhole}}};
+          {Panel{"share that is right", {ideal, many, few, points}, 1.0, {}, {}, {}, false, kWhole}}};
 }
 
 /// The surest verdicts first; those that say `cannot_tell`, and cases that ended early, never count as given. Verdicts
@@ -67,7 +66,7 @@ Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
 Figure accuracy(const FigureValues& all, std::vector<Stated> stated) {
   std::stable_sort(stated.begin(), stated.end(),
                    [](const Stated& a, const Stated& b) { return a.probability > b.probability; });
-  Series points{"the surest verdicts", Mark::points, lacuna::kBlue, {}, {}, {}};
+  Series points{"the surest verdicts", Mark::points, lacuna::kInk, {}, {}, {}};
   Series intervals{"95 % interval", Mark::whiskers, lacuna::kBlue, {}, {}, {}};
   std::vector<double> right;
   for (std::size_t i = 0; i < stated.size(); ++i) {
