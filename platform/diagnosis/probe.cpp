@@ -64,7 +64,16 @@ class Bench {
   ShootingProblem problem_;
 };
 
-bool is_length(const FreeValue& free) { return free.unit == "m"; }
+bool is_length(const FreeValue& free) { return free.unit == "m" && free.scale == Scale::linear; }
+
+/// Whether an effect acts at a place that is fitted: at the neutral one it may matter, and yet not as it does
+/// elsewhere.
+bool has_place(const Hypothesis& hypothesis) {
+  constexpr std::ptrdiff_t kDimensions = 3;
+  const std::vector<FreeValue>& free = hypothesis.definition.free;
+  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
+                       [&](std::size_t i) { return is_length(free[i]); }) == kDimensions;
+}
 
 /// The longest way between two joints or centres of mass, m.
 double size_of(const RobotSpec& robot) {
@@ -135,11 +144,11 @@ class Ladder {
   /// nothing.
   bool one_sided(std::size_t i) const { return direction_ < 0.0 || !(room(i, 1.0) > 0.0 && room(i, -1.0) > 0.0); }
 
-  /// The value a little of the way up (1) or down (−1) from its neutral value to a bound. A place is just out of the
-  /// robot's way: from further off all places are alike.
+  /// The value a little of the way up (1) or down (−1) from its neutral value to a bound. A place is further from the
+  /// origin than the robot is long, but not much: from afar all places are alike.
   double beside(std::size_t i, double direction) const {
     double way = kBeside * room(i, direction);
-    if (is_length(hypothesis_.definition.free[hypothesis_.own[i]]) && robot_size_ > 0.0)
+    if (robot_size_ > 0.0 && has_place(hypothesis_) && is_length(hypothesis_.definition.free[hypothesis_.own[i]]))
       way = std::min(way, kOutside * robot_size_);
     return bench_.space().to_value(static_cast<Eigen::Index>(hypothesis_.own[i]), neutral(i) + direction * way);
   }
@@ -251,13 +260,6 @@ bool climb(Ladder& ladder, const std::vector<double>& others, std::vector<Probe>
     probes.push_back(std::move(probe));
   }
   return enough;
-}
-
-/// Whether it acts at a place that is fitted: at the neutral one it may matter, and yet not as it does elsewhere.
-bool has_place(const Hypothesis& hypothesis) {
-  const std::vector<FreeValue>& free = hypothesis.definition.free;
-  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
-                       [&](std::size_t i) { return is_length(free[i]); }) > 1;
 }
 
 /// Parameters that matter only where another one is not neutral, such as a payload's mass and its place: a mass on the

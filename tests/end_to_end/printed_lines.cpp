@@ -42,7 +42,8 @@ bool close(const std::string& said, const std::string& printed, double tolerance
 /// What a program says of its own uncertainty differs with the last digits that it rests on: figures with theirs,
 /// "+1108 ± 204", by that, which itself is no more than an estimate; probabilities by this much.
 constexpr double kProbability = 0.15, kRare = 0.05;
-const std::regex kEstimate("([+-]?[0-9.]+) ± ([0-9.]+)"), kProbabilityText("\\b([Pp] )([01]\\.[0-9]+)");
+const std::regex kEstimate("([+-]?[0-9]+(?:\\.[0-9]+)?) ± ([0-9]+(?:\\.[0-9]+)?)"),
+    kProbabilityText("\\b([Pp] )([01]\\.[0-9]+)");
 /// A line with such a figure ranks a model by what it leaves of the noise, which is as uncertain.
 constexpr double kBesideAnEstimate = 0.3;
 
@@ -72,9 +73,11 @@ std::string without_uncertain(const std::string& line) {
 
 bool same_line(const std::string& said, const std::string& printed, double tolerance) {
   static const std::regex kNumber("[0-9]+(\\.[0-9]+)?");
-  if (!close_estimates(said, printed) || !close_probabilities(said, printed)) return false;
-  if (std::regex_search(said, kEstimate)) tolerance = std::max(tolerance, kBesideAnEstimate);
-  const std::string a = without_uncertain(comparable(said)), b = without_uncertain(comparable(printed));
+  std::string a = comparable(said), b = comparable(printed);
+  if (!close_estimates(a, b) || !close_probabilities(a, b)) return false;
+  if (std::regex_search(a, kEstimate)) tolerance = std::max(tolerance, kBesideAnEstimate);
+  a = without_uncertain(a);
+  b = without_uncertain(b);
   if (std::regex_replace(a, kNumber, "#") != std::regex_replace(b, kNumber, "#")) return false;
   std::sregex_iterator x(a.begin(), a.end(), kNumber), y(b.begin(), b.end(), kNumber), end;
   for (; x != end && y != end; ++x, ++y)

@@ -23,6 +23,8 @@ TEST(Difference, LetsAFigureDifferByItsUncertainty) {
   EXPECT_NE(difference({"1 friction -1181 ± 255 nats 0.66 × floor"}, printed, 0.01), "");
   EXPECT_EQ(difference({"1 friction +1181 ± 255 nats 0.76 × floor"}, printed, 0.01), "");
   EXPECT_NE(difference({"1 friction +1181 ± 255 nats 1.06 × floor"}, printed, 0.01), "");
+  EXPECT_EQ(difference({"1 friction  +1108 ±  204 nats  0.66 × floor"}, printed, 0.01), "") << "padded";
+  EXPECT_NE(difference({"1 friction  +900 ±  204 nats  0.66 × floor"}, printed, 0.01), "") << "padded";
 }
 
 TEST(Difference, LetsAProbabilityDifferALittle) {

@@ -1,4 +1,5 @@
 #include "commands/commands.h"
+#include "commands/not_empty.h"
 
 #include "calibration/calibrate.h"
 #include "figures/figure_values.h"
@@ -79,9 +80,13 @@ void add_calibrate_command(CLI::App& program) {
   auto options = std::make_shared<CalibrateOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
       program.add_subcommand("calibrate", "Fit the probabilities of verdicts to how often they were right");
-  command->add_option("--db", options->database, "Database that `run` wrote")->required()->option_text("FILE");
+  command->add_option("--db", options->database, "Database that `run` wrote")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FILE");
   command->add_option("--set", options->set, "tuning or fixed (default: tuning)")->option_text("SET");
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
+      ->check(not_empty())
       ->option_text("TEXT");
   command->add_option("--out", options->out, "File to write: platform/diagnosis/calibration.json")
       ->required()

@@ -43,9 +43,13 @@ void show_figures(const FiguresOptions& options) {
 void add_figures_command(CLI::App& program) {
   auto options = std::make_shared<FiguresOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("figures", "What the cases in a database say of the method");
-  command->add_option("--db", options->database, "Database that `run` wrote")->required()->option_text("FILE");
+  command->add_option("--db", options->database, "Database that `run` wrote")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FILE");
   command->add_option("--set", options->set, "tuning, reporting or fixed (default: reporting)")->option_text("SET");
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
+      ->check(not_empty())
       ->option_text("TEXT");
   command
       ->add_option("--out", options->out,

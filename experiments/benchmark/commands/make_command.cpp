@@ -42,11 +42,11 @@ void make(const MakeOptions& options) {
   if (options.number >= static_cast<int>(plans.size()))
     throw std::invalid_argument(
         fmt::format("--case {}: the set {} has the numbers 0 to {}", options.number, options.set, plans.size() - 1));
-  if (std::filesystem::exists(options.out) && !std::filesystem::is_empty(options.out))
+  make_folder(options.out);
+  if (!std::filesystem::is_empty(options.out))
     throw std::invalid_argument(options.out.string() +
                                 ": is not empty; files of another case must not stand beside "
                                 "these, so name a new folder");
-  make_folder(options.out);
   const CasePlan& plan = plans[static_cast<std::size_t>(options.number)];
   const std::string truth = is_contact_case(plan) ? make_on_ground(plan, options.out) : make_planar(plan, options.out);
   fmt::print("{} is in {}\n", plan.name(), options.out.string());

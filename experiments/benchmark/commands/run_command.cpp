@@ -40,17 +40,19 @@ std::string duration_text(double seconds) {
   return minutes < 60 ? fmt::format("{} min", minutes) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-/// ", told from its look-alike by 2 chosen, 5 random tests"; nothing where no test was carried out.
+/// "; settled by 2 chosen tests, not by 6 random tests"; nothing where `--settle` was not given.
 std::string settling_text(const CaseResult& result) {
+  if (!result.settling) return "";
   std::string words;
-  if (!result.settling) return words;
   for (const SettlingRun& run : result.settling->runs) {
-    const bool open = run.remaining.effect.empty();
-    words +=
-        fmt::format("{} {} {}", words.empty() ? "" : ",",
-                    open ? fmt::format("not by {}", run.tests.size()) : std::to_string(run.tests.size()), run.choice);
+    const bool settled = !run.remaining.effect.empty();
+    if (!run.failure.empty()) return "; settling ended early: " + run.failure;
+    if (run.choice == "none" && settled) return "; settled without a test";
+    if (run.choice == "none") continue;
+    words += fmt::format("{} {}by {} {} tests", words.empty() ? "" : ",", settled ? "" : "not ", run.tests.size(),
+                         run.choice);
   }
-  return words.empty() ? "; no test to settle it" : "; tests that settle it:" + words;
+  return words.empty() ? "; no test was carried out" : "; settled" + words;
 }
 
 std::string answer_text(const CaseResult& result) {
@@ -87,7 +89,7 @@ class Telling {
 };
 
 std::string failures_text(int failed) {
-  return failed == 0 ? "" : fmt::format(", of which {} ended early (--again runs such cases once more)", failed);
+  return failed == 0 ? "" : fmt::format(", of which {} ended early (--again runs such cases, too)", failed);
 }
 
 void run(const RunOptions& options) {
@@ -100,12 +102,9 @@ void run(const RunOptions& options) {
                                  lacuna::interrupt_requested};
   Database database(options.database);
   keep_version(database, options.version, identity_of(settings, work.path()));
-  if (options.again)
-    fmt::print(stderr, "{} cases had ended early and are run again\n",
-               forget_failures(database, options.version, plans));
   const Telling told;
   const SetProgress progress = run_set(
-      database, options.version, plans, options.jobs,
+      database, options.version, plans, options.jobs, options.again,
       [&](const CasePlan& plan) {
         return run_case(plan, options.version,
                         {work.path(), options.keep, !options.without_oracle, options.baselines, options.settle},
@@ -124,9 +123,13 @@ void add_run_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("run", "Send the cases that the database does not have through the program");
   command->add_option("--set", options->set, "tuning, reporting or fixed")->required()->option_text("SET");
-  command->add_option("--db", options->database, "Database, made if it is not there")->required()->option_text("FILE");
+  command->add_option("--db", options->database, "Database, made if it is not there")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FILE");
   command->add_option("--work", options->work, "Folder for the files of cases under way")
       ->required()
+      ->check(not_empty())
       ->option_text("FOLDER");
   command->add_option("--cases", options->cases, "Numbers of the cases (default: all)")
       ->check(not_empty())
@@ -137,7 +140,9 @@ void add_run_command(CLI::App& program) {
   command->add_option("--jobs", options->jobs, "Cases at a time (default: 1)")
       ->check(lacuna::whole_number(1, 1024))
       ->option_text("J");
-  command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")->option_text("PATH");
+  command->add_option("--lacuna", options->lacuna, "The program (default: the one beside this)")
+      ->check(not_empty())
+      ->option_text("PATH");
   command->add_option("--version", options->version, "Name of the method's version, such as a commit")
       ->required()
       ->check(not_empty())
@@ -153,7 +158,7 @@ void add_run_command(CLI::App& program) {
   command->add_flag("--settle", options->settle,
                     "Carry out the tests that are proposed, and random ones, until the answer is told from its closest "
                     "look-alike: up to thirteen short diagnoses more");
-  command->add_flag("--again", options->again, "Run cases again that ended early");
+  command->add_flag("--again", options->again, "Run those cases, too, that ended early before");
   command->add_flag("--without-oracle", options->without_oracle, "Do not ask what the data could tell at all");
   command->callback([options] {
     try {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -33,7 +34,6 @@ std::string cell_svg(int x, int y, int number, double share) {
   return cell;
 }
 
-/// Over the cells, whose lines would cut it.
 std::string frame_svg(int x, int y) {
   return fmt::format(
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#D55E00\" stroke-width=\"2\"/>\n",
@@ -46,15 +46,24 @@ std::string row_svg(const std::string& name, const std::map<std::string, int>& c
   for (const auto& [column, number] : cells) total += number;
   std::string row = fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{} ({})</text>\n", kNames - 6,
                                 y + kCell / 2 + 4, name, total);
-  std::string frame;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const auto found = cells.find(columns[c]);
     const int number = found == cells.end() ? 0 : found->second;
-    const int x = kNames + static_cast<int>(c) * kCell;
-    row += cell_svg(x, y, number, static_cast<double>(number) / total);
-    if (columns[c] == name) frame = frame_svg(x, y);
+    row += cell_svg(kNames + static_cast<int>(c) * kCell, y, number, static_cast<double>(number) / total);
   }
-  return row + frame;
+  return row;
+}
+
+/// Over all cells, whose lines would cut them.
+std::string frames_svg(const Matrix& matrix, const std::vector<std::string>& columns, int top) {
+  std::string frames;
+  int y = top;
+  for (const auto& [name, cells] : matrix.count) {
+    const auto own = std::find(columns.begin(), columns.end(), name);
+    if (own != columns.end()) frames += frame_svg(kNames + static_cast<int>(own - columns.begin()) * kCell, y);
+    y += kCell;
+  }
+  return frames;
 }
 
 }  // namespace
@@ -80,7 +89,7 @@ std::string matrix_svg(const Matrix& matrix) {
     svg += row_svg(name, cells, columns, y);
     y += kCell;
   }
-  return svg + "</svg>\n";
+  return svg + frames_svg(matrix, columns, top) + "</svg>\n";
 }
 
 void write_matrix(const Matrix& matrix, const std::filesystem::path& file) {

@@ -62,7 +62,7 @@ Figure reliability(const FigureValues& all, const std::vector<Stated>& stated) {
 }
 
 /// The surest verdicts first; those that say `cannot_tell`, and cases that ended early, never count as given. Verdicts
-/// of one probability come together.
+/// of one probability come together; of points that would stand too close the first is drawn.
 Figure accuracy(const FigureValues& all, std::vector<Stated> stated) {
   std::stable_sort(stated.begin(), stated.end(),
                    [](const Stated& a, const Stated& b) { return a.probability > b.probability; });

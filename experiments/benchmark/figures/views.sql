@@ -13,23 +13,23 @@ WHERE c.absorbed AND NOT EXISTS (SELECT 1 FROM oracle_rival o
                                  WHERE (o.version, o.set_name, o.number) = (c.version, c.set_name, c.number)
                                    AND o.effect = '' AND o.told_apart = 1);
 
--- Cases of the group 'withheld' whose answer names what the oracle does not tell from the hidden law: it began its search
--- there, and had not found it when it said what to withhold. The right answer was not withheld.
+-- Cases of the group 'withheld' whose first answer names what the oracle does not tell from the hidden law: it began its
+-- search there, and had not found it when it said what to withhold. A right answer was left in the library.
 CREATE TEMP VIEW not_withheld AS
 SELECT DISTINCT version, set_name, number
-FROM bench_case c JOIN ranked_effect r USING (version, set_name, number)
+FROM bench_case c JOIN reported r USING (version, set_name, number)
 JOIN oracle_rival o USING (version, set_name, number, effect, place)
-WHERE c.group_name = 'withheld' AND r.round = 1 AND r.rank = 1 AND o.told_apart = 0;
+WHERE c.group_name = 'withheld' AND r.round = 1 AND o.told_apart = 0;
 
--- A case and its first diagnosis. `strength` is the class that the measured one belongs to. `kind` is what the data hold:
--- 'nothing' also where the refitted base explains them; 'not withheld' counts nowhere. `form` is that of the hidden laws.
+-- A case and its first diagnosis; those of `not_withheld` count nowhere. `strength` is the class that the measured one
+-- belongs to. `kind` is what the data hold: 'nothing' also where the refitted base explains them. `form` is that of the
+-- hidden laws.
 CREATE TEMP VIEW judged AS
 SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
        CASE WHEN c.strength < 2.1 THEN 1.5 WHEN c.strength < 5.5 THEN 3 WHEN c.strength >= 5.5 THEN 10 END AS strength,
        c.strength IS NOT NULL AS made,
        CASE WHEN (c.version, c.set_name, c.number) IN absorbs OR (c.version, c.set_name, c.number) IN hides_nothing
               THEN 'nothing'
-            WHEN (c.version, c.set_name, c.number) IN not_withheld THEN 'not withheld'
             WHEN c.group_name = 'withheld' THEN 'withheld'
             WHEN c.group_name = 'two_effects' THEN 'two'
             ELSE 'one' END AS kind,
@@ -46,7 +46,8 @@ SELECT c.version, c.set_name, c.number, c.group_name, c.rig, c.noise, c.failure,
             ELSE 'the library''s form' END AS form,
        d.verdict, d.probability, d.seconds
 FROM bench_case c
-LEFT JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (c.version, c.set_name, c.number, 1);
+LEFT JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (c.version, c.set_name, c.number, 1)
+WHERE (c.version, c.set_name, c.number) NOT IN not_withheld;
 
 -- What an answer names: the effects of its first model and what the data do not tell from the last of them.
 CREATE TEMP VIEW reported AS
@@ -154,7 +155,7 @@ SELECT j.version, j.set_name, j.number, j.verdict, j.probability,
                                 WHERE (f.version, f.set_name, f.number) = (j.version, j.set_name, j.number) AND f.named)
        END AS is_right
 FROM judged j
-WHERE j.made AND j.verdict IS NOT NULL AND j.kind <> 'not withheld';
+WHERE j.made AND j.verdict IS NOT NULL;
 
 -- Held-out error of what was found over that of the refitted truth, squared, meaned over the channels.
 CREATE TEMP VIEW held_out_ratio AS
@@ -371,7 +372,7 @@ SELECT j.version, j.set_name, j.number, CASE j.kind WHEN 'withheld' THEN 'withhe
                    = (j.version, j.set_name, j.number, 1, 1, 0))
             ELSE j.verdict END AS named
 FROM judged j
-WHERE j.made AND j.kind NOT IN ('two', 'not withheld');
+WHERE j.made AND j.kind <> 'two';
 
 -- Each method that was asked about a case with something or nothing hidden, this program among them where others were
 -- asked, too; `chosen` is 0 where it found nothing.

@@ -27,7 +27,7 @@ class Writer {
     row.insert(row.end(), values.begin(), values.end());
     std::string places = "?";
     for (std::size_t i = 1; i < row.size(); ++i) places += ", ?";
-    database_.query(fmt::format("INSERT INTO {} VALUES ({})", table, places), row);
+    database_.change(fmt::format("INSERT INTO {} VALUES ({})", table, places), row);
   }
 
  private:
@@ -142,8 +142,8 @@ void write_settling(Writer& writer, const SettlingRecord& settling) {
 }  // namespace
 
 void keep_version(Database& database, const std::string& version, const std::string& program) {
-  database.query("INSERT OR IGNORE INTO version VALUES (?, ?, strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))",
-                 {version, program});
+  database.change("INSERT OR IGNORE INTO version VALUES (?, ?, strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))",
+                  {version, program});
   const std::string before = text(database.query("SELECT program FROM version WHERE version = ?", {version})[0][0]);
   if (before != program)
     throw std::invalid_argument(
@@ -159,23 +159,19 @@ bool has_case(const Database& database, const std::string& version, const std::s
               .empty();
 }
 
-int forget_failures(Database& database, const std::string& version, const std::vector<CasePlan>& plans) {
-  Transaction transaction(database);
-  int forgotten = 0;
-  for (const CasePlan& plan : plans)
-    forgotten += static_cast<int>(
-        database
-            .query("DELETE FROM bench_case WHERE version = ? AND set_name = ? AND number = ? AND failure IS NOT NULL "
-                   "RETURNING number",
-                   {version, plan.set, std::int64_t{plan.number}})
-            .size());
-  transaction.commit();
-  return forgotten;
+bool ended_early(const Database& database, const std::string& version, const std::string& set, int number) {
+  return !database
+              .query(
+                  "SELECT 1 FROM bench_case WHERE version = ? AND set_name = ? AND number = ? AND failure IS NOT NULL",
+                  {version, set, std::int64_t{number}})
+              .empty();
 }
 
 void keep_case(Database& database, const CaseResult& result) {
   const CaseRecord& about = result.about;
   Transaction transaction(database);
+  database.change("DELETE FROM bench_case WHERE version = ? AND set_name = ? AND number = ? AND failure IS NOT NULL",
+                  {about.version, about.set, std::int64_t{about.number}});
   if (has_case(database, about.version, about.set, about.number)) return;
   Writer writer(database, about);
   write_case(writer, result);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "cases/case_plan.h"
 #include "runs/database.h"
 #include "runs/records.h"
 
@@ -11,10 +10,11 @@ void keep_version(Database& database, const std::string& version, const std::str
 
 bool has_case(const Database& database, const std::string& version, const std::string& set, int number);
 
-/// Removes those of these cases that ended early, so that they are run again. How many there were.
-int forget_failures(Database& database, const std::string& version, const std::vector<CasePlan>& plans);
+/// Whether the database has the case with a `failure`.
+bool ended_early(const Database& database, const std::string& version, const std::string& set, int number);
 
-/// Writes all of a case in one transaction. One that another process was faster with stays as it is.
+/// Writes all of a case in one transaction, in the place of one that ended early. One that another process was faster
+/// with stays as it is.
 void keep_case(Database& database, const CaseResult& result);
 
 }  // namespace hidden_effects

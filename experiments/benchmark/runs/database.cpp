@@ -7,6 +7,7 @@
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
 #include <limits>
 #include <stdexcept>
@@ -61,12 +62,13 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   const int how = access == Access::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
   try {
     connection_ = std::make_unique<SQLite::Database>(file.string(), how, kBusyTimeoutMs);
-    if (access == Access::write) make_if_empty();
-    check();
-  } catch (const std::runtime_error& error) {
-    const std::string words = error.what();
-    throw std::invalid_argument(words.starts_with(file.string()) ? words : file.string() + ": " + words);
+    connection_->exec("SELECT count(*) FROM sqlite_master");
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_CANTOPEN && error.getErrorCode() != SQLITE_NOTADB) complain(error.what());
+    refuse(error.what());
   }
+  if (access == Access::write) make_if_empty();
+  check();
   if (access == Access::write)
     execute("PRAGMA foreign_keys = ON; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
   execute(views_sql());
@@ -84,13 +86,13 @@ void Database::make_if_empty() {
 }
 
 void Database::check() const {
-  if (integer(query("PRAGMA application_id")[0][0]) != kApplicationId) complain("is not a database of the benchmark");
-  if (integer(query("PRAGMA user_version")[0][0]) != kSchema) complain("is of another version of the benchmark");
+  if (integer(query("PRAGMA application_id")[0][0]) != kApplicationId) refuse("is not a database of the benchmark");
+  if (integer(query("PRAGMA user_version")[0][0]) != kSchema) refuse("is of another version of the benchmark");
   std::string missing;
   for (const std::string& table : tables_of_schema())
     if (query("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?", {table}).empty())
       missing += (missing.empty() ? "" : ", ") + table;
-  if (!missing.empty()) complain(("lacks tables, so its figures would be false: " + missing).c_str());
+  if (!missing.empty()) refuse("lacks tables, so its figures would be false: " + missing);
 }
 
 void Database::execute(const std::string& statements) try {
@@ -111,6 +113,10 @@ std::vector<Row> Database::query(const std::string& statement, const Row& values
   return rows;
 } catch (const SQLite::Exception& error) {
   complain(error.what());
+}
+
+void Database::refuse(const std::string& reason) const {
+  throw std::invalid_argument(fmt::format("{}: {}", file_.string(), reason));
 }
 
 void Database::complain(const char* reason) const {

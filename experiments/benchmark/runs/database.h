@@ -25,10 +25,10 @@ std::string text(const Cell& cell);
 enum class Access { read, write };
 
 /// The benchmark's own SQLite file (schema.sql). Several processes may write to one; a transaction waits a minute for
-/// another's. One thread at a time. Everything throws `std::runtime_error` with a sentence that names the file.
+/// another's. One thread at a time. What fails throws `std::runtime_error` with a sentence that names the file.
 class Database {
  public:
-  /// To write, makes the file if there is none; to read, leaves it as it is. The views (figures/views.sql) exist for
+  /// To write, makes the file if there is none; to read, changes nothing in it. The views (figures/views.sql) exist for
   /// this connection alone. Throws `std::invalid_argument` for a file that is no such database, or lacks tables.
   explicit Database(const std::filesystem::path& file, Access access = Access::write);
   ~Database();
@@ -37,12 +37,15 @@ class Database {
 
   /// Statements without parameters.
   void execute(const std::string& statements);
-  /// One statement with `?` for each of the values.
+  /// One statement that reads, with `?` for each of the values.
   std::vector<Row> query(const std::string& statement, const Row& values = {}) const;
+  /// One that writes.
+  void change(const std::string& statement, const Row& values) { query(statement, values); }
 
  private:
   void make_if_empty();
   void check() const;
+  [[noreturn]] void refuse(const std::string& reason) const;  ///< the file itself
   [[noreturn]] void complain(const char* reason) const;
 
   std::filesystem::path file_;

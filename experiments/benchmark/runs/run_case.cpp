@@ -48,9 +48,11 @@ OracleRecord oracle_of(const MadeCase& made, const std::vector<DiagnosisRecord>&
   }
 }
 
-/// What the library is not to have. Asked again with the answer at hand, the oracle may find more that is alike.
-std::vector<std::string> withheld_of(const MadeCase& made, const CaseRecord& about) {
-  return about.group == "withheld" ? class_effects(about, oracle_of(made, {})) : std::vector<std::string>();
+/// Asked again with the answer at hand, the oracle may find more that is alike.
+OracleRecord oracle_after(const MadeCase& made, const std::vector<DiagnosisRecord>& told, OracleRecord before) {
+  if (!before.widths.empty() && told.empty()) return before;
+  OracleRecord after = oracle_of(made, told);
+  return after.widths.empty() ? before : after;
 }
 
 /// A case whose truth cannot be predicted (it runs away) has no such error.
@@ -84,9 +86,11 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
   }
   write_case(*made, folder.path());
   const CaseRecord about = about_case(*made, version);
-  const std::vector<std::string> withheld = options.oracle ? withheld_of(*made, about) : std::vector<std::string>();
+  const bool withholds = about.group == "withheld";
+  const OracleRecord before = options.oracle && withholds ? oracle_of(*made, {}) : OracleRecord{};
+  const std::vector<std::string> withheld = withholds ? class_effects(about, before) : std::vector<std::string>();
   CaseResult result = go_through({about, folder.path(), true_free_values(*made), withheld}, settings);
-  if (options.oracle) result.oracle = oracle_of(*made, result.diagnoses);
+  if (options.oracle) result.oracle = oracle_after(*made, result.diagnoses, before);
   add_truth_error(*made, result);
   if (options.baselines) add_baselines(*made, withheld, result);
   if (options.settle && !result.diagnoses.empty())

@@ -10,19 +10,22 @@
 namespace hidden_effects {
 namespace {
 
-std::vector<CasePlan> missing(Database& database, const std::string& version, const std::vector<CasePlan>& plans) {
+std::vector<CasePlan> missing(const Database& database, const std::string& version, const std::vector<CasePlan>& plans,
+                              bool again) {
   std::vector<CasePlan> left;
   for (const CasePlan& plan : plans)
-    if (!has_case(database, version, plan.set, plan.number)) left.push_back(plan);
+    if (!has_case(database, version, plan.set, plan.number) ||
+        (again && ended_early(database, version, plan.set, plan.number)))
+      left.push_back(plan);
   return left;
 }
 
 }  // namespace
 
 SetProgress run_set(Database& database, const std::string& version, const std::vector<CasePlan>& plans, int jobs,
-                    const RunOne& run_one, const std::function<bool()>& stop,
+                    bool again, const RunOne& run_one, const std::function<bool()>& stop,
                     const std::function<void(const CaseResult&, const SetProgress&)>& told) {
-  const std::vector<CasePlan> left = missing(database, version, plans);
+  const std::vector<CasePlan> left = missing(database, version, plans, again);
   SetProgress progress{0, 0, static_cast<int>(plans.size() - left.size()), static_cast<int>(left.size()), false};
   std::mutex one_writer;
   std::atomic<bool> broken = false;  // what cannot be kept need not be computed

@@ -21,11 +21,11 @@ struct SetProgress {
   bool stopped = false;
 };
 
-/// Runs every case that the database does not have yet for this version, `jobs` at a time, and keeps each when it is
-/// done. `told(result, progress)` is called after each, by one thread at a time. When `stop` says so, what is under way
-/// is given up and not kept.
+/// Runs every case that the database does not have yet for this version, with `again` those that ended early, too,
+/// `jobs` at a time, and keeps each when it is done. `told(result, progress)` is called after each, by one thread at a
+/// time. When `stop` says so, what is under way is given up and not kept.
 SetProgress run_set(Database& database, const std::string& version, const std::vector<CasePlan>& plans, int jobs,
-                    const RunOne& run_one, const std::function<bool()>& stop,
+                    bool again, const RunOne& run_one, const std::function<bool()>& stop,
                     const std::function<void(const CaseResult&, const SetProgress&)>& told);
 
 }  // namespace hidden_effects

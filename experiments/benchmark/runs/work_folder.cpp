@@ -4,7 +4,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -14,8 +17,11 @@ WorkFolder::WorkFolder(std::filesystem::path path) : path_(std::move(path)) {
   make_folder(path_);
   descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  const int reason = errno;
   if (descriptor_ >= 0) close(descriptor_);
-  throw std::invalid_argument(path_.string() + ": another run is at work in this folder; name another one with --work");
+  throw std::invalid_argument(
+      path_.string() + (reason == EWOULDBLOCK ? ": another run is at work in this folder; name another one with --work"
+                                              : std::string(": cannot be used: ") + std::strerror(reason)));
 }
 
 WorkFolder::~WorkFolder() { close(descriptor_); }

@@ -92,6 +92,13 @@ TEST_F(Figures, AWithheldEffectIsRecognisedByTheVerdict) {
   keep(whole);
   EXPECT_EQ(figure("not_in_library").n, 4U) << "the answer is like the hidden law: it was not withheld";
   EXPECT_EQ(figure("brier").n, 4U);
+  EXPECT_EQ(figure("seconds").n, figure("failed").n);
+  EXPECT_EQ(figure("failed").n, 4U);
+  CaseResult beside = small_case(5, "withheld", {kCoulomb});
+  beside.diagnoses = {small_diagnosis(1, "not_in_library", 0.9, {kStribeck})};
+  beside.oracle.rivals = whole.oracle.rivals;
+  keep(beside);
+  EXPECT_EQ(figure("not_in_library").n, 5U) << "what is ranked first beside another verdict is no answer";
 }
 
 /// Case 0 finds both, one after the other; case 1 one of them and something else that the oracle takes for the other.
