@@ -25,6 +25,8 @@ constexpr double kEnough = 0.5;                   ///< of the residual
 constexpr double kTooMuch = 1.5;                  ///< of the residual
 constexpr double kVisible = 1e-3;                 ///< of the sensor noise
 constexpr std::array kOtherOrders = {0.1, 0.01};  ///< of a shape's usual value
+constexpr double kNeverReached = 10.0;            ///< of the usual speed
+constexpr std::array kNearSpeeds = {1.5, 3.0};    ///< of the usual speed
 constexpr double kSame = 1e-9;                    ///< of the sensor noise
 
 /// Simulates a hypothesis at the base's solution, on some of its segments.
@@ -292,6 +294,24 @@ void climb_at_other_orders(Ladder& ladder, const Hypothesis& hypothesis, std::si
   }
 }
 
+/// Parameters that matter only beside a velocity that is never reached: what a motor can do falls with the speed where
+/// that comes near its speed without load.
+void climb_near_speeds(Ladder& ladder, const Hypothesis& hypothesis, const std::map<std::string, double>& scales,
+                       std::vector<Probe>& probes) {
+  std::vector<std::size_t> unused;
+  for (std::size_t i = 0; i < hypothesis.own.size() && hypothesis.own.size() > 1; ++i) {
+    const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
+    const auto usual = scales.find(free.unit);
+    if (usual == scales.end() || !free.unit.ends_with("/s") || !(usual->second > 0.0)) continue;
+    if (hypothesis.defaults[i] < kNeverReached * usual->second) continue;
+    for (const double times : kNearSpeeds) {
+      std::vector<double> others = hypothesis.defaults;
+      others[i] = std::clamp(times * usual->second, free.lower, free.upper);
+      climb(ladder, others, probes, unused);
+    }
+  }
+}
+
 /// Probes without their responses.
 std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
                                 const std::map<std::string, double>& scales) {
@@ -304,6 +324,7 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
     climb(ladder, hypothesis.defaults, probes, unused);
   }
   for (const std::size_t shape : shapes) climb_at_other_orders(ladder, hypothesis, shape, scales, probes);
+  climb_near_speeds(ladder, hypothesis, scales, probes);
   const std::size_t switched_on = probes.size();
   for (const std::size_t shape : shapes) {
     const FreeValue& free = hypothesis.definition.free[hypothesis.own[shape]];

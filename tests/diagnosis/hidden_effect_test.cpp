@@ -41,6 +41,17 @@ TEST(Limits, OfAMotorAreFoundFromFarAbove) {
   EXPECT_NEAR(found.parameters.at(0).value, 0.35, 0.01);
 }
 
+/// Neither a limit at rest below all commands nor a speed that is never exceeded comes near to that.
+TEST(Limits, OfAMotorThatFallWithTheSpeedAreFoundFromFarAbove) {
+  const Diagnosis diagnosis = diagnosed({.inertia = 0.03, .damping = 0.02, .limit = 0.6, .no_load = 6.0},
+                                        {"torque_speed_line", "torque_saturation", "viscous_friction"});
+  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
+  const FoundEffect& found = diagnosis.ranking.at(0).effects.at(0);
+  ASSERT_EQ(found.effect, "torque_speed_line");
+  EXPECT_NEAR(found.parameters.at(0).value, 0.6, 0.03);
+  EXPECT_NEAR(found.parameters.at(1).value, 6.0, 0.6);
+}
+
 /// A point that is metres away, where the middle of its range's first hundredth lies, pulls in one direction only.
 TEST(CablePull, IsLookedForNearTheRobot) {
   const Diagnosis diagnosis =

@@ -25,7 +25,8 @@ struct PendulumTruth {
   double cubic = 0.0;                   // N·m/rad³
   double delay = 0.0;                   // s, of the command
   double lateness = 0.0;                // s, of the reading
-  double limit = 1e9;                   // N·m, of the motor
+  double limit = 1e9;                   // N·m, of the motor at rest
+  double no_load = 1e9;                 // rad/s, at which it has no torque left
   double feedback = 0.0;                // N·m/rad, of the noisy reading, added to the command
   double noise = 5e-4;                  // rad
   double tension = 0.0;                 // N, of a cable from the arm's centre of mass to a point outside
@@ -110,7 +111,9 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
     for (int k = 0; k < kSubsteps; ++k) {
       const double sent = trial.measured.times(i) + k * h - truth.delay;
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
-      const double motor = std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit, truth.limit);
+      const double motor =
+          std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit * (1.0 + v / truth.no_load),
+                     truth.limit * (1.0 - v / truth.no_load));
       const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
                             truth.cubic * q * q * q + (truth.tension > 0.0 ? pull_of_cable(truth, q) : 0.0);
       past.push_back(q);
