@@ -46,6 +46,8 @@ const std::regex kEstimate("([+-]?[0-9]+(?:\\.[0-9]+)?) ± ([0-9]+(?:\\.[0-9]+)?
     kProbabilityText("\\b([Pp] )([01]\\.[0-9]+)");
 /// A line with such a figure ranks a model by what it leaves of the noise, which is as uncertain.
 constexpr double kBesideAnEstimate = 0.3;
+/// What chance reaches comes from draws.
+constexpr double kByChance = 0.15;
 
 bool close_estimates(const std::string& said, const std::string& printed) {
   std::sregex_iterator x(said.begin(), said.end(), kEstimate), y(printed.begin(), printed.end(), kEstimate), end;
@@ -76,6 +78,7 @@ bool same_line(const std::string& said, const std::string& printed, double toler
   std::string a = comparable(said), b = comparable(printed);
   if (!close_estimates(a, b) || !close_probabilities(a, b)) return false;
   if (std::regex_search(a, kEstimate)) tolerance = std::max(tolerance, kBesideAnEstimate);
+  if (a.starts_with("chance:")) tolerance = std::max(tolerance, kByChance);
   a = without_uncertain(a);
   b = without_uncertain(b);
   if (std::regex_replace(a, kNumber, "#") != std::regex_replace(b, kNumber, "#")) return false;

@@ -35,6 +35,8 @@ TEST(Difference, LetsAProbabilityDifferALittle) {
       difference({"verdict effect_found · P 0.92 (calibrated)"}, {"verdict effect_found · P 0.71 (calibrated)"}, 0.01),
       "");
   EXPECT_EQ(difference({"chance · p 0.72"}, {"chance · p 0.67"}, 0.01), "");
+  EXPECT_EQ(difference({"chance: below 5.3 nats"}, {"chance: below 5.8 nats"}, 0.01), "");
+  EXPECT_NE(difference({"chance: below 5.3 nats"}, {"chance: below 6.8 nats"}, 0.01), "");
   EXPECT_NE(difference({"chance · p 0.06"}, {"chance · p 0.0005"}, 0.01), "");
 }
 
