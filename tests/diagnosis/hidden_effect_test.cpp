@@ -31,37 +31,37 @@ Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& 
                    .threads = 2});
 }
 
+/// What is named first in an answer that must find something.
+FoundEffect found(const PendulumTruth& truth, const std::vector<std::string>& among) {
+  const Diagnosis diagnosis = diagnosed(truth, among);
+  EXPECT_EQ(diagnosis.verdict, Verdict::effect_found);
+  return diagnosis.ranking.at(0).effects.at(0);
+}
+
 /// The limit's default is far above all commands, and its range goes further up still: it must be looked for below.
 TEST(Limits, OfAMotorAreFoundFromFarAbove) {
-  const Diagnosis diagnosis =
-      diagnosed({.inertia = 0.03, .damping = 0.02, .limit = 0.35}, {"torque_saturation", "viscous_friction"});
-  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
-  const FoundEffect& found = diagnosis.ranking.at(0).effects.at(0);
-  EXPECT_EQ(found.effect, "torque_saturation");
-  EXPECT_NEAR(found.parameters.at(0).value, 0.35, 0.01);
+  const FoundEffect limit =
+      found({.inertia = 0.03, .damping = 0.02, .limit = 0.35}, {"torque_saturation", "viscous_friction"});
+  ASSERT_EQ(limit.effect, "torque_saturation");
+  EXPECT_NEAR(limit.parameters.at(0).value, 0.35, 0.01);
 }
 
 /// Neither a limit at rest below all commands nor a speed that is never exceeded comes near to that.
 TEST(Limits, OfAMotorThatFallWithTheSpeedAreFoundFromFarAbove) {
-  const Diagnosis diagnosis = diagnosed({.inertia = 0.03, .damping = 0.02, .limit = 0.6, .no_load = 6.0},
-                                        {"torque_speed_line", "torque_saturation", "viscous_friction"});
-  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
-  const FoundEffect& found = diagnosis.ranking.at(0).effects.at(0);
-  ASSERT_EQ(found.effect, "torque_speed_line");
-  EXPECT_NEAR(found.parameters.at(0).value, 0.6, 0.03);
-  EXPECT_NEAR(found.parameters.at(1).value, 6.0, 0.6);
+  const FoundEffect line = found({.inertia = 0.03, .damping = 0.02, .limit = 0.6, .no_load = 6.0},
+                                 {"torque_speed_line", "torque_saturation", "viscous_friction"});
+  ASSERT_EQ(line.effect, "torque_speed_line");
+  EXPECT_NEAR(line.parameters.at(0).value, 0.6, 0.03);
+  EXPECT_NEAR(line.parameters.at(1).value, 6.0, 0.6);
 }
 
 /// A point that is metres away, where the middle of its range's first hundredth lies, pulls in one direction only.
 TEST(CablePull, IsLookedForNearTheRobot) {
-  const Diagnosis diagnosis =
-      diagnosed({.inertia = 0.03, .damping = 0.02, .tension = 0.4, .cable_x = 0.3, .cable_z = -0.15},
-                {"cable_pull", "joint_offset_torque", "command_offset"});
-  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
-  const FoundEffect& found = diagnosis.ranking.at(0).effects.at(0);
-  ASSERT_EQ(found.effect, "cable_pull");
-  EXPECT_NEAR(found.parameters.at(0).value, 0.4, 0.1);
-  EXPECT_NEAR(found.parameters.at(1).value, 0.3, 0.1);
+  const FoundEffect cable = found({.inertia = 0.03, .damping = 0.02, .tension = 0.4, .cable_x = 0.3, .cable_z = -0.15},
+                                  {"cable_pull", "joint_offset_torque", "command_offset"});
+  ASSERT_EQ(cable.effect, "cable_pull");
+  EXPECT_NEAR(cable.parameters.at(0).value, 0.4, 0.1);
+  EXPECT_NEAR(cable.parameters.at(1).value, 0.3, 0.1);
 }
 
 /// No segment but the first begins at rest: what the sensor shows there happened before.
