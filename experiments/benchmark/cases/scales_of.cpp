@@ -88,21 +88,10 @@ int joint_of(const PlantSpec& spec, Place place, int element) {
   return place == Place::world ? 0 : element;
 }
 
-int elements_of(const PlantSpec& spec, Place place) {
-  switch (place) {
-    case Place::joint: return static_cast<int>(spec.joints.size());
-    case Place::body: return static_cast<int>(spec.bodies.size());
-    case Place::drive: return static_cast<int>(spec.drives.size());
-    case Place::sensor: return static_cast<int>(spec.sensors.size());
-    case Place::world: break;
-  }
-  return 1;
-}
-
 Scales scales_of(const PlantSpec& spec, Place place, int element, const std::vector<Excitation>& excitations,
                  const std::vector<Motion>& motions) {
   Scales at;
-  const auto joint = static_cast<std::size_t>(joint_of(spec, place, element));
+  const auto joint = static_cast<std::size_t>(joint_of(spec, place, element == kEverywhere ? 0 : element));
   describe_inertia(at, spec, joint);
   describe_motion(at, joint, motions);
   describe_forces(at, joint, motions);

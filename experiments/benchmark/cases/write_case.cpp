@@ -149,12 +149,14 @@ std::string unit_of_command(const PlantSpec& spec, const PlantDrive& drive) {
 }
 
 std::string where_of(const LawKind& kind, int element, const PlantSpec& spec) {
-  const auto e = static_cast<std::size_t>(element);
+  const auto of = [element](const auto& elements) {
+    return element == kEverywhere ? "*" : elements[static_cast<std::size_t>(element)].name;
+  };
   switch (kind.place) {
-    case Place::joint: return "joint." + spec.joints[e].name;
-    case Place::body: return "body." + spec.bodies[e].name;
-    case Place::drive: return "actuator." + spec.drives[e].name;
-    case Place::sensor: return "sensor." + spec.sensors[e].name;
+    case Place::joint: return "joint." + of(spec.joints);
+    case Place::body: return "body." + of(spec.bodies);
+    case Place::drive: return "actuator." + of(spec.drives);
+    case Place::sensor: return "sensor." + of(spec.sensors);
     case Place::world: break;
   }
   return {};

@@ -1,7 +1,6 @@
 #include "laws/law_kind.h"
 
 #include <algorithm>
-
 #include <stdexcept>
 
 namespace hidden_effects {
@@ -14,6 +13,17 @@ const std::vector<LawKind>& all_laws() {
     return laws;
   }();
   return all;
+}
+
+int elements_of(const PlantSpec& spec, Place place) {
+  switch (place) {
+    case Place::joint: return static_cast<int>(spec.joints.size());
+    case Place::body: return static_cast<int>(spec.bodies.size());
+    case Place::drive: return static_cast<int>(spec.drives.size());
+    case Place::sensor: return static_cast<int>(spec.sensors.size());
+    case Place::world: break;
+  }
+  return 1;
 }
 
 bool is_even(const LawKind& kind, const std::string& parameter) {

@@ -13,6 +13,12 @@ namespace hidden_effects {
 /// What an effect stands on; the words of the library's `where`.
 enum class Place { joint, body, drive, sensor, world };
 
+/// How many elements there are; 1 of the world.
+int elements_of(const PlantSpec& spec, Place place);
+
+/// In the place of an element: all of them, with the same parameters, as the library's `joint.*`.
+inline constexpr int kEverywhere = -1;
+
 /// How large things are in the motion of a rig that hides nothing, at one place. SI, all positive.
 struct Scales {
   double force = 1.0;  ///< RMS of what drives the joint, N·m or N

@@ -78,8 +78,29 @@ bool wanted(const PlacedLaw& law, const std::vector<std::string>& among) {
   return among.empty() || std::find(among.begin(), among.end(), law.kind->effect) != among.end();
 }
 
+/// The library's law of bristles has a lubricating film, too, which the plant's leaves out (Canudas de Wit et al.
+/// 1995): it explains whatever viscous friction of the same joint explains.
+void give_bristles_a_film(std::vector<Rival>& rivals, const std::vector<Rival>& viscous) {
+  for (Rival& rival : rivals) {
+    if (rival.law.kind->effect != "lugre_friction") continue;
+    for (const Rival& film : viscous)
+      if (film.law.element == rival.law.element && film.non_centrality < rival.non_centrality)
+        rival = {rival.law, film.non_centrality, film.refined, film.told_apart};
+  }
+}
+
+/// Viscous friction among the rivals, and in the place of the hidden law.
+std::vector<Rival> viscous_among(const std::vector<Rival>& rivals, const Explanation& at, std::size_t hidden) {
+  std::vector<Rival> viscous;
+  const auto is_viscous = [](const PlacedLaw& law) { return law.kind->effect == "viscous_friction"; };
+  for (const Rival& rival : rivals)
+    if (is_viscous(rival.law)) viscous.push_back(rival);
+  if (is_viscous(at.model.laws[hidden])) viscous.push_back({at.model.laws[hidden], at.deviance, true, false});
+  return viscous;
+}
+
 /// All laws of the library in the place of that which was taken out; those that the model has already stay out.
-std::vector<Rival> rivals_at(const Stand& stand, const TrueData& data, const Explanation& at) {
+std::vector<Rival> rivals_at(const Stand& stand, const TrueData& data, const Explanation& at, std::size_t hidden) {
   std::vector<Rival> rivals;
   for (const PlacedLaw& rival : library_laws(at.model.spec)) {
     const auto& laws = at.model.laws;
@@ -87,6 +108,7 @@ std::vector<Rival> rivals_at(const Stand& stand, const TrueData& data, const Exp
     if (std::any_of(laws.begin(), laws.end(), [&](const PlacedLaw& one) { return one == rival; })) continue;
     rivals.push_back(stand.judge(rival, at.deviance));
   }
+  give_bristles_a_film(rivals, viscous_among(rivals, at, hidden));
   std::stable_sort(rivals.begin(), rivals.end(),
                    [](const Rival& a, const Rival& b) { return a.non_centrality < b.non_centrality; });
   return rivals;
@@ -126,10 +148,11 @@ OracleAnswer ask_oracle(const MadeCase& made, const OracleOptions& options) {
   answer.base_non_centrality = base_non_centrality(made, data);
   answer.detectable = answer.base_non_centrality >= kToldApart;
   for (const PlacedLaw& hidden : made.truth.laws) {
-    const Stand stand(data, at, place_of(hidden, at.model.laws));
+    const std::size_t place = place_of(hidden, at.model.laws);
+    const Stand stand(data, at, place);
     answer.absences.push_back(at.model.laws.size() == 1 ? Absence{answer.base_non_centrality, answer.detectable}
                                                         : absence_at(stand, data, at));
-    answer.rivals.push_back(rivals_at(stand, data, at));
+    answer.rivals.push_back(rivals_at(stand, data, at, place));
   }
   return answer;
 }

@@ -83,7 +83,8 @@ std::vector<double> friction_limit(const PlacedLaw& rival, const PlacedLaw& law,
 
 std::vector<std::function<std::vector<double>(double size)>> like_gravity(const PlacedLaw& rival, const PlantSpec& spec,
                                                                           const Scales& scales) {
-  if (rival.kind->effect != "cogging" || spec.joints[static_cast<std::size_t>(rival.element)].slides) return {};
+  if (rival.kind->effect != "cogging" || rival.element == kEverywhere) return {};
+  if (spec.joints[static_cast<std::size_t>(rival.element)].slides) return {};
   const double wave = 0.1 * scales.force;
   return {[=](double size) {
             return std::vector{size * wave, 0.0, 1.0};
@@ -95,9 +96,14 @@ std::vector<std::function<std::vector<double>(double size)>> like_gravity(const 
 
 std::vector<PlacedLaw> library_laws(const PlantSpec& spec) {
   std::vector<PlacedLaw> laws;
-  for (const LawKind& kind : all_laws())
-    for (int e = 0; kind.library_form && e < elements_of(spec, kind.place); ++e)
-      if (kind.applies(spec, e)) laws.push_back({&kind, e});
+  for (const LawKind& kind : all_laws()) {
+    if (!kind.library_form) continue;
+    const int elements = elements_of(spec, kind.place);
+    int applies = 0;
+    for (int e = 0; e < elements; ++e)
+      if (kind.applies(spec, e)) laws.push_back({&kind, e}), ++applies;
+    if (elements > 1 && applies == elements) laws.push_back({&kind, kEverywhere});
+  }
   return laws;
 }
 

@@ -8,7 +8,7 @@
 
 namespace hidden_effects {
 
-/// The laws of the library wherever they apply on a plant.
+/// The laws of the library wherever they apply on a plant; on all elements at once where they apply on each of several.
 std::vector<PlacedLaw> library_laws(const PlantSpec& spec);
 
 /// The library's law of the same effect at the same place.

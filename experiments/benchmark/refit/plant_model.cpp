@@ -1,5 +1,7 @@
 #include "refit/plant_model.h"
 
+#include <span>
+
 namespace hidden_effects {
 
 std::size_t PlantModel::size() const {
@@ -18,9 +20,12 @@ Laws PlantModel::laws_at(const Eigen::VectorXd& values) const {
   Laws at;
   std::size_t next = free.size();
   for (const PlacedLaw& law : laws) {
-    const std::size_t count = law.kind->parameters.size();
-    at.push_back(law.kind->make({values.data() + next, count}, law.element));
-    next += count;
+    const std::span<const double> parameters(values.data() + next, law.kind->parameters.size());
+    const bool everywhere = law.element == kEverywhere;
+    const int first = everywhere ? 0 : law.element;
+    const int end = everywhere ? elements_of(spec, law.kind->place) : law.element + 1;
+    for (int element = first; element < end; ++element) at.push_back(law.kind->make(parameters, element));
+    next += parameters.size();
   }
   return at;
 }

@@ -11,10 +11,10 @@
 
 namespace hidden_effects {
 
-/// A law at an element of a plant.
+/// A law at an element of a plant, or at all of them.
 struct PlacedLaw {
   const LawKind* kind = nullptr;
-  int element = 0;
+  int element = 0;  ///< or `kEverywhere`
   bool operator==(const PlacedLaw&) const = default;
 };
 

@@ -28,25 +28,14 @@ void add_sensor_noise(std::vector<double>& readings, const CaseNoise& noise, dou
   }
 }
 
-}  // namespace
-
-CaseNoise white_noise() {
-  return {.sensor_white = {5e-4}, .sensor_slow = {0.0}, .quantum = {0.0}, .random_force = {0.0}, .command = {0.0}};
-}
-
-CaseNoise disturbed_noise() {
-  return {.sensor_white = {4e-4}, .sensor_slow = {6e-4}, .quantum = {5e-4}, .random_force = {0.01}, .command = {0.01}};
-}
-
-MadeCase pendulum_case(const std::vector<SizedPlacedLaw>& hidden, const CaseNoise& noise, std::size_t samples) {
-  const Rig rig = servo_pendulum();
+MadeCase case_of(const Rig& rig, std::vector<double> values, const std::vector<SizedPlacedLaw>& hidden,
+                 const CaseNoise& noise, std::size_t samples) {
   MadeCase made;
   made.plan.rig = rig.name;
   made.base = {rig.nominal, rig.free, {}};
   made.truth = made.base;
   made.noise = noise;
-  std::vector<double> values = {0.53, 0.024};  // mass, damping
-  made.base_values = Eigen::Map<const Eigen::VectorXd>(values.data(), 2);
+  made.base_values = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   for (const SizedPlacedLaw& one : hidden) {
     made.plan.hidden.push_back({one.law, one.element});
     made.truth.laws.push_back({&law_kind(one.law), one.element});
@@ -64,6 +53,29 @@ MadeCase pendulum_case(const std::vector<SizedPlacedLaw>& hidden, const CaseNois
     made.trials.push_back(std::move(trial));
   }
   return made;
+}
+
+}  // namespace
+
+CaseNoise white_noise(std::size_t sensors) {
+  const std::vector<double> none(sensors, 0.0);
+  return {.sensor_white = std::vector<double>(sensors, 5e-4),
+          .sensor_slow = none,
+          .quantum = none,
+          .random_force = none,
+          .command = none};
+}
+
+CaseNoise disturbed_noise() {
+  return {.sensor_white = {4e-4}, .sensor_slow = {6e-4}, .quantum = {5e-4}, .random_force = {0.01}, .command = {0.01}};
+}
+
+MadeCase pendulum_case(const std::vector<SizedPlacedLaw>& hidden, const CaseNoise& noise, std::size_t samples) {
+  return case_of(servo_pendulum(), {0.53, 0.024}, hidden, noise, samples);  // mass, damping
+}
+
+MadeCase two_link_case(const std::vector<SizedPlacedLaw>& hidden, const CaseNoise& noise, std::size_t samples) {
+  return case_of(two_link_arm(), {0.9, 0.6, 0.1, 0.04}, hidden, noise, samples);  // masses, dampings
 }
 
 void make_noisy(MadeCase& made, std::uint64_t seed) {

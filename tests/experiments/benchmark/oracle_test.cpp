@@ -40,6 +40,28 @@ TEST(Oracle, LawsThatHoldTheTruthAsALimitAreAlike) {
   EXPECT_THAT(names(ask_oracle(made, {.among = limits}).alike(0)), testing::UnorderedElementsAreArray(limits));
 }
 
+/// Where the base's own damping is known, nothing of it stands in for viscous friction.
+MadeCase with_known_damping(MadeCase made) {
+  made.base.free.back().of(made.base.spec) = made.base_values[1];
+  made.truth.spec = made.base.spec;
+  made.base.free.pop_back();
+  made.truth.free.pop_back();
+  const Eigen::VectorXd of_laws = made.truth_values.tail(made.truth_values.size() - 2);
+  made.base_values.conservativeResize(1);
+  made.truth_values.resize(1 + of_laws.size());
+  made.truth_values << made.base_values, of_laws;
+  return made;
+}
+
+TEST(Oracle, BristlesWithAFilmOfLubricantHoldViscousFriction) {
+  for (const char* hidden : {"viscous_friction", "linear_drag"}) {
+    const MadeCase made = with_known_damping(pendulum_case({{hidden, 0, {0.02}}}, white_noise(), kSamples));
+    const OracleAnswer answer = ask_oracle(made, {.among = {"viscous_friction", "lugre_friction"}});
+    EXPECT_TRUE(answer.detectable);
+    EXPECT_THAT(names(answer.alike(0)), testing::Contains("lugre_friction"));
+  }
+}
+
 TEST(Oracle, DryAndViscousFrictionAreToldApartUnlessTheNoiseIsHuge) {
   for (const double noise : {1.0, 1000.0}) {
     const MadeCase made = pendulum_case({{"coulomb_friction", 0, {0.02}}}, scaled(white_noise(), noise), kSamples);
@@ -82,6 +104,15 @@ TEST(Oracle, ALawIsAlsoLookedForWhereItIsSaidToBe) {
 TEST(Oracle, WhatGravityDoesIsACoggingOfOnePeriod) {
   const MadeCase made = pendulum_case({{"buoyancy", 0, {0.02}}}, white_noise(), kSamples);
   EXPECT_THAT(names(ask_oracle(made, {.among = {"cogging"}}).alike(0)), testing::ElementsAre("cogging"));
+}
+
+/// Only one of the motors ever reaches the limit that both have, and both joints rub.
+TEST(Oracle, AnEffectIsAlsoLookedForOnAllElementsAtOnce) {
+  PlacedLaw everywhere{&law_kind("torque_saturation"), kEverywhere};
+  MadeCase made = two_link_case({{"torque_saturation", 0, {0.5}}}, white_noise(2), kSamples);
+  EXPECT_THAT(ask_oracle(made, {.among = {"torque_saturation"}}).alike(0), testing::ElementsAre(everywhere));
+  made = two_link_case({{"coulomb_friction", 0, {0.05}}}, white_noise(2), kSamples);
+  EXPECT_THAT(ask_oracle(made, {.among = {"coulomb_friction"}}).alike(0), testing::IsEmpty());
 }
 
 TEST(Oracle, OneOfTwoLawsIsReplacedWhileTheOtherStays) {
