@@ -299,7 +299,7 @@ class EffectSearch {
     if (!state_.first || contender_.added.size() < 2 || !unaided(round)) return false;
     const std::optional<FewerEffects> fewer =
         fewer_effects({contender_, alternatives(), plain_, *unaided(round), *state_.first, task_.catalog, round,
-                       task_.seed, task_.threads});
+                       task_.among, task_.seed, task_.threads});
     if (!fewer) return false;
     state_.enough[names_of(fewer->added)] = to_string(*fewer, contender_.added);
     go_on_with(*fewer);

@@ -1,6 +1,7 @@
 #include "diagnosis/fewer_effects.h"
 
 #include "diagnosis/rejudge.h"
+#include "diagnosis/simpler_effects.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +36,10 @@ class Contest {
     add_parts();
     for (std::size_t size = 1; size < task_.answer.added.size(); ++size)
       if (const Judged* best = best_of(size)) return best->model;
-    return std::nullopt;
+    judged_.clear();
+    add_simpler();
+    const Judged* best = best_of(task_.answer.added.size());
+    return best == nullptr ? std::nullopt : std::optional(best->model);
   }
 
  private:
@@ -69,6 +73,13 @@ class Contest {
   void add_last_of(Contender model) {
     while (model.added.size() > 1) model = without(model, 0, task_.plain, task_.catalog);
     add_contender(model);
+  }
+
+  void add_simpler() {
+    Contender answer = task_.answer;
+    answer.values = task_.now.fit.values;
+    for (const Contender& model : with_simpler_effects(answer, task_.plain, task_.catalog, task_.among))
+      add_contender(model);
   }
 
   void add_contender(const Contender& model) {
@@ -111,6 +122,8 @@ class Contest {
 
   bool is_enough(const Judged& one) const {
     const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
+    if (one.model.added.size() == task_.answer.added.size())
+      return lost.value <= std::max(kNothingMuch, lost.standard_error);
     return lost.value <= std::max(kNothingMuch, std::min(kLittle * all_.value, kUncertain * lost.standard_error));
   }
 
@@ -127,6 +140,10 @@ std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task) {
 }
 
 std::string to_string(const FewerEffects& fewer, const std::vector<EffectEntry>& answer) {
+  if (fewer.added.size() == answer.size())
+    return fmt::format("{} gain {:.1f} % of what {} gain, with fewer parameters",
+                       fmt::join(names_of(fewer.added), " and "), 100.0 * fewer.share,
+                       fmt::join(names_of(answer), " and "));
   return fmt::format("{} alone gain{} {:.1f} % of what {} gain together, which more likely make up for its form",
                      fmt::join(names_of(fewer.added), " and "), fewer.added.size() == 1 ? "s" : "", 100.0 * fewer.share,
                      fmt::join(names_of(answer), " and "));

@@ -13,7 +13,7 @@
 
 namespace lacuna {
 
-/// A model that does with fewer effects nearly what an answer of several does.
+/// A model that does with fewer effects nearly what an answer of several does, or just that with simpler ones.
 struct FewerEffects {
   std::vector<EffectEntry> added;
   Refit fit;
@@ -30,7 +30,8 @@ struct FewerEffectsTask {
   const Unaided& unaided;                      ///< the same, under the noise of `now`
   const SearchStep& first;                     ///< of the model without any effect
   const PluginCatalog& catalog;
-  const Round& now;  ///< of the answer
+  const Round& now;                       ///< of the answer
+  const std::vector<std::string>& among;  ///< names of effects; empty: all
   std::uint64_t seed = 1;
   int threads = 1;
 };
@@ -41,7 +42,9 @@ struct FewerEffectsTask {
 /// more than a tenth of the answer's gain and five standard errors, or 2 nats, the best is returned, or one with fewer
 /// parameters that is at most a twentieth of that gain behind it: an effect that adds less than that is likelier to
 /// make up for the form of another than to be there, and the next diagnosis, with the others in the model, finds it if
-/// it is. Nothing where the answer has one effect only or needs all of them.
+/// it is. Where all are needed, the answer with one effect in the place of another that declares it as a look-alike and
+/// has more parameters, if that loses no more than a standard error or 2 nats: beside an offset, friction of one level
+/// does what friction of two does. Nothing where the answer has one effect only, or needs all that it has.
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task);
 
 /// A sentence that begins with the effects that are enough.

@@ -47,6 +47,30 @@ std::vector<Listed> shortlist(const Screening& screening) {
   return list;
 }
 
+/// Whether `one` is declared to look like `richer`, at the same place, and has fewer parameters.
+bool is_simpler(const Hypothesis& one, const Hypothesis& richer) {
+  return one.own.size() < richer.own.size() && one.where() == richer.where() &&
+         std::find(richer.alike.begin(), richer.alike.end(), one.entry.effect) != richer.alike.end();
+}
+
+/// A richer law scores better by its probes than a simple one that is as good once both are refitted.
+void add_simpler(const std::vector<Hypothesis>& hypotheses, const Screening& screening, std::vector<Listed>& list) {
+  const std::size_t listed = list.size();
+  for (const ProbeScore& score : screening.scores) {
+    const auto is_it = [&](const Listed& one) { return one.hypothesis == score.hypothesis; };
+    const auto richer = [&](const Listed& one) {
+      return is_simpler(hypotheses[score.hypothesis], hypotheses[one.hypothesis]);
+    };
+    const auto known = std::find_if(list.begin(), list.end(), is_it);
+    if (known != list.end()) {
+      const bool is_new = static_cast<std::size_t>(known - list.begin()) >= listed;
+      if (is_new && known->scores.size() < kProbeStarts) known->scores.push_back(score);
+    } else if (std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(listed), richer)) {
+      list.push_back({score.hypothesis, {score}, false});
+    }
+  }
+}
+
 /// Values to start a refit from: the probe, and the probe scaled to the size that its score wants.
 void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeScore& score,
                 const std::vector<double>& base, std::vector<std::vector<double>>& starts) {
@@ -66,11 +90,10 @@ void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeSco
 class RivalFits {
  public:
   RivalFits(const Contender& contender, const Round& round, const std::vector<std::vector<Probe>>& probes)
-      : contender_(contender),
-        round_(round),
-        probes_(probes),
-        list_(shortlist(round.screening)),
-        rivals_(list_.size()) {}
+      : contender_(contender), round_(round), probes_(probes), list_(shortlist(round.screening)) {
+    add_simpler(round.hypotheses, round.screening, list_);
+    rivals_.resize(list_.size());
+  }
 
   std::vector<Rival> run(std::uint64_t seed, int threads) {
     parallel_for(list_.size(), threads, [&](std::size_t i, int) { scout(i); });

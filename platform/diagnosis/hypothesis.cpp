@@ -74,6 +74,7 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
     hypothesis.defaults.push_back(parameter.default_value);
     hypothesis.neutral.push_back(description.neutral.empty() ? parameter.default_value : description.neutral[i]);
   }
+  hypothesis.alike = description.look_alikes;
   hypothesis.model = compile(hypothesis.definition.structure, hypothesis.definition.engine);
   return hypothesis;
 }

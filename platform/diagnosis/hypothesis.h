@@ -15,10 +15,11 @@ struct Hypothesis {
   EffectEntry entry;  ///< the effect and where it is
   ModelDefinition definition;
   std::unique_ptr<CompiledModel> model;
-  std::vector<std::size_t> base;  ///< where `definition.free` has the base's values, in the base's order
-  std::vector<std::size_t> own;   ///< where it has the effect's, in the order of its declaration
-  std::vector<double> neutral;    ///< values of its own at which the effect changes nothing
-  std::vector<double> defaults;   ///< declared values of its own
+  std::vector<std::size_t> base;   ///< where `definition.free` has the base's values, in the base's order
+  std::vector<std::size_t> own;    ///< where it has the effect's, in the order of its declaration
+  std::vector<double> neutral;     ///< values of its own at which the effect changes nothing
+  std::vector<double> defaults;    ///< declared values of its own
+  std::vector<std::string> alike;  ///< effects that look alike, as it declares
 
   /// "joint.hinge"; "world".
   std::string where() const;

@@ -45,11 +45,12 @@ std::vector<std::string> unexplained_motion(const BaseSolution& base, const std:
   std::vector<std::string> sentences;
   for (const ChannelError& error : errors) {
     const Motion motion = motion_of(base.trials, error.channel);
-    if (error.fit <= std::max(kMissed * motion.size, kScatters * motion.scatter)) continue;
+    const double missed = std::max(error.fit, error.floor);
+    if (missed <= std::max(kMissed * motion.size, kScatters * motion.scatter)) continue;
     sentences.push_back(fmt::format(
         "{}: the model misses {} of a motion of {} (RMS), and no effect explains it: check units, columns and the "
         "robot; a command column that holds no command looks like this",
-        error.channel, format_quantity(error.fit, error.unit), format_quantity(motion.size, error.unit)));
+        error.channel, format_quantity(missed, error.unit), format_quantity(motion.size, error.unit)));
   }
   return sentences;
 }

@@ -29,6 +29,16 @@ TEST(UnexplainedMotion, IsThatOfAModelThatMissesAFifthOfWhatIsSmooth) {
   EXPECT_THAT(sentences({}, 0.1), IsEmpty());
 }
 
+/// A file in another unit than the others is no noise either.
+TEST(UnexplainedMotion, IsAlsoWhatPassesForNoise) {
+  BaseSolution base;
+  base.trials = {recorded({}, "multi.csv", multisine, 6.0, 1)};
+  const double motion = deviation(base.trials.front());
+  EXPECT_THAT(unexplained_motion(base, {{"angle", "rad", 0.3 * motion, 0.05 * motion, 0.05 * motion}}),
+              ElementsAre(HasSubstr("angle: the model misses")));
+  EXPECT_THAT(unexplained_motion(base, {{"angle", "rad", 0.1 * motion, 0.05 * motion, 0.05 * motion}}), IsEmpty());
+}
+
 /// What scatters from sample to sample is the sensor's noise, however large.
 TEST(UnexplainedMotion, IsNotTheNoiseOfAPoorSensor) {
   const PendulumTruth poor{.noise = 1.0};
