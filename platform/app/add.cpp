@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -46,7 +47,7 @@ std::pair<std::string, double> parse_start(const std::string& text) {
     std::size_t used = 0;
     const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
     const double value = std::stod(number, &used);
-    if (used == number.size()) return {text.substr(0, equals), value};
+    if (used == number.size() && std::isfinite(value)) return {text.substr(0, equals), value};
   } catch (const std::exception&) {
     // said below
   }

@@ -1,6 +1,7 @@
 #include "diagnosis/residual_tests.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -46,6 +47,12 @@ double memory_of(const Eigen::VectorXd& residual) {
 int weights_for(double memory, Eigen::Index rows) {
   constexpr double kReach = 6.0;  // correlation times that the fastest weight's half period spans
   return std::clamp(static_cast<int>(static_cast<double>(rows) / (kReach * memory)), kFewestWeights, kMostWeights);
+}
+
+/// A square root of a covariance: its product with independent numbers of variance 1 has it.
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 /// An orthonormal basis of what the columns span.
@@ -127,13 +134,16 @@ IndependenceTest ResidualTester::test(const Eigen::VectorXd& feature, bool class
   const Eigen::MatrixXd scores = basis.array().colwise() * rest.array();
   double memory = 1.0;
   for (Eigen::Index k = 0; k < scores.cols(); ++k) memory = std::max(memory, memory_of(scores.col(k)));
-  judge(scores, share_kept(basis, weights_for(memory, basis.rows())), sums, memory, result);
+  const Eigen::MatrixXd covariance =
+      judge(scores, share_kept(basis, weights_for(memory, basis.rows())), sums, memory, result);
 
-  const Eigen::VectorXd shown =
-      taken_.cols() == 1 ? raw_ : Eigen::VectorXd(rest + columns * left.colPivHouseholderQr().solve(basis * sums));
+  const bool alone = taken_.cols() == 1;
+  const Eigen::MatrixXd whole = columns * left.colPivHouseholderQr().solve(basis);  // of what the basis has a part of
+  const Eigen::VectorXd shown = alone ? raw_ : Eigen::VectorXd(rest + whole * sums);
   result.shown.setConstant(all_rows_, std::numeric_limits<double>::quiet_NaN());
   result.shown(rows_) = shown;
-  result.bins = bins(values, shown, classes ? static_cast<std::size_t>(values.size()) : kMeans);
+  const Eigen::MatrixXd parts = alone ? Eigen::MatrixXd(shown.size(), 0) : Eigen::MatrixXd(whole * root_of(covariance));
+  result.bins = bins(values, shown, parts, classes ? static_cast<std::size_t>(values.size()) : kMeans);
   return result;
 }
 
@@ -147,8 +157,8 @@ Eigen::VectorXd ResidualTester::share_kept(const Eigen::MatrixXd& basis, int wei
   return kept.cwiseMax(0.1);
 }
 
-void ResidualTester::judge(const Eigen::MatrixXd& scores, const Eigen::VectorXd& kept, const Eigen::VectorXd& sums,
-                           double memory, IndependenceTest& result) const {
+Eigen::MatrixXd ResidualTester::judge(const Eigen::MatrixXd& scores, const Eigen::VectorXd& kept,
+                                      const Eigen::VectorXd& sums, double memory, IndependenceTest& result) const {
   const int weights = weights_for(memory, scores.rows());
   const auto q = static_cast<int>(scores.cols());
   const Eigen::MatrixXd series = cosines_.leftCols(weights).transpose() * scores;
@@ -163,14 +173,15 @@ void ResidualTester::judge(const Eigen::MatrixXd& scores, const Eigen::VectorXd&
   if (!(covariance.trace() > 0.0) || !std::isfinite(wald)) {  // nothing is left: the feature explains it all
     result.statistic = std::numeric_limits<double>::infinity();
     result.p = 0.0;
-    return;
+    return covariance;
   }
   result.statistic = wald * result.denominator / (static_cast<double>(weights) * q);
   result.p = boost::math::cdf(boost::math::complement(chance, std::max(0.0, result.statistic)));
+  return covariance;
 }
 
 std::vector<ResidualBin> ResidualTester::bins(const Eigen::VectorXd& feature, const Eigen::VectorXd& shown,
-                                              std::size_t most) const {
+                                              const Eigen::MatrixXd& parts, std::size_t most) const {
   const std::vector<Eigen::Index> order = ascending(feature);
   const std::size_t size = std::max<std::size_t>(1, order.size() / most);
   const int weights = weights_for(memory_of(shown.array() - shown.mean()), shown.size());
@@ -186,10 +197,12 @@ std::vector<ResidualBin> ResidualTester::bins(const Eigen::VectorXd& feature, co
       bin.feature += feature(order[i]) / n;
       bin.mean += shown(order[i]) / n;
     }
-    Eigen::VectorXd series = Eigen::VectorXd::Zero(weights);
-    for (std::size_t i = begin; i < end; ++i)
+    Eigen::VectorXd series = Eigen::VectorXd::Zero(weights), part = Eigen::VectorXd::Zero(parts.cols());
+    for (std::size_t i = begin; i < end; ++i) {
       series += (shown(order[i]) - bin.mean) * cosines_.row(order[i]).head(weights).transpose();
-    bin.band = t * std::sqrt(series.squaredNorm() / weights) / n;
+      part += parts.row(order[i]).transpose();
+    }
+    bin.band = t * std::sqrt(series.squaredNorm() / weights + part.squaredNorm()) / n;
     all.push_back(bin);
     begin = end;
   }

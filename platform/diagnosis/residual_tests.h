@@ -27,7 +27,7 @@ struct ResidualBin {
   double lower = 0.0, upper = 0.0;  ///< feature
   double feature = 0.0;             ///< its mean
   double mean = 0.0;                ///< of the residual
-  double band = 0.0;                ///< 99 % interval of that mean is mean ± band
+  double band = 0.0;                ///< 99 % interval of that mean is mean ± band, the uncertain slope allowed for
   std::size_t samples = 0;
 };
 
@@ -68,12 +68,15 @@ class ResidualTester {
 
  private:
   IndependenceTest test(const Eigen::VectorXd& feature, bool classes) const;
-  void judge(const Eigen::MatrixXd& scores, const Eigen::VectorXd& kept, const Eigen::VectorXd& sums, double memory,
-             IndependenceTest& result) const;
+  /// Returns the long-run covariance of the sums.
+  Eigen::MatrixXd judge(const Eigen::MatrixXd& scores, const Eigen::VectorXd& kept, const Eigen::VectorXd& sums,
+                        double memory, IndependenceTest& result) const;
   /// Of the variance of the weighted scores, a value a column of the basis: what the regression leaves.
   Eigen::VectorXd share_kept(const Eigen::MatrixXd& basis, int weights) const;
   Eigen::MatrixXd without_covariates(const Eigen::MatrixXd& columns) const;
-  std::vector<ResidualBin> bins(const Eigen::VectorXd& feature, const Eigen::VectorXd& shown, std::size_t most) const;
+  /// `parts` (rows × any number): what of `shown` depends on the feature, by deviation of an independent coefficient.
+  std::vector<ResidualBin> bins(const Eigen::VectorXd& feature, const Eigen::VectorXd& shown,
+                                const Eigen::MatrixXd& parts, std::size_t most) const;
 
   Eigen::Index all_rows_ = 0;
   std::vector<Eigen::Index> rows_;  ///< that count

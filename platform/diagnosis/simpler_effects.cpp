@@ -2,6 +2,7 @@
 
 #include "foundation/address.h"
 
+#include <lacuna/error.h>
 #include <lacuna/physical_effect.h>
 
 #include <algorithm>
@@ -85,9 +86,14 @@ std::vector<Contender> with_simpler_effects(const Contender& answer, const Conte
                                             const PluginCatalog& catalog, const std::vector<std::string>& among) {
   std::vector<Contender> models;
   for (std::size_t i = 0; i < answer.added.size(); ++i)
-    for (const std::string& name : simpler_than(answer.added[i].effect, catalog, among))
-      if (!has(answer.experiment, name, answer.added[i].where))
+    for (const std::string& name : simpler_than(answer.added[i].effect, catalog, among)) {
+      if (has(answer.experiment, name, answer.added[i].where)) continue;
+      try {
         models.push_back(replaced(answer, i, name, plain, catalog));
+      } catch (const Error&) {
+        // it stands on other elements, or needs what the robot has not
+      }
+    }
   return models;
 }
 

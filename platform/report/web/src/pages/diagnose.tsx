@@ -1,6 +1,6 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
-import { plain, times } from '../kit/format';
+import { plain, quantity, times } from '../kit/format';
 import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
@@ -137,7 +137,13 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
             </thead>
             <tbody>
               {document.ranking.map((one, i) => (
-                <Candidate key={i} rank={i + 1} model={one} weighed={!outdone} />
+                <Candidate
+                  key={i}
+                  rank={i + 1}
+                  model={one}
+                  length={document.ranking[0]?.segment_s ?? null}
+                  weighed={!outdone}
+                />
               ))}
             </tbody>
           </table>
@@ -156,6 +162,7 @@ function saveCandidates(ranking: Ranked[]): void {
       model.gain_ci95[0],
       model.gain_ci95[1],
       model.ratio_to_floor,
+      model.segment_s,
       model.probability,
     ];
     const values = model.effects.flatMap((effect) =>
@@ -178,6 +185,7 @@ function saveCandidates(ranking: Ranked[]): void {
       'gain_lower',
       'gain_upper',
       'times_floor',
+      'segment_s',
       'weight',
       'parameter',
       'value',
@@ -196,7 +204,14 @@ const shareText = (share: number | null) =>
 
 const kNoInterval = 'at its bound, or not told';
 
-function Candidate({ rank, model, weighed }: { rank: number; model: Ranked; weighed: boolean }) {
+interface CandidateProps {
+  rank: number;
+  model: Ranked;
+  length: number | null; // s, of the answer's segments; errors over others are no measure beside its own
+  weighed: boolean;
+}
+
+function Candidate({ rank, model, length, weighed }: CandidateProps) {
   return (
     <tr>
       <td class="muted">{rank}</td>
@@ -211,8 +226,10 @@ function Candidate({ rank, model, weighed }: { rank: number; model: Ranked; weig
         ))}
         {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
       </td>
-      <td class="number">{gainText({ value: model.gain, ci95: model.gain_ci95 })}</td>
-      <td class="number">{times(model.ratio_to_floor)}</td>
+      <td class="number">{gainText({ value: model.gain, standard_error: model.gain_standard_error })}</td>
+      <td class="number">
+        {(model.segment_s ?? null) === length ? times(model.ratio_to_floor) : `over ${quantity(model.segment_s, 's')}`}
+      </td>
       {weighed && <td class="number">{shareText(model.probability)}</td>}
     </tr>
   );

@@ -12,6 +12,7 @@ export interface Effect {
 
 export interface Gain {
   value: number | null;
+  standard_error: number | null;
   ci95: [number | null, number | null];
 }
 
@@ -20,7 +21,9 @@ export interface Ranked {
   class: string[];
   cv_rmse: Record<string, number>;
   ratio_to_floor: number | null;
+  segment_s: number | null;
   gain: number | null;
+  gain_standard_error: number | null;
   gain_ci95: [number | null, number | null];
   probability: number | null;
 }
@@ -96,10 +99,11 @@ export function firstIsAnswer(document: DiagnosisDocument): boolean {
 }
 
 /** "+7397 ± 2858". */
-export function gainText({ value, ci95 }: Gain): string {
+/** As the terminal has it: with 1.96 standard errors. */
+export function gainText({ value, standard_error }: Pick<Gain, 'value' | 'standard_error'>): string {
   if (value === null) return '—';
   const sign = value > 0 ? '+' : '';
-  const half = ci95[0] === null || ci95[1] === null ? null : (ci95[1] - ci95[0]) / 2;
+  const half = Number.isFinite(standard_error) ? 1.96 * (standard_error ?? 0) : null;
   const digits = Math.max(Math.abs(value), half ?? 0) < 10 ? 1 : 0;
   const number = (one: number) => one.toFixed(digits).replace('-', '−');
   return `${sign}${number(value)}${half === null ? '' : ` ± ${number(half)}`}`;
@@ -148,6 +152,6 @@ export function readDocument(text: string): DiagnosisDocument {
   };
   const known = JSON.parse(text) as Partial<DiagnosisDocument>;
   const first = known.ranking?.[0];
-  if (first) empty.answer_gain = { value: first.gain, ci95: first.gain_ci95 };
+  if (first) empty.answer_gain = { value: first.gain, standard_error: first.gain_standard_error, ci95: first.gain_ci95 };
   return { ...empty, ...known };
 }
