@@ -58,6 +58,20 @@ TEST(ResidualTester, ColouredNoiseThatDependsOnNothingRaisesAsFewAlarmsAsPromise
   EXPECT_LE(false_alarms(15.0, unrelated), 2 * kMostFalseAlarms);
 }
 
+/// Of a feature that is hardly more than a covariate, the slope beside it is large and uncertain.
+TEST(ResidualTester, BandsHoldAnUncertainSlope) {
+  int outside = 0, bins = 0;
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    const Eigen::VectorXd covariate = sine_of_period(170.0);
+    const Eigen::VectorXd feature =
+        covariate + 0.15 * coloured(15.0, 2, i) / coloured(15.0, 2, i).norm() * covariate.norm();
+    const IndependenceTest test = ResidualTester(coloured(15.0, 1, i), covariate, 1).of(feature);
+    for (const ResidualBin& bin : test.bins) outside += std::abs(bin.mean) > bin.band, ++bins;
+  }
+  ASSERT_GT(bins, 400);
+  EXPECT_LE(outside, bins / 20);
+}
+
 TEST(ResidualTester, SeesADependenceUnderColouredNoiseAndItsShare) {
   const Eigen::VectorXd velocity = sine_of_period(170.0);
   const Eigen::VectorXd direction = velocity.array().sign();

@@ -58,8 +58,9 @@ TEST_P(BadInputTest, IsSaidInOneVoiceAndChangesNothing) {
 constexpr const char* kAdd = "add first-steps.toml coulomb_friction --where joint.hinge";
 const std::string kAddWith = std::string(kAdd) + " ";
 const std::string kBadId = kAddWith + "--id a.b", kBadStart = kAddWith + "--start torque",
-                  kWordStart = kAddWith + "--start torque=much", kLowStart = kAddWith + "--start torque=-1",
-                  kOtherStart = kAddWith + "--start torqe=1", kOtherFixed = kAddWith + "--fixed torqe";
+                  kWordStart = kAddWith + "--start torque=much", kNoStart = kAddWith + "--start torque=nan",
+                  kLowStart = kAddWith + "--start torque=-1", kOtherStart = kAddWith + "--start torqe=1",
+                  kOtherFixed = kAddWith + "--fixed torqe";
 
 INSTANTIATE_TEST_SUITE_P(
     CommandLines, BadInputTest,
@@ -142,6 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "(did you mean \"joint.hinge\"?)"},
         BadInputCase{"IdWithAPoint", kBadId.c_str(), 2, "--id a.b: cannot be a name"},
         BadInputCase{"StartWithoutANumber", kBadStart.c_str(), 2, "--start torque: write it as parameter=number"},
+        BadInputCase{"StartThatIsNoNumber", kNoStart.c_str(), 2, "--start torque=nan: write it as parameter=number"},
         BadInputCase{"StartOfLetters", kWordStart.c_str(), 2, "--start torque=much: write it as parameter=number"},
         BadInputCase{"StartOutOfRange", kLowStart.c_str(), 2, "is outside the range of coulomb_friction"},
         BadInputCase{"StartOfAnotherParameter", kOtherStart.c_str(), 2, "(did you mean \"torque\"?)"},
