@@ -535,8 +535,9 @@ describe('what pages compute', () => {
     assert.equal(firstIsAnswer(readDocument(JSON.stringify(before))), true, 'of a version that did not write it');
     assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'effect_found' })), true);
     assert.equal(firstIsAnswer(outside(9, 9, [], { verdict: 'nothing_missing' })), false);
-    assert.equal(gainText({ value: 7397, ci95: [4539, 10255] }), '+7397 ± 2858');
-    assert.equal(gainText({ value: -1.25, ci95: [-2, -0.5] }), '−1.3 ± 0.8');
+    assert.equal(gainText({ value: 7397, standard_error: 1458 }), '+7397 ± 2858');
+    assert.equal(gainText({ value: -1.25, standard_error: 0.4 }), '−1.3 ± 0.8');
+    assert.equal(gainText({ value: 12.3 }), '+12', 'of a version that did not write it');
   });
 
   const kRun = { experiment: 'walk', ending: 'not ended', ended: null, started: '2026-01-01T10:00:00Z' };
