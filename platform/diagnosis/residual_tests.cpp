@@ -163,7 +163,7 @@ Eigen::MatrixXd ResidualTester::judge(const Eigen::MatrixXd& scores, const Eigen
   const auto q = static_cast<int>(scores.cols());
   const Eigen::MatrixXd series = cosines_.leftCols(weights).transpose() * scores;
   const Eigen::VectorXd scale = kept.cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd covariance = scale.asDiagonal() * (series.transpose() * series / weights) * scale.asDiagonal();
+  Eigen::MatrixXd covariance = scale.asDiagonal() * (series.transpose() * series / weights) * scale.asDiagonal();
   result.numerator = q;
   result.denominator = weights - q + 1;
   result.testable = true;
