@@ -118,8 +118,7 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
   weigh(diagnosis);
   const std::string about_form = judge_form(diagnosis, outcome);
   const std::vector<std::string> unexplained = unexplained_motion(last.base, errors);
-  const bool explained = diagnosis.verdict == Verdict::not_in_library || unexplained.empty();
-  if (!explained) cannot_tell(diagnosis);
+  if (!unexplained.empty() && diagnosis.verdict != Verdict::not_in_library) cannot_tell(diagnosis);
   const bool structure_left = diagnosis.free_force_p < kFreeForceLevel;
   if (diagnosis.verdict != Verdict::not_in_library && !(diagnosis.verdict == Verdict::effect_found && structure_left)) {
     diagnosis.residual_force.clear();

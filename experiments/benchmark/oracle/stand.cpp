@@ -194,9 +194,9 @@ double left_by_all(const Eigen::VectorXd& lacking, const std::vector<Eigen::Vect
 Stand::Screened Stand::screen(const PlacedLaw& rival) const {
   Screened screened{{}, std::numeric_limits<double>::infinity()};
   const Scales scales = data_.scales(rival);
-  const bool is_taken = rival.kind == taken_.kind;  // at another place, or everywhere
+  const bool elsewhere = rival.kind == taken_.kind;
   const std::vector<double> limit =
-      is_taken ? taken_parameters_ : friction_limit(rival, taken_, taken_parameters_, scales);
+      elsewhere ? taken_parameters_ : friction_limit(rival, taken_, taken_parameters_, scales);
   for (const Footing& footing : footings_) {
     OracleSizes search(footing, rival, scales);
     const auto keep = [&](const std::optional<OracleSizes::Found>& found) {
