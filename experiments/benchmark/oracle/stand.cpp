@@ -251,13 +251,17 @@ Rival Stand::judge(const PlacedLaw& law, double reference) const {
   Screened screened = screen(law);
   Rival rival{law, screened.lower_estimate, false, true};
   const double base = footings_.back().lacking().squaredNorm();
-  std::vector<Attempt> attempts = known_attempts(law);
-  if (screened.lower_estimate <= std::max(reference + options.refined_below, options.refined_share * base))
-    for (Attempt& own : foremost(std::move(screened))) attempts.push_back(std::move(own));
-  const auto fitted = refine(attempts, reference + kToldApart, options.hopeless);
+  const double told = reference + kToldApart;
+  std::optional<Explanation> fitted = refine(known_attempts(law), told, 0.0);
+  const bool said_alike = fitted.has_value();
+  if ((!fitted || fitted->deviance >= told) &&
+      screened.lower_estimate <= std::max(reference + options.refined_below, options.refined_share * base)) {
+    auto own = refine(foremost(std::move(screened)), told, said_alike ? 0.0 : options.hopeless);
+    if (own && (!fitted || own->deviance < fitted->deviance)) fitted = std::move(own);
+  }
   if (!fitted) return rival;
   rival.non_centrality = fitted->deviance;
-  rival.told_apart = fitted->deviance >= reference + kToldApart;
+  rival.told_apart = fitted->deviance >= told;
   rival.refined = true;
   return rival;
 }
