@@ -18,7 +18,7 @@ struct KnownStart {
 
 struct OracleOptions {
   std::vector<std::string> among = {};  ///< effects that are tried; empty: all
-  std::vector<KnownStart> known = {};   ///< fits of rivals begin there, too, beside the own starts
+  std::vector<KnownStart> known = {};   ///< fits of rivals begin there, too, beside the own starts; none is given up
   double step = 1e-3;                   ///< s, of all predictions, the truth's too: so the integrator's error drops out
   std::size_t most_shapes = 6;          ///< of a law, in the linear screening
   std::size_t most_refined = 3;         ///< starts of a rival

@@ -252,13 +252,11 @@ Rival Stand::judge(const PlacedLaw& law, double reference) const {
   Rival rival{law, screened.lower_estimate, false, true};
   const double base = footings_.back().lacking().squaredNorm();
   const double told = reference + kToldApart;
-  std::optional<Explanation> fitted = refine(known_attempts(law), told, 0.0);
-  const bool said_alike = fitted.has_value();
-  if ((!fitted || fitted->deviance >= told) &&
-      screened.lower_estimate <= std::max(reference + options.refined_below, options.refined_share * base)) {
-    auto own = refine(foremost(std::move(screened)), told, said_alike ? 0.0 : options.hopeless);
-    if (own && (!fitted || own->deviance < fitted->deviance)) fitted = std::move(own);
-  }
+  std::vector<Attempt> attempts = known_attempts(law);
+  const double hopeless = attempts.empty() ? options.hopeless : 0.0;
+  if (screened.lower_estimate <= std::max(reference + options.refined_below, options.refined_share * base))
+    for (Attempt& own : foremost(std::move(screened))) attempts.push_back(std::move(own));
+  const auto fitted = refine(attempts, told, hopeless);
   if (!fitted) return rival;
   rival.non_centrality = fitted->deviance;
   rival.told_apart = fitted->deviance >= told;

@@ -100,6 +100,14 @@ TEST(Oracle, ALawIsAlsoLookedForWhereItIsSaidToBe) {
   EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::ElementsAre("cogging"));
 }
 
+/// Even where every fit is given up after one iteration, that of an answer's member is not.
+TEST(Oracle, WhatIsSaidToExplainTheDataIsRefittedWithAllPatience) {
+  const MadeCase made = pendulum_case({{"mount_tilt", 0, {0.0, 0.1}}}, white_noise(), kSamples);
+  OracleOptions options{.among = {"cogging"}, .hopeless = 1.0, .refined_below = 0.0, .refined_share = 0.0};
+  options.known = {{{&law_kind("cogging"), 0}, {0.2, 0.0, 1.5}}};
+  EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::ElementsAre("cogging"));
+}
+
 /// The screening's own shapes have many periods.
 TEST(Oracle, WhatGravityDoesIsACoggingOfOnePeriod) {
   const MadeCase made = pendulum_case({{"buoyancy", 0, {0.02}}}, white_noise(), kSamples);
