@@ -104,7 +104,7 @@ TEST(Oracle, ALawIsAlsoLookedForWhereItIsSaidToBe) {
 TEST(Oracle, WhatIsSaidToExplainTheDataIsRefittedWithAllPatience) {
   const MadeCase made = pendulum_case({{"mount_tilt", 0, {0.0, 0.1}}}, white_noise(), kSamples);
   OracleOptions options{.among = {"cogging"}, .hopeless = 1.0, .refined_below = 0.0, .refined_share = 0.0};
-  options.known = {{{&law_kind("cogging"), 0}, {0.2, 0.0, 1.5}}};
+  options.known = {{{&law_kind("cogging"), 0}, {0.01, 0.05, 1.1}}};
   EXPECT_THAT(names(ask_oracle(made, options).alike(0)), testing::ElementsAre("cogging"));
 }
 
