@@ -2,6 +2,7 @@
 
 #include "diagnosis/linear_segments.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct BaseSolution {
   std::vector<LinearSegment> linear;    ///< at these values and states
   std::vector<double> steps;            ///< of differences: of the values, then of the components of a start state
   double residual = 0.0;                ///< RMS, multiples of the sensor noise
-  /// By segment, bins × any number: what else the residual may hold, linear in coefficients from −1 to 1 that are
-  /// fitted beside the values (timing.h). Empty: nothing.
-  std::vector<Eigen::MatrixXd> nuisance;
+  /// By how many command intervals commands act later than recorded, fitted beside the values (timing.h). Nothing where
+  /// that is not fitted: nothing is commanded, or the data do not tell it beside the values.
+  std::optional<double> timing;
+  std::vector<Eigen::VectorXd> by_timing;  ///< by segment: how the residual changes with it
 
   /// Whether the segments are blocks of free runs (free_run.h), all of a trial from one start; else each has a start of
   /// its own.

@@ -2,6 +2,7 @@
 
 #include "diagnosis/search_state.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/timing.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,8 @@ constexpr double kMoved = 2.0;        ///< standard errors
 constexpr double kNoticeable = 0.01;  ///< of the value
 constexpr double kWorthSaying = 2.0;  ///< nats, what one more effect would gain
 constexpr double kHardly = 0.1;       ///< of what the answer gains
+constexpr double kOffTime = 0.1;      ///< command intervals; less may be an integration step
+constexpr double kSure = 3.0;         ///< standard errors
 
 std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
   const ParameterSpace space(contender.definition.free);
@@ -59,6 +62,19 @@ std::string what_was_not_taken(const Diagnosis& diagnosis, const Round& last) {
   return fmt::format(
       "{} beside it would gain {:.1f} nats more, {:.2g} % of what is explained: it more likely makes up for a form",
       name_of(last.hypotheses[best.hypothesis].entry), best.gain.value, 100.0 * share);
+}
+
+/// A user who simulates with the commands as recorded meets what is left by that.
+std::string off_time(const Round& last) {
+  const double timing = last.base.timing.value_or(0.0), size = std::abs(timing);
+  if (size < kOffTime) return "";
+  if (const Eigen::Index own = last.fit.covariance.rows() - 1; size < kSure * std::sqrt(last.fit.covariance(own, own)))
+    return "";
+  return fmt::format(
+      "commands act {} {} than recorded{}: a matter of recording, which this fit allows for; compare and trial do not, "
+      "unless the times of commands are shifted by as much",
+      format_quantity(size * longest_command_interval(last.base.trials), "s"), timing > 0.0 ? "later" : "earlier",
+      last.fit.at_bound.back() ? ", or more" : "");
 }
 
 /// Of all that is to be gained, all told under one noise.
@@ -118,6 +134,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
     findings.emplace_back(
         "whether a force that no effect has is missing was not tested: these sensors do not tell the motion of the "
         "joints, or there are too many of them");
+  if (std::string text = off_time(last); !text.empty()) findings.push_back(std::move(text));
   findings.insert(findings.end(), last.base.remarks.begin(), last.base.remarks.end());
   return findings;
 }

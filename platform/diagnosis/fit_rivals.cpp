@@ -1,6 +1,5 @@
 #include "diagnosis/fit_rivals.h"
 
-#include "diagnosis/nuisance.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -25,7 +24,6 @@ constexpr double kFarBehind = 0.3, kFarDeviance = 20.0;
 struct Listed {
   std::size_t hypothesis = 0;
   std::vector<ProbeScore> scores;
-  bool acts_as_timing = false;  ///< it is refitted without the nuisance that does the same
 };
 
 /// The best score first.
@@ -42,7 +40,7 @@ std::vector<Listed> shortlist(const Screening& screening) {
     const bool comparable = score.deviance >= kComparable * screening.scores.front().deviance;
     if (list.size() < (by_chance ? kRefitsByChance : kFewestRefits) ||
         (comparable && !by_chance && list.size() < kMostRefits))
-      list.push_back({score.hypothesis, {score}, false});
+      list.push_back({score.hypothesis, {score}});
   }
   return list;
 }
@@ -66,7 +64,7 @@ void add_simpler(const std::vector<Hypothesis>& hypotheses, const Screening& scr
       const bool is_new = static_cast<std::size_t>(known - list.begin()) >= listed;
       if (is_new && known->scores.size() < kProbeStarts) known->scores.push_back(score);
     } else if (std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(listed), richer)) {
-      list.push_back({score.hypothesis, {score}, false});
+      list.push_back({score.hypothesis, {score}});
     }
   }
 }
@@ -89,8 +87,8 @@ void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeSco
 
 class RivalFits {
  public:
-  RivalFits(const Contender& contender, const Round& round, const std::vector<std::vector<Probe>>& probes)
-      : contender_(contender), round_(round), probes_(probes), list_(shortlist(round.screening)) {
+  RivalFits(const Round& round, const std::vector<std::vector<Probe>>& probes)
+      : round_(round), probes_(probes), list_(shortlist(round.screening)) {
     add_simpler(round.hypotheses, round.screening, list_);
     rivals_.resize(list_.size());
   }
@@ -111,8 +109,7 @@ class RivalFits {
 
  private:
   void scout(std::size_t i) {
-    const auto& [h, scores, unused] = list_[i];
-    list_[i].acts_as_timing = acts_as_timing(probes_[h][scores.front().probe], contender_, round_.base, round_.bins);
+    const auto& [h, scores] = list_[i];
     std::vector<std::vector<double>> starts;
     for (const ProbeScore& score : scores)
       add_starts(round_.hypotheses[h], probes_[h][score.probe], score, round_.base.values, starts);
@@ -138,16 +135,14 @@ class RivalFits {
 
   Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const std::vector<Eigen::VectorXd>& states,
             int iterations) const {
-    const auto& [h, scores, untimed] = list_[i];
+    const auto& [h, scores] = list_[i];
     const Hypothesis& hypothesis = round_.hypotheses[h];
     BaseSolution base = round_.base;
-    if (untimed) base.nuisance.clear();
     base.states = states;
     return refit({hypothesis.definition, *hypothesis.model, hypothesis.base}, base, round_.bins, round_.factors, starts,
                  1, {std::max(RefitEffort().precision, kFineEnough * scores.front().deviance), iterations});
   }
 
-  const Contender& contender_;
   const Round& round_;
   const std::vector<std::vector<Probe>>& probes_;
   std::vector<Listed> list_;
@@ -156,9 +151,9 @@ class RivalFits {
 
 }  // namespace
 
-std::vector<Rival> fit_rivals(const Contender& contender, const Round& round,
-                              const std::vector<std::vector<Probe>>& probes, std::uint64_t seed, int threads) {
-  return RivalFits(contender, round, probes).run(seed, threads);
+std::vector<Rival> fit_rivals(const Round& round, const std::vector<std::vector<Probe>>& probes, std::uint64_t seed,
+                              int threads) {
+  return RivalFits(round, probes).run(seed, threads);
 }
 
 }  // namespace lacuna

@@ -26,9 +26,9 @@ std::unique_ptr<CompiledModel> coarse(const ModelDefinition& definition) {
 /// Its timing beside its values where that was fitted, too.
 RivalModel rival(const FittedRival& one, const CompiledModel& model, double command_interval) {
   RivalModel rival{one.name, one.definition, model, one.fit.values, {}};
-  if (one.fit.nuisance.size() == 1) {
+  if (one.fit.timing) {
     rival.command_interval = command_interval;
-    rival.command_shift = one.fit.nuisance(0);
+    rival.command_shift = *one.fit.timing;
   }
   const Eigen::Index fitted = rival.coordinates();
   rival.covariance = one.fit.covariance.topLeftCorner(fitted, fitted);
@@ -54,7 +54,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedR
   TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(round.base.trials));
   limit_to_trials(space, round.base.trials);
   TestConditions conditions = like_the_trials(round, space.control_period);
-  const double interval = longest_sample_interval(round.base.trials);
+  const double interval = longest_command_interval(round.base.trials);
   const std::unique_ptr<CompiledModel> first = coarse(one.definition), second = coarse(other.definition);
   NextTestTask task{.catalog = catalog,
                     .rivals = {rival(one, *first, interval), rival(other, *second, interval)},

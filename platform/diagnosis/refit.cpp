@@ -1,6 +1,7 @@
 #include "diagnosis/refit.h"
 
 #include "diagnosis/rough_predictor.h"
+#include "diagnosis/timing.h"
 
 #include <Eigen/Cholesky>
 
@@ -14,7 +15,7 @@ namespace {
 /// Of free runs through contacts, where the deviance is no smoother: impacts happen at whole steps.
 constexpr int kMostRunIterations = 10;
 constexpr double kRunPrecision = 0.5;
-constexpr double kWidest = 1e12;  ///< range of coordinates without bounds, such as nuisances
+constexpr double kWidest = 1e12;  ///< range of coordinates without bounds
 
 /// Where the data leave a direction open, its variance is that of values anywhere within their bounds: a pseudo-inverse
 /// would call such values certain.
@@ -72,8 +73,9 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
   double least = std::numeric_limits<double>::infinity();
   std::vector<Eigen::VectorXd> residuals;
   for (const std::vector<double>& start : starts) {
-    FitPoint point{Eigen::VectorXd::Zero(problem.lower().size()), base.states};
-    point.values.head(space.size()) = space.clamp(space.to_coordinates(start));
+    std::vector<double> values = start;
+    if (base.timing) values.push_back(*base.timing);
+    const FitPoint point{space.to_coordinates(values), base.states};
     if (!problem.residuals(point, residuals)) continue;
     const double cost = total_cost(problem, residuals, kBinLoss);
     if (!(cost < least)) continue;
@@ -88,13 +90,14 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
             const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,
             RefitEffort effort) {
-  const TrialPredictor predictor(refitted.model, base.trials, threads);
-  const ParameterSpace space(refitted.definition.free);
-  const RoughPredictor rough(refitted.definition, base, threads);
+  const Timing timing = base.timing ? Timing::fitted : Timing::as_recorded;
+  const TrialPredictor predictor(refitted.model, base.trials, threads, timing);
+  const ParameterSpace space(base.timing ? with_timing(refitted.definition.free) : refitted.definition.free);
+  const RoughPredictor rough(refitted.definition, base, threads, timing);
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
   shooting.difference_by(rough.predictor());
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
-  WhitenedProblem problem(shooting, bins, factors, base.nuisance);
+  WhitenedProblem problem(shooting, bins, factors, timing);
   if (base.free_run) {
     effort.iterations = std::min(effort.iterations, kMostRunIterations);
     effort.precision = std::max(effort.precision, kRunPrecision);
@@ -110,8 +113,11 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   best.converged = solution.converged;
   best.deviance = solution.cost;
   if (!best.valid) return best;
-  best.values = space.to_values(solution.point.values.head(space.size()));
-  best.nuisance = solution.point.values.tail(problem.nuisances());
+  best.values = space.to_values(solution.point.values);
+  if (base.timing) {
+    best.timing = best.values.back();
+    best.values.pop_back();
+  }
   best.states = solution.point.states;
   describe_solution(problem, bins, factors, solution, best);
   return best;

@@ -4,6 +4,7 @@
 #include "diagnosis/robust_segment.h"
 #include "diagnosis/whitened_problem.h"
 
+#include <optional>
 #include <vector>
 
 namespace lacuna {
@@ -14,8 +15,8 @@ struct Refit {
   bool converged = false;
   std::vector<double> values;           ///< of the model's free values, SI
   std::vector<Eigen::VectorXd> states;  ///< of the segments' starts
-  Eigen::VectorXd nuisance;             ///< coefficients of the nuisance columns
-  double deviance = 0.0;                ///< Σ of the loss: −2 log likelihood but for a constant
+  std::optional<double> timing;  ///< in command intervals, where the base's is fitted; its coordinate is the last
+  double deviance = 0.0;         ///< Σ of the loss: −2 log likelihood but for a constant
   std::vector<RobustSegment> segments;
   std::vector<WeightedSegment> weighted;  ///< the same under the weights of the fit
   /// Residual and derivatives before whitening, bins alone, in multiples of the sensor noise; starts follow the values.

@@ -50,9 +50,7 @@ std::vector<Contender> models_of(const RejudgeTask& task, const std::vector<std:
 /// a delay.
 Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
   BaseSolution base = without_values(task.now.base);
-  base.values = rival.values;
-  base.nuisance = timing_columns(*model.model, model.definition, base, task.now.bins, threads);
-  base.values.clear();
+  if (!base.timing && longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
   return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
                {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations});
 }

@@ -21,11 +21,12 @@ EngineSettings for_differences(const ModelDefinition& definition) {
   return engine;
 }
 
-RoughPredictor::RoughPredictor(const ModelDefinition& definition, const BaseSolution& base, int workers) {
+RoughPredictor::RoughPredictor(const ModelDefinition& definition, const BaseSolution& base, int workers,
+                               Timing timing) {
   const EngineSettings engine = for_differences(definition);
   if (base.free_run || engine.substeps == definition.engine.substeps) return;
   model_ = compile(definition.structure, engine);
-  predictor_ = std::make_unique<TrialPredictor>(*model_, base.trials, workers);
+  predictor_ = std::make_unique<TrialPredictor>(*model_, base.trials, workers, timing);
 }
 
 }  // namespace lacuna

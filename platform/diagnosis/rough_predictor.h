@@ -18,7 +18,8 @@ class RoughPredictor {
  public:
   /// Of `base` the trials are copied. A simulation through contacts has no such differences, and steps that are as
   /// coarse as can be no coarser ones: there is no predictor then.
-  RoughPredictor(const ModelDefinition& definition, const BaseSolution& base, int workers);
+  RoughPredictor(const ModelDefinition& definition, const BaseSolution& base, int workers,
+                 Timing timing = Timing::as_recorded);
 
   /// Null if there is none.
   const TrialPredictor* predictor() const { return predictor_.get(); }

@@ -4,7 +4,7 @@
 #include "diagnosis/contact_doubt.h"
 #include "diagnosis/data_scales.h"
 #include "diagnosis/fit_rivals.h"
-#include "diagnosis/nuisance.h"
+#include "diagnosis/timing.h"
 #include "fitting/disturbance.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
@@ -37,7 +37,7 @@ void require_declared(const Contender& contender, Round& round) {
         round.noise.require_force(j, joint.deviation * std::sqrt(time / round.forces.width));
 }
 
-/// By segment: all probes beside each other, and the free force's functions.
+/// By segment: all probes beside each other, the timing, and the free force's functions.
 std::vector<Eigen::MatrixXd> columns_of(const Round& round, const std::vector<std::vector<Probe>>& probes,
                                         const FreeForce& force) {
   std::vector<Eigen::MatrixXd> columns;
@@ -45,7 +45,7 @@ std::vector<Eigen::MatrixXd> columns_of(const Round& round, const std::vector<st
     std::vector<Eigen::VectorXd> all;
     for (const std::vector<Probe>& of : probes)
       for (const Probe& probe : of) all.push_back(probe.response[k]);
-    if (!round.base.nuisance.empty()) all.emplace_back(round.base.nuisance[k].col(0));
+    if (round.base.timing) all.push_back(round.base.by_timing[k]);
     if (!force.empty())
       for (Eigen::Index i = 0; i < force.columns[k].cols(); ++i) all.emplace_back(force.columns[k].col(i));
     Eigen::MatrixXd matrix(round.base.linear[k].residual.size(), static_cast<Eigen::Index>(all.size()));
@@ -68,8 +68,7 @@ class Look {
     part("noise", [&] { list_noises(); });
     part("screening", [&] { probe_all(); });
     part("refit of the model", [&] { judge_model(); });
-    part("refits of candidates",
-         [&] { round_.rivals = fit_rivals(model_, round_, probes_, task_.seed, task_.threads); });
+    part("refits of candidates", [&] { round_.rivals = fit_rivals(round_, probes_, task_.seed, task_.threads); });
     return std::move(round_);
   }
 
@@ -86,7 +85,8 @@ class Look {
     base = task_.start;
     bench_.settle(base, task_.moving);
     bench_.linearise(round_.bins, base);
-    base.nuisance = timing_beside(model_, base, round_.bins, task_.threads);
+    if (longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
+    linearise_timing(model_, round_.bins, task_.threads, base);
     if (base.free_run)
       base.doubts = contact_doubts(model_.definition, base, round_.bins, task_.threads);
     else
@@ -114,7 +114,8 @@ class Look {
 
   void judge_model() {
     refit_model();
-    const WhitenedSegments whitened(round_.noise, with_nuisance(round_.base, round_.fit));
+    const bool held = round_.base.timing && round_.fit.at_bound.back();
+    const WhitenedSegments whitened(round_.noise, beside_timing(round_.base, held));
     round_.screening = screen(whitened, probes_, task_.seed);
     const ForceTask beside{round_.fit, round_.factors, round_.folds, task_.seed};
     round_.free_force = test_free_force(beside, whitened, force_);
@@ -126,12 +127,21 @@ class Look {
     round_.factors = noise_factors(round_.noise);
     std::vector<std::size_t> own_places(base.values.size());
     std::iota(own_places.begin(), own_places.end(), std::size_t{0});
-    round_.fit = refit({model_.definition, *model_.model, own_places}, base, round_.bins, round_.factors, {base.values},
-                       task_.threads);
+    const auto fit_again = [&] {
+      return refit({model_.definition, *model_.model, own_places}, base, round_.bins, round_.factors, {base.values},
+                   task_.threads);
+    };
+    round_.fit = fit_again();
+    if (base.timing && round_.fit.valid && !tells_timing(round_.fit)) {
+      base.timing.reset();
+      round_.fit = fit_again();
+    }
     if (!round_.fit.valid) throw Error("the model cannot be refitted: " + bench_.problem().last_reason());
     base.values = round_.fit.values;
     base.states = round_.fit.states;
+    base.timing = round_.fit.timing;
     bench_.linearise(round_.bins, base);
+    linearise_timing(model_, round_.bins, task_.threads, base);
     round_.held_out = held_out_deviance(round_.fit, round_.folds);
   }
 

@@ -91,6 +91,7 @@ Refit refit_over(const LengthTask& task, double length) {
   cut.segment = length;
   const Contender& contender = task.contender;
   BaseSolution base = cut_trials(cut, {contender.definition, *contender.model, task.fit.values, Moving::if_needed});
+  base.timing = task.last.base.timing;
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);
@@ -112,11 +113,11 @@ Refit refit_over(const LengthTask& task, double length) {
 /// By how much the deviance grows where the effects get the answer's values and all else is fitted again.
 double deviance_against_answer(const LengthTask& task, const Refit& fit) {
   const ParameterSpace space(task.contender.definition.free);
-  const auto count = static_cast<Eigen::Index>(fit.values.size());
+  const auto count = static_cast<Eigen::Index>(fit.at_bound.size());
   std::vector<Eigen::Index> moved, others;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    if (is_of_effect(task.contender.definition.free[place].address))
+    if (place < fit.values.size() && is_of_effect(task.contender.definition.free[place].address))
       moved.push_back(i);
     else if (!fit.at_bound[place])
       others.push_back(i);

@@ -1,43 +1,98 @@
 #include "diagnosis/timing.h"
 
+#include "diagnosis/normal_equations.h"
+
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace lacuna {
 namespace {
 
-double sample_interval(const Trial& trial) {
-  const Eigen::VectorXd& times = trial.commands.series.times;
-  return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
-}
+constexpr double kToldInformation = 9.0;  ///< whitened, in command intervals: a standard error of a third of one
+constexpr double kStep = 0.25;            ///< of differences: a command is held for whole intervals
 
-bool residuals_of(const CompiledModel& model, const ModelDefinition& definition, const BaseSolution& base,
-                  const std::vector<Trial>& trials, int threads, std::vector<Eigen::VectorXd>& residuals) {
-  const TrialPredictor predictor(model, trials, threads);
-  const ParameterSpace space(definition.free);
-  ShootingProblem problem(predictor, space, base.segments, base.noise);
-  return problem.residuals({space.to_coordinates(base.values), base.states}, residuals);
-}
+/// A base's model, simulated with commands as late as one asks.
+class TimedModel {
+ public:
+  TimedModel(const Contender& contender, const BaseSolution& base, const RowBins& bins, int threads)
+      : predictor_(*contender.model, base.trials, threads, Timing::fitted),
+        space_(with_timing(contender.definition.free)),
+        problem_(predictor_, space_, base.segments, base.noise),
+        base_(base),
+        bins_(bins) {}
+
+  /// By segment. Throws `Error` where the model cannot be simulated.
+  std::vector<Eigen::VectorXd> residuals(double timing) {
+    std::vector<double> values = base_.values;
+    values.push_back(timing);
+    std::vector<Eigen::VectorXd> rows;
+    if (!problem_.residuals({space_.to_coordinates(values), base_.states}, rows))
+      throw Error("the model cannot be simulated with other timing: " + problem_.last_reason());
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = bins_.means(k, rows[k]);
+    return rows;
+  }
+
+  std::vector<Eigen::VectorXd> derivatives(double timing) {
+    const double behind = std::max(timing - kStep, -1.0), ahead = std::min(timing + kStep, 1.0);
+    std::vector<Eigen::VectorXd> change = residuals(ahead);
+    const std::vector<Eigen::VectorXd> from = residuals(behind);
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] = (change[k] - from[k]) / (ahead - behind);
+    return change;
+  }
+
+ private:
+  TrialPredictor predictor_;
+  ParameterSpace space_;
+  ShootingProblem problem_;
+  const BaseSolution& base_;
+  const RowBins& bins_;
+};
 
 }  // namespace
 
-double longest_sample_interval(const std::vector<Trial>& trials) {
+std::vector<FreeValue> with_timing(std::vector<FreeValue> free) {
+  free.push_back({.address = "timing", .unit = "1", .lower = -1.0, .upper = 1.0, .start = 0.0});
+  return free;
+}
+
+double longest_command_interval(const std::vector<Trial>& trials) {
   double longest = 0.0;
-  for (const Trial& trial : trials) longest = std::max(longest, sample_interval(trial));
+  for (const Trial& trial : trials) longest = std::max(longest, command_interval(trial));
   return longest;
 }
 
-std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
-                                            const BaseSolution& base, const RowBins& bins, int threads, double shift) {
-  std::vector<Trial> late = base.trials;
-  for (Trial& trial : late) trial.commands.series.times.array() += shift * sample_interval(trial);
-  std::vector<Eigen::VectorXd> now, later;
-  if (longest_sample_interval(base.trials) == 0.0 ||
-      !residuals_of(model, definition, base, base.trials, threads, now) ||
-      !residuals_of(model, definition, base, late, threads, later))
-    return {};
-  std::vector<Eigen::MatrixXd> columns;
-  for (std::size_t k = 0; k < now.size(); ++k) columns.push_back(bins.means(k, (later[k] - now[k]) / shift));
-  return columns;
+bool tells_timing(const Refit& fit) {
+  const Eigen::Index timing = fit.covariance.rows() - 1;
+  const NormalEquations equations = normal_equations(fit.weighted, timing + 1);
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = 0; i < timing; ++i)
+    if (!fit.at_bound[static_cast<std::size_t>(i)]) others.push_back(i);
+  double information = equations.gram(timing, timing) - 1.0 / kTimingVariance;
+  if (!others.empty()) {
+    const Eigen::VectorXd shared = equations.gram(others, timing);
+    information -= shared.dot(equations.gram(others, others).completeOrthogonalDecomposition().solve(shared));
+  }
+  return information > kToldInformation;
+}
+
+void linearise_timing(const Contender& contender, const RowBins& bins, int threads, BaseSolution& base) {
+  base.by_timing.clear();
+  if (!base.timing) return;
+  TimedModel model(contender, base, bins, threads);
+  const std::vector<Eigen::VectorXd> residuals = model.residuals(*base.timing);
+  for (std::size_t k = 0; k < residuals.size(); ++k) base.linear[k].residual = residuals[k];
+  base.residual = rms(base.linear);
+  base.by_timing = model.derivatives(*base.timing);
+}
+
+std::vector<LinearSegment> beside_timing(const BaseSolution& base, bool held) {
+  std::vector<LinearSegment> segments = base.linear;
+  for (std::size_t k = 0; k < base.by_timing.size() && !held; ++k) {
+    segments[k].values.conservativeResize(Eigen::NoChange, segments[k].values.cols() + 1);
+    segments[k].values.rightCols(1) = base.by_timing[k];
+  }
+  return segments;
 }
 
 }  // namespace lacuna

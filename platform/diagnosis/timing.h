@@ -1,22 +1,32 @@
 #pragma once
 
-#include "diagnosis/base_solution.h"
-#include "evaluation/model_definition.h"
+#include "diagnosis/contender.h"
+#include "diagnosis/refit.h"
 
 #include <vector>
 
 namespace lacuna {
 
-inline constexpr double kUsualShift = 0.25;  ///< of a sample interval
+/// Within one command interval, when commands act is a matter of recording (which side of a sample a command is held
+/// on), no effect: it is fitted beside the model's values. That it is anywhere in between is known beforehand, and
+/// counts as much as the variance of an even distribution tells.
+inline constexpr double kTimingVariance = 1.0 / 3.0;  ///< in squared command intervals
 
-/// By segment, bins × 1: how the residual changes when all commands act later, by sample interval; told from acting
-/// `shift` of an interval later. Within one interval that is a matter of recording (which side of a sample a command is
-/// held on), no effect, and is fitted beside the model's values. Empty where nothing is commanded.
-std::vector<Eigen::MatrixXd> timing_columns(const CompiledModel& model, const ModelDefinition& definition,
-                                            const BaseSolution& base, const RowBins& bins, int threads,
-                                            double shift = kUsualShift);
+/// A model's free values, and how many command intervals later than recorded all commands act: −1 to 1.
+std::vector<FreeValue> with_timing(std::vector<FreeValue> free);
 
-/// s, between commands: the longest mean of a trial; 0 where nothing is commanded.
-double longest_sample_interval(const std::vector<Trial>& trials);
+/// s, between commands: the longest of a trial; 0 where nothing is commanded.
+double longest_command_interval(const std::vector<Trial>& trials);
+
+/// Whether data tell the timing of a fit beside its values and starts, to a third of an interval: else a model that
+/// holds a delay, or whose start makes up for one, would have two values that do the same.
+bool tells_timing(const Refit& fit);
+
+/// Moves a base's linear segments, which are those of commands as recorded, to where these act as late as its timing
+/// says, and takes down how they change with that. Throws `Error` where the model cannot be simulated so.
+void linearise_timing(const Contender& contender, const RowBins& bins, int threads, BaseSolution& base);
+
+/// A base's linear segments with its timing beside the values, unless that is `held` at a bound.
+std::vector<LinearSegment> beside_timing(const BaseSolution& base, bool held);
 
 }  // namespace lacuna

@@ -7,38 +7,35 @@
 namespace lacuna {
 
 /// A shooting problem whose measured rows are thinned and whitened by the covariance of all noise, so that its cost is
-/// twice the negative log likelihood, but for a constant; rows of priors stay as they are. After the model's values
-/// come the coefficients of the nuisance columns.
+/// twice the negative log likelihood, but for a constant; rows of priors stay as they are, and where timing is
+/// fitted, the last value, each segment has its share of what is known of it beforehand (timing.h) as a row of priors.
 class WhitenedProblem : public SegmentedProblem {
  public:
-  /// `factors`: by segment, the lower Cholesky factor of the bins' covariance; `nuisance`: see BaseSolution. All must
-  /// outlive the problem.
+  /// `factors`: by segment, the lower Cholesky factor of the bins' covariance. They must outlive the problem.
   WhitenedProblem(ShootingProblem& problem, const RowBins& bins, const std::vector<Eigen::MatrixXd>& factors,
-                  const std::vector<Eigen::MatrixXd>& nuisance);
+                  Timing timing);
 
-  const Eigen::VectorXd& lower() const override { return lower_; }
-  const Eigen::VectorXd& upper() const override { return upper_; }
-  Eigen::Index nuisances() const { return nuisance_.empty() ? 0 : nuisance_.front().cols(); }
+  const Eigen::VectorXd& lower() const override { return problem_.lower(); }
+  const Eigen::VectorXd& upper() const override { return problem_.upper(); }
   Eigen::Index robust_rows(std::size_t k) const override { return bins_.rows(k); }
   bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override;
   void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                  std::vector<SegmentJacobian>& jacobians) override;
 
  private:
-  /// Measured rows become whitened bins; the others follow.
+  /// Measured rows become whitened bins; the others follow, and the timing's, which is zero.
   Eigen::MatrixXd whitened(std::size_t k, const Eigen::MatrixXd& rows) const;
-  /// The point of the model alone.
-  FitPoint of_model(const FitPoint& point) const;
+  Eigen::Index timing_rows() const { return timing_ == Timing::fitted ? 1 : 0; }
   /// Brings `raw_` to that point. False where it cannot be simulated.
   bool simulate(const FitPoint& point);
 
   ShootingProblem& problem_;
-  std::vector<Eigen::VectorXd> raw_;  ///< residuals of the model at the last point that could be simulated,
+  std::vector<Eigen::VectorXd> raw_;  ///< residuals before whitening at the last point that could be simulated,
   FitPoint simulated_;                ///< which most often is linearised next
   const RowBins& bins_;
   const std::vector<Eigen::MatrixXd>& factors_;
-  std::vector<Eigen::MatrixXd> nuisance_;  ///< whitened
-  Eigen::VectorXd lower_, upper_;
+  Timing timing_;
+  double timing_root_ = 0.0;  ///< of a segment's share of the information on timing
 };
 
 /// Lower Cholesky factors of the noise alone, a segment each.

@@ -22,8 +22,13 @@ void check_shape(const Trial& trial, const CompiledModel& model) {
 
 }  // namespace
 
-TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers)
-    : model_(model), trials_(std::move(trials)) {
+double command_interval(const Trial& trial) {
+  const Eigen::VectorXd& times = trial.commands.series.times;
+  return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
+}
+
+TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers, Timing timing)
+    : model_(model), trials_(std::move(trials)), timing_(timing) {
   for (const Trial& trial : trials_) {
     check_shape(trial, model_);
     map_.push_back(match_channels(trial, model_.channels()));
@@ -37,6 +42,16 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
   }
 }
 
+const Test& TrialPredictor::late(Desk& desk, std::size_t trial, double lateness) const {
+  const auto* recorded = std::get_if<CommandSeries>(&tests_[trial].drive);
+  if (lateness == 0.0 || recorded == nullptr) return tests_[trial];
+  if (desk.trial != trial) desk.late = tests_[trial];
+  desk.trial = trial;
+  std::get<CommandSeries>(desk.late.drive).series.times.array() =
+      recorded->series.times.array() + lateness * command_interval(trials_[trial]);
+  return desk.late;
+}
+
 void TrialPredictor::predict(const Stretch& stretch, std::span<const double> values, const StartState& start,
                              int worker, Prediction& prediction) const {
   Desk& desk = *desks_[static_cast<std::size_t>(worker)];
@@ -46,7 +61,9 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   options.start_time = times(stretch.first);
   options.end_time = times(stretch.last - 1);
   options.output_times = {times.data() + stretch.first, static_cast<std::size_t>(stretch.size())};
-  model_.simulate(values, tests_[stretch.trial], options, *desk.workspace, desk.result);
+  const bool timed = timing_ == Timing::fitted;
+  const Test& test = timed ? late(desk, stretch.trial, values.back()) : tests_[stretch.trial];
+  model_.simulate(timed ? values.first(values.size() - 1) : values, test, options, *desk.workspace, desk.result);
 
   prediction.valid = desk.result.ending == Ending::completed;
   prediction.reason = desk.result.reason;

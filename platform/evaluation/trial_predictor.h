@@ -29,6 +29,13 @@ struct Prediction {
       samples;  ///< stretch size × measured channels of the trial, in their order; SI; of no meaning if not valid
 };
 
+/// When a trial's commands act: as recorded, or all of them later by a value that follows the model's, counted in the
+/// trial's command intervals.
+enum class Timing { as_recorded, fitted };
+
+/// s, between the commands of a trial, on average; 0 where there is one at most.
+double command_interval(const Trial& trial);
+
 /// Predicts stretches of trials with one compiled model, for any values of its parameters. Measured
 /// channels are matched to the model's by name once. Deterministic: a prediction depends on its
 /// arguments alone. The model must outlive the predictor; trials are copied.
@@ -36,7 +43,8 @@ class TrialPredictor {
  public:
   /// Makes a workspace for each of `workers` threads. Throws `Error` when a trial measures a channel
   /// that the model does not have, in another unit, or when its initial values do not fit the joints.
-  TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers);
+  TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers,
+                 Timing timing = Timing::as_recorded);
 
   const CompiledModel& model() const { return model_; }
   const std::vector<Trial>& trials() const { return trials_; }
@@ -45,7 +53,8 @@ class TrialPredictor {
   Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
 
   /// Simulates from joint coordinates `start` at the time of the stretch's first sample, the trial's
-  /// commands replayed by the trial's own clock, so that command delays see what was commanded before.
+  /// commands replayed by the trial's own clock, so that command delays see what was commanded before. `values`: the
+  /// model's, then by how much later commands act where that is fitted; a controller's own commands keep their time.
   /// `worker` names the workspace, one a thread. A simulation that fails makes the prediction invalid;
   /// arguments that do not fit throw `Error`.
   void predict(const Stretch& stretch, std::span<const double> values, const StartState& start, int worker,
@@ -55,15 +64,23 @@ class TrialPredictor {
   void residuals(const Stretch& stretch, const Prediction& prediction, TimeSeries::Samples& residuals) const;
 
  private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   /// What one thread works with.
   struct Desk {
     std::unique_ptr<Workspace> workspace;
     SimulationOptions options;
     SimulationResult result;
+    std::size_t trial = kNone;  ///< whose commands `late` has
+    Test late;
   };
+
+  /// The trial's test with commands so much later, in command intervals.
+  const Test& late(Desk& desk, std::size_t trial, double lateness) const;
 
   const CompiledModel& model_;
   std::vector<Trial> trials_;
+  Timing timing_;
   std::vector<Test> tests_;                     ///< one a trial: its commands
   std::vector<std::vector<Eigen::Index>> map_;  ///< per trial: measured channel → model channel
   std::vector<std::unique_ptr<Desk>> desks_;

@@ -47,6 +47,22 @@ TEST(TrialPredictor, AStretchReplaysTheCommandsOfItsOwnTime) {
   EXPECT_LT((prediction.samples - q.middleRows(80, 60)).cwiseAbs().maxCoeff(), 1e-10);
 }
 
+TEST(TrialPredictor, CommandsActLaterWhereTheirTimingIsFitted) {
+  const OneJointModel model(pushed);
+  const Trial trial = pushed_trial();
+  Trial late = trial;
+  late.commands.series.times.array() += 0.3 * command_interval(trial);
+  const TrialPredictor timed(model, {trial, late}, 1, Timing::fitted), recorded(model, {trial, late}, 1);
+  Prediction by_timing, by_times, as_recorded;
+  timed.predict(timed.whole(0), std::vector{2.0, 0.3}, {{0.1}, {0.3}}, 0, by_timing);
+  recorded.predict(recorded.whole(1), std::vector{2.0}, {{0.1}, {0.3}}, 0, by_times);
+  timed.predict(timed.whole(0), std::vector{2.0, 0.0}, {{0.1}, {0.3}}, 0, as_recorded);
+  EXPECT_EQ(by_timing.samples, by_times.samples);
+  EXPECT_EQ(as_recorded.samples, trial.measured.samples);
+  timed.predict(timed.whole(1), std::vector{2.0, -0.3}, {{0.1}, {0.3}}, 0, by_timing);
+  EXPECT_LT((by_timing.samples - trial.measured.samples).cwiseAbs().maxCoeff(), 1e-12) << "of another trial's commands";
+}
+
 TEST(TrialPredictor, OneSampleIsTheStart) {
   const OneJointModel model(pushed);
   const TrialPredictor predictor(model, {pushed_trial()}, 1);

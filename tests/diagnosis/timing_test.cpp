@@ -1,0 +1,97 @@
+#include "diagnosis/timing.h"
+
+#include "config/experiment_reader.h"
+#include "diagnosis/cut_trials.h"
+#include "diagnosis/recorded_pendulum.h"
+#include "diagnosis/round.h"
+#include "plugins/built_catalog.h"
+
+#include <gtest/gtest.h>
+
+namespace lacuna {
+namespace {
+
+constexpr double kInterval = 0.01;  ///< s, between commands of the recordings
+
+/// Rounds of a pendulum whose commands act later than was recorded.
+class TimingOfCommands : public testing::Test {
+ protected:
+  TimingOfCommands() {
+    experiment_.engine.step = kInterval;
+    experiment_.engine.substeps = 8;
+    experiment_.noise = {};
+    experiment_.model.effects = {};
+    const ModelDefinition definition = define_model(experiment_, built_catalog());
+    model_ = plain(experiment_, built_catalog(), definition.start_values(), 8);
+  }
+
+  Round round_of(const Contender& contender, double delay) {
+    const PendulumTruth truth = {.inertia = 0.03, .damping = 0.02, .delay = delay};
+    const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
+                                       recorded(truth, "steps.csv", steps, 6.0, 4)};
+    const BaseSolution start = cut_trials({contender.definition, *contender.model, trials, contender.values, 0.0, 2});
+    return run_round({built_catalog(), contender, start, Moving::all, {"coulomb_friction"}, 1, 2, meter_});
+  }
+
+  Contender with_delay(double delay) {
+    std::vector<double> values = model_.values;
+    values.push_back(delay);
+    return with_effects(model_, {{"late", "command_delay", {"actuator.motor"}, {}, {}}}, values, built_catalog());
+  }
+
+  Experiment experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
+  Contender model_;
+  const ProgressCallback nobody_;
+  ProgressMeter meter_{nobody_};
+};
+
+TEST_F(TimingOfCommands, IsFoundBesideTheValuesAndLeavesNothingMissing) {
+  const Round round = round_of(model_, 0.4 * kInterval);
+  ASSERT_TRUE(round.base.timing);
+  EXPECT_NEAR(*round.base.timing, 0.4, 0.08) << "half an integration step is a sixteenth";
+  EXPECT_EQ(round.fit.timing, round.base.timing);
+  BaseSolution as_recorded = round.base;
+  as_recorded.timing = 0.0;
+  linearise_timing(model_, round.bins, 1, as_recorded);
+  EXPECT_LT(round.base.residual, 0.8 * as_recorded.residual);
+  EXPECT_GT(round.screening.p, 0.05);
+}
+
+TEST_F(TimingOfCommands, GoesNoFurtherThanAnInterval) {
+  const Round round = round_of(model_, 2.0 * kInterval);
+  ASSERT_TRUE(round.base.timing);
+  EXPECT_EQ(*round.base.timing, 1.0);
+  EXPECT_TRUE(round.fit.at_bound.back());
+}
+
+TEST_F(TimingOfCommands, IsLeftOutWhereTheModelHoldsADelay) {
+  const Round round = round_of(with_delay(0.02), 2.0 * kInterval);
+  EXPECT_FALSE(round.base.timing);
+  EXPECT_FALSE(round.fit.timing);
+  EXPECT_TRUE(round.base.by_timing.empty());
+  EXPECT_NEAR(round.fit.values.back(), 2.0 * kInterval, 0.08 * kInterval);
+}
+
+TEST_F(TimingOfCommands, StandsBesideTheValuesUnlessItIsHeld) {
+  const Round round = round_of(model_, 0.4 * kInterval);
+  const Eigen::Index values = round.base.linear.front().values.cols();
+  const std::vector<LinearSegment> free = beside_timing(round.base, false), held = beside_timing(round.base, true);
+  ASSERT_EQ(free.front().values.cols(), values + 1);
+  EXPECT_EQ(free.front().values.rightCols(1), round.base.by_timing.front());
+  EXPECT_EQ(held.front().values.cols(), values);
+}
+
+TEST_F(TimingOfCommands, ChangesTheResidualAsItsDerivativeSays) {
+  const Round round = round_of(model_, 0.4 * kInterval);
+  BaseSolution later = round.base;
+  constexpr double kMore = 0.1;
+  *later.timing += kMore;
+  linearise_timing(model_, round.bins, 1, later);
+  for (std::size_t k = 0; k < later.linear.size(); ++k) {
+    const Eigen::VectorXd change = later.linear[k].residual - round.base.linear[k].residual;
+    EXPECT_LT((change - kMore * round.base.by_timing[k]).norm(), 0.05 * change.norm());
+  }
+}
+
+}  // namespace
+}  // namespace lacuna
