@@ -68,8 +68,8 @@ std::string what_was_not_taken(const Diagnosis& diagnosis, const Round& last) {
 std::string off_time(const Round& last) {
   const double timing = last.base.timing.value_or(0.0), size = std::abs(timing);
   if (size < kOffTime) return "";
-  if (const Eigen::Index own = last.fit.covariance.rows() - 1; size < kSure * std::sqrt(last.fit.covariance(own, own)))
-    return "";
+  const Eigen::Index own = last.fit.covariance.rows() - 1;
+  if (size < kSure * std::sqrt(last.fit.covariance(own, own))) return "";
   return fmt::format(
       "commands act {} {} than recorded{}: a matter of recording, which this fit allows for; compare and trial do not, "
       "unless the times of commands are shifted by as much",
