@@ -1,5 +1,6 @@
 #include "diagnosis/fewer_effects.h"
 
+#include "diagnosis/channel_errors.h"
 #include "diagnosis/rejudge.h"
 #include "diagnosis/simpler_effects.h"
 
@@ -16,6 +17,8 @@ constexpr double kLittle = 0.1;        ///< of the answer's gain
 constexpr double kUncertain = 5.0;     ///< standard errors of what is lost: less may be a matter of form
 constexpr double kHardlyLess = 0.05;   ///< of the answer's gain
 constexpr double kNothingMuch = 2.0;   ///< nats
+constexpr double kMostOfIt = 0.5;      ///< of the squared error above the floor
+constexpr double kNoticeable = 0.2;    ///< of the floor's square
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -24,11 +27,16 @@ constexpr int kSoonShown = 8;        ///< of a refit: what is a tenth of the gai
 struct Judged {
   FewerEffects model;
   Eigen::VectorXd held_out;
+  double above_floor = 0.0;  ///< mean square of what was left out, in units of the noise floor's, less 1
 };
 
 class Contest {
  public:
-  explicit Contest(const FewerEffectsTask& task) : task_(task), all_(task.unaided.behind) {}
+  explicit Contest(const FewerEffectsTask& task)
+      : task_(task),
+        all_(task.unaided.behind),
+        none_above_(above_floor(task.unaided.fit)),
+        answer_above_(above_floor(task.now.fit)) {}
 
   std::optional<FewerEffects> run() {
     if (all_.value <= kNothingMuch) return std::nullopt;
@@ -98,9 +106,10 @@ class Contest {
   void add(std::vector<EffectEntry> added, Refit fit, std::optional<std::size_t> of_first) {
     if (!fit.valid) return;
     const Eigen::VectorXd held_out = held_out_deviance(fit, task_.now.folds);
+    const double above = above_floor(fit);
     const Gain over_none = gain(task_.unaided.held_out, held_out, task_.seed);
     judged_.push_back(
-        {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out});
+        {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out, above});
   }
 
   /// Of those that are enough: the best, or one with fewer parameters that is hardly behind it; nothing if none is.
@@ -124,15 +133,28 @@ class Contest {
     const Gain lost = gain(one.held_out, task_.now.held_out, task_.seed);
     if (one.model.added.size() == task_.answer.added.size())
       return lost.value <= std::max(kNothingMuch, lost.standard_error);
-    return lost.value <= std::max(kNothingMuch, std::min(kLittle * all_.value, kUncertain * lost.standard_error));
+    if (lost.value <= std::max(kNothingMuch, std::min(kLittle * all_.value, kUncertain * lost.standard_error)))
+      return true;
+    return rest_is_form({none_above_, one.above_floor, answer_above_});
+  }
+
+  double above_floor(const Refit& fit) const {
+    const Round& now = task_.now;
+    return std::pow(times_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds)), 2) - 1.0;
   }
 
   const FewerEffectsTask& task_;
-  const Gain all_;  ///< of the answer
+  const Gain all_;                          ///< of the answer
+  const double none_above_, answer_above_;  ///< above the floor: of the model without any effect, and of the answer
   std::vector<Judged> judged_;
 };
 
 }  // namespace
+
+bool rest_is_form(const AboveFloor& left) {
+  return left.by_fewer > kNoticeable && left.by_fewer < kMostOfIt * left.by_none &&
+         left.by_answer > kMostOfIt * left.by_fewer;
+}
 
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task) {
   if (task.answer.added.size() < 2) return std::nullopt;
