@@ -20,7 +20,7 @@ constexpr double kNoticeable = 0.01;  ///< of the value
 constexpr double kWorthSaying = 2.0;  ///< nats, what one more effect would gain
 constexpr double kHardly = 0.1;       ///< of what the answer gains
 constexpr double kOffTime = 0.1;      ///< command intervals; less may be an integration step
-constexpr double kSure = 3.0;         ///< standard errors
+constexpr double kFarBeyond = 3.0;    ///< standard errors
 
 std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
   const ParameterSpace space(contender.definition.free);
@@ -69,7 +69,7 @@ std::string off_time(const Round& last) {
   const double timing = last.base.timing.value_or(0.0), size = std::abs(timing);
   if (size < kOffTime) return "";
   const Eigen::Index own = last.fit.covariance.rows() - 1;
-  if (size < kSure * std::sqrt(last.fit.covariance(own, own))) return "";
+  if (size < kFarBeyond * std::sqrt(last.fit.covariance(own, own))) return "";
   return fmt::format(
       "commands act {} {} than recorded{}: a matter of recording, which this fit allows for; compare and trial do not, "
       "unless the times of commands are shifted by as much",

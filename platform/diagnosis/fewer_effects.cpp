@@ -17,12 +17,12 @@ constexpr double kLittle = 0.1;        ///< of the answer's gain
 constexpr double kUncertain = 5.0;     ///< standard errors of what is lost: less may be a matter of form
 constexpr double kHardlyLess = 0.05;   ///< of the answer's gain
 constexpr double kNothingMuch = 2.0;   ///< nats
-constexpr double kMostOfIt = 0.5;      ///< of the squared error above the floor
-constexpr double kNoticeable = 0.2;    ///< of the floor's square
+constexpr double kLargerPart = 0.5;    ///< of the squared error above the floor
+constexpr double kClearOfFloor = 0.2;  ///< of the floor's square
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
-constexpr int kSoonShown = 8;        ///< of a refit: what is a tenth of the gain behind shows soon
+constexpr int kFewSteps = 8;         ///< of a refit: what is a tenth of the gain behind shows soon
 
 struct Judged {
   FewerEffects model;
@@ -92,7 +92,7 @@ class Contest {
 
   void add_contender(const Contender& model) {
     const double precision = kFineShare * std::max(1.0, all_.value);  // of the deviance
-    add(model.added, refit_reduced(model, task_.now, task_.threads, {precision, kSoonShown}),
+    add(model.added, refit_reduced(model, task_.now, task_.threads, {precision, kFewSteps}),
         model.added.size() == 1 ? rival_of(model.added.front()) : std::nullopt);
   }
 
@@ -152,8 +152,8 @@ class Contest {
 }  // namespace
 
 bool rest_is_form(const AboveFloor& left) {
-  return left.by_fewer > kNoticeable && left.by_fewer < kMostOfIt * left.by_none &&
-         left.by_answer > kMostOfIt * left.by_fewer;
+  return left.by_fewer > kClearOfFloor && left.by_fewer < kLargerPart * left.by_none &&
+         left.by_answer > kLargerPart * left.by_fewer;
 }
 
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task) {

@@ -9,7 +9,7 @@
 namespace lacuna::test {
 namespace {
 
-constexpr std::size_t kFolds = 10;
+constexpr std::size_t kGroups = 10;
 constexpr int kDraws = 300;
 constexpr double kBeyond = 1.96;
 
@@ -31,7 +31,7 @@ struct Regression {
           {left, rows, Eigen::MatrixXd::Zero(kRows, 0), std::vector<std::size_t>(static_cast<std::size_t>(kRows), 0)});
       gram += rows.transpose() * rows;
       score += rows.transpose() * left;
-      folds.push_back({k % kFolds});
+      folds.push_back({k % kGroups});
     }
     found = -gram.ldlt().solve(score);
     for (RobustSegment& segment : fit.segments) segment.residual += segment.values * found;

@@ -140,14 +140,14 @@ TEST_F(QuadrupedTest, LegInertiaIsThatOfASolidCapsule) {
 
 /// With all servos at their middle the robot stays as it stands, all four feet on the ground.
 TEST_F(QuadrupedTest, StandsStillWhereNothingIsCommanded) {
-  constexpr double kEnd = 2.0, kStep = 0.01;  // s; the source's step
-  constexpr double kSag = 0.05;               // m, of servos that give way under the weight
+  constexpr double kEnd = 2.0, kSourceStep = 0.01;  // s; the source's step
+  constexpr double kSag = 0.05;                     // m, of servos that give way under the weight
   SensorSpec height;
   height.name = "height";
   height.kind = SensorKind::body_position;
   height.element = "torso";
   robot_.sensors.push_back(height);
-  SimulationRun run(robot_, kStep);
+  SimulationRun run(robot_, kSourceStep);
   for (const ActuatorSpec& actuator : robot_.actuators) run.command(actuator.name, 0.0);
   const TimeSeries readings = run.run({0.0, kEnd}).readings;
   EXPECT_NEAR(last_vector(readings, "height").z(), 0.85, kSag);

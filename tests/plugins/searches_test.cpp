@@ -124,7 +124,7 @@ TEST_F(DifferentialEvolutionTest, SolvesRosenbrocksValley) { EXPECT_LT(solve(ros
 
 /// Without crossover but for one gene, a challenger is its target with one gene of the mutant.
 TEST_F(DifferentialEvolutionTest, ChallengersAreMutantsOfThreeOthers) {
-  constexpr double kWeight = 0.1, kRounding = 1e-12;
+  constexpr double kWeight = 0.1, kLastDigits = 1e-12;
   const auto search = begin("differential_evolution", {4, 2, kWeight, 0.0});
   const std::vector<Individual> first = search->ask();
   search->tell(std::vector<double>(4, 1.0));
@@ -144,7 +144,7 @@ TEST_F(DifferentialEvolutionTest, ChallengersAreMutantsOfThreeOthers) {
       ++changed;
       const double step = kWeight * (first[others[0]].genome[i] - first[others[1]].genome[i]);
       const double moved = challenger.genome[i] - first[base].genome[i];
-      EXPECT_NEAR(std::abs(moved), std::abs(step), kRounding);
+      EXPECT_NEAR(std::abs(moved), std::abs(step), kLastDigits);
     }
     EXPECT_EQ(changed, 1);
   }
