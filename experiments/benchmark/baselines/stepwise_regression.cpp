@@ -12,7 +12,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr std::size_t kTries = 9;  ///< shapes of an effect
+constexpr std::size_t kShapesTried = 9;  ///< shapes of an effect
 constexpr std::size_t kMostChosen = 3;
 constexpr double kNoRegressor = -1e9;  ///< nats
 constexpr double kIndependent = 1e-4;  ///< of a column's length: less is not told apart from the others
@@ -104,7 +104,7 @@ class Stepwise {
   void add_group(std::size_t c, const Eigen::VectorXd& values) {
     if (candidates_[c].law.kind->place == Place::sensor) return;
     RegressorGroup group{c, candidates_[c].law.kind->parameters.size(), {}};
-    for (const Try& tried : candidates_[c].tries(kTries)) {
+    for (const Try& tried : candidates_[c].tries(kShapesTried)) {
       const Eigen::MatrixXd columns = regression_.of_candidate(candidates_[c], tried, values);
       if (columns.size() > 0) group.shapes.push_back(weights_.asDiagonal() * columns);
     }
