@@ -22,8 +22,9 @@ double longest_command_interval(const std::vector<Trial>& trials);
 /// holds a delay, or whose start makes up for one, would have two values that do the same.
 bool tells_timing(const Refit& fit);
 
-/// Moves a base's linear segments, which are those of commands as recorded, to where these act as late as its timing
-/// says, and takes down how they change with that. Throws `Error` where the model cannot be simulated so.
+/// Takes the residuals of a base's linear segments where commands act as late as its timing says, and takes down how
+/// they change with that; the derivatives by values and starts stay those of commands as recorded. Throws `Error` where
+/// the model cannot be simulated so.
 void linearise_timing(const Contender& contender, const RowBins& bins, int threads, BaseSolution& base);
 
 /// A base's linear segments with its timing beside the values, unless that is `held` at a bound.

@@ -65,7 +65,7 @@ TEST_F(TimingOfCommands, GoesNoFurtherThanAnInterval) {
 }
 
 TEST_F(TimingOfCommands, IsLeftOutWhereTheModelHoldsADelay) {
-  const Round round = round_of(with_delay(0.02), 2.0 * kInterval);
+  const Round round = round_of(with_delay(1.4 * kInterval), 2.0 * kInterval);
   EXPECT_FALSE(round.base.timing);
   EXPECT_FALSE(round.fit.timing);
   EXPECT_TRUE(round.base.by_timing.empty());
