@@ -1,5 +1,7 @@
 #include "diagnosis/rival_predictor.h"
 
+#include "diagnosis/timing.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -32,8 +34,8 @@ RivalPredictor::RivalPredictor(const RivalModel& rival, std::vector<double> time
       space_(rival.definition.free),
       command_interval_(rival.command_interval),
       at_(Eigen::VectorXd::Zero(rival.coordinates())),
-      lower_(Eigen::VectorXd::Constant(rival.coordinates(), -1.0)),
-      upper_(Eigen::VectorXd::Constant(rival.coordinates(), 1.0)),
+      lower_(Eigen::VectorXd::Constant(rival.coordinates(), -kMostTiming)),
+      upper_(Eigen::VectorXd::Constant(rival.coordinates(), kMostTiming)),
       coordinates_(rival.model.coordinates().size()) {
   at_.head(space_.size()) = space_.to_coordinates(rival.values);
   lower_.head(space_.size()) = space_.lower();

@@ -2,9 +2,12 @@
 
 #include "diagnosis/normal_equations.h"
 
+#include <lacuna/error.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -22,24 +25,30 @@ class TimedModel {
         base_(base),
         bins_(bins) {}
 
-  /// By segment. Throws `Error` where the model cannot be simulated.
-  std::vector<Eigen::VectorXd> residuals(double timing) {
+  /// By segment; nothing where the model cannot be simulated.
+  std::optional<std::vector<Eigen::VectorXd>> residuals(double timing) {
     std::vector<double> values = base_.values;
     values.push_back(timing);
     std::vector<Eigen::VectorXd> rows;
-    if (!problem_.residuals({space_.to_coordinates(values), base_.states}, rows))
-      throw Error("the model cannot be simulated with other timing: " + problem_.last_reason());
+    if (!problem_.residuals({space_.to_coordinates(values), base_.states}, rows)) return std::nullopt;
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = bins_.means(k, rows[k]);
     return rows;
   }
 
-  std::vector<Eigen::VectorXd> derivatives(double timing) {
-    const double behind = std::max(timing - kStep, -1.0), ahead = std::min(timing + kStep, 1.0);
-    std::vector<Eigen::VectorXd> change = residuals(ahead);
-    const std::vector<Eigen::VectorXd> from = residuals(behind);
-    for (std::size_t k = 0; k < change.size(); ++k) change[k] = (change[k] - from[k]) / (ahead - behind);
+  /// Between both sides of `timing`, where the residuals are `here`, or of the one that can be simulated.
+  std::vector<Eigen::VectorXd> derivatives(double timing, const std::vector<Eigen::VectorXd>& here) {
+    const double behind = std::max(timing - kStep, -kMostTiming), ahead = std::min(timing + kStep, kMostTiming);
+    const auto before = residuals(behind), after = residuals(ahead);
+    const double width = (after ? ahead : timing) - (before ? behind : timing);
+    std::vector<Eigen::VectorXd> change;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      const Eigen::VectorXd difference = (after ? (*after)[k] : here[k]) - (before ? (*before)[k] : here[k]);
+      change.emplace_back(difference / std::max(width, kStep));
+    }
     return change;
   }
+
+  const std::string& last_reason() const { return problem_.last_reason(); }
 
  private:
   TrialPredictor predictor_;
@@ -52,7 +61,7 @@ class TimedModel {
 }  // namespace
 
 std::vector<FreeValue> with_timing(std::vector<FreeValue> free) {
-  free.push_back({.address = "timing", .unit = "1", .lower = -1.0, .upper = 1.0, .start = 0.0});
+  free.push_back({.address = "timing", .unit = "1", .lower = -kMostTiming, .upper = kMostTiming, .start = 0.0});
   return free;
 }
 
@@ -80,10 +89,11 @@ void linearise_timing(const Contender& contender, const RowBins& bins, int threa
   base.by_timing.clear();
   if (!base.timing) return;
   TimedModel model(contender, base, bins, threads);
-  const std::vector<Eigen::VectorXd> residuals = model.residuals(*base.timing);
-  for (std::size_t k = 0; k < residuals.size(); ++k) base.linear[k].residual = residuals[k];
+  const auto residuals = model.residuals(*base.timing);
+  if (!residuals) throw Error("the fitted model cannot be simulated: " + model.last_reason());
+  for (std::size_t k = 0; k < residuals->size(); ++k) base.linear[k].residual = (*residuals)[k];
   base.residual = rms(base.linear);
-  base.by_timing = model.derivatives(*base.timing);
+  base.by_timing = model.derivatives(*base.timing, *residuals);
 }
 
 std::vector<LinearSegment> beside_timing(const BaseSolution& base, bool held) {

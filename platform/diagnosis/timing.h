@@ -10,9 +10,10 @@ namespace lacuna {
 /// Within one command interval, when commands act is a matter of recording (which side of a sample a command is held
 /// on), no effect: it is fitted beside the model's values. That it is anywhere in between is known beforehand, and
 /// counts as much as the variance of an even distribution tells.
-inline constexpr double kTimingVariance = 1.0 / 3.0;  ///< in squared command intervals
+inline constexpr double kMostTiming = 1.0;  ///< command intervals, later or earlier
+inline constexpr double kTimingVariance = kMostTiming * kMostTiming / 3.0;
 
-/// A model's free values, and how many command intervals later than recorded all commands act: −1 to 1.
+/// A model's free values, and how many command intervals later than recorded all commands act.
 std::vector<FreeValue> with_timing(std::vector<FreeValue> free);
 
 /// s, between commands: the longest of a trial; 0 where nothing is commanded.
@@ -23,8 +24,8 @@ double longest_command_interval(const std::vector<Trial>& trials);
 bool tells_timing(const Refit& fit);
 
 /// Takes the residuals of a base's linear segments where commands act as late as its timing says, and takes down how
-/// they change with that; the derivatives by values and starts stay those of commands as recorded. Throws `Error` where
-/// the model cannot be simulated so.
+/// they change with that (not at all where neither side can be simulated); the derivatives by values and starts stay
+/// those of commands as recorded. Throws `Error` where the model cannot be simulated so.
 void linearise_timing(const Contender& contender, const RowBins& bins, int threads, BaseSolution& base);
 
 /// A base's linear segments with its timing beside the values, unless that is `held` at a bound.
