@@ -28,7 +28,7 @@ add_custom_target(all_plugins)
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
-# Compiles the sources of a large target eight at a time; names in their anonymous namespaces must differ.
+# Compiles the sources of a large target sixteen at a time; names in their anonymous namespaces must differ.
 function(lacuna_compile_together target)
   if(LACUNA_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)

@@ -14,8 +14,7 @@ Refit from_rival(const Contender& model, const Round& round, const Rival& rival,
   Contender there = model;
   const std::vector<std::size_t>& places = round.hypotheses[rival.hypothesis].base;
   for (std::size_t i = 0; i < there.values.size(); ++i) there.values[i] = rival.fit.values[places[i]];
-  BaseSolution base = without_values(round.base);
-  base.states = rival.fit.states;
+  const BaseSolution base = from(without_values(round.base), rival.fit);
   return refit({there.definition, *there.model, {}}, base, round.bins, round.factors, {there.values}, threads,
                {RefitEffort().precision, kSoonShown});
 }

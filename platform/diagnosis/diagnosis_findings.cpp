@@ -21,6 +21,7 @@ constexpr double kWorthSaying = 2.0;  ///< nats, what one more effect would gain
 constexpr double kHardly = 0.1;       ///< of what the answer gains
 constexpr double kOffTime = 0.1;      ///< command intervals; less may be an integration step
 constexpr double kFarBeyond = 3.0;    ///< standard errors
+constexpr double kSameInterval = 0.99;
 
 std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
   const ParameterSpace space(contender.definition.free);
@@ -64,6 +65,18 @@ std::string what_was_not_taken(const Diagnosis& diagnosis, const Round& last) {
       name_of(last.hypotheses[best.hypothesis].entry), best.gain.value, 100.0 * share);
 }
 
+/// In seconds, and in command intervals where these differ from trial to trial.
+std::string lateness(double intervals, const std::vector<Trial>& trials) {
+  const double longest = longest_command_interval(trials);
+  double shortest = longest;
+  for (const Trial& trial : trials)
+    if (const double own = command_interval(trial); own > 0.0) shortest = std::min(shortest, own);
+  const std::string most = format_quantity(intervals * longest, "s");
+  if (shortest > kSameInterval * longest) return most;
+  return fmt::format("{:.2g} command intervals ({} to {})", intervals, format_quantity(intervals * shortest, "s"),
+                     most);
+}
+
 /// A user who simulates with the commands as recorded meets what is left by that.
 std::string off_time(const Round& last) {
   const double timing = last.base.timing.value_or(0.0), size = std::abs(timing);
@@ -73,7 +86,7 @@ std::string off_time(const Round& last) {
   return fmt::format(
       "commands act {} {} than recorded{}: a matter of recording, which this fit allows for; compare and trial do not, "
       "unless the times of commands are shifted by as much",
-      format_quantity(size * longest_command_interval(last.base.trials), "s"), timing > 0.0 ? "later" : "earlier",
+      lateness(size, last.base.trials), timing > 0.0 ? "later" : "earlier",
       last.fit.at_bound.back() ? ", or more" : "");
 }
 

@@ -216,7 +216,7 @@ class EffectSearch {
 
   /// What one of its effects gains beside the others, in a round of that model.
   double gain_of(const Contender& model, std::size_t which, const Round& round) const {
-    const Refit less = refit_reduced(lacuna::without(model, which, plain_, task_.catalog), round, task_.threads);
+    const Refit less = refit_under(round, lacuna::without(model, which, plain_, task_.catalog), task_.threads);
     return less.valid ? gain(held_out_deviance(less, round.folds), round.held_out, task_.seed).value : 0.0;
   }
 
@@ -278,7 +278,7 @@ class EffectSearch {
     const Eigen::VectorXd& with_it = round.rivals[chosen].held_out;
     for (std::size_t i = 0; i + 1 < contender_.added.size();) {
       Contender less = without(contender_, i, plain_, task_.catalog);
-      const Refit fit = refit_reduced(less, round, task_.threads);
+      const Refit fit = refit_under(round, less, task_.threads);
       const double by_chance = kSpent * static_cast<double>(contender_.values.size() - less.values.size());
       const bool spent = fit.valid && (fit.deviance - round.rivals[chosen].fit.deviance <= by_chance ||
                                        gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0);

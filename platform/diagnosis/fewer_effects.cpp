@@ -18,7 +18,8 @@ constexpr double kUncertain = 5.0;     ///< standard errors of what is lost: les
 constexpr double kHardlyLess = 0.05;   ///< of the answer's gain
 constexpr double kNothingMuch = 2.0;   ///< nats
 constexpr double kLargerPart = 0.5;    ///< of the squared error above the floor
-constexpr double kClearOfFloor = 0.2;  ///< of the floor's square
+constexpr double kClearOfFloor = 0.2;  ///< of the floor's square, on average
+constexpr double kClearlyLess = 0.1;   ///< of it: what a channel can lose to an effect, not to chance
 constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
@@ -27,16 +28,19 @@ constexpr int kFewSteps = 8;         ///< of a refit: what is a tenth of the gai
 struct Judged {
   FewerEffects model;
   Eigen::VectorXd held_out;
-  double above_floor = 0.0;  ///< mean square of what was left out, in units of the noise floor's, less 1
+  std::vector<ChannelError> errors;
 };
+
+/// Mean square of what was left out, in units of the noise floor's, less 1.
+double above_floor(const ChannelError& channel) { return std::pow(channel.held_out / channel.floor, 2) - 1.0; }
 
 class Contest {
  public:
   explicit Contest(const FewerEffectsTask& task)
       : task_(task),
         all_(task.unaided.behind),
-        none_above_(above_floor(task.unaided.fit)),
-        answer_above_(above_floor(task.now.fit)) {}
+        by_none_(errors_of(task.unaided.fit)),
+        by_answer_(errors_of(task.now.fit)) {}
 
   std::optional<FewerEffects> run() {
     if (all_.value <= kNothingMuch) return std::nullopt;
@@ -92,7 +96,7 @@ class Contest {
 
   void add_contender(const Contender& model) {
     const double precision = kFineShare * std::max(1.0, all_.value);  // of the deviance
-    add(model.added, refit_reduced(model, task_.now, task_.threads, {precision, kFewSteps}),
+    add(model.added, refit_under(task_.now, model, task_.threads, {precision, kFewSteps}),
         model.added.size() == 1 ? rival_of(model.added.front()) : std::nullopt);
   }
 
@@ -106,10 +110,11 @@ class Contest {
   void add(std::vector<EffectEntry> added, Refit fit, std::optional<std::size_t> of_first) {
     if (!fit.valid) return;
     const Eigen::VectorXd held_out = held_out_deviance(fit, task_.now.folds);
-    const double above = above_floor(fit);
+    std::vector<ChannelError> errors = errors_of(fit);
     const Gain over_none = gain(task_.unaided.held_out, held_out, task_.seed);
-    judged_.push_back(
-        {{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first}, held_out, above});
+    judged_.push_back({{std::move(added), std::move(fit), over_none, over_none.value / all_.value, of_first},
+                       held_out,
+                       std::move(errors)});
   }
 
   /// Of those that are enough: the best, or one with fewer parameters that is hardly behind it; nothing if none is.
@@ -135,25 +140,36 @@ class Contest {
       return lost.value <= std::max(kNothingMuch, lost.standard_error);
     if (lost.value <= std::max(kNothingMuch, std::min(kLittle * all_.value, kUncertain * lost.standard_error)))
       return true;
-    return rest_is_form({none_above_, one.above_floor, answer_above_});
+    return rest_is_form(channels_of(one));
   }
 
-  double above_floor(const Refit& fit) const {
-    const Round& now = task_.now;
-    return std::pow(times_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds)), 2) - 1.0;
+  std::vector<AboveFloor> channels_of(const Judged& one) const {
+    std::vector<AboveFloor> channels;
+    for (std::size_t c = 0; c < one.errors.size(); ++c)
+      channels.push_back({above_floor(by_none_[c]), above_floor(one.errors[c]), above_floor(by_answer_[c])});
+    return channels;
+  }
+
+  std::vector<ChannelError> errors_of(const Refit& fit) const {
+    return channel_errors(task_.now.base, task_.now.bins, task_.now.noise, fit, task_.now.folds);
   }
 
   const FewerEffectsTask& task_;
-  const Gain all_;                          ///< of the answer
-  const double none_above_, answer_above_;  ///< above the floor: of the model without any effect, and of the answer
+  const Gain all_;  ///< of the answer
+  const std::vector<ChannelError> by_none_, by_answer_;
   std::vector<Judged> judged_;
 };
 
 }  // namespace
 
-bool rest_is_form(const AboveFloor& left) {
-  return left.by_fewer > kClearOfFloor && left.by_fewer < kLargerPart * left.by_none &&
-         left.by_answer > kLargerPart * left.by_fewer;
+bool rest_is_form(const std::vector<AboveFloor>& channels) {
+  double none = 0.0, fewer = 0.0;
+  for (const AboveFloor& left : channels) {
+    none += left.by_none;
+    fewer += left.by_fewer;
+    if (left.by_fewer > kClearlyLess && left.by_answer < kLargerPart * left.by_fewer) return false;
+  }
+  return fewer > kClearOfFloor * static_cast<double>(channels.size()) && fewer < kLargerPart * none;
 }
 
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task) {

@@ -43,22 +43,23 @@ struct FewerEffectsTask {
 /// parameters that is at most a twentieth of that gain behind it: an effect that adds less than that is likelier to
 /// make up for the form of another than to be there, and the next diagnosis, with the others in the model, finds it if
 /// it is. Enough, too, is a model that explains most of the squared error above the floor where the answer removes less
-/// than half of what that leaves. Where all are needed, the answer with one effect in the place of another that
-/// declares it as a look-alike and has more parameters, if that loses no more than a standard error or 2 nats: beside
-/// an offset, friction of one level does what friction of two does. Nothing where the answer has one effect only, or
-/// needs all that it has.
+/// than half of what that leaves in any channel. Where all are needed, the answer with one effect in the place of
+/// another that declares it as a look-alike and has more parameters, if that loses no more than a standard error or 2
+/// nats: beside an offset, friction of one level does what friction of two does. Nothing where the answer has one
+/// effect only, or needs all that it has.
 std::optional<FewerEffects> fewer_effects(const FewerEffectsTask& task);
 
-/// What models leave of the readings that were left out: mean square, in units of the noise floor's, less 1.
+/// What models leave of a channel's readings that were left out: mean square, in units of the noise floor's, less 1.
 struct AboveFloor {
   double by_none = 0.0;  ///< no effect added
   double by_fewer = 0.0;
   double by_answer = 0.0;
 };
 
-/// Fewer effects explain most of what there is and leave something, of which the answer's others take less than half:
-/// an effect that is there would take the error to the floor, so these make up for the form of the fewer.
-bool rest_is_form(const AboveFloor& left);
+/// Fewer effects explain most of what there is and leave something, of which the answer's others take less than half in
+/// every channel: an effect that is there would take a channel's error to the floor, so these make up for the form of
+/// the fewer.
+bool rest_is_form(const std::vector<AboveFloor>& channels);
 
 /// A sentence that begins with the effects that are enough.
 std::string to_string(const FewerEffects& fewer, const std::vector<EffectEntry>& answer);

@@ -115,7 +115,7 @@ class RivalFits {
       add_starts(round_.hypotheses[h], probes_[h][score.probe], score, round_.base.values, starts);
     rivals_[i].hypothesis = h;
     rivals_[i].deviance = scores.front().deviance;
-    rivals_[i].fit = fit(i, starts, round_.base.states, kScoutIterations);
+    rivals_[i].fit = fit(i, starts, round_.base, kScoutIterations);
   }
 
   /// Beyond which a scout goes no further.
@@ -129,16 +129,14 @@ class RivalFits {
   void go_on(std::size_t i, double most) {
     const Refit& scout = rivals_[i].fit;
     if (!scout.valid || scout.converged || scout.deviance > most) return;
-    Refit further = fit(i, {scout.values}, scout.states, RefitEffort().iterations);
-    if (further.valid) rivals_[i].fit = std::move(further);
+    Refit further = fit(i, {scout.values}, from(round_.base, scout), RefitEffort().iterations);
+    if (further.valid && further.deviance <= scout.deviance) rivals_[i].fit = std::move(further);
   }
 
-  Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const std::vector<Eigen::VectorXd>& states,
+  Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const BaseSolution& base,
             int iterations) const {
     const auto& [h, scores] = list_[i];
     const Hypothesis& hypothesis = round_.hypotheses[h];
-    BaseSolution base = round_.base;
-    base.states = states;
     return refit({hypothesis.definition, *hypothesis.model, hypothesis.base}, base, round_.bins, round_.factors, starts,
                  1, {std::max(RefitEffort().precision, kFineEnough * scores.front().deviance), iterations});
   }

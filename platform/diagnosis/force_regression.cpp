@@ -37,7 +37,7 @@ ForceRegression::ForceRegression(const Refit& base, const std::vector<Eigen::Mat
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const RobustSegment& of_base = base.segments[k];
     RobustSegment segment{of_base.residual, Eigen::MatrixXd::Zero(of_base.residual.size(), values_ + count_),
-                          of_base.state, of_base.block_of};
+                          of_base.state, of_base.block_of, of_base.priors_of_values};
     segment.values.leftCols(values_) = of_base.values(Eigen::all, inside);
     segment.values.topRightCorner(of_base.bins(), count_) =
         -factors[k].triangularView<Eigen::Lower>().solve(columns[k]);  // residual: measured less predicted

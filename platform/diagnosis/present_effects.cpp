@@ -35,8 +35,8 @@ std::optional<PresentEffects> present_effects(const Contender& plain, const Plug
   if (plain.experiment.model.effects.empty()) return std::nullopt;
   PresentEffects present;
   for (const EffectEntry& entry : plain.experiment.model.effects) present.names.push_back(name_of(entry));
-  const Refit with = refit_reduced(plain, round, threads);
-  const Refit less = refit_reduced(without_effects(plain, catalog), round, threads);
+  const Refit with = refit_under(round, plain, threads);
+  const Refit less = refit_under(round, without_effects(plain, catalog), threads);
   if (!with.valid || !less.valid) return std::nullopt;
   present.gain = gain(held_out_deviance(less, round.folds), held_out_deviance(with, round.folds), seed);
   return present;

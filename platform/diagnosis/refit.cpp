@@ -36,7 +36,8 @@ void describe_solution(WhitenedProblem& problem, const RowBins& rows, const std:
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
   for (std::size_t k = 0; k < jacobians.size(); ++k) {
     const Eigen::Index bins = problem.robust_rows(k);
-    const RobustSegment segment{search.residuals[k], jacobians[k].values, jacobians[k].state, rows.blocks(k)};
+    const RobustSegment segment{search.residuals[k], jacobians[k].values, jacobians[k].state, rows.blocks(k),
+                                problem.priors_of_values()};
     WeightedSegment under_weights = weighted(segment, segment.weights(segment.residual));
     result.bin_residuals.emplace_back(factors[k] * segment.residual.head(bins));
     result.bin_derivatives.emplace_back(
@@ -54,7 +55,8 @@ void describe_solution(WhitenedProblem& problem, const RowBins& rows, const std:
   }
   result.covariance = Eigen::MatrixXd::Zero(count, count);
   if (inside.empty()) return;
-  const Eigen::VectorXd ranges = (problem.upper() - problem.lower()).cwiseMin(kWidest);
+  Eigen::VectorXd ranges = (problem.upper() - problem.lower()).cwiseMin(kWidest);
+  ranges.tail(problem.priors_of_values()).setConstant(kWidest);  // rows say what is known of these
   result.covariance(inside, inside) = inverse_within(information(inside, inside), ranges(inside));
 }
 
@@ -86,6 +88,12 @@ std::optional<FitPoint> best_start(WhitenedProblem& problem, const ParameterSpac
 }
 
 }  // namespace
+
+BaseSolution from(BaseSolution base, const Refit& fit) {
+  base.states = fit.states;
+  base.timing = fit.timing;
+  return base;
+}
 
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
             const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,

@@ -38,6 +38,9 @@ struct RefitEffort {
   int iterations = 30;
 };
 
+/// A base whose segments start, and whose commands act, where a fit to it ended: for one that goes on.
+BaseSolution from(BaseSolution base, const Refit& fit);
+
 /// Minimises from the best of `starts` (free values, SI).
 Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBins& bins,
             const std::vector<Eigen::MatrixXd>& factors, const std::vector<std::vector<double>>& starts, int threads,

@@ -2,7 +2,6 @@
 
 #include "diagnosis/normal_equations.h"
 #include "diagnosis/selection.h"
-#include "diagnosis/timing.h"
 #include "foundation/address.h"
 #include "foundation/parallel.h"
 
@@ -46,13 +45,8 @@ std::vector<Contender> models_of(const RejudgeTask& task, const std::vector<std:
   return models;
 }
 
-/// With the timing of commands beside its values, even where these do nearly the same: a lag and a timing are much like
-/// a delay.
-Refit refit_one(const RejudgeTask& task, const KeptRival& rival, const Contender& model, int threads) {
-  BaseSolution base = without_values(task.now.base);
-  if (!base.timing && longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
-  return refit({model.definition, *model.model, {}}, base, task.now.bins, task.now.factors, {rival.values}, threads,
-               {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations});
+RefitEffort effort_of(const KeptRival& rival) {
+  return {std::clamp(kFineEnough * 2.0 * rival.gain.value, RefitEffort().precision, kLeastFine), kIterations};
 }
 
 /// Whether the chosen effect and one more, with no more parameters than the richer rival, predict as well as it does:
@@ -115,7 +109,7 @@ std::vector<RefitAgain> refit_again(const RejudgeTask& task, const std::vector<s
   const int inner = std::max(1, task.threads / static_cast<int>(std::max<std::size_t>(which.size(), 1)));
   parallel_for(which.size(), task.threads, [&](std::size_t i, int) {
     const KeptRival& rival = task.before.rivals[which[i]];
-    fits[i].fit = refit_one(task, rival, models[i], inner);
+    fits[i].fit = refit_under(task.now, models[i], inner, effort_of(rival));
     fits[i].at_limit = is_at_limit(models[i].definition, rival.entry, fits[i].fit);
   });
   return fits;

@@ -57,7 +57,8 @@ Eigen::VectorXd block_deviances(const RobustSegment& segment, const Eigen::Vecto
   Eigen::VectorXd deviances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(segment.blocks()));
   for (Eigen::Index row = 0; row < segment.bins(); ++row)
     deviances(static_cast<Eigen::Index>(segment.block_of[static_cast<std::size_t>(row)])) += kBinLoss.cost(best(row));
-  deviances(0) += best.tail(best.size() - segment.bins()).squaredNorm();
+  const Eigen::Index of_start = best.size() - segment.bins() - segment.priors_of_values;
+  deviances(0) += best.segment(segment.bins(), of_start).squaredNorm();
   return deviances;
 }
 

@@ -20,6 +20,7 @@ struct RobustSegment {
   Eigen::MatrixXd values;             ///< its derivatives by the values' coordinates
   Eigen::MatrixXd state;              ///< and by what is unknown of the start
   std::vector<std::size_t> block_of;  ///< of each bin: the number of its block within the segment, 0 on
+  Eigen::Index priors_of_values = 0;  ///< last rows, which do not depend on the start
 
   Eigen::Index bins() const { return static_cast<Eigen::Index>(block_of.size()); }
   std::size_t blocks() const { return *std::max_element(block_of.begin(), block_of.end()) + 1; }
@@ -40,7 +41,8 @@ WeightedSegment weighted(const RobustSegment& segment, const Eigen::VectorXd& we
 Eigen::VectorXd at_best_start(const RobustSegment& segment, Eigen::VectorXd residual);
 
 /// −2 log likelihood, but for a constant, of each block of a segment whose residual at some start is `residual`; the
-/// start is free, and what it costs counts with the first block.
+/// start is free, and what it costs counts with the first block. What is known of the values beforehand is no
+/// reading, and counts nowhere.
 Eigen::VectorXd block_deviances(const RobustSegment& segment, const Eigen::VectorXd& residual);
 
 }  // namespace lacuna

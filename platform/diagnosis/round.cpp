@@ -164,9 +164,10 @@ BaseSolution without_values(BaseSolution base) {
   return base;
 }
 
-Refit refit_reduced(const Contender& less, const Round& round, int threads, RefitEffort effort) {
-  return refit({less.definition, *less.model, {}}, without_values(round.base), round.bins, round.factors, {less.values},
-               threads, effort);
+Refit refit_under(const Round& round, const Contender& model, int threads, RefitEffort effort) {
+  BaseSolution base = without_values(round.base);
+  if (!base.timing && longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
+  return refit({model.definition, *model.model, {}}, base, round.bins, round.factors, {model.values}, threads, effort);
 }
 
 }  // namespace lacuna

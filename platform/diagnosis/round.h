@@ -64,7 +64,8 @@ Round run_round(const RoundTask& task);
 /// The solution for a refit of a model with other values: segments, states and their difference steps alone.
 BaseSolution without_values(BaseSolution base);
 
-/// A model with fewer effects, refitted under the round's noise.
-Refit refit_reduced(const Contender& less, const Round& round, int threads, RefitEffort effort = {});
+/// Another model than the round's, refitted under its noise; with the timing of commands beside the values even where
+/// the round's model does without, whose delay may do the same.
+Refit refit_under(const Round& round, const Contender& model, int threads, RefitEffort effort = {});
 
 }  // namespace lacuna

@@ -26,10 +26,9 @@ Refit corrected(const Contender& model, const Round& last, const std::vector<Tri
   std::vector<std::size_t> own_places(fit.values.size());
   std::iota(own_places.begin(), own_places.end(), std::size_t{0});
   for (int time = 0; time < kMostFits; ++time) {
-    BaseSolution base = last.base;
+    BaseSolution base = from(last.base, fit);
     base.trials = measured;
     base.values = fit.values;
-    base.states = fit.states;
     if (!correct_for_steps(model.definition, base, threads)) return fit;
     Refit again =
         refit({model.definition, *model.model, own_places}, base, last.bins, last.factors, {fit.values}, threads);

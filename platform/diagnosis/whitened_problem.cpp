@@ -20,7 +20,7 @@ WhitenedProblem::WhitenedProblem(ShootingProblem& problem, const RowBins& bins,
 
 Eigen::MatrixXd WhitenedProblem::whitened(std::size_t k, const Eigen::MatrixXd& rows) const {
   const Eigen::Index measured = problem_.robust_rows(k), priors = rows.rows() - measured;
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(bins_.rows(k) + priors + timing_rows(), rows.cols());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(bins_.rows(k) + priors + priors_of_values(), rows.cols());
   result.topRows(bins_.rows(k)) = factors_[k].triangularView<Eigen::Lower>().solve(bins_.means(k, rows));
   result.middleRows(bins_.rows(k), priors) = rows.bottomRows(priors);
   return result;
@@ -40,7 +40,7 @@ bool WhitenedProblem::residuals(const FitPoint& point, std::vector<Eigen::Vector
   residuals.resize(raw_.size());
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     residuals[k] = whitened(k, raw_[k]);
-    residuals[k].tail(timing_rows()) = timing_root_ * point.values.tail(timing_rows());
+    residuals[k].tail(priors_of_values()) = timing_root_ * point.values.tail(priors_of_values());
   }
   return true;
 }
@@ -53,7 +53,7 @@ void WhitenedProblem::linearize(const FitPoint& point, const std::vector<Eigen::
   jacobians.resize(raw_.size());
   for (std::size_t k = 0; k < raw_.size(); ++k) {
     jacobians[k].values = whitened(k, unwhitened[k].values);
-    jacobians[k].values.bottomRightCorner(timing_rows(), timing_rows()).setConstant(timing_root_);
+    jacobians[k].values.bottomRightCorner(priors_of_values(), priors_of_values()).setConstant(timing_root_);
     jacobians[k].state = whitened(k, unwhitened[k].state);
   }
 }

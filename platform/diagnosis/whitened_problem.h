@@ -21,11 +21,13 @@ class WhitenedProblem : public SegmentedProblem {
   bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override;
   void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                  std::vector<SegmentJacobian>& jacobians) override;
+  /// The last values of which something is known beforehand, and the last rows of each segment, which say it: the
+  /// timing's, or none.
+  Eigen::Index priors_of_values() const { return timing_ == Timing::fitted ? 1 : 0; }
 
  private:
   /// Measured rows become whitened bins; the others follow, and the timing's, which is zero.
   Eigen::MatrixXd whitened(std::size_t k, const Eigen::MatrixXd& rows) const;
-  Eigen::Index timing_rows() const { return timing_ == Timing::fitted ? 1 : 0; }
   /// Brings `raw_` to that point. False where it cannot be simulated.
   bool simulate(const FitPoint& point);
 

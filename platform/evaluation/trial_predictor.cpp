@@ -9,6 +9,12 @@
 namespace lacuna {
 namespace {
 
+constexpr double kReadingsACommand = 10.0;
+
+double mean_interval(const Eigen::VectorXd& times) {
+  return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
+}
+
 void check_shape(const Trial& trial, const CompiledModel& model) {
   const TimeSeries& measured = trial.measured;
   if (measured.samples.rows() != measured.times.size() ||
@@ -23,8 +29,9 @@ void check_shape(const Trial& trial, const CompiledModel& model) {
 }  // namespace
 
 double command_interval(const Trial& trial) {
-  const Eigen::VectorXd& times = trial.commands.series.times;
-  return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
+  const double between_commands = mean_interval(trial.commands.series.times);
+  const double between_readings = mean_interval(trial.measured.times);
+  return between_readings > 0.0 ? std::min(between_commands, kReadingsACommand * between_readings) : between_commands;
 }
 
 TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers, Timing timing)

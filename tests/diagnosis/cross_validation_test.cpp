@@ -164,6 +164,23 @@ TEST(CrossValidation, AStartIsToldByTheBlocksThatStay) {
   EXPECT_TRUE(normals.without[1].score.isApprox(alone.values.transpose() * alone.residual, 1e-9));
 }
 
+/// What is known of a value beforehand draws its estimate; no reading is predicted better or worse for it.
+TEST(CrossValidation, DoesNotCountWhatIsKnownOfValuesBeforehand) {
+  Refit without = regression(4);
+  for (RobustSegment& segment : without.segments) segment.values.setZero();
+  Refit with = without;
+  for (RobustSegment& segment : with.segments) {
+    segment.residual.conservativeResize(kRows + 1);
+    segment.residual(kRows) = 7.0;
+    segment.values = Eigen::MatrixXd::Zero(kRows + 1, segment.values.cols());
+    segment.state = Eigen::MatrixXd::Zero(kRows + 1, segment.state.cols());
+    segment.priors_of_values = 1;
+  }
+  EXPECT_EQ(held_out_deviance(with, five_folds()), held_out_deviance(without, five_folds()));
+  for (RobustSegment& segment : with.segments) segment.priors_of_values = 0;
+  EXPECT_NE(held_out_deviance(with, five_folds()), held_out_deviance(without, five_folds()));
+}
+
 TEST(CrossValidation, HoldsAValueAtItsBoundFast) {
   Refit fit = regression(2);
   fit.at_bound[1] = true;

@@ -93,5 +93,31 @@ TEST_F(TimingOfCommands, ChangesTheResidualAsItsDerivativeSays) {
   }
 }
 
+/// An even distribution from one interval early to one late.
+TEST_F(TimingOfCommands, IsAsUncertainAsBeforehandWhereTheDataTellNothing) {
+  const Round round = round_of(model_, 0.4 * kInterval);
+  std::vector<Eigen::MatrixXd> useless = round.factors;
+  for (Eigen::MatrixXd& factor : useless) factor *= 1e6;
+  const Refit fit = refit({model_.definition, *model_.model, {}}, without_values(round.base), round.bins, useless,
+                          {round.base.values}, 1, {0.01, 1});
+  EXPECT_NEAR(fit.covariance.bottomRightCorner(1, 1).value(), kTimingVariance, 1e-3);
+}
+
+TEST_F(TimingOfCommands, IsWhereAFitEndedForOneThatGoesOn) {
+  const Round round = round_of(model_, 0.4 * kInterval);
+  Refit ended = round.fit;
+  ended.timing = 0.3;
+  EXPECT_EQ(from(round.base, ended).timing, 0.3);
+}
+
+/// Without its delay the round's model, which does without timing, is compared with it at the best timing it can have.
+TEST_F(TimingOfCommands, IsFittedToAnotherModelWhereTheRoundsDoesWithout) {
+  const Round round = round_of(with_delay(1.4 * kInterval), 0.6 * kInterval);
+  ASSERT_FALSE(round.base.timing);
+  const Refit fit = refit_under(round, model_, 1);
+  ASSERT_TRUE(fit.timing);
+  EXPECT_NEAR(*fit.timing, 0.6, 0.08);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -74,6 +74,16 @@ TEST(TrialPredictor, TimedCommandsAreThoseOfTheirTrial) {
   EXPECT_NE(after.samples, before.samples);
 }
 
+TEST(CommandInterval, IsTheMeanOneOfATrial) { EXPECT_NEAR(command_interval(pushed_trial()), 0.01, 1e-12); }
+
+TEST(CommandInterval, OfRareRowsIsTenOfTheReadings) {
+  Trial steps = pushed_trial();
+  CommandSeries& commands = steps.commands;
+  commands.series.times = Eigen::Vector2d(0.0, 1.5);
+  commands.series.samples = commands.series.samples.topRows(2).eval();
+  EXPECT_NEAR(command_interval(steps), 0.1, 1e-12);
+}
+
 TEST(TrialPredictor, OneSampleIsTheStart) {
   const OneJointModel model(pushed);
   const TrialPredictor predictor(model, {pushed_trial()}, 1);
