@@ -1,6 +1,7 @@
 #include "fitting/fit.h"
 
 #include "fitting/covariance.h"
+#include "fitting/held_values.h"
 #include "fitting/identifiability.h"
 #include "fitting/progress_meter.h"
 #include "fitting/refine_all.h"
@@ -28,6 +29,7 @@ constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
 constexpr double kFine = 0.01;
 constexpr double kMiddling = 0.1;
 constexpr double kCoarse = 1.0;
+constexpr double kLoose = 1e-3;  ///< relative decrease of the cost that ends a search for where another one begins
 constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
@@ -190,12 +192,27 @@ class Fitter {
   }
 
   /// Short segments, or a base that is far off, may also lead away from what is known of an effect, such as what a
-  /// diagnosis found: where they did, the values that the experiment gives it are tried once more, beside the base's
-  /// best.
+  /// diagnosis found: where they did, the values that the experiment gives it are tried once more, beside the base that
+  /// fits best with them: the one that was found may have given them what it does itself.
   void return_to_known(const std::string& stage) {
     const std::vector<double> found = space_.to_values(candidates_.front().values);
     const std::vector<double> known = with_known_starts(task_.definition.free, found);
-    if (moved(known, found)) try_points({space_.to_coordinates(known)}, stage);
+    if (moved(known, found)) try_points({beside_base(space_.to_coordinates(known), stage)}, stage);
+  }
+
+  Eigen::VectorXd beside_base(const Eigen::VectorXd& known, const std::string& stage) {
+    std::vector<Eigen::Index> base;
+    for (Eigen::Index j = 0; j < space_.size(); ++j)
+      if (!is_of_effect(task_.definition.free[static_cast<std::size_t>(j)].address)) base.push_back(j);
+    if (base.empty()) return known;
+    meter_.add_parts(1);
+    meter_.begin_part(stage + ", beside the starts of effects");
+    problem_->set_scales(candidates_.front().scales);
+    LeastSquaresOptions options{.loss = loss_, .max_iterations = task_.options.max_iterations, .tolerance = kLoose};
+    options.progress = [&](int iteration) { meter_.report(iteration); };
+    const Eigen::VectorXd beside = fit_beside_held(*problem_, known, base, options);
+    meter_.end_part();
+    return beside;
   }
 
   /// Points that lead to something better become candidates.

@@ -80,8 +80,8 @@ struct FitResult {
 /// Finds the free values under which the model predicts the trials best, by METHOD's step 4: stages of
 /// growing segments, whose start states are fitted with them and are not counted as fit, then the last
 /// horizon; from several starts; with Huber's loss. Where the stages lead away from the starts of effects, these are
-/// tried once more in the last one, beside the base's best. A model without free values gives a result without
-/// values. The same digits whatever the number of threads. Throws `Error` if there is nothing to fit to
+/// tried once more in the last one, beside the base that fits best with them. A model without free values gives a
+/// result without values. The same digits whatever the number of threads. Throws `Error` if there is nothing to fit to
 /// or no starting point can be simulated, and `Interrupted`.
 ///
 /// Literature: H. G. Bock, "Recent advances in parameter identification techniques for O.D.E.", 1983
