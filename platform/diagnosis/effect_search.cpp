@@ -248,6 +248,7 @@ class EffectSearch {
     again_ = rejudge({last, plain_, task_.catalog, now, task_.seed, task_.threads});
     if (again_.better && !state_.tried.contains(names_with(last.added, last.rivals[*again_.better].entry))) {
       last.chosen = *again_.better;
+      last.rivals[last.chosen].values = again_.values;
       bring_to_front(state_.so_far.ranking, name_of(last.rivals[last.chosen].entry));
       take_chosen();
       return true;

@@ -138,6 +138,7 @@ Rejudged rejudge(const RejudgeTask& task) {
                           (ahead.value > alike && !a_pair_does_it(task, before.rivals[close[i]], held_out)));
     if ((simpler || further) && (!result.better || ahead.value > most)) {
       result.better = close[i];
+      result.values = fits[i].fit.values;
       most = ahead.value;
     }
   }

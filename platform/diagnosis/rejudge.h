@@ -18,6 +18,7 @@ struct Rejudged {
   /// and simpler. A richer one must be ahead of the chosen one together with any single effect of the next round, too,
   /// as long as the two have no more parameters.
   std::optional<std::size_t> better;
+  std::vector<double> values;  ///< of the better one's model, as refitted
   /// Rivals that these data do not tell from the chosen one, the closest first, refitted. Not a richer one that the
   /// data hold at the limit of its range, where it is no more than what a simpler one is.
   std::vector<std::pair<std::size_t, Refit>> inseparable;
