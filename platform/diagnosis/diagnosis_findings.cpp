@@ -71,7 +71,7 @@ std::string lateness(double intervals, const std::vector<Trial>& trials) {
   double shortest = longest;
   for (const Trial& trial : trials)
     if (const double own = command_interval(trial); own > 0.0) shortest = std::min(shortest, own);
-  const std::string most = format_quantity(intervals * longest, "s");
+  std::string most = format_quantity(intervals * longest, "s");
   if (shortest > kSameInterval * longest) return most;
   return fmt::format("{:.2g} command intervals ({} to {})", intervals, format_quantity(intervals * shortest, "s"),
                      most);

@@ -210,7 +210,7 @@ class Fitter {
     problem_->set_scales(candidates_.front().scales);
     LeastSquaresOptions options{.loss = loss_, .max_iterations = task_.options.max_iterations, .tolerance = kLoose};
     options.progress = [&](int iteration) { meter_.report(iteration); };
-    const Eigen::VectorXd beside = fit_beside_held(*problem_, known, base, options);
+    Eigen::VectorXd beside = fit_beside_held(*problem_, known, base, options);
     meter_.end_part();
     return beside;
   }
