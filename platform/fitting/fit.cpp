@@ -208,7 +208,10 @@ class Fitter {
     meter_.add_parts(1);
     meter_.begin_part(stage + ", beside the starts of effects");
     problem_->set_scales(candidates_.front().scales);
-    LeastSquaresOptions options{.loss = loss_, .max_iterations = task_.options.max_iterations, .tolerance = kLoose};
+    LeastSquaresOptions options;
+    options.loss = loss_;
+    options.max_iterations = task_.options.max_iterations;
+    options.tolerance = kLoose;
     options.progress = [&](int iteration) { meter_.report(iteration); };
     Eigen::VectorXd beside = fit_beside_held(*problem_, known, base, options);
     meter_.end_part();
