@@ -1,37 +1,19 @@
 #include "diagnosis/deeper_minimum.h"
 
-#include "config/experiment_reader.h"
-#include "diagnosis/cut_trials.h"
-#include "diagnosis/recorded_pendulum.h"
-#include "plugins/built_catalog.h"
+#include "diagnosis/pendulum_rounds.h"
 
 #include <gtest/gtest.h>
+
+#include <optional>
 
 namespace lacuna {
 namespace {
 
 /// A pendulum with dry friction that its model lacks, and a round that has looked for it.
-class DeeperMinimum : public testing::Test {
+class DeeperMinimum : public PendulumRounds {
  protected:
-  DeeperMinimum() {
-    experiment_.engine.step = 0.01;
-    experiment_.engine.substeps = 8;
-    experiment_.noise = {};
-    experiment_.model.effects = {};
-    const ModelDefinition definition = define_model(experiment_, built_catalog());
-    model_ = plain(experiment_, built_catalog(), definition.start_values(), 8);
-    const std::vector<Trial> trials = {recorded(kTruth, "multi.csv", multisine, 6.0, 3),
-                                       recorded(kTruth, "steps.csv", steps, 6.0, 4)};
-    const BaseSolution start = cut_trials({model_.definition, *model_.model, trials, model_.values, 0.0, 2});
-    round_.emplace(run_round({built_catalog(), model_, start, Moving::all, {"coulomb_friction"}, 1, 2, meter_}));
-  }
-
-  static constexpr PendulumTruth kTruth = {.inertia = 0.03, .damping = 0.02, .friction = 0.02};
-  Experiment experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
-  Contender model_;
-  const ProgressCallback nobody_;
-  ProgressMeter meter_{nobody_};
-  std::optional<Round> round_;
+  const PendulumTruth truth_ = {.inertia = 0.03, .damping = 0.02, .friction = 0.02};
+  std::optional<Round> round_ = round_of(model_, truth_, {"coulomb_friction"});
 };
 
 TEST_F(DeeperMinimum, IsNotWhatAnEffectExplains) {

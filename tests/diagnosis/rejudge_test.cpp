@@ -1,10 +1,7 @@
 #include "diagnosis/rejudge.h"
 
-#include "config/experiment_reader.h"
-#include "diagnosis/cut_trials.h"
+#include "diagnosis/pendulum_rounds.h"
 #include "diagnosis/ranking.h"
-#include "diagnosis/recorded_pendulum.h"
-#include "plugins/built_catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -16,30 +13,12 @@ namespace {
 constexpr double kFriction = 0.02;  ///< N·m, hidden
 
 /// A pendulum with dry friction, for which drag was taken first.
-class RejudgedFriction : public testing::Test {
+class RejudgedFriction : public PendulumRounds {
  protected:
-  RejudgedFriction() {
-    experiment_.engine.step = 0.01;
-    experiment_.engine.substeps = 8;
-    experiment_.noise = {};
-    experiment_.model.effects = {};
-    const ModelDefinition definition = define_model(experiment_, built_catalog());
-    model_ = plain(experiment_, built_catalog(), definition.start_values(), 8);
-  }
-
   Round round_of(const Contender& contender) {
-    const PendulumTruth truth = {.inertia = 0.03, .damping = 0.02, .friction = kFriction};
-    const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
-                                       recorded(truth, "steps.csv", steps, 6.0, 4)};
-    const BaseSolution start = cut_trials({contender.definition, *contender.model, trials, contender.values, 0.0, 2});
-    return run_round({built_catalog(), contender, start, Moving::all, among_, 1, 2, meter_});
+    return PendulumRounds::round_of(contender, {.inertia = 0.03, .damping = 0.02, .friction = kFriction},
+                                    {"coulomb_friction", "quadratic_drag"});
   }
-
-  const std::vector<std::string> among_ = {"coulomb_friction", "quadratic_drag"};
-  Experiment experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
-  Contender model_;
-  const ProgressCallback nobody_;
-  ProgressMeter meter_{nobody_};
 };
 
 TEST_F(RejudgedFriction, IsBetterAfterAllAndGoesOnFromWhereItWasRefitted) {

@@ -1,10 +1,6 @@
 #include "diagnosis/timing.h"
 
-#include "config/experiment_reader.h"
-#include "diagnosis/cut_trials.h"
-#include "diagnosis/recorded_pendulum.h"
-#include "diagnosis/round.h"
-#include "plugins/built_catalog.h"
+#include "diagnosis/pendulum_rounds.h"
 
 #include <gtest/gtest.h>
 
@@ -14,23 +10,11 @@ namespace {
 constexpr double kInterval = 0.01;  ///< s, between commands of the recordings
 
 /// Rounds of a pendulum whose commands act later than was recorded.
-class TimingOfCommands : public testing::Test {
+class TimingOfCommands : public PendulumRounds {
  protected:
-  TimingOfCommands() {
-    experiment_.engine.step = kInterval;
-    experiment_.engine.substeps = 8;
-    experiment_.noise = {};
-    experiment_.model.effects = {};
-    const ModelDefinition definition = define_model(experiment_, built_catalog());
-    model_ = plain(experiment_, built_catalog(), definition.start_values(), 8);
-  }
-
   Round round_of(const Contender& contender, double delay) {
-    const PendulumTruth truth = {.inertia = 0.03, .damping = 0.02, .delay = delay};
-    const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
-                                       recorded(truth, "steps.csv", steps, 6.0, 4)};
-    const BaseSolution start = cut_trials({contender.definition, *contender.model, trials, contender.values, 0.0, 2});
-    return run_round({built_catalog(), contender, start, Moving::all, {"coulomb_friction"}, 1, 2, meter_});
+    return PendulumRounds::round_of(contender, {.inertia = 0.03, .damping = 0.02, .delay = delay},
+                                    {"coulomb_friction"});
   }
 
   Contender with_delay(double delay) {
@@ -38,11 +22,6 @@ class TimingOfCommands : public testing::Test {
     values.push_back(delay);
     return with_effects(model_, {{"late", "command_delay", {"actuator.motor"}, {}, {}}}, values, built_catalog());
   }
-
-  Experiment experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
-  Contender model_;
-  const ProgressCallback nobody_;
-  ProgressMeter meter_{nobody_};
 };
 
 TEST_F(TimingOfCommands, IsFoundBesideTheValuesAndLeavesNothingMissing) {
