@@ -14,14 +14,14 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostOfIt = 0.95;    ///< of all that is to be gained
-constexpr double kMoved = 2.0;        ///< standard errors
-constexpr double kNoticeable = 0.01;  ///< of the value
-constexpr double kWorthSaying = 2.0;  ///< nats, what one more effect would gain
-constexpr double kHardly = 0.1;       ///< of what the answer gains
-constexpr double kOffTime = 0.1;      ///< command intervals; less may be an integration step
-constexpr double kFarBeyond = 3.0;    ///< standard errors
-constexpr double kSameInterval = 0.99;
+constexpr double kMostOfIt = 0.95;      ///< of all that is to be gained
+constexpr double kMoved = 2.0;          ///< standard errors
+constexpr double kNoticeable = 0.01;    ///< of the value
+constexpr double kWorthSaying = 2.0;    ///< nats, what one more effect would gain
+constexpr double kHardly = 0.1;         ///< of what the answer gains
+constexpr double kOffTime = 0.1;        ///< command intervals; less may be an integration step
+constexpr double kFarBeyond = 3.0;      ///< standard errors
+constexpr double kSameInterval = 0.99;  ///< shortest over longest: what rounded times of rows differ by
 
 std::string soaked_up(const BaseValues& base, const Contender& contender, const Round& last) {
   const ParameterSpace space(contender.definition.free);

@@ -79,9 +79,9 @@ class EffectSearch {
     const std::optional<Refit> deeper = deeper_minimum(contender_, round, task_.threads);
     if (!deeper) return round;
     go_deeper(*deeper, round);
+    start = from(std::move(start), *deeper);
     start.values = deeper->values;
-    start.states = deeper->states;
-    return look_from(start, Moving::if_needed);
+    return look_from(std::move(start), Moving::if_needed);
   }
 
   Round look_from(BaseSolution start, Moving moving) {
@@ -247,6 +247,7 @@ class EffectSearch {
     SearchStep& last = *state_.last;
     again_ = rejudge({last, plain_, task_.catalog, now, task_.seed, task_.threads});
     if (again_.better && !state_.tried.contains(names_with(last.added, last.rivals[*again_.better].entry))) {
+      last.rivals[last.chosen].values = now.fit.values;
       last.chosen = *again_.better;
       last.rivals[last.chosen].values = again_.values;
       bring_to_front(state_.so_far.ranking, name_of(last.rivals[last.chosen].entry));
@@ -272,18 +273,21 @@ class EffectSearch {
     }
   }
 
+  bool does_as_well(const Refit& less, const Rival& with_it, const Round& round) const {
+    if (!less.valid) return false;
+    const double explained = less.deviance - with_it.fit.deviance;
+    return explained <= kSpent * (with_it.fit.freedom() - less.freedom()) ||
+           gain(held_out_deviance(less, round.folds), with_it.held_out, task_.seed).value <= 0.0;
+  }
+
   /// Backward deletion: an effect that was added before leaves again where, with the new one there, it predicts
   /// nothing better, or explains no more than its parameters would explain of noise. Whether one left.
   bool leave_out_spent(const Round& round, std::size_t chosen) {
     bool left = false;
-    const Eigen::VectorXd& with_it = round.rivals[chosen].held_out;
     for (std::size_t i = 0; i + 1 < contender_.added.size();) {
       Contender less = without(contender_, i, plain_, task_.catalog);
       const Refit fit = refit_under(round, less, task_.threads);
-      const double by_chance = kSpent * static_cast<double>(contender_.values.size() - less.values.size());
-      const bool spent = fit.valid && (fit.deviance - round.rivals[chosen].fit.deviance <= by_chance ||
-                                       gain(held_out_deviance(fit, round.folds), with_it, task_.seed).value <= 0.0);
-      if (!spent || state_.tried.contains(names_of(less.added))) {
+      if (!does_as_well(fit, round.rivals[chosen], round) || state_.tried.contains(names_of(less.added))) {
         ++i;
         continue;
       }

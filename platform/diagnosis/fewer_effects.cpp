@@ -13,14 +13,14 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLittle = 0.1;        ///< of the answer's gain
-constexpr double kUncertain = 5.0;     ///< standard errors of what is lost: less may be a matter of form
-constexpr double kHardlyLess = 0.05;   ///< of the answer's gain
-constexpr double kNothingMuch = 2.0;   ///< nats
-constexpr double kLargerPart = 0.5;    ///< of the squared error above the floor
-constexpr double kClearOfFloor = 0.2;  ///< of the floor's square, on average
-constexpr double kClearlyLess = 0.1;   ///< of it: what a channel can lose to an effect, not to chance
-constexpr double kWorthJudging = 0.3;  ///< of the best first gain: rivals with less are no answer by themselves
+constexpr double kLittle = 0.1;         ///< of the answer's gain
+constexpr double kUncertain = 5.0;      ///< standard errors of what is lost: less may be a matter of form
+constexpr double kHardlyLess = 0.05;    ///< of the answer's gain
+constexpr double kNothingMuch = 2.0;    ///< nats
+constexpr double kLargerPart = 0.5;     ///< of the squared error above the floor
+constexpr double kClearOfFloor = 0.2;   ///< of the floor's square, on average
+constexpr double kClearOfChance = 0.1;  ///< of the floor's square: what a channel leaves that has more than noise
+constexpr double kWorthJudging = 0.3;   ///< of the best first gain: rivals with less are no answer by themselves
 constexpr std::size_t kMostJudged = 6;
 constexpr double kFineShare = 2e-3;  ///< of the answer's gain
 constexpr int kFewSteps = 8;         ///< of a refit: what is a tenth of the gain behind shows soon
@@ -167,7 +167,7 @@ bool rest_is_form(const std::vector<AboveFloor>& channels) {
   for (const AboveFloor& left : channels) {
     none += left.by_none;
     fewer += left.by_fewer;
-    if (left.by_fewer > kClearlyLess && left.by_answer < kLargerPart * left.by_fewer) return false;
+    if (left.by_fewer > kClearOfChance && left.by_answer < kLargerPart * left.by_fewer) return false;
   }
   return fewer > kClearOfFloor * static_cast<double>(channels.size()) && fewer < kLargerPart * none;
 }

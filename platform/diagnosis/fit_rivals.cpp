@@ -130,7 +130,8 @@ class RivalFits {
     const Refit& scout = rivals_[i].fit;
     if (!scout.valid || scout.converged || scout.deviance > most) return;
     Refit further = fit(i, {scout.values}, from(round_.base, scout), RefitEffort().iterations);
-    if (further.valid && further.deviance <= scout.deviance) rivals_[i].fit = std::move(further);
+    if (further.valid && further.deviance <= scout.deviance + RefitEffort().precision)
+      rivals_[i].fit = std::move(further);
   }
 
   Refit fit(std::size_t i, const std::vector<std::vector<double>>& starts, const BaseSolution& base,

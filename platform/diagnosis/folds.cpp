@@ -19,10 +19,17 @@ std::size_t count_of(const Folds& folds) {
   return count;
 }
 
-/// What the blocks of other folds say; nothing where there are none.
+/// What is known of the values beforehand, which a fold leaves where it is.
+WeightedSegment prior_of(const RobustSegment& segment) {
+  const Eigen::Index rows = segment.priors_of_values;
+  return {segment.residual.tail(rows), segment.values.bottomRows(rows), {}};
+}
+
+/// What the blocks of other folds say, and what is known beforehand.
 void add_without(std::size_t fold, const RobustSegment& segment, Eigen::VectorXd weights,
                  const std::vector<std::size_t>& folds, NormalEquations& normal) {
-  if (std::all_of(folds.begin(), folds.end(), [&](std::size_t other) { return other == fold; })) return;
+  if (std::all_of(folds.begin(), folds.end(), [&](std::size_t other) { return other == fold; }))
+    return normal.add(prior_of(segment));
   for (Eigen::Index row = 0; row < segment.bins(); ++row)
     if (folds[segment.block_of[static_cast<std::size_t>(row)]] == fold) weights(row) = 0.0;
   normal.add(weighted(segment, weights));

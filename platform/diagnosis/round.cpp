@@ -85,7 +85,7 @@ class Look {
     base = task_.start;
     bench_.settle(base, task_.moving);
     bench_.linearise(round_.bins, base);
-    if (longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
+    if (!base.timing && longest_command_interval(base.trials) > 0.0) base.timing = 0.0;
     linearise_timing(model_, round_.bins, task_.threads, base);
     if (base.free_run)
       base.doubts = contact_doubts(model_.definition, base, round_.bins, task_.threads);

@@ -91,7 +91,7 @@ Refit refit_over(const LengthTask& task, double length) {
   cut.segment = length;
   const Contender& contender = task.contender;
   BaseSolution base = cut_trials(cut, {contender.definition, *contender.model, task.fit.values, Moving::if_needed});
-  base.timing = task.last.base.timing;
+  base.timing = task.fit.timing;
   const ModelDefinition definition = definition_for(task, base);
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   correct_for_steps(definition, base, task.threads);

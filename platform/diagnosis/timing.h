@@ -16,7 +16,7 @@ inline constexpr double kTimingVariance = kMostTiming * kMostTiming / 3.0;
 /// A model's free values, and how many command intervals later than recorded all commands act.
 std::vector<FreeValue> with_timing(std::vector<FreeValue> free);
 
-/// s, between commands: the longest of a trial; 0 where nothing is commanded.
+/// s: of all trials the longest `command_interval`; 0 where nothing is commanded.
 double longest_command_interval(const std::vector<Trial>& trials);
 
 /// Whether data tell the timing of a fit beside its values and starts, to a third of an interval: else a model that

@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kReadingsACommand = 10.0;
+constexpr double kMostReadings = 10.0;  ///< that a command interval counts as
 
 double mean_interval(const Eigen::VectorXd& times) {
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
@@ -31,7 +31,7 @@ void check_shape(const Trial& trial, const CompiledModel& model) {
 double command_interval(const Trial& trial) {
   const double between_commands = mean_interval(trial.commands.series.times);
   const double between_readings = mean_interval(trial.measured.times);
-  return between_readings > 0.0 ? std::min(between_commands, kReadingsACommand * between_readings) : between_commands;
+  return between_readings > 0.0 ? std::min(between_commands, kMostReadings * between_readings) : between_commands;
 }
 
 TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers, Timing timing)

@@ -33,8 +33,8 @@ struct Prediction {
 /// trial's command intervals.
 enum class Timing { as_recorded, fitted };
 
-/// s, between the commands of a trial, on average, but at most ten intervals of its readings: rarer rows say when a
-/// command changes, not how often it is recorded. 0 where there is one command at most.
+/// s, between the commands of a trial, on average, but at most ten intervals of its readings: rarer rows may say
+/// when a command changes, not how often it is recorded. 0 where there is one command at most.
 double command_interval(const Trial& trial);
 
 /// Predicts stretches of trials with one compiled model, for any values of its parameters. Measured

@@ -1,7 +1,7 @@
 #include "fitting/fit.h"
 
+#include "fitting/anew.h"
 #include "fitting/covariance.h"
-#include "fitting/held_values.h"
 #include "fitting/identifiability.h"
 #include "fitting/progress_meter.h"
 #include "fitting/refine_all.h"
@@ -9,7 +9,6 @@
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
 #include "fitting/step_shift.h"
-#include "foundation/address.h"
 
 #include <fmt/format.h>
 
@@ -24,12 +23,6 @@ namespace {
 constexpr std::size_t kExploredSegments = 48;  ///< to choose among starting points
 constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to the last one
 constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
-/// By how many units of −2 log likelihood a search may miss its minimum: a tenth of a standard error at the end, a
-/// third on the way, a whole one to tell minima apart.
-constexpr double kFine = 0.01;
-constexpr double kMiddling = 0.1;
-constexpr double kCoarse = 1.0;
-constexpr double kLoose = 1e-3;  ///< relative decrease of the cost that ends a search for where another one begins
 constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
@@ -48,13 +41,6 @@ RobustLoss loss_of(const FitSection& options) {
   if (options.loss == "squared") return {};
   if (options.loss == "huber") return {options.loss_scale};
   throw Error("fit.loss is \"" + options.loss + "\"; write \"huber\" or \"squared\"");
-}
-
-/// `values` with where effects start; 0 says nothing of a size.
-std::vector<double> with_known_starts(const std::vector<FreeValue>& free, std::vector<double> values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (is_of_effect(free[i].address) && free[i].start != 0.0) values[i] = free[i].start;
-  return values;
 }
 
 /// What all stages of one fit share.
@@ -83,8 +69,7 @@ class Fitter {
       cut_into_segments(last ? predictor_ : *scout_, stage.length, last ? kAllSegments : kStageSegments);
       refine_candidates(stage.name, last ? kFine : kMiddling);
       if (refined_ < kRivals) meter_.end_part();
-      if (last && stages.size() > 1) search_anew(stage.name);
-      if (last) return_to_known(stage.name);
+      if (last) look_anew(stage.name);
       record(stage);
       keep_rivals(candidates_, problem_->samples());
     }
@@ -167,13 +152,6 @@ class Fitter {
     order_candidates();
   }
 
-  static std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates) {
-    std::vector<Eigen::VectorXd> starts;
-    starts.reserve(candidates.size());
-    for (const Candidate& candidate : candidates) starts.push_back(candidate.values);
-    return starts;
-  }
-
   void order_candidates() {
     agreeing_ = rank(candidates_, problem_->samples());
     if (!candidates_.front().valid)
@@ -184,49 +162,14 @@ class Fitter {
 
   RefinementOptions search(double precision) const { return {loss_, task_.options.max_iterations, precision, {}}; }
 
-  /// Where a model lacks something, short segments may lead far away from the values that predict whole trials
-  /// best. Where the values moved on the way, all starting points are tried once more.
-  void search_anew(const std::string& stage) {
-    if (!moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) return;
-    try_points(start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed), stage);
-  }
-
-  /// Short segments, or a base that is far off, may also lead away from what is known of an effect, such as what a
-  /// diagnosis found: where they did, the values that the experiment gives it are tried once more, beside the base that
-  /// fits best with them: the one that was found may have given them what it does itself.
-  void return_to_known(const std::string& stage) {
-    const std::vector<double> found = space_.to_values(candidates_.front().values);
-    const std::vector<double> known = with_known_starts(task_.definition.free, found);
-    if (moved(known, found)) try_points({beside_base(space_.to_coordinates(known), stage)}, stage);
-  }
-
-  Eigen::VectorXd beside_base(const Eigen::VectorXd& known, const std::string& stage) {
-    std::vector<Eigen::Index> base;
-    for (Eigen::Index j = 0; j < space_.size(); ++j)
-      if (!is_of_effect(task_.definition.free[static_cast<std::size_t>(j)].address)) base.push_back(j);
-    if (base.empty()) return known;
-    meter_.add_parts(1);
-    meter_.begin_part(stage + ", beside the starts of effects");
-    problem_->set_scales(candidates_.front().scales);
-    LeastSquaresOptions options;
-    options.loss = loss_;
-    options.max_iterations = task_.options.max_iterations;
-    options.tolerance = kLoose;
-    options.progress = [&](int iteration) { meter_.report(iteration); };
-    Eigen::VectorXd beside = fit_beside_held(*problem_, known, base, options);
-    meter_.end_part();
-    return beside;
-  }
-
-  /// Points that lead to something better become candidates.
-  void try_points(const std::vector<Eigen::VectorXd>& points, const std::string& stage) {
-    meter_.add_parts(2 * static_cast<int>(points.size()));
-    std::vector<Candidate> others = refine_all(*problem_, points, search(kCoarse), meter_, stage + ", anew");
-    refined_ += static_cast<int>(others.size());
-    const double best = candidates_.front().objective;
-    std::erase_if(others, [&](const Candidate& other) { return !other.valid || other.objective >= best; });
-    others = refine_all(*problem_, starts_of(others), search(kFine), meter_, stage + ", anew");
-    candidates_.insert(candidates_.end(), others.begin(), others.end());
+  /// Where the values moved on the way, or away from what is known, other starts are tried once more.
+  void look_anew(const std::string& stage) {
+    const AnewTask task{task_, space_, loss_, *problem_, meter_, stage};
+    if (!result_.stages.empty() && moved(result_.stages.back().values, space_.to_values(candidates_.front().values))) {
+      refined_ += try_all_starts(task, candidates_);
+      order_candidates();
+    }
+    refined_ += try_known_starts(task, candidates_);
     order_candidates();
   }
 

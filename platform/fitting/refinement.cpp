@@ -86,6 +86,13 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
   return candidate;
 }
 
+std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates) {
+  std::vector<Eigen::VectorXd> starts;
+  starts.reserve(candidates.size());
+  for (const Candidate& candidate : candidates) starts.push_back(candidate.values);
+  return starts;
+}
+
 int rank(std::vector<Candidate>& candidates, std::size_t samples) {
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.valid != b.valid ? a.valid : a.valid && a.objective < b.objective;

@@ -18,10 +18,14 @@ struct Candidate {
   double residual = 0.0;       ///< RMS of residual over sensor noise
 };
 
+/// By how many units of −2 log likelihood a search may miss its minimum: a tenth of a standard error at the end, a
+/// third on the way, a whole one to tell minima apart.
+inline constexpr double kFine = 0.01, kMiddling = 0.1, kCoarse = 1.0;
+
 struct RefinementOptions {
   RobustLoss loss;
   int max_iterations = 50;
-  double precision = 0.01;  ///< of minus twice the log likelihood (correlation minded), where the search may stop
+  double precision = kFine;  ///< of minus twice the log likelihood (correlation minded), where the search may stop
   std::function<void(int)> progress;
 };
 
@@ -29,6 +33,8 @@ struct RefinementOptions {
 /// follows the residual itself (median absolute deviation, at least the sensor noise), so that a model that is
 /// still wrong is not fitted as if all of its error were outliers.
 Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options);
+
+std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates);
 
 /// Sorts by objective, those that are not valid last. Returns how many reached the best one's error.
 int rank(std::vector<Candidate>& candidates, std::size_t samples);

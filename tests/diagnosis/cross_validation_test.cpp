@@ -181,6 +181,35 @@ TEST(CrossValidation, DoesNotCountWhatIsKnownOfValuesBeforehand) {
   EXPECT_NE(held_out_deviance(with, five_folds()), held_out_deviance(without, five_folds()));
 }
 
+/// A segment that is left out takes its readings along, not its share of that.
+TEST(CrossValidation, LeavesInWhatIsKnownOfValuesBeforehand) {
+  Refit fit = regression(4);
+  const Eigen::RowVector2d prior(0.0, 3.0);
+  std::vector<Eigen::VectorXd> weights(kSegments, Eigen::VectorXd::Ones(kRows + 1));
+  const std::vector<RobustSegment> readings = fit.segments;
+  for (RobustSegment& segment : fit.segments) {
+    segment.residual.conservativeResize(kRows + 1);
+    segment.residual(kRows) = 0.5;
+    segment.values.conservativeResize(kRows + 1, Eigen::NoChange);
+    segment.values.row(kRows) = prior;
+    segment.state = Eigen::MatrixXd::Zero(kRows + 1, 0);
+    segment.priors_of_values = 1;
+  }
+  const Folds folds = five_folds();
+  const Normals normals = normals_of(fit.segments, weights, folds);
+  for (std::size_t fold = 0; fold < 5; ++fold) {
+    Eigen::MatrixXd gram = kSegments * prior.transpose() * prior;
+    Eigen::VectorXd score = kSegments * 0.5 * prior.transpose();
+    for (std::size_t k = 0; k < kSegments; ++k) {
+      if (folds[k].front() == fold) continue;
+      gram += readings[k].values.transpose() * readings[k].values;
+      score += readings[k].values.transpose() * readings[k].residual;
+    }
+    EXPECT_TRUE(normals.without[fold].gram.isApprox(gram, 1e-9));
+    EXPECT_LT((normals.without[fold].score - score).norm(), 1e-9);
+  }
+}
+
 TEST(CrossValidation, HoldsAValueAtItsBoundFast) {
   Refit fit = regression(2);
   fit.at_bound[1] = true;

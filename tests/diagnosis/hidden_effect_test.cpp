@@ -9,8 +9,8 @@ namespace lacuna {
 namespace {
 
 /// `present`: what the model has already; `segment`: s, 0 for the usual length.
-Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {},
-                    double segment = 0.0) {
+Diagnosis diagnosed(const std::vector<Trial>& trials, const std::vector<std::string>& among,
+                    const EffectList& present = {}, double segment = 0.0) {
   Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
   experiment.engine.step = 0.01;
   experiment.engine.substeps = 8;
@@ -18,8 +18,6 @@ Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& 
   experiment.model.effects = present;
   const ModelDefinition definition = define_model(experiment, built_catalog());
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
-  const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
-                                     recorded(truth, "steps.csv", steps, 6.0, 4)};
   return diagnose({.experiment = experiment,
                    .catalog = built_catalog(),
                    .definition = definition,
@@ -29,6 +27,13 @@ Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& 
                    .among = among,
                    .segment = segment,
                    .threads = 2});
+}
+
+Diagnosis diagnosed(const PendulumTruth& truth, const std::vector<std::string>& among, const EffectList& present = {},
+                    double segment = 0.0) {
+  return diagnosed(
+      std::vector{recorded(truth, "multi.csv", multisine, 6.0, 3), recorded(truth, "steps.csv", steps, 6.0, 4)}, among,
+      present, segment);
 }
 
 /// What is named first in an answer that must find something.
@@ -79,6 +84,22 @@ TEST(SensorDelay, OfLessThanACommandIntervalIsNotNamed) {
       diagnosed({.inertia = 0.03, .damping = 0.02, .lateness = 0.008}, {"sensor_delay"}, {}, 3.0);
   EXPECT_NE(diagnosis.verdict, Verdict::effect_found);
   EXPECT_THAT(diagnosis.findings, testing::Contains(testing::HasSubstr("commands act 8.0")));
+}
+
+TEST(Timing, IsSaidInIntervalsWhereCommandsCameAtTwoRates) {
+  const PendulumTruth late = {.inertia = 0.03, .damping = 0.02, .delay = 0.004};
+  PendulumTruth later = late;
+  later.delay *= 2.0;
+  Trial rare = recorded(later, "steps.csv", steps, 6.0, 4);
+  CommandSeries& commands = rare.commands;  // each level of which lasts 80 rows
+  const auto kept = Eigen::seq(0, commands.series.times.size() - 1, 2);
+  commands.series.times = commands.series.times(kept).eval();
+  commands.series.samples = commands.series.samples(kept, Eigen::all).eval();
+  const Diagnosis diagnosis =
+      diagnosed(std::vector{recorded(late, "multi.csv", multisine, 6.0, 3), rare}, {"command_delay"});
+  EXPECT_NE(diagnosis.verdict, Verdict::effect_found);
+  EXPECT_THAT(diagnosis.findings,
+              testing::Contains(testing::ContainsRegex("act 0.(3[6-9]|4[0-4]?) command intervals .*s to .*s. later")));
 }
 
 /// Dry friction and a constant torque are the same: two effects for one.

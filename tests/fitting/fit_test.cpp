@@ -302,6 +302,20 @@ TEST(Fit, GoesBackToWhatTheExperimentSaysOfAnEffect) {
   EXPECT_NEAR(found("effect.ripple.frequency"), 6.28, 0.01);
 }
 
+/// A phase that starts half a period off leads the frequency elsewhere, and ends as no phase for what is known of it.
+TEST(Fit, GoesBackToAnEffectBesideABaseThatFitsIt) {
+  const FormulaModel model(
+      [](std::span<const double> values, double t) { return std::sin(values[1] * t + values[0]); });
+  const std::vector<Trial> trials = {record(model, {1.0, 2.0}, regular_times(1001, 200.0), {}, {}, kNoise, 3)};
+  FitSection options;
+  options.starts = 1;
+  const ModelDefinition definition = define(
+      {free_value("joint.hinge.offset", 4.0, -10.0, 10.0), free_value("effect.ripple.frequency", 2.2, 0.1, 100.0)});
+  const FitResult result = fit({definition, model, trials, options});
+  EXPECT_NEAR(result.values[0].value, 1.0, 0.01);
+  EXPECT_NEAR(result.values[1].value, 2.0, 0.01);
+}
+
 TEST(Fit, ReportsProgressThatEnds) {
   const OneJointModel model(pendulum);
   const ModelDefinition definition = pendulum_definition();
