@@ -1,5 +1,6 @@
 #include "diagnosis/rejudge.h"
 
+#include "diagnosis/channel_errors.h"
 #include "diagnosis/normal_equations.h"
 #include "diagnosis/selection.h"
 #include "foundation/address.h"
@@ -19,6 +20,8 @@ constexpr double kFineEnough = 1e-3, kLeastFine = 2.0;
 constexpr int kIterations = 8;
 /// Of the gain: what two models may differ by because the noise is not quite as it is modelled.
 constexpr double kAlikeShare = 0.1;
+/// Of the floor's square: a model that leaves more is clear of it, one that leaves less has reached it.
+constexpr double kOffFloor = 0.2, kOnFloor = 0.1;
 /// What a look-alike may be behind: odds of one to fifty, or that share of the gain, which forms differ by. The error
 /// of a difference that blocks of data tell is no measure here: what one block happens to say of two models would make
 /// all of them alike.
@@ -64,6 +67,29 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
     if (behind.value <= std::max({kToldApart, behind.standard_error, share})) return true;
   }
   return false;
+}
+
+/// Mean square of what was left out, in units of the noise floor's, less 1.
+double above_floor(const Round& now, const Refit& fit) {
+  return std::pow(times_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds)), 2) - 1.0;
+}
+
+/// Whether a richer effect leaves nothing where a simpler one leaves something: that is no matter of form.
+bool reaches_the_floor_alone(const Round& now, const Refit& richer, const Refit& simpler) {
+  return above_floor(now, simpler) > kOffFloor && above_floor(now, richer) < kOnFloor;
+}
+
+/// Than the chosen one (see `Rejudged::better`); `held_out` and `ahead` are those of its refit.
+bool is_better(const RejudgeTask& task, const KeptRival& rival, const Refit& fit, const Eigen::VectorXd& held_out,
+               const Gain& ahead) {
+  const KeptRival& chosen = task.before.rivals[task.before.chosen];
+  const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
+  if (rival.values.size() < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike))
+    return !reaches_the_floor_alone(task.now, task.now.fit, fit);
+  if (ahead.value <= std::max(kToldApart, ahead.standard_error)) return false;
+  if (rival.values.size() <= chosen.values.size()) return true;
+  return (ahead.value > alike || reaches_the_floor_alone(task.now, fit, task.now.fit)) &&
+         !a_pair_does_it(task, rival, held_out);
 }
 
 /// By how much the deviance grows where a value at a bound moves by `distance` into its range.
@@ -120,23 +146,19 @@ Rejudged rejudge(const RejudgeTask& task) {
   const KeptRival& chosen = before.rivals[before.chosen];
   const std::vector<std::size_t> close = close_calls(before);
   std::vector<RefitAgain> fits = refit_again(task, close);
-  const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
   const double inseparable = std::max(kAlikeNats, kInseparableShare * chosen.gain.value);
   Rejudged result;
   double most = 0.0;
   std::vector<Alike> alikes;
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (!fits[i].fit.valid) continue;
+    const KeptRival& rival = before.rivals[close[i]];
     const Eigen::VectorXd held_out = held_out_deviance(fits[i].fit, task.now.folds);
     const Gain ahead = gain(task.now.held_out, held_out, task.seed);
-    const std::size_t freedom = before.rivals[close[i]].values.size();
+    const std::size_t freedom = rival.values.size();
     const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit && ahead.value < kToldApart;
     if (!a_limit && ahead.value > -inseparable) alikes.push_back({i, ahead.value, freedom});
-    const bool simpler = freedom < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike);
-    const bool further = ahead.value > std::max(kToldApart, ahead.standard_error) &&
-                         (freedom <= chosen.values.size() ||
-                          (ahead.value > alike && !a_pair_does_it(task, before.rivals[close[i]], held_out)));
-    if ((simpler || further) && (!result.better || ahead.value > most)) {
+    if (is_better(task, rival, fits[i].fit, held_out, ahead) && (!result.better || ahead.value > most)) {
       result.better = close[i];
       result.values = fits[i].fit.values;
       most = ahead.value;
