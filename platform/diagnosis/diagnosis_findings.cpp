@@ -3,6 +3,7 @@
 #include "diagnosis/search_state.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/timing.h"
+#include "diagnosis/undeclared_force.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -148,6 +149,9 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
         "whether a force that no effect has is missing was not tested: these sensors do not tell the motion of the "
         "joints, or there are too many of them");
   if (std::string text = off_time(last); !text.empty()) findings.push_back(std::move(text));
+  if (diagnosis.verdict != Verdict::cannot_tell)
+    if (std::string text = undeclared_force(diagnosis, contender, last); !text.empty())
+      findings.push_back(std::move(text));
   findings.insert(findings.end(), last.base.remarks.begin(), last.base.remarks.end());
   return findings;
 }

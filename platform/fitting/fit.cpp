@@ -222,7 +222,7 @@ class Fitter {
     const Eigen::VectorXd shift = shift_of_steps(best, jacobians, known);
     write_values(best, known, shift);
     note_shifts(best, known, shift);
-    for (std::string& sentence : drift_sentences(result_.stages, result_.values))
+    for (std::string& sentence : drift_sentences(result_.stages, result_.values, task_.definition.free))
       result_.notes.push_back(std::move(sentence));
   }
 

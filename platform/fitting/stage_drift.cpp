@@ -1,5 +1,7 @@
 #include "fitting/stage_drift.h"
 
+#include "foundation/unit.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double kShare = 0.2;
 constexpr double kIntervals = 2.0;
+constexpr double kNear = 1e-6;  ///< of the end of a range
 
 bool moved(double before, double after) {
   return std::abs(after - before) > kShare * std::max(std::abs(before), std::abs(after));
@@ -19,6 +22,12 @@ bool drifts(double before, const FittedValue& value) {
   const double half = 0.5 * (value.upper_95 - value.lower_95);  // NaN at a bound
   const bool within = std::isfinite(half) && std::abs(value.value - before) <= kIntervals * half;
   return moved(before, value.value) && !within;
+}
+
+/// 0 is the size of an effect that is not there; another end says that there is none.
+bool is_at_end(double value, const FreeValue& free) {
+  const auto is = [&](double end) { return end != 0.0 && std::abs(value - end) <= kNear * std::abs(end); };
+  return is(free.lower) || is(free.upper);
 }
 
 std::string over(const FitStage& stage) {
@@ -33,15 +42,17 @@ bool moved(const std::vector<double>& before, const std::vector<double>& after) 
   return false;
 }
 
-std::vector<std::string> drift_sentences(const std::vector<FitStage>& stages, const std::vector<FittedValue>& values) {
+std::vector<std::string> drift_sentences(const std::vector<FitStage>& stages, const std::vector<FittedValue>& values,
+                                         const std::vector<FreeValue>& free) {
   std::vector<std::string> sentences;
   if (stages.size() < 2) return sentences;
   const FitStage& before = stages[stages.size() - 2];
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (drifts(before.values[i], values[i]))
+    if (!is_at_end(before.values[i], free[i]) && drifts(before.values[i], values[i]))
       sentences.push_back(
-          fmt::format("{} is {:.3g} {} but {:.3g} {}: a model that lacks nothing tells the same over any length",
-                      values[i].address, before.values[i], over(before), values[i].value, over(stages.back())));
+          fmt::format("{} is {} {} but {} {}: a model that lacks nothing tells the same over any length",
+                      values[i].address, format_quantity(before.values[i], free[i].unit), over(before),
+                      format_quantity(values[i].value, free[i].unit), over(stages.back())));
   return sentences;
 }
 

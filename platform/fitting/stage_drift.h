@@ -11,8 +11,10 @@ namespace lacuna {
 bool moved(const std::vector<double>& before, const std::vector<double>& after);
 
 /// One sentence for each value that short segments and the last stage tell differently: by more than twice its 95 %
-/// interval and a fifth of its size, or by a fifth where it ended at a bound. A right model's values do not depend
-/// on the length of segments (METHOD's step 4); a moving one says that the model lacks something slow.
-std::vector<std::string> drift_sentences(const std::vector<FitStage>& stages, const std::vector<FittedValue>& values);
+/// interval and a fifth of its size, or by a fifth where it ended at a bound; not for one that short segments leave at
+/// an end of its range in `free` other than 0: they do not tell it. A right model's values do not depend on the length
+/// of segments (METHOD's step 4); a moving one says that the model lacks something slow.
+std::vector<std::string> drift_sentences(const std::vector<FitStage>& stages, const std::vector<FittedValue>& values,
+                                         const std::vector<FreeValue>& free);
 
 }  // namespace lacuna

@@ -25,24 +25,32 @@ std::vector<FitStage> stages(double over_half_a_second) {
   return {segments, whole};
 }
 
+const std::vector<FreeValue> kMass = {{.address = "body.arm.mass", .unit = "kg", .lower = 0.0, .upper = 50.0}};
+
 TEST(DriftSentences, NameAValueThatMovesWithTheLengthOfSegments) {
-  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.1)}),
-              testing::ElementsAre("body.arm.mass is 2 over 0.5 s but 1 over whole trials: a model that lacks nothing "
-                                   "tells the same over any length"));
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.1)}, kMass),
+              testing::ElementsAre(
+                  "body.arm.mass is 2.00 kg over 0.5 s but 1.00 kg over whole trials: a model that lacks nothing "
+                  "tells the same over any length"));
 }
 
 TEST(DriftSentences, AreSilentWithinTheIntervalAndAboutSmallChanges) {
-  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.6)}), testing::IsEmpty());
-  EXPECT_THAT(drift_sentences(stages(1.1), {fitted(1.0, 0.01)}), testing::IsEmpty());
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(1.0, 0.6)}, kMass), testing::IsEmpty());
+  EXPECT_THAT(drift_sentences(stages(1.1), {fitted(1.0, 0.01)}, kMass), testing::IsEmpty());
 }
 
 TEST(DriftSentences, NameAValueThatEndedAtItsBound) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(0.0, nothing)}), testing::SizeIs(1));
+  EXPECT_THAT(drift_sentences(stages(2.0), {fitted(0.0, nothing)}, kMass), testing::SizeIs(1));
+}
+
+TEST(DriftSentences, AreSilentAboutAValueThatShortSegmentsDoNotTell) {
+  EXPECT_THAT(drift_sentences(stages(50.0), {fitted(1.0, 0.1)}, kMass), testing::IsEmpty());
+  EXPECT_THAT(drift_sentences(stages(0.0), {fitted(1.0, 0.1)}, kMass), testing::SizeIs(1));
 }
 
 TEST(DriftSentences, NeedTwoStages) {
-  EXPECT_THAT(drift_sentences({stages(2.0).back()}, {fitted(1.0, 0.1)}), testing::IsEmpty());
+  EXPECT_THAT(drift_sentences({stages(2.0).back()}, {fitted(1.0, 0.1)}, kMass), testing::IsEmpty());
 }
 
 TEST(Moved, CountsAFifthOfTheLargerValue) {

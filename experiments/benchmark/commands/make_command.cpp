@@ -1,4 +1,5 @@
 #include "commands/commands.h"
+#include "commands/not_empty.h"
 
 #include "cases/make_case.h"
 #include "cases/write_case.h"
@@ -66,7 +67,10 @@ void add_make_command(CLI::App& program) {
       ->required()
       ->check(lacuna::whole_number(0, 1000000))
       ->option_text("N");
-  command->add_option("--out", options->out, "Folder for its files")->required()->option_text("FOLDER");
+  command->add_option("--out", options->out, "Folder for its files")
+      ->required()
+      ->check(not_empty())
+      ->option_text("FOLDER");
   command->add_flag("--truth", options->truth, "And what is hidden, as truth.json");
   command->callback([options] { make(*options); });
 }

@@ -24,6 +24,8 @@ void count_cases(const Database& database, FigureValues& all) {
                      {all.version, all.set})[0];
   all.cases = static_cast<std::size_t>(integer(counts[0]));
   all.made = static_cast<std::size_t>(integer(counts[1]));
+  all.not_withheld = static_cast<std::size_t>(integer(database.query(
+      "SELECT count(*) FROM not_withheld WHERE version = ? AND set_name = ?", {all.version, all.set})[0][0]));
 }
 
 std::string strength_text(const Cell& strength) {
@@ -45,9 +47,10 @@ void read_values(const Database& database, FigureValues& all) {
 
 std::string what_is_there(const Database& database) {
   std::vector<std::string> all;
-  for (const Row& row : database.query("SELECT DISTINCT set_name, version FROM bench_case ORDER BY 1, 2"))
-    all.push_back(fmt::format("--set {} --version {}", text(row[0]), text(row[1])));
-  return all.empty() ? "none at all" : fmt::format("{}", fmt::join(all, ", "));
+  for (const Row& row : database.query("SELECT set_name, group_concat(version, ', ') FROM "
+                                       "(SELECT DISTINCT set_name, version FROM bench_case ORDER BY 1, 2) GROUP BY 1"))
+    all.push_back(fmt::format("--set {} of --version {}", text(row[0]), text(row[1])));
+  return all.empty() ? "none at all" : fmt::format("{}", fmt::join(all, "; "));
 }
 
 }  // namespace

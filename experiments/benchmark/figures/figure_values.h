@@ -29,8 +29,9 @@ struct FigureValues {
   std::string version, set;
   std::vector<FigureKind> figures;
   std::vector<FigureValue> values;
-  std::size_t cases = 0;  ///< in the database
-  std::size_t made = 0;   ///< of these; the others could not be
+  std::size_t cases = 0;         ///< in the database, but for those `not_withheld`
+  std::size_t made = 0;          ///< of these; the others could not be
+  std::size_t not_withheld = 0;  ///< cases that count nowhere: a right answer was left in the library
 };
 
 /// Throws `std::runtime_error` where the database has none. An empty version: the one that was begun last.

@@ -191,14 +191,23 @@ WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS
   AND NOT EXISTS (SELECT 1 FROM untold_law u WHERE (u.version, u.set_name, u.number) = (j.version, j.set_name, j.number))
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
--- Cases that `run --diagnoses` did not go on with although something was found: they say nothing of the loop.
+-- Cases that `run --diagnoses` did not go on with although something was found, and, where that was so of every case of a
+-- set that something was found in, all others of the set: they say nothing of the loop, and those alone that found nothing
+-- would say something false.
 CREATE TEMP VIEW cut_short AS
 SELECT d.version, d.set_name, d.number, d.round
 FROM diagnosis d JOIN bench_case c USING (version, set_name, number)
 WHERE c.failure IS NULL AND d.verdict = 'effect_found' AND d.round < 3
   AND d.round = (SELECT max(round) FROM diagnosis e WHERE (e.version, e.set_name, e.number) = (d.version, d.set_name, d.number))
   AND NOT EXISTS (SELECT 1 FROM added_effect a WHERE (a.version, a.set_name, a.number, a.round)
-                                                   = (d.version, d.set_name, d.number, d.round));
+                                                   = (d.version, d.set_name, d.number, d.round))
+UNION
+SELECT c.version, c.set_name, c.number, 1
+FROM bench_case c
+WHERE NOT EXISTS (SELECT 1 FROM added_effect a WHERE (a.version, a.set_name) = (c.version, c.set_name))
+  AND EXISTS (SELECT 1 FROM diagnosis d JOIN bench_case f USING (version, set_name, number)
+              WHERE (d.version, d.set_name, d.verdict) = (c.version, c.set_name, 'effect_found')
+                AND f.failure IS NULL);
 
 -- The second diagnosis of cases whose first one added what is hidden and told, or what the oracle does not tell from it, and
 -- nothing besides; without a verdict where it ended early.

@@ -59,6 +59,7 @@ std::string text(const Cell& cell) {
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
+  if (std::filesystem::is_directory(file)) refuse("is a folder; name the database in it");
   const int how = access == Access::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
   try {
     connection_ = std::make_unique<SQLite::Database>(file.string(), how, kBusyTimeoutMs);

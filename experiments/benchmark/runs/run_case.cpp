@@ -4,6 +4,7 @@
 #include "cases/write_case.h"
 #include "runs/ask_baselines.h"
 #include "runs/ask_oracle.h"
+#include "runs/case_folder.h"
 #include "runs/case_loop.h"
 #include "runs/case_truth.h"
 #include "runs/run_contact_case.h"
@@ -16,28 +17,6 @@
 
 namespace hidden_effects {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder that begins empty and goes away with its content, unless it is to be kept.
-class CaseFolder {
- public:
-  CaseFolder(fs::path path, bool keep) : path_(std::move(path)), keep_(keep) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~CaseFolder() {
-    std::error_code ignored;
-    if (!keep_) fs::remove_all(path_, ignored);
-  }
-  CaseFolder(const CaseFolder&) = delete;
-  CaseFolder& operator=(const CaseFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  bool keep_;
-};
 
 /// A case whose truth runs away nearby has no oracle.
 OracleRecord oracle_of(const MadeCase& made, const std::vector<DiagnosisRecord>& told) {

@@ -56,6 +56,14 @@ TEST_F(Figures, ClassScoreCountsMembersThatTheOracleTellsApart) {
   EXPECT_DOUBLE_EQ(figure("top3").value, 0.8);
 }
 
+/// `run --diagnoses 1` goes on with no answer; a case that found nothing would be the loop's only one, a failure.
+TEST_F(Figures, SayNothingOfALoopThatWasCutShortEverywhere) {
+  keep(answered(0, small_diagnosis(1, "cannot_tell", 0.9)));
+  EXPECT_EQ(figure("true_set").n, 1U);
+  keep(answered(1, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  EXPECT_EQ(figure("true_set").n, 0U);
+}
+
 TEST_F(Figures, AnEffectAtAnotherPlaceIsWrong) {
   keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {{"coulomb_friction", "joint.elbow"}})));
   EXPECT_DOUBLE_EQ(figure("top1_3").value, 0.0);

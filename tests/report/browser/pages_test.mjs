@@ -701,8 +701,8 @@ describe('hostile names', () => {
       }
       if (base.includes('walk') || base === walk.address) {
         await go(page, base, '#/run');
-        const text = await page.textContent('main');
-        for (const name of [kNames.experiment, kNames.sentence, kNames.change]) assert.ok(text.includes(name), name);
+        for (const name of [kNames.experiment, kNames.sentence, kNames.change])
+          await page.waitForFunction((wanted) => document.querySelector('main').textContent.includes(wanted), name);
       } else {
         await go(page, base, `#/compare?experiment=${encodeURIComponent(kNames.experiment)}`);
         assert.ok((await page.textContent('main')).includes(kNames.channel));

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "diagnosis/contender.h"
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/round.h"
+
+#include <string>
+
+namespace lacuna {
+
+/// A sentence where most of the noise that a diagnosis found is a random force and the experiment declares none,
+/// and how to declare it: `compare` knows of no other noise than what is declared and that of the sensors, so it calls
+/// a right model bad there. Else empty.
+std::string undeclared_force(const Diagnosis& diagnosis, const Contender& contender, const Round& last);
+
+}  // namespace lacuna
