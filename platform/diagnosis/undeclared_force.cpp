@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -43,11 +44,14 @@ std::string undeclared_force(const Diagnosis& diagnosis, const Contender& conten
                                      [](const RandomForce& a, const RandomForce& b) { return power(a) < power(b); });
   if (most == diagnosis.forces.end() || !contender.experiment.noise.process.empty() || !forces_are_most(last.noise))
     return "";
+  double all = 0.0;
+  for (const RandomForce& one : diagnosis.forces)
+    if (one.joint == most->joint) all += power(one);
   return fmt::format(
       "most of the noise is a random force on {}, and the experiment declares none: compare, which counts the noise of "
       "sensors alone, puts a right model above the floor; under [noise], process = {{ \"{}\" = \"{:.3g} {}\" }} and "
-      "process_correlation_time = \"{:.3g} s\" declare it",
-      most->joint, most->joint, most->deviation, most->unit, correlation_time(*most));
+      "process_correlation_time = \"{:.3g} s\" declare about as much",
+      most->joint, most->joint, std::sqrt(all / correlation_time(*most)), most->unit, correlation_time(*most));
 }
 
 }  // namespace lacuna

@@ -102,6 +102,16 @@ TEST(Timing, IsSaidInIntervalsWhereCommandsCameAtTwoRates) {
               testing::Contains(testing::ContainsRegex("act 0.(3[6-9]|4[0-4]?) command intervals .*s to .*s. later")));
 }
 
+TEST(RandomForce, ThatIsMostOfTheNoiseIsToBeDeclared) {
+  const PendulumTruth calm = {.inertia = 0.03, .damping = 0.02};
+  PendulumTruth disturbed = calm;
+  disturbed.disturbance = 0.01;
+  const auto says_so = testing::Contains(testing::ContainsRegex(
+      "random force on joint.hinge, .* process = . .joint.hinge. = .0.0[0-9]* N.m. . and process_correlation_time"));
+  EXPECT_THAT(diagnosed(disturbed, {"coulomb_friction"}).findings, says_so);
+  EXPECT_THAT(diagnosed(calm, {"coulomb_friction"}).findings, testing::Not(says_so));
+}
+
 /// Dry friction and a constant torque are the same: two effects for one.
 TEST(FrictionByDirection, IsOneEffectAndNotTwo) {
   const Diagnosis diagnosis =
