@@ -3,6 +3,7 @@
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/undeclared_force.h"
 #include "diagnosis/unexplained_motion.h"
 
 #include <fmt/format.h>
@@ -18,9 +19,6 @@ namespace {
 constexpr double kCounts = 1e-3;   ///< of the stronger force's power
 constexpr double kByChance = 2.0;  ///< nats
 
-/// Of what a force does to a motion, roughly: its power at low frequencies.
-double power_of(const RandomForce& force) { return force.deviation * force.deviation * force.duration; }
-
 /// Quick and slow ones of each joint, but for those that do next to nothing beside the other.
 std::vector<RandomForce> random_forces(const Round& round) {
   using Kind = NoiseComponent::Kind;
@@ -29,11 +27,11 @@ std::vector<RandomForce> random_forces(const Round& round) {
   for (const NoiseComponent& one : round.noise.components()) {
     if (one.kind != Kind::force && one.kind != Kind::slow_force) continue;
     forces.push_back({"joint." + round.forces.joints[one.index], round.forces.units[one.index], one.deviation,
-                      one.kind == Kind::force ? round.forces.width : kSlowForce});
+                      one.kind == Kind::force ? round.forces.width : kSlowForce, one.kind == Kind::slow_force});
     double& largest = most[forces.back().joint];
-    largest = std::max(largest, power_of(forces.back()));
+    largest = std::max(largest, power(forces.back()));
   }
-  std::erase_if(forces, [&](const RandomForce& force) { return power_of(force) < kCounts * most[force.joint]; });
+  std::erase_if(forces, [&](const RandomForce& force) { return power(force) < kCounts * most[force.joint]; });
   return forces;
 }
 

@@ -68,6 +68,7 @@ struct RandomForce {
   std::string unit;
   double deviation = 0.0;  ///< standard deviation of its mean over `duration`
   double duration = 0.0;   ///< s
+  bool slow = false;       ///< correlated over `duration`; else it keeps its value for that long
 };
 
 /// Figures that say how sure a verdict is, by name (evidence.h).

@@ -149,7 +149,7 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
         "whether a force that no effect has is missing was not tested: these sensors do not tell the motion of the "
         "joints, or there are too many of them");
   if (std::string text = off_time(last); !text.empty()) findings.push_back(std::move(text));
-  if (diagnosis.verdict != Verdict::cannot_tell)
+  if (diagnosis.verdict != Verdict::cannot_tell)  // then what looks like a force may be what is missing
     if (std::string text = undeclared_force(diagnosis, contender, last); !text.empty())
       findings.push_back(std::move(text));
   findings.insert(findings.end(), last.base.remarks.begin(), last.base.remarks.end());

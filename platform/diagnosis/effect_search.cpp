@@ -12,6 +12,7 @@
 #include "diagnosis/search_ending.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/sufficient_substeps.h"
+#include "diagnosis/timing.h"
 #include "diagnosis/unaided.h"
 
 #include <fmt/format.h>
@@ -276,7 +277,7 @@ class EffectSearch {
   bool does_as_well(const Refit& less, const Rival& with_it, const Round& round) const {
     if (!less.valid) return false;
     const double explained = less.deviance - with_it.fit.deviance;
-    return explained <= kSpent * (with_it.fit.freedom() - less.freedom()) ||
+    return explained <= kSpent * (freedom(with_it.fit) - freedom(less)) ||
            gain(held_out_deviance(less, round.folds), with_it.held_out, task_.seed).value <= 0.0;
   }
 

@@ -24,9 +24,6 @@ struct Refit {
   std::vector<Eigen::MatrixXd> bin_derivatives;
   std::vector<bool> at_bound;  ///< a value
   Eigen::MatrixXd covariance;  ///< of the coordinates; 0 for values at a bound
-
-  /// How many values were fitted, the timing among them.
-  double freedom() const { return static_cast<double>(values.size() + (timing ? 1 : 0)); }
 };
 
 /// What is refitted.

@@ -74,22 +74,31 @@ double above_floor(const Round& now, const Refit& fit) {
   return std::pow(times_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds)), 2) - 1.0;
 }
 
-/// Whether a richer effect leaves nothing where a simpler one leaves something: that is no matter of form.
-bool reaches_the_floor_alone(const Round& now, const Refit& richer, const Refit& simpler) {
-  return above_floor(now, simpler) > kOffFloor && above_floor(now, richer) < kOnFloor;
-}
+/// Whether a richer effect leaves nothing where a simpler one leaves something, of the floor's square: that is no
+/// matter of form.
+bool reaches_the_floor_alone(double richer, double simpler) { return simpler > kOffFloor && richer < kOnFloor; }
 
-/// Than the chosen one (see `Rejudged::better`); `held_out` and `ahead` are those of its refit.
-bool is_better(const RejudgeTask& task, const KeptRival& rival, const Refit& fit, const Eigen::VectorXd& held_out,
-               const Gain& ahead) {
+/// A rival's refit against the chosen one.
+struct Challenge {
+  const KeptRival& rival;
+  const Refit& fit;
+  Eigen::VectorXd held_out;
+  Gain ahead;
+};
+
+/// Than the chosen one (see `Rejudged::better`), which leaves `left` above the floor.
+bool is_better(const RejudgeTask& task, const Challenge& one, double left) {
   const KeptRival& chosen = task.before.rivals[task.before.chosen];
   const double alike = std::max(kToldApart, kAlikeShare * chosen.gain.value);
-  if (rival.values.size() < chosen.values.size() && ahead.value >= -std::max(ahead.standard_error, alike))
-    return !reaches_the_floor_alone(task.now, task.now.fit, fit);
-  if (ahead.value <= std::max(kToldApart, ahead.standard_error)) return false;
-  if (rival.values.size() <= chosen.values.size()) return true;
-  return (ahead.value > alike || reaches_the_floor_alone(task.now, fit, task.now.fit)) &&
-         !a_pair_does_it(task, rival, held_out);
+  const std::size_t parameters = one.rival.values.size(), of_chosen = chosen.values.size();
+  const bool ahead = one.ahead.value > std::max(kToldApart, one.ahead.standard_error);
+  if (parameters <= of_chosen && ahead) return true;
+  if (parameters < of_chosen)
+    return one.ahead.value >= -std::max(one.ahead.standard_error, alike) &&
+           !reaches_the_floor_alone(left, above_floor(task.now, one.fit));
+  if (!ahead || parameters == of_chosen) return false;
+  return (one.ahead.value > alike || reaches_the_floor_alone(above_floor(task.now, one.fit), left)) &&
+         !a_pair_does_it(task, one.rival, one.held_out);
 }
 
 /// By how much the deviance grows where a value at a bound moves by `distance` into its range.
@@ -116,14 +125,15 @@ bool is_at_limit(const ModelDefinition& definition, const EffectEntry& entry, co
 
 struct Alike {
   std::size_t which = 0;
-  double ahead = 0.0;       ///< nats
-  std::size_t freedom = 0;  ///< parameters
+  double ahead = 0.0;  ///< nats
+  std::size_t parameters = 0;
 };
 
 /// The closest first, and the simplest of those that are as close.
 void sort(std::vector<Alike>& alikes) {
   std::sort(alikes.begin(), alikes.end(), [](const Alike& a, const Alike& b) {
-    return std::pair(-std::round(a.ahead / kEqual), a.freedom) < std::pair(-std::round(b.ahead / kEqual), b.freedom);
+    return std::pair(-std::round(a.ahead / kEqual), a.parameters) <
+           std::pair(-std::round(b.ahead / kEqual), b.parameters);
   });
 }
 
@@ -147,21 +157,22 @@ Rejudged rejudge(const RejudgeTask& task) {
   const std::vector<std::size_t> close = close_calls(before);
   std::vector<RefitAgain> fits = refit_again(task, close);
   const double inseparable = std::max(kAlikeNats, kInseparableShare * chosen.gain.value);
+  const double left = above_floor(task.now, task.now.fit);
   Rejudged result;
   double most = 0.0;
   std::vector<Alike> alikes;
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (!fits[i].fit.valid) continue;
-    const KeptRival& rival = before.rivals[close[i]];
-    const Eigen::VectorXd held_out = held_out_deviance(fits[i].fit, task.now.folds);
-    const Gain ahead = gain(task.now.held_out, held_out, task.seed);
-    const std::size_t freedom = rival.values.size();
-    const bool a_limit = freedom > chosen.values.size() && fits[i].at_limit && ahead.value < kToldApart;
-    if (!a_limit && ahead.value > -inseparable) alikes.push_back({i, ahead.value, freedom});
-    if (is_better(task, rival, fits[i].fit, held_out, ahead) && (!result.better || ahead.value > most)) {
+    Challenge one{before.rivals[close[i]], fits[i].fit, held_out_deviance(fits[i].fit, task.now.folds), {}};
+    one.ahead = gain(task.now.held_out, one.held_out, task.seed);
+    const double ahead = one.ahead.value;
+    const std::size_t parameters = one.rival.values.size();
+    const bool a_limit = parameters > chosen.values.size() && fits[i].at_limit && ahead < kToldApart;
+    if (!a_limit && ahead > -inseparable) alikes.push_back({i, ahead, parameters});
+    if (is_better(task, one, left) && (!result.better || ahead > most)) {
       result.better = close[i];
       result.values = fits[i].fit.values;
-      most = ahead.value;
+      most = ahead;
     }
   }
   sort(alikes);

@@ -85,6 +85,10 @@ bool tells_timing(const Refit& fit) {
   return information > kToldInformation;
 }
 
+double freedom(const Refit& fit) {
+  return static_cast<double>(fit.values.size() + (fit.timing && tells_timing(fit) ? 1 : 0));
+}
+
 void linearise_timing(const Contender& contender, const RowBins& bins, int threads, BaseSolution& base) {
   base.by_timing.clear();
   if (!base.timing) return;

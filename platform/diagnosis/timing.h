@@ -23,6 +23,9 @@ double longest_command_interval(const std::vector<Trial>& trials);
 /// holds a delay, or whose start makes up for one, would have two values that do the same.
 bool tells_timing(const Refit& fit);
 
+/// How many values explain what a fit does: those of the model, and the timing where the data tell it.
+double freedom(const Refit& fit);
+
 /// Takes the residuals of a base's linear segments where commands act as late as its timing says, and takes down how
 /// they change with that (not at all where neither side can be simulated); the derivatives by values and starts stay
 /// those of commands as recorded. Throws `Error` where the model cannot be simulated so.

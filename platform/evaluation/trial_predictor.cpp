@@ -9,7 +9,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostReadings = 10.0;  ///< that a command interval counts as
+constexpr double kMostReadings = 10.0;  ///< intervals of readings that a command interval counts as
 
 double mean_interval(const Eigen::VectorXd& times) {
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShare = 0.2;
 constexpr double kIntervals = 2.0;
-constexpr double kNear = 1e-6;  ///< of the end of a range
+constexpr double kNear = 1e-6;  ///< of a range
 
 bool moved(double before, double after) {
   return std::abs(after - before) > kShare * std::max(std::abs(before), std::abs(after));
@@ -24,9 +24,10 @@ bool drifts(double before, const FittedValue& value) {
   return moved(before, value.value) && !within;
 }
 
-/// 0 is the size of an effect that is not there; another end says that there is none.
+/// 0 is the size of an effect that is not there; at any other end of its range a value is not told.
 bool is_at_end(double value, const FreeValue& free) {
-  const auto is = [&](double end) { return end != 0.0 && std::abs(value - end) <= kNear * std::abs(end); };
+  const double near = kNear * (free.upper - free.lower);
+  const auto is = [&](double end) { return end != 0.0 && std::isfinite(near) && std::abs(value - end) <= near; };
   return is(free.lower) || is(free.upper);
 }
 

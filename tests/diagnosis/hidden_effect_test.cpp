@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <regex>
+
 namespace lacuna {
 namespace {
 
@@ -103,13 +106,20 @@ TEST(Timing, IsSaidInIntervalsWhereCommandsCameAtTwoRates) {
 }
 
 TEST(RandomForce, ThatIsMostOfTheNoiseIsToBeDeclared) {
+  constexpr double kDeviation = 0.01, kTime = 0.2;  // N·m, s; see PendulumTruth
   const PendulumTruth calm = {.inertia = 0.03, .damping = 0.02};
   PendulumTruth disturbed = calm;
-  disturbed.disturbance = 0.01;
-  const auto says_so = testing::Contains(testing::ContainsRegex(
-      "random force on joint.hinge, .* process = . .joint.hinge. = .0.0[0-9]* N.m. . and process_correlation_time"));
-  EXPECT_THAT(diagnosed(disturbed, {"coulomb_friction"}).findings, says_so);
-  EXPECT_THAT(diagnosed(calm, {"coulomb_friction"}).findings, testing::Not(says_so));
+  disturbed.disturbance = kDeviation;
+  const std::regex declared(
+      "process = . .joint.hinge. = .([0-9.e-]+) N.m. . and process_correlation_time = .([0-9.]+) s");
+  double power = 0.0;
+  for (const std::string& finding : diagnosed(disturbed, {"coulomb_friction"}).findings)
+    if (std::smatch found; std::regex_search(finding, found, declared))
+      power = std::pow(std::stod(found[1]), 2) * std::stod(found[2]);
+  EXPECT_GT(power, 0.4 * kDeviation * kDeviation * kTime);
+  EXPECT_LT(power, 2.0 * kDeviation * kDeviation * kTime);
+  for (const std::string& finding : diagnosed(calm, {"coulomb_friction"}).findings)
+    EXPECT_THAT(finding, testing::Not(testing::HasSubstr("process")));
 }
 
 /// Dry friction and a constant torque are the same: two effects for one.

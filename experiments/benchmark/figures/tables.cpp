@@ -133,9 +133,9 @@ std::string markdown(const FigureValues& all) {
   std::string page = fmt::format("# Hidden effects: {}, version {}\n\n{} cases", all.set, all.version, all.cases);
   if (all.made < all.cases) page += fmt::format(", of which {} could not be made", all.cases - all.made);
   if (all.not_withheld > 0)
-    page +=
-        fmt::format(" ({} more, whose effect was to be withheld, left a right answer in the library and count nowhere)",
-                    all.not_withheld);
+    page += fmt::format(
+        " ({} more count nowhere: their effect was to be withheld, but a right answer was left in the library)",
+        all.not_withheld);
   page += ". An estimate, its 95 % interval and n, how many cases (or intervals of values) it rests on.\n\n";
   page += goal_table(all);
   for (const std::string& noise : values_of(all, &FigureValue::noise))

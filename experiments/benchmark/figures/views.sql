@@ -191,9 +191,8 @@ WHERE i.round = 0 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS
   AND NOT EXISTS (SELECT 1 FROM untold_law u WHERE (u.version, u.set_name, u.number) = (j.version, j.set_name, j.number))
   AND ((j.kind IN ('one', 'two') AND l.true_set) OR ((j.version, j.set_name, j.number) IN hides_nothing AND j.verdict = 'nothing_missing'));
 
--- Cases that `run --diagnoses` did not go on with although something was found, and, where that was so of every case of a
--- set that something was found in, all others of the set: they say nothing of the loop, and those alone that found nothing
--- would say something false.
+-- Cases that `run --diagnoses` did not go on with although something was found, and, where no case of a set was gone on
+-- with, all others of the set: they say nothing of the loop, and those alone that found nothing would say something false.
 CREATE TEMP VIEW cut_short AS
 SELECT d.version, d.set_name, d.number, d.round
 FROM diagnosis d JOIN bench_case c USING (version, set_name, number)

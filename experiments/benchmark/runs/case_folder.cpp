@@ -2,6 +2,7 @@
 
 #include "runs/work_folder.h"
 
+#include <exception>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -14,32 +15,42 @@ namespace fs = std::filesystem;
 
 constexpr const char* kUnfinished = ".unfinished";  ///< stands in a folder while its case is run
 
-bool is_anybodys(const fs::path& path) {
-  std::error_code unreadable;
-  return fs::exists(path) && !fs::exists(path / kUnfinished) &&
-         !(fs::is_directory(path) && fs::is_empty(path, unreadable));
+bool holds_other_files(const fs::path& path) {
+  std::error_code none;
+  return fs::exists(path, none) && !fs::exists(path / kUnfinished, none) &&
+         !(fs::is_directory(path, none) && fs::is_empty(path, none));
+}
+
+/// The mark goes last: whoever is ended on the way leaves it.
+void remove_mark_last(const fs::path& path, std::error_code& error) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, error))
+    if (entry.path().filename() != kUnfinished) fs::remove_all(entry.path(), error);
+  if (!error || !fs::exists(path)) fs::remove_all(path, error);
 }
 
 }  // namespace
 
-CaseFolder::CaseFolder(fs::path path, bool keep) : path_(std::move(path)), keep_(keep) {
-  if (is_anybodys(path_))
+CaseFolder::CaseFolder(fs::path path, bool keep)
+    : path_(std::move(path)), keep_(keep), exceptions_(std::uncaught_exceptions()) {
+  if (holds_other_files(path_))
     throw std::invalid_argument(path_.string() +
                                 ": is there already, and no interrupted run left it; move it away, or name another "
                                 "folder with --work");
   std::error_code error;
-  fs::remove_all(path_, error);
+  if (fs::exists(path_, error)) remove_mark_last(path_, error);
   if (error) throw std::invalid_argument(path_.string() + ": cannot be emptied: " + error.message());
   make_folder(path_);
-  std::ofstream(path_ / kUnfinished).flush();
+  if (!std::ofstream(path_ / kUnfinished).flush())
+    throw std::invalid_argument(path_.string() + ": nothing can be written into this folder");
 }
 
 CaseFolder::~CaseFolder() {
   std::error_code ignored;
-  if (keep_)
+  const bool interrupted = std::uncaught_exceptions() > exceptions_;
+  if (!keep_)
+    remove_mark_last(path_, ignored);
+  else if (!interrupted)
     fs::remove(path_ / kUnfinished, ignored);
-  else
-    fs::remove_all(path_, ignored);
 }
 
 }  // namespace hidden_effects

@@ -1,5 +1,6 @@
 #include "runs/run_set.h"
 
+#include "runs/case_failure.h"
 #include "runs/case_folder.h"
 #include "runs/case_store.h"
 #include "runs/user_session.h"
@@ -153,7 +154,7 @@ TEST(BenchmarkDatabase, IsNoOtherProgramsFile) {
                std::invalid_argument);
 }
 
-TEST(CaseFolder, DeletesWhatAnInterruptedRunLeftAndNothingElse) {
+TEST(CaseFolder, LeavesAloneWhatNoInterruptedRunLeft) {
   const lacuna::TestFolder work;
   const std::filesystem::path path = work / "fixed-0002";
   {
@@ -162,8 +163,18 @@ TEST(CaseFolder, DeletesWhatAnInterruptedRunLeftAndNothingElse) {
   }
   EXPECT_THROW(CaseFolder(path, false), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::exists(path / "rig.toml"));
+}
 
-  work.write("fixed-0002/.unfinished", "");
+TEST(CaseFolder, IsEmptiedWhereAnInterruptedRunLeftIt) {
+  const lacuna::TestFolder work;
+  const std::filesystem::path path = work / "fixed-0002";
+  try {
+    const CaseFolder half(path, true);
+    work.write("fixed-0002/rig.toml", "half");
+    throw CaseStopped();
+  } catch (const CaseStopped&) {
+  }
+  ASSERT_TRUE(std::filesystem::exists(path / "rig.toml"));
   {
     const CaseFolder again(path, false);
     EXPECT_FALSE(std::filesystem::exists(path / "rig.toml"));
