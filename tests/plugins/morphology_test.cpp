@@ -312,7 +312,7 @@ TEST_F(ReshapeTest, TakesTheNearestPlaceThereIs) {
     RandomStream random(std::vector<std::uint64_t>{key});
     for (std::size_t part = 1; part < 5; ++part) {
       const double distance = (robot.bodies[part].position - before.bodies[part].position).norm();
-      for (int i = 0; i < 200; ++i) {
+      for (int i = 0; i < 50; ++i) {
         Genome other = child;
         if (i % 2 == 1) gene(other, part, 2) = random.uniform(0.1, 2.0);
         for (const std::size_t angle : {3U, 4U})
