@@ -22,6 +22,7 @@ constexpr int kIterations = 8;
 constexpr double kAlikeShare = 0.1;
 /// Of the floor's square: a model that leaves more is clear of it, one that leaves less has reached it.
 constexpr double kOffFloor = 0.2, kOnFloor = 0.1;
+constexpr double kWorthIt = 0.01;  ///< of the gain: squares above the floor may be those of a few readings
 /// What a look-alike may be behind: odds of one to fifty, or that share of the gain, which forms differ by. The error
 /// of a difference that blocks of data tell is no measure here: what one block happens to say of two models would make
 /// all of them alike.
@@ -97,7 +98,8 @@ bool is_better(const RejudgeTask& task, const Challenge& one, double left) {
     return one.ahead.value >= -std::max(one.ahead.standard_error, alike) &&
            !reaches_the_floor_alone(left, above_floor(task.now, one.fit));
   if (!ahead || parameters == of_chosen) return false;
-  return (one.ahead.value > alike || reaches_the_floor_alone(above_floor(task.now, one.fit), left)) &&
+  const bool is_sure = one.ahead.lower_95 > 0.0 && one.ahead.value > kWorthIt * chosen.gain.value;
+  return (one.ahead.value > alike || (is_sure && reaches_the_floor_alone(above_floor(task.now, one.fit), left))) &&
          !a_pair_does_it(task, one.rival, one.held_out);
 }
 

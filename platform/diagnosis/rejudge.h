@@ -15,10 +15,11 @@ namespace lacuna {
 /// the noise of the first was estimated beside a model that lacks something, and close calls depend on it.
 struct Rejudged {
   /// A rival that is better after all: ahead of the chosen one by more than its standard error and 2 nats, or simpler
-  /// and no further behind than that or a tenth of the gain. A richer one must be ahead by a tenth of the gain, or
-  /// reach the noise floor where the simpler one stays clear of it (which also keeps a chosen one against a simpler
-  /// that is not ahead), and be ahead of the chosen one together with any single effect of the next round, as long as
-  /// the two have no more parameters. Parameters are those of the models; the timing of commands is none of these.
+  /// and no further behind than that or a tenth of the gain. A richer one must be ahead by a tenth of the gain, or by a
+  /// hundredth and more than its interval and reach the noise floor where the simpler one stays clear of it (which also
+  /// keeps a chosen one against a simpler that is not ahead), and be ahead of the chosen one together with any single
+  /// effect of the next round, as long as the two have no more parameters. Parameters are those of the models; the
+  /// timing of commands is none of these.
   std::optional<std::size_t> better;
   std::vector<double> values;  ///< of the better one's model, as refitted
   /// Rivals that these data do not tell from the chosen one, the closest first, refitted. Not a richer one that the

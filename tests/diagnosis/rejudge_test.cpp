@@ -43,7 +43,7 @@ TEST_F(RejudgedFriction, IsBetterAfterAllAndGoesOnFromWhereItWasRefitted) {
   EXPECT_NEAR(again.values.back(), kFriction, 0.05 * kFriction);
 }
 
-/// A little more friction on the way back is less than a tenth of what an effect gains that gains a hundred times as
+/// A little more friction on the way back is less than a tenth of what an effect gains that gains twenty times as
 /// much as here, and beyond all noise.
 TEST_F(RejudgedFriction, GoesToTheRicherOneThatAloneReachesTheFloor) {
   const PendulumTruth truth = {.inertia = 0.03, .damping = 0.02, .friction = kFriction, .backward = 0.02 * kFriction};
@@ -51,7 +51,7 @@ TEST_F(RejudgedFriction, GoesToTheRicherOneThatAloneReachesTheFloor) {
   const Round first = PendulumRounds::round_of(model_, truth, among);
   const std::size_t plain = rival_of(first, "coulomb_friction"), by_direction = rival_of(first, "directional_friction");
   SearchStep step = step_of(model_, first, plain);
-  for (KeptRival& rival : step.rivals) rival.gain.value *= 100.0;
+  for (KeptRival& rival : step.rivals) rival.gain.value *= 20.0;
   const Contender simple = with_effect_of(step.rivals[plain], step, model_, built_catalog());
   const Round now = PendulumRounds::round_of(simple, truth, among);
 
