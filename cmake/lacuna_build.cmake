@@ -2,7 +2,7 @@
 
 option(LACUNA_TESTS "Build tests, benchmarks and generators" ON)
 option(LACUNA_FUZZ "Build the fuzz targets (clang)" OFF)
-option(LACUNA_UNITY "Compile the sources of large rooms sixteen at a time: a third of the time for all of them, more for one" ON)
+option(LACUNA_UNITY "Compile the sources of large rooms together: a quarter of the time for all of them, more for one" ON)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -28,10 +28,10 @@ add_custom_target(all_plugins)
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
-# Compiles the sources of a large target sixteen at a time; names in their anonymous namespaces must differ.
+# Compiles the sources of a large target up to 48 at a time; names in their anonymous namespaces must differ.
 function(lacuna_compile_together target)
   if(LACUNA_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 48)
   endif()
 endfunction()
 
@@ -72,8 +72,8 @@ endfunction()
 
 # A test program of GoogleTest; each TEST is a test of ctest. Its label is one of
 #   short    seconds even under sanitizers, and worth it: rooms that handle memory by hand, threads or foreign input
-#   medium   the others (the default); report and app, and physics that the engine's own tests walk through too, need
-#            not be built twice in CI
+#   medium   the others (the default); report and app, fits and diagnoses, and physics that the engine's own tests walk
+#            through too, need not be built twice in CI
 #   long     half a minute and more; begun first
 # UNITY: large, and no two of its sources use one name for two things; compiled together.
 function(lacuna_add_test name)

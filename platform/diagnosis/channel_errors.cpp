@@ -54,4 +54,8 @@ double times_floor(const std::vector<ChannelError>& errors) {
   return errors.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(errors.size()));
 }
 
+double above_floor(const ChannelError& error) { return std::pow(error.held_out / error.floor, 2) - 1.0; }
+
+double above_floor(const std::vector<ChannelError>& errors) { return std::pow(times_floor(errors), 2) - 1.0; }
+
 }  // namespace lacuna

@@ -17,4 +17,8 @@ std::vector<ChannelError> channel_errors(const BaseSolution& base, const RowBins
 /// Held-out RMS over the floor, all channels together.
 double times_floor(const std::vector<ChannelError>& errors);
 
+/// Mean square of what was left out, in units of the noise floor's, less 1: of one channel, and of all together.
+double above_floor(const ChannelError& error);
+double above_floor(const std::vector<ChannelError>& errors);
+
 }  // namespace lacuna

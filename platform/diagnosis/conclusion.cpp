@@ -1,9 +1,9 @@
 #include "diagnosis/conclusion.h"
 
 #include "diagnosis/channel_errors.h"
+#include "diagnosis/random_force.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/selection.h"
-#include "diagnosis/undeclared_force.h"
 #include "diagnosis/unexplained_motion.h"
 
 #include <fmt/format.h>

@@ -6,6 +6,7 @@
 #include "diagnosis/free_force.h"
 #include "diagnosis/hypothesis.h"
 #include "diagnosis/noise_model.h"
+#include "diagnosis/random_force.h"
 #include "fitting/progress.h"
 
 #include <cstdint>
@@ -60,15 +61,6 @@ struct RankedModel {
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
   double segment = 0.0;      ///< s, of the segments that the errors are about
-};
-
-/// A random force that the residual shows.
-struct RandomForce {
-  std::string joint;
-  std::string unit;
-  double deviation = 0.0;  ///< standard deviation of its mean over `duration`
-  double duration = 0.0;   ///< s
-  bool slow = false;       ///< correlated over `duration`; else it keeps its value for that long
 };
 
 /// Figures that say how sure a verdict is, by name (evidence.h).

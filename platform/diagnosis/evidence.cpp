@@ -8,8 +8,8 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLeastP = 5e-4;  ///< what draws of noise resolve
-constexpr double kSure = 10.0;    ///< standard errors; more is no surer
+constexpr double kLeastP = 5e-4;    ///< what draws of noise resolve
+constexpr double kMostSure = 10.0;  ///< standard errors; more is no surer
 
 /// By how much the answer is ahead of the best model that is not named beside it, nats.
 double lead(const std::vector<RankedModel>& ranking) {
@@ -23,8 +23,8 @@ double lead(const std::vector<RankedModel>& ranking) {
 }
 
 double sureness(const Gain& gain) {
-  if (!(gain.standard_error > 0.0)) return gain.value > 0.0 ? kSure : 0.0;
-  return std::clamp(gain.value / gain.standard_error, 0.0, kSure);
+  if (!(gain.standard_error > 0.0)) return gain.value > 0.0 ? kMostSure : 0.0;
+  return std::clamp(gain.value / gain.standard_error, 0.0, kMostSure);
 }
 
 void add_answer(const Diagnosis& diagnosis, bool steady, Evidence& evidence) {

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -30,9 +29,6 @@ struct Judged {
   Eigen::VectorXd held_out;
   std::vector<ChannelError> errors;
 };
-
-/// Mean square of what was left out, in units of the noise floor's, less 1.
-double above_floor(const ChannelError& channel) { return std::pow(channel.held_out / channel.floor, 2) - 1.0; }
 
 class Contest {
  public:

@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kFiner = 8;  ///< times as many substeps, for the finest simulation
+constexpr int kFinest = 8;  ///< times as many substeps, for the finest simulation
 
 using Predictions = std::vector<TimeSeries::Samples>;
 
@@ -40,8 +40,8 @@ bool correct_for_steps(const ModelDefinition& definition, BaseSolution& base, in
   if (base.free_run) return false;
   const int substeps = definition.engine.substeps;
   const auto own = predictions(definition, substeps, base, threads);
-  const auto fine = predictions(definition, kFiner / 2 * substeps, base, threads);
-  const auto finest = predictions(definition, kFiner * substeps, base, threads);
+  const auto fine = predictions(definition, kFinest / 2 * substeps, base, threads);
+  const auto finest = predictions(definition, kFinest * substeps, base, threads);
   if (!own || !fine || !finest) return false;
   for (std::size_t k = 0; k < base.segments.size(); ++k) {
     const Stretch& stretch = base.segments[k].stretch;

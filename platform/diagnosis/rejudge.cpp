@@ -70,9 +70,8 @@ bool a_pair_does_it(const RejudgeTask& task, const KeptRival& richer, const Eige
   return false;
 }
 
-/// Mean square of what was left out, in units of the noise floor's, less 1.
-double above_floor(const Round& now, const Refit& fit) {
-  return std::pow(times_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds)), 2) - 1.0;
+double above_floor_with(const Refit& fit, const Round& now) {
+  return above_floor(channel_errors(now.base, now.bins, now.noise, fit, now.folds));
 }
 
 /// Whether a richer effect leaves nothing where a simpler one leaves something, of the floor's square: that is no
@@ -96,10 +95,10 @@ bool is_better(const RejudgeTask& task, const Challenge& one, double left) {
   if (parameters <= of_chosen && ahead) return true;
   if (parameters < of_chosen)
     return one.ahead.value >= -std::max(one.ahead.standard_error, alike) &&
-           !reaches_the_floor_alone(left, above_floor(task.now, one.fit));
+           !reaches_the_floor_alone(left, above_floor_with(one.fit, task.now));
   if (!ahead || parameters == of_chosen) return false;
   const bool is_sure = one.ahead.lower_95 > 0.0 && one.ahead.value > kWorthIt * chosen.gain.value;
-  return (one.ahead.value > alike || (is_sure && reaches_the_floor_alone(above_floor(task.now, one.fit), left))) &&
+  return (one.ahead.value > alike || (is_sure && reaches_the_floor_alone(above_floor_with(one.fit, task.now), left))) &&
          !a_pair_does_it(task, one.rival, one.held_out);
 }
 
@@ -159,7 +158,7 @@ Rejudged rejudge(const RejudgeTask& task) {
   const std::vector<std::size_t> close = close_calls(before);
   std::vector<RefitAgain> fits = refit_again(task, close);
   const double inseparable = std::max(kAlikeNats, kInseparableShare * chosen.gain.value);
-  const double left = above_floor(task.now, task.now.fit);
+  const double left = above_floor_with(task.now.fit, task.now);
   Rejudged result;
   double most = 0.0;
   std::vector<Alike> alikes;

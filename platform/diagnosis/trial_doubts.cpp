@@ -116,7 +116,7 @@ std::vector<Eigen::Index> moving_rows(const ChannelAccelerations& one) {
 }
 
 /// Columns and values of some trials' rows of one channel, one below the other.
-struct Rows {
+struct StackedRows {
   Eigen::MatrixXd columns;
   Eigen::VectorXd values;
   void add(const ChannelAccelerations& one) {
@@ -142,7 +142,7 @@ struct Contradiction {
 
 /// What a trial adds by sharing coefficients with the others of `channels`, all of one channel.
 Contradiction contradiction_of(const std::vector<const ChannelAccelerations*>& channels, std::size_t which) {
-  Rows all, others, own;
+  StackedRows all, others, own;
   std::vector<std::size_t> trials;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     all.add(*channels[i]);

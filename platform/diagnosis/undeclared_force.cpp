@@ -1,6 +1,7 @@
 #include "diagnosis/undeclared_force.h"
 
 #include "diagnosis/channel_errors.h"
+#include "diagnosis/random_force.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,10 +82,6 @@ double deviation_of(const std::vector<RandomForce>& own, double time) {
 }
 
 }  // namespace
-
-double correlation_time(const RandomForce& force) { return force.slow ? force.duration : 0.5 * force.duration; }
-
-double power(const RandomForce& force) { return force.deviation * force.deviation * correlation_time(force); }
 
 std::string undeclared_force(const Diagnosis& diagnosis, const Contender& contender, const Round& last) {
   if (!contender.experiment.noise.process.empty() || diagnosis.forces.empty()) return "";

@@ -8,12 +8,6 @@
 
 namespace lacuna {
 
-/// s: the correlation time at which a force of the same deviation has the same power at low frequencies.
-double correlation_time(const RandomForce& force);
-
-/// Of what a force does to a motion, roughly: its power at low frequencies, N²·s or (N·m)²·s.
-double power(const RandomForce& force);
-
 /// A sentence where most of the noise that a diagnosis found comes from random forces and the experiment declares none,
 /// and how to declare them: `compare` knows of no other noise than what is declared and that of the sensors, so it
 /// calls a right model bad there. Else empty.

@@ -15,13 +15,13 @@ constexpr double kMissed = 0.2;    // of the motion, RMS
 constexpr double kScatters = 3.0;  // times the scatter, RMS
 
 /// RMS of a channel around each trial's mean, and the scatter that it holds.
-struct Motion {
+struct ChannelMotion {
   double size = 0.0, scatter = 0.0;
 };
 
-Motion motion_of(const std::vector<Trial>& trials, const std::string& channel) {
+ChannelMotion motion_of(const std::vector<Trial>& trials, const std::string& channel) {
   double squares = 0.0, count = 0.0;
-  Motion motion;
+  ChannelMotion motion;
   for (const Trial& trial : trials)
     for (std::size_t c = 0; c < trial.measured.channels.size(); ++c) {
       if (trial.measured.channels[c].name != channel) continue;
@@ -44,7 +44,7 @@ Motion motion_of(const std::vector<Trial>& trials, const std::string& channel) {
 std::vector<std::string> unexplained_motion(const BaseSolution& base, const std::vector<ChannelError>& errors) {
   std::vector<std::string> sentences;
   for (const ChannelError& error : errors) {
-    const Motion motion = motion_of(base.trials, error.channel);
+    const ChannelMotion motion = motion_of(base.trials, error.channel);
     const double missed = std::max(error.fit, error.floor);
     if (missed <= std::max(kMissed * motion.size, kScatters * motion.scatter)) continue;
     sentences.push_back(fmt::format(

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOneHeight = 1e-9;  // m
 
-struct Range {
+struct BeaconRange {
   Eigen::Vector3d beacon;
   double metres;
 };
@@ -29,14 +29,14 @@ double first_reading(const std::string& channel, const std::vector<Trial>& trial
 }
 
 /// |p − b|² − |p − b₀|² is linear in p.
-std::optional<Eigen::Vector3d> centre_from(const std::vector<Range>& ranges) {
+std::optional<Eigen::Vector3d> centre_from(const std::vector<BeaconRange>& ranges) {
   if (ranges.size() < 3) return std::nullopt;
   const auto rows = static_cast<Eigen::Index>(ranges.size()) - 1;
   Eigen::MatrixX2d differences(rows, 2);
   Eigen::VectorXd right(rows);
-  const Range& first = ranges.front();
+  const BeaconRange& first = ranges.front();
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const Range& other = ranges[static_cast<std::size_t>(i) + 1];
+    const BeaconRange& other = ranges[static_cast<std::size_t>(i) + 1];
     if (std::abs(other.beacon.z() - first.beacon.z()) > kOneHeight) return std::nullopt;
     differences.row(i) = 2.0 * (other.beacon - first.beacon).head<2>().transpose();
     right(i) = first.metres * first.metres - other.metres * other.metres + other.beacon.head<2>().squaredNorm() -
@@ -46,7 +46,7 @@ std::optional<Eigen::Vector3d> centre_from(const std::vector<Range>& ranges) {
   if (solver.rank() < 2) return std::nullopt;
   const Eigen::Vector2d place = solver.solve(right);
   double height = 0.0;
-  for (const Range& range : ranges)
+  for (const BeaconRange& range : ranges)
     height += range.metres * range.metres - (place - range.beacon.head<2>()).squaredNorm();
   height = std::sqrt(std::max(0.0, height / static_cast<double>(ranges.size())));
   return Eigen::Vector3d(place.x(), place.y(), first.beacon.z() + height);
@@ -57,7 +57,7 @@ std::optional<Eigen::Vector3d> centre_from(const std::vector<Range>& ranges) {
 std::optional<Eigen::MatrixX3d> trilaterated_centres(const RobotSpec& robot, const std::vector<Trial>& trials) {
   Eigen::MatrixX3d centres(static_cast<Eigen::Index>(robot.bodies.size()), 3);
   for (std::size_t body = 0; body < robot.bodies.size(); ++body) {
-    std::vector<Range> ranges;
+    std::vector<BeaconRange> ranges;
     for (const SensorSpec& sensor : robot.sensors)
       if (sensor.kind == SensorKind::beacon_range && sensor.element == robot.bodies[body].name)
         if (const double metres = first_reading(sensor.name, trials); std::isfinite(metres))

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kEnds = 0.1;  ///< s, left out where a trial begins and ends
 constexpr int kIterations = 5;
-constexpr double kShareOfValue = 1e-3, kSmallest = 1e-6;
+constexpr double kShareOfValue = 1e-3, kLeastStep = 1e-6;
 
-double step_of(double value) { return std::max(kShareOfValue * std::abs(value), kSmallest); }
+double step_of(double value) { return std::max(kShareOfValue * std::abs(value), kLeastStep); }
 
 }  // namespace
 

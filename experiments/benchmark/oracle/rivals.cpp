@@ -8,7 +8,7 @@
 namespace hidden_effects {
 namespace {
 
-constexpr std::size_t kShapesTried = 16;
+constexpr std::size_t kShapesOfRival = 16;
 
 /// Evenly spread in as many dimensions as a shape has (M. Roberts' generalised golden ratio).
 Shape spread_shape(std::size_t number) {
@@ -30,7 +30,7 @@ bool may_be_negative(const LawKind& kind, std::size_t parameter) {
 
 std::vector<bool> positive_parameters(const LawKind& kind) {
   std::vector<bool> positive(kind.parameters.size(), true);
-  for (std::size_t n = 0; n < kShapesTried; ++n)
+  for (std::size_t n = 0; n < kShapesOfRival; ++n)
     for (const double size : {0.1, 1.0, 5.0}) {
       const std::vector<double> values = kind.at_size(size, Scales{}, spread_shape(n));
       for (std::size_t i = 0; i < values.size(); ++i)

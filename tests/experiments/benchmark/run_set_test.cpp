@@ -1,7 +1,6 @@
 #include "runs/run_set.h"
 
 #include "runs/case_failure.h"
-#include "runs/case_folder.h"
 #include "runs/case_store.h"
 #include "runs/user_session.h"
 #include "runs/work_folder.h"
@@ -152,34 +151,6 @@ TEST(BenchmarkDatabase, IsNoOtherProgramsFile) {
   const lacuna::TestFolder folder;
   EXPECT_THROW(Database(folder.write("other.db", "this is no database, and long enough to be looked at")),
                std::invalid_argument);
-}
-
-TEST(CaseFolder, LeavesAloneWhatNoInterruptedRunLeft) {
-  const lacuna::TestFolder work;
-  const std::filesystem::path path = work / "fixed-0002";
-  {
-    const CaseFolder whole(path, true);
-    work.write("fixed-0002/rig.toml", "kept");
-  }
-  EXPECT_THROW(CaseFolder(path, false), std::invalid_argument);
-  EXPECT_TRUE(std::filesystem::exists(path / "rig.toml"));
-}
-
-TEST(CaseFolder, IsEmptiedWhereAnInterruptedRunLeftIt) {
-  const lacuna::TestFolder work;
-  const std::filesystem::path path = work / "fixed-0002";
-  try {
-    const CaseFolder half(path, true);
-    work.write("fixed-0002/rig.toml", "half");
-    throw CaseStopped();
-  } catch (const CaseStopped&) {
-  }
-  ASSERT_TRUE(std::filesystem::exists(path / "rig.toml"));
-  {
-    const CaseFolder again(path, false);
-    EXPECT_FALSE(std::filesystem::exists(path / "rig.toml"));
-  }
-  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 }  // namespace
