@@ -7,7 +7,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kFinest = 8;  ///< times as many substeps, for the finest simulation
+constexpr int kFinest = 8;  ///< times as many substeps
 
 using Predictions = std::vector<TimeSeries::Samples>;
 

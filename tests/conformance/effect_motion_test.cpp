@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 /// What every physical effect does to a motion, at the values of its README and on the way to its neutral ones.
 namespace lacuna {

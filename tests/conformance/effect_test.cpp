@@ -4,13 +4,10 @@
 #include "foundation/unit.h"
 #include "support/allocation_counter.h"
 #include "support/reference_integration.h"
-#include "support/tolerances.h"
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 /// What holds for every physical effect, at the values of its README.

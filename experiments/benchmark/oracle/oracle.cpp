@@ -52,11 +52,11 @@ std::vector<std::string> names_of(const PlantModel& model) {
 
 /// Parameters of which the data say nothing have no bounds, and do not count for the others.
 std::vector<Width> widths_of(const Explanation& at, const Eigen::MatrixXd& information) {
-  constexpr double kQuantile = 1.959964, kNotTold = 1e-20;
+  constexpr double kQuantile = 1.959964, kNoInformation = 1e-20;
   const std::vector<std::string> names = names_of(at.model);
   std::vector<Index> told;
   for (Index i = 0; i < information.rows(); ++i)
-    if (information(i, i) > kNotTold) told.push_back(i);
+    if (information(i, i) > kNoInformation) told.push_back(i);
   const Eigen::MatrixXd of_told = information(told, told);
   const Eigen::VectorXd scale = of_told.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd covariance = (scale.asDiagonal() * of_told * scale.asDiagonal())
