@@ -93,16 +93,16 @@ lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
 
 }  // namespace
 
-std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::vector<std::string>& versions,
                                            const std::string& set) {
   std::vector<JudgedVerdict> verdicts;
   for (const Row& row : database.query(
            "WITH v AS MATERIALIZED (SELECT * FROM verdict_right) SELECT j.rig, j.noise, j.strength, j.effect, "
            "j.form, v.verdict, d.json, v.is_right FROM v CROSS JOIN judged j USING (version, set_name, number) "
            "JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (v.version, v.set_name, v.number, 1) "
-           "WHERE +v.version = ? AND +v.set_name = ? AND v.verdict <> 'cannot_tell' AND j.group_name <> 'contact' "
-           "ORDER BY v.number",
-           {version, set}))
+           "WHERE +v.version IN (SELECT value FROM json_each(?)) AND +v.set_name = ? AND v.verdict <> 'cannot_tell' "
+           "AND j.group_name <> 'contact' ORDER BY v.number, v.version",
+           {list_cell(versions), set}))
     verdicts.push_back({text(row[0]), text(row[1]), fmt::format("{:g}", real(row[2])), text(row[3]), text(row[4]),
                         text(row[5]), nlohmann::json::parse(text(row[6])).value("evidence", lacuna::Evidence{}),
                         real(row[7])});

@@ -15,8 +15,8 @@ struct JudgedVerdict {
   double is_right = 0.0;
 };
 
-/// All of a version and set but `cannot_tell`, which states no probability.
-std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
+/// All of some versions and a set but `cannot_tell`, which states no probability.
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::vector<std::string>& versions,
                                            const std::string& set);
 
 /// Fits the log odds of each verdict, with the penalty of weights that tells each rig best from the others; verdicts

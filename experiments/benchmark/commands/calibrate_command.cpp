@@ -59,15 +59,16 @@ void calibrate(const CalibrateOptions& options) {
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   const Database database(options.database, Access::read);
-  const FigureValues all = read_figures(database, options.version, options.set);
-  const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.version, all.set);
+  const std::vector<std::string> versions(options.version.empty() ? 0 : 1, options.version);
+  const FigureValues all = read_figures(database, versions, options.set);
+  const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.versions, all.set);
   if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");
   const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
   if (calibration.without.size() < 2)
     throw std::invalid_argument("the verdicts are of one rig alone; what is fitted to it cannot be tried on another");
   const Told told = told_by(verdicts, calibration);
   const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
-                                         all.set, all.version, verdicts.size());
+                                         all.set, fmt::join(all.versions, " "), verdicts.size());
   std::ofstream file(options.out, std::ios::binary);
   file << lacuna::calibration_json(calibration, source);
   if (!file.flush()) throw std::runtime_error(options.out.string() + " cannot be written");

@@ -19,7 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FiguresOptions {
-  std::string set = "reporting", version;
+  std::string set = "reporting";
+  std::vector<std::string> versions;
+  bool every_version = false;
   fs::path database, out;
 };
 
@@ -27,7 +29,8 @@ void show_figures(const FiguresOptions& options) {
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   const Database database(options.database, Access::read);
-  const FigureValues all = read_figures(database, options.version, options.set);
+  const FigureValues all = read_figures(
+      database, options.every_version ? versions_of(database, options.set) : options.versions, options.set);
   const std::string page = markdown(all) + baseline_table(database, all);
   if (options.out.empty()) return fmt::print("{}", page);
   make_folder(options.out);
@@ -48,9 +51,12 @@ void add_figures_command(CLI::App& program) {
       ->check(not_empty())
       ->option_text("FILE");
   command->add_option("--set", options->set, "tuning, reporting or fixed (default: reporting)")->option_text("SET");
-  command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
-      ->check(not_empty())
-      ->option_text("TEXT");
+  CLI::Option* versions = command
+                              ->add_option("--version", options->versions,
+                                           "Versions of the method, counted together (default: the one begun last)")
+                              ->check(not_empty())
+                              ->option_text("TEXT...");
+  command->add_flag("--every-version", options->every_version, "All versions, counted together")->excludes(versions);
   command
       ->add_option("--out", options->out,
                    "Folder for figures.md and the pictures (SVG); without it, the figures are printed")

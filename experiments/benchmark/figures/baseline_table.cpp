@@ -17,8 +17,8 @@ Values read_baselines(const Database& database, const FigureValues& all) {
   for (const Row& row : database.query(
            "WITH v AS MATERIALIZED (SELECT * FROM baseline_value) SELECT v.method, v.figure, j.noise, v.value "
            "FROM v CROSS JOIN judged j USING (version, set_name, number) "
-           "WHERE +v.version = ? AND +v.set_name = ? ORDER BY number",
-           {all.version, all.set}))
+           "WHERE +v.version IN (SELECT value FROM json_each(?)) AND +v.set_name = ? ORDER BY number, v.version",
+           {list_cell(all.versions), all.set}))
     for (const std::string& noise : {text(row[2]), std::string()})
       values[text(row[0])][text(row[1])][noise].push_back(real(row[3]));
   return values;

@@ -4,28 +4,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace hidden_effects {
 namespace {
 
-std::string last_version(const Database& database, const std::string& set) {
-  const std::vector<Row> rows = database.query(
-      "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) "
-      "ORDER BY begun DESC, version DESC LIMIT 1",
-      {set});
-  return rows.empty() ? "" : text(rows[0][0]);
-}
-
 void count_cases(const Database& database, FigureValues& all) {
-  const Row counts =
-      database.query("SELECT count(*), count(nullif(made, 0)) FROM judged WHERE version = ? AND set_name = ?",
-                     {all.version, all.set})[0];
+  const Row of = {list_cell(all.versions), all.set};
+  const Row counts = database.query(
+      "SELECT count(*), count(nullif(made, 0)) FROM judged "
+      "WHERE version IN (SELECT value FROM json_each(?)) AND set_name = ?",
+      of)[0];
   all.cases = static_cast<std::size_t>(integer(counts[0]));
   all.made = static_cast<std::size_t>(integer(counts[1]));
-  all.not_withheld = static_cast<std::size_t>(integer(database.query(
-      "SELECT count(*) FROM not_withheld WHERE version = ? AND set_name = ?", {all.version, all.set})[0][0]));
+  const Row others = database.query(
+      "SELECT count(*) FROM not_withheld "
+      "WHERE version IN (SELECT value FROM json_each(?)) AND set_name = ?",
+      of)[0];
+  all.not_withheld = static_cast<std::size_t>(integer(others[0]));
 }
 
 std::string strength_text(const Cell& strength) {
@@ -39,8 +37,9 @@ void read_values(const Database& database, FigureValues& all) {
                                        "SELECT v.figure, v.value, v.probability, j.noise, j.strength, j.rig, j.effect, "
                                        "j.form "
                                        "FROM v CROSS JOIN judged j USING (version, set_name, number) "
-                                       "WHERE +v.version = ? AND +v.set_name = ? ORDER BY number",
-                                       {all.version, all.set}))
+                                       "WHERE +v.version IN (SELECT value FROM json_each(?)) AND +v.set_name = ? "
+                                       "ORDER BY number, v.version",
+                                       {list_cell(all.versions), all.set}))
     all.values.push_back({text(row[0]), real(row[1]), real(row[2]), text(row[3]), strength_text(row[4]), text(row[5]),
                           text(row[6]), text(row[7])});
 }
@@ -61,14 +60,35 @@ bool FigureKind::met_by(double value) const {
   return !(value < least) && !(value > most);  // NaN bounds bound nothing
 }
 
-FigureValues read_figures(const Database& database, const std::string& version, const std::string& set) {
+std::string version_text(const FigureValues& all) {
+  const std::vector<std::string>& versions = all.versions;
+  if (versions.size() > 2) return fmt::format("{} versions", versions.size());
+  return fmt::format("version{} {}", versions.size() == 1 ? "" : "s", fmt::join(versions, " and "));
+}
+
+std::vector<std::string> versions_of(const Database& database, const std::string& set) {
+  std::vector<std::string> versions;
+  for (const Row& row : database.query(
+           "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) "
+           "ORDER BY begun, version",
+           {set}))
+    versions.push_back(text(row[0]));
+  return versions;
+}
+
+FigureValues read_figures(const Database& database, const std::vector<std::string>& versions, const std::string& set) {
+  const std::vector<std::string> known = versions_of(database, set);
+  if (known.empty())
+    throw std::invalid_argument(
+        fmt::format("the database has no case of --set {}; it has {}", set, what_is_there(database)));
+  for (const std::string& version : versions)
+    if (std::find(known.begin(), known.end(), version) == known.end())
+      throw std::invalid_argument(fmt::format("the database has no case of --set {} --version {}; it has {}", set,
+                                              version, what_is_there(database)));
   FigureValues all;
   all.set = set;
-  all.version = version.empty() ? last_version(database, set) : version;
+  all.versions = versions.empty() ? std::vector{known.back()} : versions;
   count_cases(database, all);
-  if (all.cases == 0)
-    throw std::invalid_argument(fmt::format("the database has no case of --set {}{}; it has {}", set,
-                                            version.empty() ? "" : " --version " + version, what_is_there(database)));
   for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
     all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});
   read_values(database, all);

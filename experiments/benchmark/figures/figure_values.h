@@ -24,18 +24,26 @@ struct FigureValue {
   std::string noise, strength, rig, effect, form;
 };
 
-/// What the cases of one version and set give.
+/// What the cases of a set give, of one version of the method or of several together.
 struct FigureValues {
-  std::string version, set;
+  std::vector<std::string> versions;
+  std::string set;
   std::vector<FigureKind> figures;
   std::vector<FigureValue> values;
-  std::size_t cases = 0;         ///< in the database, but for those `not_withheld`
+  std::size_t cases = 0;         ///< in the database, but for those `not_withheld`; of several versions one each
   std::size_t made = 0;          ///< of these; the others could not be
   std::size_t not_withheld = 0;  ///< cases that count nowhere: a right answer was left in the library
 };
 
-/// Throws `std::runtime_error` where the database has none. An empty version: the one that was begun last.
-FigureValues read_figures(const Database& database, const std::string& version, const std::string& set);
+/// "version a", "versions a and b", "11 versions".
+std::string version_text(const FigureValues& all);
+
+/// Of a set, oldest first.
+std::vector<std::string> versions_of(const Database& database, const std::string& set);
+
+/// Without any version: of the one that was begun last. Throws `std::invalid_argument` where the database has no case
+/// of one of them.
+FigureValues read_figures(const Database& database, const std::vector<std::string>& versions, const std::string& set);
 
 /// One figure over the values that `chosen` takes.
 Estimate estimate_of(const FigureValues& all, const FigureKind& figure,

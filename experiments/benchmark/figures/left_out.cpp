@@ -6,7 +6,7 @@ namespace hidden_effects {
 
 void add_left_out(const Database& database, FigureValues& all) {
   const lacuna::ShippedCalibration& shipped = lacuna::shipped_calibration();
-  for (const JudgedVerdict& one : judged_verdicts(database, all.version, all.set)) {
+  for (const JudgedVerdict& one : judged_verdicts(database, all.versions, all.set)) {
     const auto rig = shipped.without.find(one.rig);
     const lacuna::Calibration& calibration = rig == shipped.without.end() ? shipped.all : rig->second;
     const auto verdict = calibration.find(one.verdict);

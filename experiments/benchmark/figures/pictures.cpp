@@ -29,7 +29,7 @@ std::vector<Stated> stated_of(const FigureValues& all) {
 }
 
 std::string title_of(const char* what, const FigureValues& all, std::size_t n) {
-  return fmt::format("{} · {} cases, version {} · n {}", what, all.set, all.version, n);
+  return fmt::format("{} · {} cases, {} · n {}", what, all.set, version_text(all), n);
 }
 
 void add_interval(double x, const Estimate& estimate, Series& intervals) {
@@ -89,10 +89,11 @@ Figure accuracy(const FigureValues& all, std::vector<Stated> stated) {
 Matrix confusion(const Database& database, const FigureValues& all) {
   Matrix matrix;
   for (const Row& row : database.query("SELECT hidden, named, count(*) FROM confusion "
-                                       "WHERE version = ? AND set_name = ? GROUP BY hidden, named",
-                                       {all.version, all.set}))
+                                       "WHERE version IN (SELECT value FROM json_each(?)) AND set_name = ? "
+                                       "GROUP BY hidden, named",
+                                       {list_cell(all.versions), all.set}))
     matrix.count[text(row[0])][text(row[1])] = static_cast<int>(integer(row[2]));
-  matrix.title = fmt::format("Hidden effect and the first that is named · {} cases, version {}", all.set, all.version);
+  matrix.title = fmt::format("Hidden effect and the first that is named · {} cases, {}", all.set, version_text(all));
   matrix.note =
       "Framed: the hidden effect itself. Dark: a large share of the row. Cases with two hidden effects are left out.";
   matrix.row_title = "hidden";

@@ -130,7 +130,7 @@ std::string goal_text(const FigureKind& figure) {
 }
 
 std::string markdown(const FigureValues& all) {
-  std::string page = fmt::format("# Hidden effects: {}, version {}\n\n{} cases", all.set, all.version, all.cases);
+  std::string page = fmt::format("# Hidden effects: {}, {}\n\n{} cases", all.set, version_text(all), all.cases);
   if (all.made < all.cases) page += fmt::format(", of which {} could not be made", all.cases - all.made);
   if (all.not_withheld > 0)
     page += fmt::format(

@@ -7,6 +7,7 @@
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
 #include <limits>
@@ -57,6 +58,8 @@ std::string text(const Cell& cell) {
   const auto* words = std::get_if<std::string>(&cell);
   return words ? *words : "";
 }
+
+Cell list_cell(const std::vector<std::string>& texts) { return nlohmann::json(texts).dump(); }
 
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
   if (std::filesystem::is_directory(file)) refuse("is a folder; name the database in it");

@@ -22,6 +22,9 @@ double real(const Cell& cell);
 std::int64_t integer(const Cell& cell);
 std::string text(const Cell& cell);
 
+/// Texts as one value, for `IN (SELECT value FROM json_each(?))`.
+Cell list_cell(const std::vector<std::string>& texts);
+
 enum class Access { read, write };
 
 /// The benchmark's own SQLite file (schema.sql). Several processes may write to one; a transaction waits a minute for

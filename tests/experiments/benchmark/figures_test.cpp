@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace hidden_effects {
 namespace {
 
@@ -22,7 +24,7 @@ class Figures : public testing::Test {
   void keep(const CaseResult& result) { keep_case(database_, result); }
 
   Estimate figure(const std::string& name) {
-    const FigureValues all = read_figures(database_, "v", "tuning");
+    const FigureValues all = read_figures(database_, {"v"}, "tuning");
     for (const FigureKind& kind : all.figures)
       if (kind.name == name) return estimate_of(all, kind, [](const FigureValue&) { return true; });
     ADD_FAILURE() << "no figure " << name;
@@ -265,7 +267,7 @@ TEST_F(Figures, CasesThatEndedEarlyCountAsWrong) {
 
 TEST_F(Figures, ThePageHasEstimateIntervalAndGoal) {
   keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
-  const std::string page = markdown(read_figures(database_, "", "tuning"));
+  const std::string page = markdown(read_figures(database_, {}, "tuning"));
   EXPECT_THAT(page, HasSubstr("| first class right, strength 3 (score 1/(1 + k)) | ≥ 95 % | "
                               "100.0 % [20.7, 100.0] n 1 | yes | – | – | 100.0 % [20.7, 100.0] n 1 |"));
   EXPECT_THAT(page, HasSubstr("## By rig"));
@@ -277,7 +279,7 @@ TEST_F(Figures, FormsOfTheHiddenLawStandBesideEachOther) {
   CaseResult bristles = answered(1, small_diagnosis(1, "effect_found", 0.9, {kSpring}));
   bristles.about.hidden.front().library_form = false;
   keep(bristles);
-  const std::string page = markdown(read_figures(database_, "", "tuning"));
+  const std::string page = markdown(read_figures(database_, {}, "tuning"));
   EXPECT_THAT(page,
               HasSubstr("## By form of the hidden law, all noise\n\n| figure | another form | the library's form |"));
   EXPECT_THAT(page, HasSubstr("| first class right, strength 3 (score 1/(1 + k)) | 0.0 % [0.0, 79.3] n 1 | "
@@ -293,7 +295,7 @@ TEST_F(Figures, OtherMethodsAreScoredOnTheSameCases) {
     if (number == 2) result.baselines[0].ranking = {kSpring};
     keep(result);
   }
-  const std::string table = baseline_table(database_, read_figures(database_, "v", "tuning"));
+  const std::string table = baseline_table(database_, read_figures(database_, {"v"}, "tuning"));
   EXPECT_THAT(table, HasSubstr("| guess | first right | 33.3 % [6.1, 79.2] n 3 |"));
   EXPECT_THAT(table, HasSubstr("| guess | among the first three | 66.7 % [20.8, 93.9] n 3 |"));
   EXPECT_THAT(table, HasSubstr("| guess | processor seconds | 4 [4, 4] n 3 |"));
@@ -307,15 +309,41 @@ TEST_F(Figures, MethodsMayNameWhatCannotBeToldFromTheTruth) {
   result.baselines = {{"guess", 1, 4.0, {kSpring}, {2.0}}};
   result.oracle.rivals = {{0, kSpring, 0.5, false}};
   keep(result);
-  const std::string table = baseline_table(database_, read_figures(database_, "v", "tuning"));
+  const std::string table = baseline_table(database_, read_figures(database_, {"v"}, "tuning"));
   for (const std::string method : {"guess", "lacuna"}) {
     EXPECT_THAT(table, HasSubstr("| " + method + " | first right | 0.0 % [0.0, 79.3] n 1 |"));
     EXPECT_THAT(table, HasSubstr("| " + method + " | first right, or not told from it by the oracle | 100.0 %"));
   }
 }
 
+/// An answer of another version to the same case, and one to a case of its own: three together, one each apart.
+TEST_F(Figures, VersionsAreCountedApartOrTogether) {
+  keep_version(database_, "w", "0.1.1");
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  for (const int number : {0, 1}) {
+    CaseResult later = answered(number, small_diagnosis(1, "effect_found", 0.9, {kSpring}));
+    later.about.version = "w";
+    keep(later);
+  }
+  const auto alike = [&](const std::vector<std::string>& versions) {
+    const FigureValues all = read_figures(database_, versions, "tuning");
+    const auto named = std::find_if(all.figures.begin(), all.figures.end(),
+                                    [](const FigureKind& kind) { return kind.name == "named"; });
+    return estimate_of(all, *named, [](const FigureValue&) { return true; });
+  };
+  EXPECT_EQ(versions_of(database_, "tuning"), (std::vector<std::string>{"v", "w"}));
+  EXPECT_EQ(alike({"v", "w"}).n, 3U);
+  EXPECT_NEAR(alike({"v", "w"}).value, 1.0 / 3.0, 1e-12);
+  EXPECT_EQ(alike({"v"}).value, 1.0);
+  EXPECT_EQ(alike({}).n, 2U) << "the one begun last";
+  EXPECT_EQ(version_text(read_figures(database_, {"v", "w"}, "tuning")), "versions v and w");
+  EXPECT_EQ(read_figures(database_, {"v", "w"}, "tuning").cases, 3U);
+}
+
 TEST_F(Figures, ASetWithoutCasesIsSaid) {
-  EXPECT_THROW(read_figures(database_, "v", "reporting"), std::invalid_argument);
+  keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
+  EXPECT_THROW(read_figures(database_, {"v", "x"}, "tuning"), std::invalid_argument);
+  EXPECT_THROW(read_figures(database_, {"v"}, "reporting"), std::invalid_argument);
 }
 
 TEST(MatrixPicture, ShadesByTheShareOfTheRow) {
