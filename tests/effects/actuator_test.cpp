@@ -11,7 +11,7 @@
 #include <cmath>
 
 /// What effects make of commands, on a mass without friction: its velocity is the integral of the force.
-namespace lacuna {
+namespace lacuna::actuator_test {
 namespace {
 
 constexpr double kMass = 2.0;   // kg
@@ -166,4 +166,4 @@ TEST(Backlash, AgreesWithAnIndependentIntegration) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::actuator_test

@@ -9,7 +9,7 @@
 #include <cmath>
 
 /// Forces on bodies, and gravity.
-namespace lacuna {
+namespace lacuna::body_test {
 namespace {
 
 constexpr double kMass = 0.9, kLength = 0.35, kInertia = 0.03;
@@ -83,4 +83,4 @@ TEST(MountTilt, AcrossTheAxisWeakensGravity) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::body_test

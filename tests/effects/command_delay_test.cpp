@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::command_delay_test {
 namespace {
 
 constexpr double kMass = 2.0, kSpring = 60.0, kStep = 1e-3;
@@ -112,4 +112,4 @@ TEST(CommandDelay, ContinuesBitIdenticallyAfterARestore) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::command_delay_test

@@ -12,7 +12,7 @@
 #include <cmath>
 
 /// Bodies on the ground, against textbook solutions.
-namespace lacuna {
+namespace lacuna::contact_test {
 namespace {
 
 constexpr double kMass = 2.0, kRadius = 0.1;
@@ -134,4 +134,4 @@ TEST(ContactFriction, LetsABoxSlideDownASlopeWithTheKnownAcceleration) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::contact_test

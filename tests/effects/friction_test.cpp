@@ -10,7 +10,7 @@
 #include <functional>
 
 /// Dry friction laws against an integration that finds each stop, and stays there while the force is below the limit.
-namespace lacuna {
+namespace lacuna::friction_test {
 namespace {
 
 constexpr double kMass = 0.8;  // kg
@@ -145,4 +145,4 @@ TEST(Hysteresis, SpringsBackAndGoesOverIntoCoulombFriction) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::friction_test

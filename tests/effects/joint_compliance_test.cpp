@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::joint_compliance_test {
 namespace {
 
 constexpr double kMass = 0.9, kLength = 0.35, kInertia = 0.03;
@@ -56,4 +56,4 @@ TEST(JointCompliance, ContinuesBitIdenticallyAfterARestore) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::joint_compliance_test

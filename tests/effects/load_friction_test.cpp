@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::load_friction_test {
 namespace {
 
 constexpr double kMass = 1.5, kSpring = 25.0, kConstant = -1.0, kRatio = 0.3;
@@ -86,4 +86,4 @@ TEST(LoadFriction, OfAServoContinuesBitIdenticallyAfterARestore) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::load_friction_test

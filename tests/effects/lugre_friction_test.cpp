@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::lugre_friction_test {
 namespace {
 
 constexpr double kMass = 1.0;
@@ -95,4 +95,4 @@ TEST(LugreFriction, ContinuesBitIdenticallyAfterARestore) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::lugre_friction_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::payload_test {
 namespace {
 
 constexpr double kMass = 0.9, kLength = 0.35, kInertia = 0.03;
@@ -71,4 +71,4 @@ TEST(AllEffectsTogether, ContinueBitIdenticallyAfterARestore) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::payload_test

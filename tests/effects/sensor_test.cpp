@@ -11,7 +11,7 @@
 #include <cmath>
 
 /// What effects make of readings: of a mass that flies on at a known speed, or swings.
-namespace lacuna {
+namespace lacuna::sensor_test {
 namespace {
 
 constexpr double kSpeed = 1.5;  // m/s
@@ -112,4 +112,4 @@ TEST(ClockSkew, RefusesTouchSensors) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::sensor_test

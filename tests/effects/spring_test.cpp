@@ -10,7 +10,7 @@
 #include <cmath>
 
 /// Elastic joint effects against the solutions of their equations of motion.
-namespace lacuna {
+namespace lacuna::spring_test {
 namespace {
 
 constexpr double kInertia = 0.5;  // kg on a slider
@@ -131,4 +131,4 @@ TEST(BaseCompliance, AgreesWithAnIndependentIntegrationOfLinkAndBase) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::spring_test

@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
-using ::testing::HasSubstr;
+using namespace lacuna::analytic;
+using testing::HasSubstr;
 
 /// q'' = u / mass.
 double pushed(std::span<const double> values, double, double, double u) { return u / values[0]; }

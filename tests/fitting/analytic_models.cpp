@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace lacuna::testing {
+namespace lacuna::analytic {
 namespace {
 
 void prepare(const std::vector<Channel>& channels, const SimulationOptions& options, SimulationResult& result) {
@@ -132,4 +132,4 @@ CommandSeries two_sines(double duration, double amplitude) {
   return commands;
 }
 
-}  // namespace lacuna::testing
+}  // namespace lacuna::analytic

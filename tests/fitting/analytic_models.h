@@ -6,7 +6,7 @@
 #include <functional>
 
 /// Models with known answers, made without an engine, and recordings of them.
-namespace lacuna::testing {
+namespace lacuna::analytic {
 
 /// reading(t) = f(values, t): no joints, no commands.
 class FormulaModel : public CompiledModel {
@@ -67,4 +67,4 @@ Trial record(const CompiledModel& model, const std::vector<double>& values, cons
 /// A motor command of two sines at 100 Hz, zero-order hold.
 CommandSeries two_sines(double duration, double amplitude);
 
-}  // namespace lacuna::testing
+}  // namespace lacuna::analytic

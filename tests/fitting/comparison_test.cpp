@@ -10,8 +10,8 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
-using ::testing::SizeIs;
+using namespace lacuna::analytic;
+using testing::SizeIs;
 
 Trial from_given_start(Trial trial) {
   trial.initial = {{InitialKnowledge::given, 0.3, -0.2}};
@@ -115,10 +115,9 @@ TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
 TEST(Compare, AsksForSmallerStepsWhereTheyCount) {
   const auto notes = [](double damping) { return compare_with_pushed(0.05, damping).notes; };
   // 12.5 mrad at rest, beside an error of 10 that the uncertain start makes.
-  EXPECT_THAT(notes(0.5),
-              ::testing::ElementsAre("the numerical error of angle is not small beside its error and floor; "
-                                     "set more engine.substeps"));
-  EXPECT_THAT(notes(0.0), ::testing::IsEmpty());  // small beside the error of a spring without damping
+  EXPECT_THAT(notes(0.5), testing::ElementsAre("the numerical error of angle is not small beside its error and floor; "
+                                               "set more engine.substeps"));
+  EXPECT_THAT(notes(0.0), testing::IsEmpty());  // small beside the error of a spring without damping
 }
 
 /// The spring's model, but for angles beyond 0.6 rad, and a trial on either side.
@@ -141,7 +140,7 @@ TEST(Compare, ATrialThatCannotBeSimulatedIsNamedAndLeavesNoErrorOfAll) {
   EXPECT_TRUE(comparison.trials[0].valid);
   EXPECT_FALSE(comparison.trials[1].valid);
   ASSERT_THAT(comparison.notes, SizeIs(1));
-  EXPECT_THAT(comparison.notes[0], ::testing::HasSubstr("trial 2 cannot be simulated"));
+  EXPECT_THAT(comparison.notes[0], testing::HasSubstr("trial 2 cannot be simulated"));
   EXPECT_EQ(comparison.trials[1].channels[0].samples, 1001u - 11u);  // that it owes a prediction of
   EXPECT_TRUE(std::isnan(comparison.trials[1].channels[0].rmse));
   EXPECT_TRUE(comparison.trials[1].predicted.array().isNaN().all());
@@ -178,14 +177,14 @@ TEST(Compare, ATrialThatEndsWithinItsFirst50MillisecondsIsNamed) {
   const Comparison comparison = compare_spring({spring_trial(kNoise, 1, 1.0), spring_trial(kNoise, 2, 0.03)}, 0.5);
   EXPECT_EQ(comparison.trials[1].channels[0].samples, 0u);
   ASSERT_THAT(comparison.notes, SizeIs(1));
-  EXPECT_THAT(comparison.notes[0], ::testing::HasSubstr("trial 2 is not scored"));
+  EXPECT_THAT(comparison.notes[0], testing::HasSubstr("trial 2 is not scored"));
 }
 
 TEST(Compare, NothingToScoreIsNoAgreement) {
   Trial masked = spring_trial(kNoise, 1, 1.0);
   masked.measured.samples.setConstant(std::nan(""));
   EXPECT_THAT([&] { compare_spring({masked}, 0.5); },
-              ::testing::ThrowsMessage<Error>(::testing::HasSubstr("there is nothing to compare: trial 1")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("there is nothing to compare: trial 1")));
 }
 
 TEST(Compare, GivesTheSameDigitsForAnyNumberOfThreads) {

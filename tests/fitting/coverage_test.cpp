@@ -11,10 +11,10 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
+using namespace lacuna::analytic;
 
 constexpr int kRepeats = 200;
-const std::vector<double> kTruth = {1.5, -0.7};
+const std::vector<double> kLineTruth = {1.5, -0.7};
 
 double line(std::span<const double> values, double t) {
   return values[0] * std::sin(2.0 * t) + values[1] * std::cos(0.9 * t);
@@ -23,7 +23,7 @@ double line(std::span<const double> values, double t) {
 /// The linear model in noise of first order: each sample remembers `memory` of the one before.
 Trial noisy_line(double memory, std::uint64_t seed) {
   const FormulaModel model(line);
-  Trial trial = record(model, kTruth, regular_times(600, 20.0), {}, {}, 0.0, seed);
+  Trial trial = record(model, kLineTruth, regular_times(600, 20.0), {}, {}, 0.0, seed);
   SeededNoise random(seed, 99);
   double noise = random.normal();
   for (Eigen::Index row = 0; row < trial.measured.samples.rows(); ++row) {
@@ -50,8 +50,8 @@ Coverage coverage(double memory) {
     const std::vector<Trial> trials = {noisy_line(memory, 1000 + static_cast<std::uint64_t>(repeat))};
     const FitResult result = fit({definition, model, trials, options});
     for (std::size_t i = 0; i < 2; ++i)
-      if (result.values[i].lower_95 <= kTruth[i] && kTruth[i] <= result.values[i].upper_95) ++hits;
-    squares += std::pow(result.values[0].value - kTruth[0], 2) / kRepeats;
+      if (result.values[i].lower_95 <= kLineTruth[i] && kLineTruth[i] <= result.values[i].upper_95) ++hits;
+    squares += std::pow(result.values[0].value - kLineTruth[0], 2) / kRepeats;
     stated += result.values[0].standard_error / kRepeats;
   }
   return {hits / (2.0 * kRepeats), stated / std::sqrt(squares)};

@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 /// The rig of `experiments/emps.toml`; its recordings are not part of the project, LACUNA_DATA says where they are.
-class Emps : public ::testing::Test {
+class Emps : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::getenv("LACUNA_DATA")) GTEST_SKIP() << "LACUNA_DATA is not set";

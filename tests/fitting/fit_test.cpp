@@ -10,12 +10,12 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
-using ::testing::Contains;
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+using namespace lacuna::analytic;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 
 constexpr double kGravity = 9.81;
 constexpr double kLength = 0.5;
@@ -27,11 +27,11 @@ double pendulum(std::span<const double> values, double q, double v, double comma
   return (torque - values[0] * kGravity * kLength * std::sin(q)) / (values[0] * kLength * kLength);
 }
 
-const std::vector<double> kTruth = {0.8, 0.05, 0.1};
+const std::vector<double> kPendulumTruth = {0.8, 0.05, 0.1};
 
 Trial pendulum_trial(double duration, double noise, std::uint64_t seed) {
   const OneJointModel model(pendulum);
-  return record(model, kTruth, regular_times(static_cast<Eigen::Index>(200 * duration) + 1, 200.0),
+  return record(model, kPendulumTruth, regular_times(static_cast<Eigen::Index>(200 * duration) + 1, 200.0),
                 two_sines(duration, 1.5), {{0.3}, {0.0}}, noise, seed);
 }
 
@@ -48,16 +48,16 @@ FitResult fit_pendulum(const std::vector<Trial>& trials, const FitSection& optio
 }
 
 void expect_truth(const FitResult& result, double tolerance) {
-  for (std::size_t i = 0; i < kTruth.size(); ++i)
-    EXPECT_NEAR(result.values[i].value, kTruth[i], tolerance * kTruth[i]) << result.values[i].address;
+  for (std::size_t i = 0; i < kPendulumTruth.size(); ++i)
+    EXPECT_NEAR(result.values[i].value, kPendulumTruth[i], tolerance * kPendulumTruth[i]) << result.values[i].address;
 }
 
 TEST(Fit, RecoversMassAndFrictionOfAPendulumByMultipleShooting) {
   const FitResult result = fit_pendulum({pendulum_trial(8.0, kNoise, 3)});
   expect_truth(result, 0.02);
-  for (std::size_t i = 0; i < kTruth.size(); ++i) {
-    EXPECT_LT(result.values[i].lower_95, kTruth[i]) << result.values[i].address;
-    EXPECT_GT(result.values[i].upper_95, kTruth[i]) << result.values[i].address;
+  for (std::size_t i = 0; i < kPendulumTruth.size(); ++i) {
+    EXPECT_LT(result.values[i].lower_95, kPendulumTruth[i]) << result.values[i].address;
+    EXPECT_GT(result.values[i].upper_95, kPendulumTruth[i]) << result.values[i].address;
   }
   ASSERT_EQ(result.stages.size(), 3u);
   EXPECT_EQ(result.stages[0].segments, 80);
@@ -102,8 +102,8 @@ TEST(Fit, GivesTheSameDigitsWhereStartsRunSideBySide) {
 }
 
 TEST(Fit, LeavesOutSegmentsThatHoldTooFewSamples) {
-  const std::vector<Trial> trials = {
-      record(OneJointModel(pendulum), kTruth, regular_times(81, 10.0), two_sines(8.0, 1.5), {{0.3}, {0.0}}, kNoise, 3)};
+  const std::vector<Trial> trials = {record(OneJointModel(pendulum), kPendulumTruth, regular_times(81, 10.0),
+                                            two_sines(8.0, 1.5), {{0.3}, {0.0}}, kNoise, 3)};
   const FitResult result = fit_pendulum(trials);
   expect_truth(result, 0.05);
   EXPECT_THAT(result.notes, Contains("segments of 0.1 s hold too few samples to tell anything: left out"));
@@ -115,7 +115,7 @@ TEST(Fit, HuberIsNotPulledByWildReadings) {
   expect_truth(fit_pendulum({trial}), 0.03);
   FitSection squared;
   squared.loss = "squared";
-  EXPECT_GT(std::abs(fit_pendulum({trial}, squared).values[2].value - kTruth[2]), 0.03 * kTruth[2]);
+  EXPECT_GT(std::abs(fit_pendulum({trial}, squared).values[2].value - kPendulumTruth[2]), 0.03 * kPendulumTruth[2]);
 }
 
 TEST(Fit, MaskedSamplesAndHeldOutTrialsDoNotCount) {
@@ -177,7 +177,7 @@ TEST(Fit, IntervalsReachAsFarAsTheIntegrationStepHasMovedTheValue) {
   EXPECT_EQ(value.lower_95, without.values[0].lower_95);
   EXPECT_NEAR(value.upper_95 - without.values[0].upper_95, braking, 0.1 * braking);
   EXPECT_GT(value.upper_95, truth);
-  EXPECT_THAT(with.notes, ::testing::Contains(HasSubstr("would move joint.hinge.damping by +0.05")));
+  EXPECT_THAT(with.notes, testing::Contains(HasSubstr("would move joint.hinge.damping by +0.05")));
 }
 
 TEST(Fit, OneSampleIsNothingToFitTo) {

@@ -9,10 +9,10 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
+using namespace lacuna::analytic;
 
 /// A line beside a wave that has its share of slope: the line alone takes the slope of both.
-class HeldValues : public ::testing::Test {
+class HeldValues : public testing::Test {
  protected:
   static double line_and_wave(std::span<const double> values, double t) {
     return values[0] * t + values[1] * std::sin(0.5 * t);

@@ -10,9 +10,9 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
+using namespace lacuna::analytic;
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 /// Fits a slider to a recording of itself with the values given; starts are 10 % off.
 FitResult fit_slider(const OneJointModel::Acceleration& acceleration, std::vector<FreeValue> free,
@@ -75,7 +75,7 @@ TEST(Identifiability, GravityTellsMassFromGain) {
   const FitResult result = fit_slider(
       [](std::span<const double> p, double q, double, double u) { return p[1] * u / p[0] - 9.81 * std::sin(q); },
       {free_value("body.arm.mass", 2.2, 0.1, 10.0), free_value("joint.hinge.damping", 0.5, 0.0, 10.0)}, {2.0, 1.0});
-  EXPECT_THAT(result.cannot_tell, ::testing::SizeIs(1));  // still their ratio: gravity does not weigh the force
+  EXPECT_THAT(result.cannot_tell, testing::SizeIs(1));  // still their ratio: gravity does not weigh the force
   const FitResult told = fit_slider(
       [](std::span<const double> p, double q, double, double u) { return (p[1] * u - 9.81 * std::sin(q)) / p[0]; },
       {free_value("body.arm.mass", 2.2, 0.1, 10.0), free_value("actuator.motor.gain", 0.9, 0.1, 10.0)}, {2.0, 1.0});

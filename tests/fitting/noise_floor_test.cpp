@@ -12,8 +12,8 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
-using ::testing::HasSubstr;
+using namespace lacuna::analytic;
+using testing::HasSubstr;
 
 constexpr double kRate = 100.0;
 

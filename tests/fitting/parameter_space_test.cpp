@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
+using namespace lacuna::analytic;
 
 TEST(ParameterSpace, TakesTheLogarithmWhereDeclaredAndPositive) {
   const ParameterSpace space({free_value("a", 1.0, 0.01, 100.0, Scale::logarithmic),

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace lacuna::testing {
+namespace lacuna::analytic {
 
 inline constexpr double kNoise = 1e-3;  // rad
 
@@ -22,4 +22,4 @@ inline Trial spring_trial(double noise, std::uint64_t seed, double duration = 5.
                 two_sines(duration, 1.5), {{0.3}, {-0.2}}, noise, seed);
 }
 
-}  // namespace lacuna::testing
+}  // namespace lacuna::analytic

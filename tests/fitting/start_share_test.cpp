@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
+using namespace lacuna::analytic;
 
 /// What the estimated starts of many recordings of one motion, each with noise of its own, do to the prediction (RMS
 /// over recordings and scored time), and what `compare` says they do.

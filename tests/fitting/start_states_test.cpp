@@ -12,7 +12,7 @@
 namespace lacuna {
 namespace {
 
-using namespace lacuna::testing;
+using namespace lacuna::analytic;
 
 double fall(std::span<const double>, double, double, double) { return -9.81; }
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::actuator_test {
 namespace {
 
 constexpr double kMass = 2.0;  // kg
@@ -186,4 +186,4 @@ TEST(Pid, RemovesTheOffsetThatAConstantLoadLeaves) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::actuator_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace lacuna::articulation_test {
 namespace {
 
 constexpr double kSame = 1e-10;  // of a reading's largest value
@@ -202,4 +202,4 @@ TEST_P(Articulation, IsPushedAtItsBodies) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::articulation_test

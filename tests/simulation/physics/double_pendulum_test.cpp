@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::double_pendulum_test {
 namespace {
 
 constexpr double kMass = 0.5, kLength = 0.3, kInertia = 0.01;
@@ -64,4 +64,4 @@ TEST(DoublePendulum, EnergyDriftShrinksWithTheStep) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::double_pendulum_test

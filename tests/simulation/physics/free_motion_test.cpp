@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::free_motion_test {
 namespace {
 
 const InertiaSpec kRound{.xx = 1.0, .yy = 1.0, .zz = 1.0};
@@ -106,4 +106,4 @@ TEST(TorqueFreeTop, AngularVelocityGoesRoundInTheWorldFrame) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::free_motion_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace lacuna {
+namespace lacuna::joint_frame_test {
 namespace {
 
 constexpr double kSameFrame = 1e-6;  // rad, m and their rates; the engine's joints drift a little
@@ -206,4 +206,4 @@ TEST_P(JointFrame, UniversalTurnsAboutTheParentsThenTheChildsAxis) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::joint_frame_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::joint_law_test {
 namespace {
 
 constexpr double kInertia = 2.0;  // kg or kg·m²
@@ -152,4 +152,4 @@ TEST_P(JointLaw, StopsDoNotActBetweenThem) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::joint_law_test

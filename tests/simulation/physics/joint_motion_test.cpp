@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace lacuna {
+namespace lacuna::joint_motion_test {
 namespace {
 
 constexpr double kInertia = 0.5;  // kg·m², about every axis through the joint
@@ -168,4 +168,4 @@ TEST(Contact, RestoresItsState) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::joint_motion_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace lacuna {
+namespace lacuna::lone_joint_test {
 namespace {
 
 constexpr double kSame = 1e-7;  // of the largest reading; ODE solves its rows with a regularisation of 1e-10
@@ -113,4 +113,4 @@ TEST(CoordinateLaws, AStopAndAServoShareTheForce) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::lone_joint_test

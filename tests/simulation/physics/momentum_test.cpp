@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace lacuna {
+namespace lacuna::momentum_test {
 namespace {
 
 constexpr double kBodyInertia = 0.5, kBaseMass = 3.0, kBaseInertia = 0.9;
@@ -83,4 +83,4 @@ TEST_P(FloatingPair, VelocityIsTheRateOfThePosition) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::momentum_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::pendulum_test {
 namespace {
 
 constexpr double kMass = 0.7, kLength = 0.4, kInertia = 0.02;
@@ -70,4 +70,4 @@ TEST(Pendulum, SubstepsAreAsGoodAsShorterSteps) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::pendulum_test

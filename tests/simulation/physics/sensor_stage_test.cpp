@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::sensor_stage_test {
 namespace {
 
 constexpr double kStep = 1e-3;
@@ -152,4 +152,4 @@ TEST(SensorState, RestoresDelayLinesAndNoise) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::sensor_stage_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace lacuna {
+namespace lacuna::sensor_test {
 namespace {
 
 constexpr double kStep = 1e-3;
@@ -189,4 +189,4 @@ TEST(GroundContact, IsTheSpringDamperOfItsConstants) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::sensor_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace lacuna {
+namespace lacuna::shape_test {
 namespace {
 
 constexpr double kTilt = 0.4;  // rad, of the shape against its body
@@ -68,4 +68,4 @@ TEST_P(ShapeOnGround, RestsOnItsLowestPointAndCarriesItsWeight) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::shape_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::slope_test {
 namespace {
 
 constexpr double kFriction = 0.5;
@@ -62,4 +62,4 @@ TEST(BoxOnASlope, PositiveSlopeDescendsTowardsX) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::slope_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lacuna {
+namespace lacuna::transmission_test {
 namespace {
 
 constexpr double kInertia = 0.8;                         // kg·m², of the link
@@ -97,4 +97,4 @@ TEST(Transmission, RestoresTheRotorsState) {
 }
 
 }  // namespace
-}  // namespace lacuna
+}  // namespace lacuna::transmission_test
