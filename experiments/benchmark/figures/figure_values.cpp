@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace hidden_effects {
@@ -52,6 +53,21 @@ std::string what_is_there(const Database& database) {
   return all.empty() ? "none at all" : fmt::format("{}", fmt::join(all, "; "));
 }
 
+/// Those of the set, oldest first; refuses what it does not have.
+std::vector<std::string> known_versions(const Database& database, const std::vector<std::string>& asked,
+                                        const std::string& set) {
+  const std::vector<std::string> known = versions_of(database, set);
+  std::vector<std::string> missing;
+  std::copy_if(asked.begin(), asked.end(), std::back_inserter(missing), [&](const std::string& version) {
+    return std::find(known.begin(), known.end(), version) == known.end();
+  });
+  if (known.empty() || !missing.empty())
+    throw std::invalid_argument(fmt::format("the database has no case of --set {}{}{}; it has {}", set,
+                                            missing.empty() ? "" : " --version ", fmt::join(missing, " or "),
+                                            what_is_there(database)));
+  return known;
+}
+
 }  // namespace
 
 bool FigureKind::has_goal() const { return !std::isnan(least) || !std::isnan(most); }
@@ -77,14 +93,7 @@ std::vector<std::string> versions_of(const Database& database, const std::string
 }
 
 FigureValues read_figures(const Database& database, const std::vector<std::string>& versions, const std::string& set) {
-  const std::vector<std::string> known = versions_of(database, set);
-  if (known.empty())
-    throw std::invalid_argument(
-        fmt::format("the database has no case of --set {}; it has {}", set, what_is_there(database)));
-  for (const std::string& version : versions)
-    if (std::find(known.begin(), known.end(), version) == known.end())
-      throw std::invalid_argument(fmt::format("the database has no case of --set {} --version {}; it has {}", set,
-                                              version, what_is_there(database)));
+  const std::vector<std::string> known = known_versions(database, versions, set);
   FigureValues all;
   all.set = set;
   all.versions = versions.empty() ? std::vector{known.back()} : versions;

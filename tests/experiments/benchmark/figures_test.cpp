@@ -342,7 +342,12 @@ TEST_F(Figures, VersionsAreCountedApartOrTogether) {
 
 TEST_F(Figures, ASetWithoutCasesIsSaid) {
   keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
-  EXPECT_THROW(read_figures(database_, {"v", "x"}, "tuning"), std::invalid_argument);
+  EXPECT_THAT(
+      [&] {
+        read_figures(database_, {"x", "v", "y"}, "tuning");
+      },
+      testing::ThrowsMessage<std::invalid_argument>(
+          HasSubstr("no case of --set tuning --version x or y; it has --set tuning of --version v")));
   EXPECT_THROW(read_figures(database_, {"v"}, "reporting"), std::invalid_argument);
 }
 
