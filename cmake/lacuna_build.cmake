@@ -2,7 +2,7 @@
 
 option(LACUNA_TESTS "Build tests, benchmarks and generators" ON)
 option(LACUNA_FUZZ "Build the fuzz targets (clang)" OFF)
-option(LACUNA_UNITY "Compile the sources of large rooms together: a quarter of the time for all of them, more for one" ON)
+option(LACUNA_UNITY "Compile the sources of large targets together: a quarter of the time for all of them, more for one" ON)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -28,7 +28,8 @@ add_custom_target(all_plugins)
 add_custom_target(short_tests)
 add_dependencies(short_tests all_plugins)
 
-# Compiles the sources of a large target up to 48 at a time; names in their anonymous namespaces must differ.
+# Compiles the sources of a large target up to 48 at a time. Names in their anonymous namespaces must differ; where tests
+# would all have a `kMass`, each has a namespace of its own file's name.
 function(lacuna_compile_together target)
   if(LACUNA_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 48)

@@ -59,7 +59,8 @@ void calibrate(const CalibrateOptions& options) {
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   const Database database(options.database, Access::read);
-  const std::vector<std::string> versions(options.version.empty() ? 0 : 1, options.version);
+  std::vector<std::string> versions;
+  if (!options.version.empty()) versions.push_back(options.version);
   const FigureValues all = read_figures(database, versions, options.set);
   const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.versions, all.set);
   if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");

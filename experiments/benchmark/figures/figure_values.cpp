@@ -96,7 +96,9 @@ FigureValues read_figures(const Database& database, const std::vector<std::strin
   const std::vector<std::string> known = known_versions(database, versions, set);
   FigureValues all;
   all.set = set;
-  all.versions = versions.empty() ? std::vector{known.back()} : versions;
+  for (const std::string& version : known)
+    if (std::find(versions.begin(), versions.end(), version) != versions.end()) all.versions.push_back(version);
+  if (all.versions.empty()) all.versions = {known.back()};
   count_cases(database, all);
   for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
     all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});

@@ -26,11 +26,11 @@ struct FigureValue {
 
 /// What the cases of a set give, of one version of the method or of several together.
 struct FigureValues {
-  std::vector<std::string> versions;
+  std::vector<std::string> versions;  ///< oldest first
   std::string set;
   std::vector<FigureKind> figures;
   std::vector<FigureValue> values;
-  std::size_t cases = 0;         ///< in the database, but for those `not_withheld`; of several versions one each
+  std::size_t cases = 0;         ///< but for those `not_withheld`; what several versions met counts once for each
   std::size_t made = 0;          ///< of these; the others could not be
   std::size_t not_withheld = 0;  ///< cases that count nowhere: a right answer was left in the library
 };

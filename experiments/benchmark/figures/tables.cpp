@@ -136,6 +136,7 @@ std::string markdown(const FigureValues& all) {
     page += fmt::format(
         " ({} more count nowhere: their effect was to be withheld, but a right answer was left in the library)",
         all.not_withheld);
+  if (all.versions.size() > 2) page += fmt::format(", of {}", fmt::join(all.versions, ", "));
   page += ". An estimate, its 95 % interval and n, how many cases (or intervals of values) it rests on.\n\n";
   page += goal_table(all);
   for (const std::string& noise : values_of(all, &FigureValue::noise))

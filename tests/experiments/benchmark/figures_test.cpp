@@ -302,6 +302,18 @@ TEST_F(Figures, OtherMethodsAreScoredOnTheSameCases) {
   EXPECT_THAT(table, HasSubstr("| lacuna | first right | 0.0 % [0.0, 56.1] n 3 |"));
 }
 
+TEST_F(Figures, OtherMethodsAreCountedOverSeveralVersions) {
+  keep_version(database_, "w", "0.1.1");
+  for (const char* version : {"v", "w"}) {
+    CaseResult result = answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb}));
+    result.about.version = version;
+    result.baselines = {{"guess", 1, 4.0, {version == std::string("v") ? kCoulomb : kSpring}, {2.0}}};
+    keep(result);
+  }
+  const std::string table = baseline_table(database_, read_figures(database_, {"v", "w"}, "tuning"));
+  EXPECT_THAT(table, HasSubstr("| guess | first right | 50.0 % [9.5, 90.5] n 2 |"));
+}
+
 /// The oracle does not tell a spring from the hidden friction: as first choice it is wrong, and not told from what is
 /// right. Of this program the first choice counts alone, too.
 TEST_F(Figures, MethodsMayNameWhatCannotBeToldFromTheTruth) {
@@ -336,11 +348,11 @@ TEST_F(Figures, VersionsAreCountedApartOrTogether) {
   EXPECT_NEAR(alike({"v", "w"}).value, 1.0 / 3.0, 1e-12);
   EXPECT_EQ(alike({"v"}).value, 1.0);
   EXPECT_EQ(alike({}).n, 2U) << "the one begun last";
-  EXPECT_EQ(version_text(read_figures(database_, {"v", "w"}, "tuning")), "versions v and w");
+  EXPECT_EQ(version_text(read_figures(database_, {"w", "v", "w"}, "tuning")), "versions v and w");
   EXPECT_EQ(read_figures(database_, {"v", "w"}, "tuning").cases, 3U);
 }
 
-TEST_F(Figures, ASetWithoutCasesIsSaid) {
+TEST_F(Figures, VersionsAndSetsWithoutCasesAreSaid) {
   keep(answered(0, small_diagnosis(1, "effect_found", 0.9, {kCoulomb})));
   EXPECT_THAT(
       [&] {
