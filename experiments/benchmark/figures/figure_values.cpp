@@ -56,7 +56,7 @@ std::string what_is_there(const Database& database) {
 /// Those of the set, oldest first; refuses what it does not have.
 std::vector<std::string> known_versions(const Database& database, const std::vector<std::string>& asked,
                                         const std::string& set) {
-  const std::vector<std::string> known = versions_of(database, set);
+  std::vector<std::string> known = versions_of(database, set);
   std::vector<std::string> missing;
   std::copy_if(asked.begin(), asked.end(), std::back_inserter(missing), [&](const std::string& version) {
     return std::find(known.begin(), known.end(), version) == known.end();
