@@ -10,11 +10,11 @@ SELECT a.form, l.true_set, coalesce(h.square <= 1.1 * 1.1, 0) AS predicts
 FROM answer a JOIN loop_end l USING (version, set_name, number) JOIN held_out_ratio h USING (version, set_name, number)
 WHERE a.kind IN ('one', 'two') AND (version, set_name, number) NOT IN (SELECT version, set_name, number FROM cut_short);
 CREATE TEMP TABLE covered AS
-SELECT a.kind, i.effect, i.truth BETWEEN i.lower AND i.upper AS holds
-FROM answer a JOIN interval i USING (version, set_name, number)
-JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
-                   = (i.version, i.set_name, i.number, i.effect, i.place)
-WHERE a.kind IN ('one', 'two') AND i.round = 1 AND i.truth IS NOT NULL AND i.lower IS NOT NULL AND i.upper IS NOT NULL;
+SELECT a.kind, i.of_effect AS effect, i.truth BETWEEN i.lower AND i.upper AS holds
+FROM answer a JOIN effect_interval i USING (version, set_name, number) WHERE a.kind IN ('one', 'two');
+CREATE TEMP TABLE named AS
+SELECT count(*) AS effects FROM reported r JOIN answer a USING (version, set_name, number)
+WHERE a.kind = 'one' AND r.round = 1 GROUP BY version, number;
 
 .mode list
 .separator ' | '
@@ -29,12 +29,8 @@ SELECT 'nothing hidden: cannot_tell', sum(verdict = 'cannot_tell'), count(*) FRO
 SELECT 'something hidden: nothing_missing', sum(verdict = 'nothing_missing'), count(*) FROM answer WHERE kind <> 'nothing';
 SELECT 'one hidden: named, or like it', sum(named_alike), count(*) FROM found;
 SELECT 'one hidden: named, and nothing that could be told from it', sum(named AND others = 0), count(*) FROM found;
-SELECT 'one hidden: effects an effect_found names, mean, most', round(avg(n), 1), max(n)
-FROM (SELECT count(*) AS n FROM reported r JOIN answer a USING (version, set_name, number)
-      WHERE a.kind = 'one' AND r.round = 1 GROUP BY version, number);
-SELECT 'one hidden: effect_found that names one alone', sum(n = 1), count(*)
-FROM (SELECT count(*) AS n FROM reported r JOIN answer a USING (version, set_name, number)
-      WHERE a.kind = 'one' AND r.round = 1 GROUP BY version, number);
+SELECT 'one hidden: effects an effect_found names, mean, most', round(avg(effects), 1), max(effects) FROM named;
+SELECT 'one hidden: effect_found that names one alone', sum(effects = 1), count(*) FROM named;
 SELECT 'one hidden: more than one added, ' || form, sum(n > 1), count(*)
 FROM (SELECT form, (SELECT count(*) FROM added_effect x
                     WHERE (x.version, x.set_name, x.number) = (a.version, a.set_name, a.number)) AS n

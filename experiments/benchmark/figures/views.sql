@@ -169,7 +169,7 @@ GROUP BY t.version, t.set_name, t.number;
 
 -- Intervals of parameters whose true values are known, of what the first diagnosis found.
 CREATE TEMP VIEW effect_interval AS
-SELECT i.version, i.set_name, i.number, i.lower, i.upper, i.truth, w.width
+SELECT i.version, i.set_name, i.number, i.effect AS of_effect, i.lower, i.upper, i.truth, w.width
 FROM interval i
 JOIN hidden_law h ON (h.version, h.set_name, h.number, h.effect, h.place)
                    = (i.version, i.set_name, i.number, i.effect, i.place)
