@@ -160,7 +160,7 @@ Table<RecordingSource> time_keys() {
       .key("mask", &RecordingSource::mask, time_ranges(), "times that are not compared");
 }
 
-Table<InitialValue> initial_keys() {
+Table<InitialValue> joint_start_keys() {
   return Table<InitialValue>()
       .key("position", &InitialValue::position, number("rad or m"),
            "position of the joint at the start, or first guess")
@@ -170,6 +170,24 @@ Table<InitialValue> initial_keys() {
                                      {"from_data", InitialKnowledge::from_data},
                                      {"free", InitialKnowledge::free}}),
            "exact, estimated from the first 50 ms (which are then not scored), or fitted with the parameters");
+}
+
+Table<KnownStart> initial_keys() {
+  return Table<KnownStart>()
+      .merged(&KnownStart::joint, joint_start_keys())
+      .key(
+          "command", &KnownStart::command, number(""),
+          "of an actuator: what it was commanded before the first sample, in the unit of its commands; without it, "
+          "what "
+          "holds a robot that is given at rest, else the first 100 ms are not scored where commands or readings may be "
+          "late")
+      .check({},
+             [](const TomlNode& node, Reading&, KnownStart& start) {
+               start.states_joint = false;
+               for (const char* key : {"position", "velocity", "knowledge"})
+                 start.states_joint = start.states_joint || node.find(key) != nullptr;
+             })
+      .located(&KnownStart::location);
 }
 
 Value<char> delimiter() { return choice<char>({{"auto", '\0'}, {",", ','}, {";", ';'}, {"\t", '\t'}, {" ", ' '}}); }
@@ -195,8 +213,9 @@ Table<RecordingSource> recording_keys() {
       .key("controllers", &RecordingSource::controllers, controllers(),
            "What made the commands, where a controller did: each table is named like the actuator. `lacuna diagnose` "
            "then also fits with the controller in the loop, and says where the feedback biases what is identified.")
-      .key("initial", &RecordingSource::initial, map_of("JOINT", initial_keys().value()),
-           "What is known of a joint at the start of each trial; joints not named here are taken from the data.");
+      .key("initial", &RecordingSource::initial, map_of("JOINT_OR_ACTUATOR", initial_keys().value()),
+           "What is known at the start of each trial: of a joint its position and velocity (joints not named here are "
+           "taken from the data), of an actuator what it was commanded before.");
 }
 
 void check_trials(const TomlNode& node, Reading& reading, RecordingSource& source) {

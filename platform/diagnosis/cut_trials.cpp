@@ -16,7 +16,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kRunIn = 0.1;                         ///< s: longer than most delays and lags
 constexpr double kShort = 1.0;                         ///< s
 constexpr std::array kLongLengths = {5.0, 2.5, 1.25};  ///< s
 constexpr double kFollowed = 30.0;     ///< times the sensor noise: what an uncertain start may move a prediction by
@@ -60,7 +59,7 @@ class Cutter {
   BaseSolution cut(double length) const {
     BaseSolution all = base_;
     all.segment = longest_piece(length);
-    all.segments = make_segments(plain_, states_, length, task_.values, kRunIn);
+    all.segments = make_segments(plain_, states_, length, task_.values, kLongestMemory);
     for (Segment& segment : all.segments)
       if (segment.stretch.first == 0 && segment.run_in == 0) segment.deviation *= kDoubtOfStart;
     all.values = values_;

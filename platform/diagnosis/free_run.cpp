@@ -142,7 +142,7 @@ void cut_free_runs(const CutTask& task, const TrialPredictor& predictor, const S
   base.values = task.values;
   base.segment = block_of(task);
   base.bin_widths = widths(task.definition.structure.robot, base.noise);
-  for (Segment& run : make_segments(predictor, states, 0.0, task.values)) {
+  for (Segment& run : make_segments(predictor, states, 0.0, task.values, kLongestMemory)) {
     run.deviation *= kDoubtOfStart;
     add_blocks(run, base.trials[run.stretch.trial], block_of(task), base.segments);
   }

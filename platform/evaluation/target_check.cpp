@@ -25,6 +25,8 @@ void check_initial(const RobotSpec& robot, const RecordingSource& source, Compla
     complaints.check_unit("target.initial." + joint.name + ".position", unit);
     complaints.check_unit("target.initial." + joint.name + ".velocity", unit + "/s");
   }
+  for (const Channel& command : command_channels(robot))
+    complaints.check_unit("target.initial." + command.name + ".command", command.unit);
 }
 
 void check_process_noise(const RobotSpec& robot, const NoiseSection& noise, Complaints& complaints) {

@@ -1,15 +1,18 @@
 #include "evaluation/trial_predictor.h"
 
 #include "evaluation/channel_map.h"
+#include "evaluation/holding_commands.h"
 
 #include <lacuna/error.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kMostReadings = 10.0;  ///< intervals of readings that a command interval counts as
+constexpr double kLongestDelay = 1.0;   ///< s: no command delay of the library may be longer
 
 double mean_interval(const Eigen::VectorXd& times) {
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
@@ -26,6 +29,14 @@ void check_shape(const Trial& trial, const CompiledModel& model) {
                 " joint coordinates start, but the model has " + std::to_string(model.coordinates().size()));
 }
 
+bool starts_at_rest(const Trial& trial) {
+  return !trial.initial.empty() && std::all_of(trial.initial.begin(), trial.initial.end(), [](const auto& value) {
+    return value.knowledge == InitialKnowledge::given && value.velocity == 0.0;
+  });
+}
+
+bool is_force(const std::string& unit) { return unit == "N*m" || unit == "N"; }
+
 }  // namespace
 
 double command_interval(const Trial& trial) {
@@ -36,8 +47,9 @@ double command_interval(const Trial& trial) {
 
 TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> trials, int workers, Timing timing)
     : model_(model), trials_(std::move(trials)), timing_(timing) {
-  for (const Trial& trial : trials_) {
+  for (Trial& trial : trials_) {
     check_shape(trial, model_);
+    pasts_.push_back(past_of(trial));
     map_.push_back(match_channels(trial, model_.channels()));
     Test test{trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}};
     if (trial.closed_loop) test.drive = trial.controller;
@@ -49,14 +61,39 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
   }
 }
 
-const Test& TrialPredictor::late(Desk& desk, std::size_t trial, double lateness) const {
-  const auto* recorded = std::get_if<CommandSeries>(&tests_[trial].drive);
-  if (lateness == 0.0 || recorded == nullptr) return tests_[trial];
-  if (desk.trial != trial) desk.late = tests_[trial];
-  desk.trial = trial;
-  std::get<CommandSeries>(desk.late.drive).series.times.array() =
-      recorded->series.times.array() + lateness * command_interval(trials_[trial]);
-  return desk.late;
+TrialPredictor::Past TrialPredictor::past_of(Trial& trial) const {
+  std::vector<double>& before = trial.commands.before;
+  const TimeSeries& series = trial.commands.series;
+  if (before.empty() || series.times.size() == 0 || trial.closed_loop) return Past::known;
+  const bool at_rest = starts_at_rest(trial);
+  for (std::size_t c = 0; at_rest && c < before.size(); ++c)  // whatever holds it: a motor that is off was off
+    if (std::isnan(before[c]) && is_force(series.channels[c].unit) &&
+        series.samples(0, static_cast<Eigen::Index>(c)) == 0.0)
+      before[c] = 0.0;
+  if (std::none_of(before.begin(), before.end(), [](double value) { return std::isnan(value); })) return Past::known;
+  return at_rest ? Past::held_still : Past::unknown;
+}
+
+const Test& TrialPredictor::test_for(Desk& desk, const Stretch& stretch, std::span<const double> values,
+                                     double lateness) const {
+  const Trial& trial = trials_[stretch.trial];
+  const Test& test = tests_[stretch.trial];
+  const auto* recorded = std::get_if<CommandSeries>(&test.drive);
+  const Eigen::VectorXd& times = trial.measured.times;
+  const bool held_still = pasts_[stretch.trial] == Past::held_still &&
+                          (model_.has_memory() || timing_ == Timing::fitted) &&
+                          times(stretch.first) - times(0) <= kLongestDelay;
+  if (recorded == nullptr || (lateness == 0.0 && !held_still)) return test;
+  if (desk.trial != stretch.trial) desk.own = test;
+  desk.trial = stretch.trial;
+  auto& own = std::get<CommandSeries>(desk.own.drive);
+  own.series.times.array() = recorded->series.times.array() + lateness * command_interval(trial);
+  if (!held_still) return desk.own;
+  std::vector<double> positions;
+  for (const InitialValue& value : trial.initial) positions.push_back(value.position);
+  own.before = holding_commands(model_, values, recorded->series.channels, recorded->before, positions, *desk.workspace)
+                   .value_or(recorded->before);
+  return desk.own;
 }
 
 void TrialPredictor::predict(const Stretch& stretch, std::span<const double> values, const StartState& start,
@@ -69,8 +106,9 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   options.end_time = times(stretch.last - 1);
   options.output_times = {times.data() + stretch.first, static_cast<std::size_t>(stretch.size())};
   const bool timed = timing_ == Timing::fitted;
-  const Test& test = timed ? late(desk, stretch.trial, values.back()) : tests_[stretch.trial];
-  model_.simulate(timed ? values.first(values.size() - 1) : values, test, options, *desk.workspace, desk.result);
+  const std::span<const double> own = timed ? values.first(values.size() - 1) : values;
+  const Test& test = test_for(desk, stretch, own, timed ? values.back() : 0.0);
+  model_.simulate(own, test, options, *desk.workspace, desk.result);
 
   prediction.valid = desk.result.ending == Ending::completed;
   prediction.reason = desk.result.reason;

@@ -29,6 +29,9 @@ struct Prediction {
       samples;  ///< stretch size × measured channels of the trial, in their order; SI; of no meaning if not valid
 };
 
+/// s: longer than most delays and lags.
+inline constexpr double kLongestMemory = 0.1;
+
 /// When a trial's commands act: as recorded, or all of them later by a value that follows the model's, counted in the
 /// trial's command intervals.
 enum class Timing { as_recorded, fitted };
@@ -53,6 +56,11 @@ class TrialPredictor {
   /// All samples of a trial.
   Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
 
+  /// Whether delays, lags and other memories of commands or readings may hold at a trial's start what nobody knows: the
+  /// trial states neither what was commanded before nor a start at rest. The first `kLongestMemory` s tell nothing then of a
+  /// model that has such memories.
+  bool past_is_unknown(std::size_t trial) const { return pasts_[trial] == Past::unknown; }
+
   /// Simulates from joint coordinates `start` at the time of the stretch's first sample, the trial's
   /// commands replayed by the trial's own clock, so that command delays see what was commanded before. `values`: the
   /// model's, then by how much later commands act where that is fitted; a controller's own commands keep their time.
@@ -67,21 +75,30 @@ class TrialPredictor {
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+  /// What was commanded before a trial's first sample.
+  enum class Past {
+    known,       ///< stated, or the trial is a test that began with its first command
+    held_still,  ///< what held the robot at its start, with the values of a prediction
+    unknown      ///< the first command is taken for it
+  };
+
   /// What one thread works with.
   struct Desk {
     std::unique_ptr<Workspace> workspace;
     SimulationOptions options;
     SimulationResult result;
-    std::size_t trial = kNone;  ///< whose commands `late` has
-    Test late;
+    std::size_t trial = kNone;  ///< whose test `own` has
+    Test own;
   };
 
-  /// The trial's test with commands so much later, in command intervals.
-  const Test& late(Desk& desk, std::size_t trial, double lateness) const;
+  Past past_of(Trial& trial) const;
+  /// The trial's test, its commands so much later, in command intervals, and before them what held the robot still.
+  const Test& test_for(Desk& desk, const Stretch& stretch, std::span<const double> values, double lateness) const;
 
   const CompiledModel& model_;
   std::vector<Trial> trials_;
   Timing timing_;
+  std::vector<Past> pasts_;                     ///< one a trial
   std::vector<Test> tests_;                     ///< one a trial: its commands
   std::vector<std::vector<Eigen::Index>> map_;  ///< per trial: measured channel → model channel
   std::vector<std::unique_ptr<Desk>> desks_;

@@ -27,10 +27,16 @@ double command_at(const CommandSeries& commands, Eigen::Index channel, double ti
   const Eigen::VectorXd& times = commands.series.times;
   const auto values = commands.series.samples.col(channel);
   const Eigen::Index after = std::upper_bound(times.data(), times.data() + times.size(), time) - times.data();
-  if (after == 0) return values(0);
+  if (after == 0) return commands.before_first(channel);
   if (after == times.size() || commands.hold == Hold::zero_order) return values(after - 1);
   const double share = (time - times(after - 1)) / (times(after) - times(after - 1));
   return values(after - 1) + share * (values(after) - values(after - 1));
+}
+
+/// What was commanded before, where something is known of it, for one more channel, of which nothing is.
+std::vector<double> with_another(std::vector<double> before) {
+  if (!before.empty()) before.push_back(std::nan(""));
+  return before;
 }
 
 /// One value a step.
@@ -94,6 +100,7 @@ CommandSeries with_random_forces(const CommandSeries& commands, const std::vecto
                                  std::uint64_t draw) {
   CommandSeries disturbed;
   disturbed.hold = commands.hold;
+  disturbed.before = commands.before;
   disturbed.series.times = merged_times(commands.series.times, step, begin, end);
   disturbed.series.channels = commands.series.channels;
   const auto recorded = static_cast<Eigen::Index>(commands.series.channels.size());
@@ -108,6 +115,7 @@ CommandSeries with_random_forces(const CommandSeries& commands, const std::vecto
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil((end - begin) / step)));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     disturbed.series.channels.push_back({joints[i].actuator, "N"});
+    disturbed.before = with_another(std::move(disturbed.before));
     const std::vector<double> force = random_force(joints[i].deviation, steps, memory, random);
     for (Eigen::Index row = 0; row < times.size(); ++row) {
       const double which = std::floor((times(row) - begin) / step + 1e-6);
@@ -135,6 +143,7 @@ CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJo
   times.erase(std::unique(times.begin(), times.end()), times.end());
   CommandSeries pulsed;
   pulsed.hold = commands.hold;
+  pulsed.before = with_another(commands.before);
   pulsed.series.channels = commands.series.channels;
   pulsed.series.channels.push_back({joint.actuator, "N"});
   const auto rows = static_cast<Eigen::Index>(times.size()), recorded = commands.series.samples.cols();

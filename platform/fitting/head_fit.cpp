@@ -153,8 +153,18 @@ Eigen::Index head_end(const TrialPredictor& predictor, const Stretch& stretch, d
   return end;
 }
 
+Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretch, const StartEstimate& estimate,
+                          double memory) {
+  const Eigen::Index first = estimate.known_from_data() ? head_end(predictor, stretch) : stretch.first;
+  if (stretch.first > 0 || memory == 0.0 || !predictor.past_is_unknown(stretch.trial)) return first;
+  const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;
+  const double until = times(0) + memory * (1.0 + 1e-9);
+  const Eigen::Index remembered = std::upper_bound(times.data(), times.data() + stretch.last, until) - times.data();
+  return std::max(first, remembered);
+}
+
 Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretch, const StartEstimate& estimate) {
-  return estimate.known_from_data() ? head_end(predictor, stretch) : stretch.first;
+  return first_scored(predictor, stretch, estimate, predictor.model().has_memory() ? kLongestMemory : 0.0);
 }
 
 StartEstimate fit_head(const TrialPredictor& predictor, const StartStates& states, const Stretch& stretch,

@@ -12,7 +12,11 @@ inline constexpr Eigen::Index kHeadSamples = 4;  ///< a head has at least so man
 Eigen::Index head_end(const TrialPredictor& predictor, const Stretch& stretch, double length = kHead);
 
 /// The first sample of a stretch that is scored: the one after the head, or, where nothing had to be estimated
-/// because the start is given or cannot be measured, the stretch's first.
+/// because the start is given or cannot be measured, the stretch's first. At a trial's start, where what was before is
+/// unknown, not before `memory` s have passed.
+Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretch, const StartEstimate& estimate,
+                          double memory);
+/// The same with as much memory as the predictor's model has.
 Eigen::Index first_scored(const TrialPredictor& predictor, const Stretch& stretch, const StartEstimate& estimate);
 
 /// The start under which the model, with the values given, agrees best with the stretch's head of `length` s, and how

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,15 @@ struct MeasuredFile {
   SourceLocation location;  ///< where the experiment names it
 };
 
+/// What is known of an element at the start of each trial, by its name: of a joint its state, of an actuator what it
+/// was commanded before.
+struct KnownStart {
+  InitialValue joint = {};
+  std::optional<double> command = {};  ///< the actuator's unit, SI; none: not known
+  bool states_joint = true;            ///< whether something is said of a joint
+  SourceLocation location = {};
+};
+
 struct RecordingSource {
   std::vector<MeasuredFile> files;
   std::string time_column = "t";
@@ -64,7 +74,7 @@ struct RecordingSource {
   std::vector<TimeRange> use;   ///< empty: everything
   std::vector<TimeRange> mask;  ///< not compared
   double max_gap = 0.0;         ///< s; a longer pause between samples is a problem; 0: ten times the median interval
-  std::map<std::string, InitialValue> initial;  ///< by joint name
+  std::map<std::string, KnownStart> initial;  ///< by name of joint or actuator
 };
 
 }  // namespace lacuna

@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -94,6 +96,8 @@ void add_trials(const WholeSource& whole, const CsvTable& table, const TrialCloc
     note_start(piece, table, report);
     note_initial(whole, clock, piece, table, report);
     Trial trial = build_trial(whole.plan, whole.source, table, piece, report);
+    const auto first = std::find(clock.rows.begin(), clock.rows.end(), piece.rows.front());
+    if (first != clock.rows.begin()) take_commands_before(whole.plan, table, *std::prev(first), trial);
     trial.name = prototype.name;
     if (pieces.size() > 1)
       trial.name += fmt::format(" from {:.4g} s to {:.4g} s", piece.origin, piece.origin + piece.times.back());
@@ -166,23 +170,42 @@ void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& pro
   }
 }
 
-std::vector<InitialValue> initial_values(const RecordingSource& source, const std::vector<std::string>& coordinates,
-                                         const SourceLocation& location, ProblemList& problems) {
-  if (source.initial.empty()) return {};
-  std::vector<InitialValue> values(coordinates.size());
-  for (const auto& [joint, value] : source.initial) {
-    bool found = false;
+bool is_of_joint(const std::string& coordinate, const std::string& joint) {
+  return coordinate == joint || coordinate == "joint." + joint || coordinate.starts_with("joint." + joint + ".");
+}
+
+/// Fills in what is known of the starts, and says what is meant by nothing.
+void plan_starts(const RecordingSource& source, const std::vector<std::string>& coordinates, RecordingPlan& plan,
+                 ProblemList& problems) {
+  if (std::any_of(source.initial.begin(), source.initial.end(),
+                  [](const auto& one) { return one.second.states_joint; }))
+    plan.initial.resize(coordinates.size());
+  plan.commanded_before.assign(plan.commands.size(), std::nan(""));
+  std::vector<std::string> actuators;
+  for (const PlannedColumn& command : plan.commands) actuators.push_back(command.channel.name);
+  for (const auto& [name, start] : source.initial) {
+    bool is_joint = false;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
-      const std::string& name = coordinates[i];
-      if (name != joint && name != "joint." + joint && !name.starts_with("joint." + joint + ".")) continue;
-      values[i] = value;
-      found = true;
+      if (!is_of_joint(coordinates[i], name)) continue;
+      if (start.states_joint) plan.initial[i] = start.joint;
+      is_joint = true;
     }
-    if (!found)
-      problems.add(location, fmt::format("target.initial names `{}`{}, but the robot's joint coordinates are {}", joint,
-                                         did_you_mean("joint." + joint, coordinates), listed(coordinates)));
+    const auto actuator = std::find(actuators.begin(), actuators.end(), name);
+    const bool is_actuator = actuator != actuators.end();
+    if (start.command && is_actuator)
+      plan.commanded_before[static_cast<std::size_t>(actuator - actuators.begin())] = *start.command;
+    else if (start.command)
+      problems.add(start.location, fmt::format("target.initial.{}.command: target.commands has no actuator `{}`{}; it "
+                                               "has {}",
+                                               name, name, did_you_mean(name, actuators), listed(actuators)));
+    else if (!is_joint && is_actuator)
+      problems.add(start.location, fmt::format("target.initial.{} says nothing of the actuator; write its command "
+                                               "before the first sample, as in command = 0.0",
+                                               name));
+    if (!is_joint && (start.states_joint || (!start.command && !is_actuator)))
+      problems.add(start.location, fmt::format("target.initial names `{}`{}, but the robot's joint coordinates are {}",
+                                               name, did_you_mean("joint." + name, coordinates), listed(coordinates)));
   }
-  return values;
 }
 
 void check_holdout(const WholeSource& whole, const std::vector<Trial>& trials, const SourceLocation& location,
@@ -211,7 +234,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   plan.commands = plan_columns(source.commands, actuators, "actuator", problems);
   plan_controllers(source.controllers, channels, actuators, plan, problems);
   plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
-  plan.initial = initial_values(source, coordinates, location, problems);
+  plan_starts(source, coordinates, plan, problems);
 
   WholeSource whole{source, plan, names_of_files(source.files), {}};
   Recording recording;

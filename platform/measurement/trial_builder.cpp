@@ -78,6 +78,7 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
   mask_readings(trial.measured, source.mask, clock.origin);
   trial.commands.series = take_columns(plan.commands, plan.sensors.size(), table, clock);
   trial.commands.hold = source.hold;
+  trial.commands.before = plan.commanded_before;
   fill_commands(trial.commands, plan.commands, table, clock, report);
   if (!plan.laws.empty()) {
     const std::size_t first = plan.sensors.size() + plan.commands.size();
@@ -90,6 +91,14 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
   trial.sensor_noise = declared_noise(plan.sensors);
   trial.command_noise = declared_noise(plan.commands);
   return trial;
+}
+
+void take_commands_before(const RecordingPlan& plan, const CsvTable& table, std::size_t row, Trial& trial) {
+  for (std::size_t c = 0; c < plan.commands.size(); ++c) {
+    const double known = table.columns[plan.sensors.size() + c][row];
+    if (!std::isfinite(known)) continue;
+    trial.commands.before[c] = known * plan.commands[c].factor + plan.commands[c].mapping->offset;
+  }
 }
 
 }  // namespace lacuna

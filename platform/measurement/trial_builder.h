@@ -15,7 +15,8 @@ struct RecordingPlan {
   std::vector<ControlLaw> laws;
   std::vector<std::size_t> actuator_of;  ///< by command: among all of the robot's
   double seconds_per_time_unit = 1.0;
-  std::vector<InitialValue> initial;  ///< per joint coordinate
+  std::vector<InitialValue> initial;     ///< per joint coordinate
+  std::vector<double> commanded_before;  ///< before the first sample, by command; NaN: not known
 };
 
 /// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in as
@@ -23,5 +24,8 @@ struct RecordingPlan {
 /// a first value is a problem.
 Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
                   const TrialClock& clock, FileReport& report);
+
+/// A trial that begins in the middle of a table knows what was commanded before: a row's commands, where it has them.
+void take_commands_before(const RecordingPlan& plan, const CsvTable& table, std::size_t row, Trial& trial);
 
 }  // namespace lacuna

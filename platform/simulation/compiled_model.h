@@ -91,6 +91,8 @@ class CompiledModel {
   virtual const std::vector<Channel>& channels() const = 0;        ///< sensor channels, spec order
   virtual const std::vector<Coordinate>& coordinates() const = 0;  ///< joint coordinates
   virtual const StateLayout& state_layout() const = 0;             ///< without the controller's section
+  /// Whether delays, lags or effects remember commands, readings or motion from before the present step.
+  virtual bool has_memory() const = 0;
   virtual std::unique_ptr<Workspace> make_workspace() const = 0;
 
   /// Carries `test.drive` out for the given parameter values. Throws `Error` for arguments that

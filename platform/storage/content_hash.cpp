@@ -54,7 +54,8 @@ constexpr Content kContents[] = {
     {"target_trial",
      "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, surprise,"
      " digest,"
-     " held_out, duration, samples, hold, initial, sensor_noise, command_noise FROM target_trial"
+     " held_out, duration, samples, hold, initial, sensor_noise,"
+     " CASE commanded_before WHEN '[]' THEN command_noise ELSE command_noise || commanded_before END FROM target_trial"
      " JOIN trial ON trial.id = target_trial.trial JOIN trial_condition ON trial_condition.trial = trial.id"
      " WHERE run = ?1 ORDER BY target_trial.number"},
     {"model",

@@ -40,15 +40,18 @@ TimeSeries series_of(const Database& database, TrialId trial, TraceKind kind) {
 
 void write_trial_condition(const Database& database, TrialId trial, const Trial& from) {
   Statement(database,
-            "INSERT INTO trial_condition (trial, hold, initial, sensor_noise, command_noise) VALUES (?, ?, ?, ?, ?)"
+            "INSERT INTO trial_condition (trial, hold, initial, sensor_noise, command_noise, commanded_before)"
+            " VALUES (?, ?, ?, ?, ?, ?)"
             " ON CONFLICT (trial) DO NOTHING")
       .run_with(trial, from.commands.hold == Hold::first_order ? kFirstOrder : "zero_order",
-                matrix_text(initial_rows(from)), numbers_text(from.sensor_noise), numbers_text(from.command_noise));
+                matrix_text(initial_rows(from)), numbers_text(from.sensor_noise), numbers_text(from.command_noise),
+                numbers_text(from.commands.before));
 }
 
 Trial read_trial(const Database& database, TrialId id) {
   Statement row(database,
-                "SELECT name, held_out, digest, hold, initial, sensor_noise, command_noise FROM trial"
+                "SELECT name, held_out, digest, hold, initial, sensor_noise, command_noise, commanded_before"
+                " FROM trial"
                 " JOIN trial_condition ON trial_condition.trial = trial.id WHERE trial.id = ?");
   if (!row.with(id).step()) throw Error(database.file().string() + ": has no trial " + std::to_string(id.value));
   Trial trial;
@@ -58,6 +61,7 @@ Trial read_trial(const Database& database, TrialId id) {
   trial.initial = initial_from(matrix_from(row.text(4)));
   trial.sensor_noise = numbers_from(row.text(5));
   trial.command_noise = numbers_from(row.text(6));
+  trial.commands.before = numbers_from(row.text(7));
   trial.measured = series_of(database, id, TraceKind::measured);
   trial.commands.series = series_of(database, id, TraceKind::commands);
   trial.centre_of_mass = series_of(database, id, TraceKind::centre_of_mass);

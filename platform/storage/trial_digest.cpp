@@ -3,6 +3,7 @@
 #include "foundation/digest.h"
 #include "storage/trace_codec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -40,6 +41,9 @@ std::string digest_of(const Trial& trial) {
   }
   rest.add(trial.sensor_noise);
   rest.add(trial.command_noise);
+  // Where it is not known it adds nothing, so that digests of trials from before it could be stated stay.
+  if (std::any_of(trial.commands.before.begin(), trial.commands.before.end(), [](double v) { return !std::isnan(v); }))
+    rest.add(trial.commands.before);
   return sha256(encode_trace(trial.commands.series, TracePrecision::float64).digest + '\n' +
                 encode_trace(trial.measured, TracePrecision::float64).digest + '\n' + rest.text());
 }

@@ -58,10 +58,13 @@ TEST(ReadExperiment, ReadsColumnsInTheOrderOfTheFile) {
 
 TEST(ReadExperiment, ReadsInitialValues) {
   const auto initial = complete().target.recording.initial;
-  EXPECT_EQ(initial.at("hinge").knowledge, InitialKnowledge::given);
-  EXPECT_DOUBLE_EQ(initial.at("hinge").position, 10.0 * kDegree);
-  EXPECT_DOUBLE_EQ(initial.at("hinge").velocity, 0.5);
-  EXPECT_EQ(initial.at("slider").knowledge, InitialKnowledge::free);
+  EXPECT_EQ(initial.at("hinge").joint.knowledge, InitialKnowledge::given);
+  EXPECT_DOUBLE_EQ(initial.at("hinge").joint.position, 10.0 * kDegree);
+  EXPECT_DOUBLE_EQ(initial.at("hinge").joint.velocity, 0.5);
+  EXPECT_FALSE(initial.at("hinge").command);
+  EXPECT_EQ(initial.at("slider").joint.knowledge, InitialKnowledge::free);
+  EXPECT_DOUBLE_EQ(initial.at("servo").command.value(), -5.0 * kDegree);
+  EXPECT_TRUE(initial.at("hinge").states_joint && !initial.at("servo").states_joint);
 }
 
 TEST(ReadExperiment, ReadsTheModel) {

@@ -89,6 +89,40 @@ TEST(SensorDelay, OfLessThanACommandIntervalIsNotNamed) {
   EXPECT_THAT(diagnosis.findings, testing::Contains(testing::HasSubstr("commands act 8.0")));
 }
 
+/// A drive that is late, of recordings that begin with a step from rest.
+constexpr PendulumTruth kLateDrive = {.inertia = 0.03, .damping = 0.02, .delay = 0.024, .before = 0.0};
+
+Diagnosis of_first_steps(const std::function<void(Trial&)>& state) {
+  std::vector<Trial> trials = {recorded(kLateDrive, "steps.csv", steps, 4.0, 4),
+                               recorded(
+                                   kLateDrive, "back.csv", [](double t) { return -steps(t); }, 4.0, 5)};
+  for (Trial& trial : trials) state(trial);
+  return diagnosed(trials, {"command_delay", "sensor_delay", "actuator_lag"});
+}
+
+void expect_late_drive(const Diagnosis& diagnosis) {
+  ASSERT_EQ(diagnosis.verdict, Verdict::effect_found);
+  const std::vector<FoundEffect>& effects = diagnosis.ranking.at(0).effects;
+  EXPECT_EQ(effects.size(), 1U);
+  ASSERT_EQ(effects.at(0).effect, "command_delay");
+  EXPECT_NEAR(effects.at(0).parameters.at(0).value, kLateDrive.delay, 0.0005);
+}
+
+TEST(FirstStep, FromAStartAtRestTellsTheDriveFromTheSensor) {
+  expect_late_drive(of_first_steps([](Trial& trial) {
+    trial.commands.before = {std::nan("")};
+    trial.initial = {{InitialKnowledge::given, 0.0, 0.0}};
+  }));
+}
+
+TEST(FirstStep, WithWhatWasCommandedBeforeTellsTheDriveFromTheSensor) {
+  expect_late_drive(of_first_steps([](Trial& trial) { trial.commands.before = {kLateDrive.before}; }));
+}
+
+TEST(FirstStep, OfWhichNothingIsKnownIsNotScored) {
+  expect_late_drive(of_first_steps([](Trial& trial) { trial.commands.before = {std::nan("")}; }));
+}
+
 TEST(Timing, IsSaidInIntervalsWhereCommandsCameAtTwoRates) {
   const PendulumTruth late = {.inertia = 0.03, .damping = 0.02, .delay = 0.004};
   PendulumTruth later = late;

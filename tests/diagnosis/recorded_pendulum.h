@@ -24,6 +24,7 @@ struct PendulumTruth {
   double spring = 0.0;                  // N·m/rad
   double cubic = 0.0;                   // N·m/rad³
   double delay = 0.0;                   // s, of the command
+  double before = std::nan("");         // N·m, commanded before the recording; NaN: its first command
   double lateness = 0.0;                // s, of the reading
   double limit = 1e9;                   // N·m, of the motor at rest
   double no_load = 1e9;                 // rad/s, at which it has no torque left
@@ -111,9 +112,10 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
     for (int k = 0; k < kSubsteps; ++k) {
       const double sent = trial.measured.times(i) + k * h - truth.delay;
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
+      const bool from_before = sent < 0.0 && std::isfinite(truth.before);
+      const double wanted = from_before ? truth.before : trial.commands.series.samples(std::min(held, i), 0);
       const double motor =
-          std::clamp(trial.commands.series.samples(std::min(held, i), 0), -truth.limit * (1.0 + v / truth.no_load),
-                     truth.limit * (1.0 - v / truth.no_load));
+          std::clamp(wanted, -truth.limit * (1.0 + v / truth.no_load), truth.limit * (1.0 - v / truth.no_load));
       const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
                             truth.cubic * q * q * q + (truth.tension > 0.0 ? pull_of_cable(truth, q) : 0.0);
       past.push_back(q);

@@ -117,6 +117,33 @@ TEST(FitHead, LeavesGivenStartsAlone) {
   EXPECT_EQ(first_scored(f.predictor, f.predictor.whole(0), estimate), 0);
 }
 
+/// The first scored sample of 200 Hz samples, by a model whose drive may be late.
+Eigen::Index first_scored_of(const Trial& trial, double delay) {
+  RobotSpec robot = one_joint_robot();
+  robot.actuators[0].delay = delay;
+  const std::unique_ptr<CompiledModel> model = compile({robot, {}, {}}, {});
+  const TrialPredictor predictor(*model, {trial}, 1);
+  const StartStates states(robot, predictor, {{"angle", "rad", 1e-3, ""}});
+  return first_scored(predictor, predictor.whole(0), fit_head(predictor, states, predictor.whole(0), {}, 0));
+}
+
+TEST(FirstScored, OfAModelWithAMemoryIsAfterWhatNobodyKnows) {
+  Trial trial = falling(1e-3);
+  trial.commands.series = {
+      {{"motor", "N*m"}}, trial.measured.times, TimeSeries::Samples::Constant(trial.measured.times.size(), 1, 0.1)};
+  EXPECT_EQ(first_scored_of(trial, 0.02), 11) << "a test of its own begins with its first command";
+  trial.commands.before = {std::nan("")};
+  EXPECT_EQ(first_scored_of(trial, 0.02), 21) << "0.1 s of commands fill the delay";
+  EXPECT_EQ(first_scored_of(trial, 0.0), 11) << "without a memory it does not matter";
+  trial.commands.before = {0.0};
+  EXPECT_EQ(first_scored_of(trial, 0.02), 11) << "stated";
+  trial.commands.before = {std::nan("")};
+  trial.initial = {{InitialKnowledge::free, 0.3, -0.2}};
+  EXPECT_EQ(first_scored_of(trial, 0.02), 21);
+  trial.initial = {{InitialKnowledge::given, 0.3, 0.0}};
+  EXPECT_EQ(first_scored_of(trial, 0.02), 0) << "what held it at rest is known";
+}
+
 TEST(Cut, MakesEqualStretchesThatCoverTheTrial) {
   const Trial trial = falling(0.0);
   const std::vector<Stretch> stretches = cut(trial, 0, 0.5);

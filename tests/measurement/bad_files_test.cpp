@@ -273,7 +273,7 @@ TEST_F(OddFiles, AMaskOrALongerGapAllowsAPause) {
 TEST_F(OddFiles, AGivenStateInTheMiddleIsNoted) {
   RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,2\n1,2,3\n2,3,2\n3,4,2\n"));
   source.use = {{2.0, 3.0}};
-  source.initial["hinge"] = {InitialKnowledge::given, 3.0, 0.0};
+  source.initial["hinge"] = {.joint = {InitialKnowledge::given, 3.0, 0.0}};
   EXPECT_THAT(notes_of(read_pendulum(source)), testing::HasSubstr("run.csv:4: target.initial gives the state here"));
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsNan;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -126,7 +127,7 @@ TEST_F(ReadRecording, FillsMissingCommandsAsTheHoldSays) {
 
 TEST_F(ReadRecording, PutsInitialValuesInCoordinateOrder) {
   RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,2\n"));
-  source.initial["elbow"] = {InitialKnowledge::given, 0.5, -1.0};
+  source.initial["elbow"] = {.joint = {InitialKnowledge::given, 0.5, -1.0}};
   const Recording recording =
       read_recording(source, kPendulumChannels, kPendulumActuators, {"joint.shoulder", "joint.elbow"});
   const std::vector<InitialValue>& initial = recording.trials[0].initial;
@@ -136,6 +137,40 @@ TEST_F(ReadRecording, PutsInitialValuesInCoordinateOrder) {
   EXPECT_EQ(initial[1].position, 0.5);
   source.initial["elbw"] = {};
   EXPECT_THROW(read_pendulum(source), BadInput);
+}
+
+KnownStart commanded(double before) { return {.command = before, .states_joint = false}; }
+
+TEST_F(ReadRecording, KeepsWhatWasCommandedBefore) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,2\n"));
+  EXPECT_THAT(read_pendulum(source).trials[0].commands.before, ElementsAre(IsNan())) << "not known";
+  source.initial["motor"] = commanded(-0.5);
+  const Trial trial = read_pendulum(source).trials[0];
+  EXPECT_THAT(trial.commands.before, ElementsAre(-0.5));
+  EXPECT_TRUE(trial.initial.empty()) << "of joints nothing is said";
+}
+
+TEST_F(ReadRecording, ATrialFromTheMiddleOfAFileKnowsWhatWasCommandedBefore) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,3\n2,1,4\n3,1,5\n4,1,6\n"));
+  source.initial["motor"] = commanded(-0.5);
+  source.use = {{0.0, 1.0}, {3.0, 4.0}};
+  const std::vector<Trial> trials = read_pendulum(source).trials;
+  ASSERT_EQ(trials.size(), 2U);
+  EXPECT_THAT(trials[0].commands.before, ElementsAre(-0.5));
+  EXPECT_THAT(trials[1].commands.before, ElementsAre(4.0));
+}
+
+TEST_F(ReadRecording, SaysWhatACommandAtTheStartIsMissing) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,2\n"));
+  source.initial["hinge"] = commanded(0.0);
+  source.initial["motr"] = commanded(0.0);
+  source.initial["motor"] = {.states_joint = false};
+  const std::string complaint = complaint_of(source);
+  EXPECT_THAT(complaint, HasSubstr("target.initial.hinge.command: target.commands has no actuator `hinge`"));
+  EXPECT_THAT(complaint, HasSubstr("no actuator `motr` (did you mean"));
+  EXPECT_THAT(complaint, HasSubstr("target.initial.motor says nothing of the actuator"));
+  source.initial = {{"motor", {.joint = {InitialKnowledge::given, 0.0, 0.0}, .command = 0.0}}};
+  EXPECT_THAT(complaint_of(source), HasSubstr("target.initial names `motor`")) << "a motor has no position";
 }
 
 TEST_F(ReadRecording, NamesEveryProblemOfEveryFileAtOnce) {
@@ -162,7 +197,7 @@ TEST_F(ReadRecording, ReaderHandsTrialsAndNotesToTargets) {
   robot.sensors[0].name = "angle";
   robot.sensors[0].element = "hinge";
   RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n3,1,2\n4,1,2\n"));
-  source.initial["hinge"] = {InitialKnowledge::free, 0.1, 0.0};
+  source.initial["hinge"] = {.joint = {InitialKnowledge::free, 0.1, 0.0}};
   int notes = 0;
   const RecordingReader reader(source, robot, [&](const ReadingNote&) { ++notes; });
   const std::vector<Trial> trials = reader.read();

@@ -85,6 +85,7 @@ TEST(TrialDigest, EverythingThatAFitSeesCounts) {
                                                             [](Trial& t) { t.measured.channels[0].name = "other"; },
                                                             [](Trial& t) { t.commands.series.samples(2, 0) = 0.0; },
                                                             [](Trial& t) { t.commands.hold = Hold::first_order; },
+                                                            [](Trial& t) { t.commands.before = {0.1}; },
                                                             [](Trial& t) {
                                                               t.initial = {{InitialKnowledge::given, 0.1, 0.0}};
                                                             },

@@ -18,6 +18,7 @@ Trial pendulum_trial(const std::string& name, double angle) {
   trial.measured = {
       {{"angle", "rad"}}, Eigen::VectorXd::LinSpaced(3, 0.0, 1.0), TimeSeries::Samples::Constant(3, 1, angle)};
   trial.commands.series = {{{"motor", "N*m"}}, trial.measured.times, TimeSeries::Samples::Constant(3, 1, 0.25)};
+  trial.commands.before = {-0.75};
   trial.initial = {{InitialKnowledge::given, 0.1, 0.0}};
   trial.sensor_noise = {1e-3};
   trial.command_noise = {0.0};
@@ -52,6 +53,7 @@ TEST(CarriedOut, TrialsOfATargetComeBackAsTheyWere) {
   EXPECT_TRUE(trials[1].held_out && !trials[0].held_out);
   EXPECT_EQ(trials[1].measured.samples, pendulum_trial("", 0.3).measured.samples);
   EXPECT_EQ(trials[1].commands.series.samples, pendulum_trial("", 0.3).commands.series.samples);
+  EXPECT_EQ(trials[1].commands.before, std::vector{-0.75});
   EXPECT_EQ(trials[1].initial.front().position, 0.1);
 }
 

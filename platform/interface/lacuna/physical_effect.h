@@ -135,7 +135,8 @@ class PhysicalEffect {
   /// `view` holds the state that the step has led to.
   virtual void after_step(const StepView&, const EffectContext&, std::span<double> /*state*/) const {}
   /// A command on its way to the actuator `context.elements[which]`: gets its mean over the
-  /// step (command unit) and returns what goes on.
+  /// step (command unit) and returns what goes on. Recorded commands: called once before the first step with what was
+  /// commanded before, so that a memory in `state` begins with that.
   virtual double command(double value, int /*which*/, const StepView&, const EffectContext&,
                          std::span<double> /*state*/) const {
     return value;

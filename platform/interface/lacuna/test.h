@@ -2,6 +2,7 @@
 
 #include <lacuna/time_series.h>
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <variant>
@@ -14,8 +15,17 @@ enum class Hold { zero_order, first_order };
 
 /// Commands as functions of time; channels are named like the actuators they drive.
 struct CommandSeries {
-  TimeSeries series;  ///< before its first and after its last sample, the nearest one counts
+  TimeSeries series;  ///< after its last sample, the last one counts
   Hold hold = Hold::zero_order;
+  /// What was commanded before the first sample, by channel: what delays and lags hold at the start. NaN, or no value
+  /// at all: the first sample's.
+  std::vector<double> before = {};
+
+  /// The command of a channel before the first sample.
+  double before_first(Eigen::Index channel) const {
+    const auto i = static_cast<std::size_t>(channel);
+    return before.empty() || std::isnan(before[i]) ? series.samples(0, channel) : before[i];
+  }
 };
 
 /// Turns sensor readings into commands, once a control period. Const and shared by threads;

@@ -92,6 +92,13 @@ void OdeModel::lay_out_state() {
   }
 }
 
+bool OdeModel::has_memory() const {
+  const auto some = [](const std::vector<Delay>& longest) {
+    return std::any_of(longest.begin(), longest.end(), [](const Delay& delay) { return !delay.none(); });
+  };
+  return effects_.state_size() > 0 || some(longest_sensor_delays_) || some(longest_command_delays_);
+}
+
 std::unique_ptr<Workspace> OdeModel::make_workspace() const { return std::make_unique<OdeWorkspace>(*this); }
 
 void OdeModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,

@@ -18,6 +18,7 @@ class OdeModel : public CompiledModel {
   const std::vector<Channel>& channels() const override { return channels_; }
   const std::vector<Coordinate>& coordinates() const override { return coordinates_; }
   const StateLayout& state_layout() const override { return layout_; }
+  bool has_memory() const override;
   std::unique_ptr<Workspace> make_workspace() const override;
   void simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
                 Workspace& workspace, SimulationResult& result) const override;

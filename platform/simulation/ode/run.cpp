@@ -150,6 +150,13 @@ void Run::begin_at_coordinates() {
   ws_.look(origin_, look_at_bodies_);
   ws_.effects.start(ws_.view);
   ws_.sensors.start(ws_.view, ws_.sensed_forces(), ws_.effects);
+  if (!ws_.drive.closed_loop()) recall_commands();
+}
+
+/// Lags and limits begin with what was commanded before the start.
+void Run::recall_commands() {
+  for (std::size_t a = 0; a < ws_.memories.size(); ++a)
+    ws_.memories[a].last_command = received(a, ws_.drive.command_before(a, origin_));
 }
 
 void Run::begin_at_saved_state() {
@@ -189,16 +196,20 @@ void Run::take_commands() {
   for (std::size_t a = 0; a < ws_.commands.size(); ++a) take_command(a);
 }
 
+double Run::received(std::size_t a, double sent) {
+  const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
+  const double passed_on = ws_.effects.command(a, actuator.gain * sent + actuator.offset, ws_.view);
+  return std::clamp(passed_on, actuator.command_lower, actuator.command_upper);
+}
+
 void Run::take_command(std::size_t a) {
   const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
-  const double sent = actuator.gain * ws_.drive.command(a) + actuator.offset;
-  const double received = ws_.effects.command(a, sent, ws_.view);
-  const double command = std::clamp(received, actuator.command_lower, actuator.command_upper);
+  const double command = received(a, ws_.drive.command(a));
   if (!std::isfinite(command))
     throw Error("the command of actuator \"" + actuator.name + "\" is " + std::to_string(command));
   ws_.commands[a] = command;
   simulation::ActuatorMemory& memory = ws_.memories[a];
-  if (step_ == 0) memory.last_command = command;
+  if (step_ == 0 && ws_.drive.closed_loop()) memory.last_command = command;
   const bool compliant = ws_.places[a].compliant;
   const double position =
       compliant ? memory.rotor_position : ws_.mechanism->joints().positions()[ws_.places[a].coordinate];

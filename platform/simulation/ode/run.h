@@ -22,10 +22,13 @@ class Run {
 
   void begin();
   void begin_at_coordinates();
+  void recall_commands();
   void begin_at_saved_state();
   void advance();
   void take_commands();
   void take_command(std::size_t actuator);
+  /// What an actuator gets of a command that was sent: after gain, offset, effects and limits.
+  double received(std::size_t actuator, double sent);
   void ask_effects();
   void apply_actuator(std::size_t actuator);
   void settle_actuators();

@@ -72,7 +72,14 @@ void Drive::begin_step(double time, bool first) {
 double Drive::command(std::size_t actuator) {
   const Delay& delay = delays_[actuator];
   if (controller_) return delay.none() ? held_[actuator] : lines_[actuator].read(delay);
-  const double begin = step_begin_ - (static_cast<double>(delay.whole) + delay.fraction) * h_;
+  return recorded(actuator, step_begin_);
+}
+
+double Drive::command_before(std::size_t actuator, double time) { return recorded(actuator, time - h_); }
+
+double Drive::recorded(std::size_t actuator, double step_begin) {
+  const Delay& delay = delays_[actuator];
+  const double begin = step_begin - (static_cast<double>(delay.whole) + delay.fraction) * h_;
   return recorded_.mean(actuator, begin, begin + h_);
 }
 

@@ -33,6 +33,8 @@ class Drive {
   void begin_step(double time, bool first);
   /// Mean over the step that has begun, delayed.
   double command(std::size_t actuator);
+  /// The same over the step before a start at `time`, of recorded commands.
+  double command_before(std::size_t actuator, double time);
   /// As it was sent, at `time` within the step that has begun.
   double sent(std::size_t actuator, double time);
 
@@ -43,6 +45,8 @@ class Drive {
   std::size_t lines_size() const;
 
  private:
+  double recorded(std::size_t actuator, double step_begin);
+
   EngineSettings settings_;
   double h_;
   const Controller* controller_ = nullptr;

@@ -23,6 +23,9 @@ void check_series(const CommandSeries& commands, const RobotSpec& robot) {
   if (channels > 0 &&
       !(std::abs(series.times[0]) < kInfinity && series.times[0] <= series.times[series.times.size() - 1]))
     throw Error("the command series' times must ascend from a finite start");
+  if (!commands.before.empty() && commands.before.size() != series.channels.size())
+    throw Error("the command series says what was commanded before for " + std::to_string(commands.before.size()) +
+                " of its " + std::to_string(channels) + " channels");
   std::vector<std::string> actuators;
   for (const ActuatorSpec& actuator : robot.actuators) actuators.push_back(actuator.name);
   for (const Channel& channel : series.channels)
@@ -78,7 +81,7 @@ double RecordedCommands::end_of(std::ptrdiff_t segment) const {
 
 double RecordedCommands::value_in(std::ptrdiff_t segment, int column, double time) const {
   const TimeSeries& series = commands_->series;
-  if (segment < 0) return series.samples(0, column);
+  if (segment < 0) return commands_->before_first(column);
   const double value = series.samples(segment, column);
   if (commands_->hold == Hold::zero_order || segment + 1 >= series.times.size()) return value;
   const double share = (time - series.times[segment]) / (series.times[segment + 1] - series.times[segment]);
