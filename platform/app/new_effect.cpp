@@ -5,6 +5,7 @@
 #include "formula/effect_source.h"
 #include "foundation/placement_unit.h"
 #include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "loading/plugin_catalog.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include "command_line/whole_number.h"
+#include "foundation/shell_word.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,14 +23,6 @@ CLI::Validator folder() {
 }
 
 }  // namespace
-
-std::string shell_word(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 void set_command_line(int argc, char** argv) {
   typed_command = "lacuna";

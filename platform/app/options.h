@@ -24,9 +24,6 @@ struct CommonOptions {
   bool quiet = false;
 };
 
-/// A word of a command as a POSIX shell takes it: in quotes where it needs them.
-std::string shell_word(const std::string& word);
-
 /// The command line, such that a shell takes it again; `run_program` sets it.
 void set_command_line(int argc, char** argv);
 const std::string& command_line();

@@ -7,6 +7,7 @@
 #include "evaluation/target_simulator.h"
 #include "evaluation/test_space.h"
 #include "foundation/parallel.h"
+#include "foundation/shell_word.h"
 #include "report/prediction_data.h"
 #include "report/prediction_picture.h"
 #include "report/prediction_text.h"

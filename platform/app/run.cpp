@@ -7,6 +7,7 @@
 #include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "report/run_text.h"
 
 #include <CLI/CLI.hpp>

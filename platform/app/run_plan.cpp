@@ -5,6 +5,7 @@
 #include "app/used_plugins.h"
 #include "config/result_setting.h"
 #include "foundation/parallel.h"
+#include "foundation/shell_word.h"
 #include "storage/stored_run.h"
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "app/used_plugins.h"
 #include "evaluation/test_space.h"
 #include "foundation/counted.h"
+#include "foundation/shell_word.h"
 #include "measurement/command_file.h"
 #include "storage/carried_out.h"
 #include "storage/failed_trials.h"

@@ -1,4 +1,4 @@
-#include "app/options.h"
+#include "foundation/shell_word.h"
 
 #include <gtest/gtest.h>
 

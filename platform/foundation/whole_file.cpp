@@ -1,0 +1,176 @@
+#include "foundation/whole_file.h"
+
+#include <lacuna/error.h>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <random>
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr mode_t kNewFile = 0666;  // without what the umask takes away
+constexpr mode_t kPermissions = 07777;
+
+[[noreturn]] void fail(const fs::path& file) {
+  throw Error(file.string() + ": cannot be written: " + std::strerror(errno));
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// /dev/stdout and the like: links to descriptors, which lead to no file that could be replaced.
+bool names_descriptor(const fs::path& file) {
+  std::error_code none;
+  const std::string folder = fs::canonical(folder_of(file), none).string();
+  return folder == "/dev" || folder.starts_with("/proc/");
+}
+
+/// The file that a name stands for.
+fs::path end_of_links(fs::path file) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code none;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(file, none) && !names_descriptor(file); ++links)
+    file = folder_of(file) / fs::read_symlink(file, none);
+  return file;
+}
+
+bool is_written_directly(const fs::path& target) {
+  std::error_code none;
+  return names_descriptor(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none));
+}
+
+constexpr std::string_view kDraft = ".lacuna-";
+constexpr std::size_t kDigits = 16;  // behind it
+
+fs::path unused_name(const fs::path& folder) {
+  std::random_device random;
+  return folder / fmt::format("{}{:08x}{:08x}", kDraft, random(), random());
+}
+
+/// Whoever writes a draft holds this lock on it, which ends with the process.
+bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+/// Removes the drafts of processes that were killed.
+void remove_stale_drafts(const fs::path& folder) {
+  std::error_code none;
+  for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(kDraft) || name.size() != kDraft.size() + kDigits) continue;
+    const int draft = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (draft < 0) continue;
+    if (lock(draft)) ::unlink(entry->path().c_str());
+    ::close(draft);
+  }
+}
+
+void keep_owner_and_permissions(int descriptor, const struct stat& old) {
+  struct stat now {};
+  if (::fstat(descriptor, &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid) &&
+      ::fchown(descriptor, old.st_uid, old.st_gid) != 0) {
+    // Only root may give a file away; for others the new file is theirs.
+  }
+  ::fchmod(descriptor, old.st_mode & kPermissions);
+}
+
+}  // namespace
+
+WholeFile::WholeFile(const fs::path& file, Link link)
+    : file_(file),
+      target_(link == Link::followed ? end_of_links(file) : file),
+      direct_(link == Link::followed && is_written_directly(target_)),
+      stream_(nullptr) {
+  struct stat old {};
+  const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
+  if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
+  const int descriptor = direct_ ? ::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY)
+                                 : open_draft(replaces ? old.st_mode & kPermissions : kNewFile);
+  if (descriptor < 0) fail(file_);
+  if (replaces) keep_owner_and_permissions(descriptor, old);
+  buffer_.emplace(descriptor, std::ios::out | std::ios::binary);
+  stream_.rdbuf(&*buffer_);
+}
+
+WholeFile::~WholeFile() {
+  if (!draft_.empty()) ::unlink(draft_.c_str());
+}
+
+int WholeFile::open_draft(mode_t mode) {
+  const fs::path folder = folder_of(target_);
+  remove_stale_drafts(folder);
+  if (::access("/proc/self/fd", X_OK) == 0) {  // through which a file without a name gets one
+    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+    if (unnamed >= 0 && lock(unnamed)) return unnamed;
+    if (unnamed >= 0) ::close(unnamed);
+  }
+  const fs::path draft = unused_name(folder);
+  const int named = ::open(draft.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
+  if (named < 0) return named;
+  draft_ = draft;
+  lock(named);  // in vain only where another process took it for stale just now: then `publish` says that it is gone
+  return named;
+}
+
+void WholeFile::finish() {
+  if (stream_.flush() && (direct_ || ::fsync(buffer_->fd()) == 0)) return;
+  throw Error(file_.string() +
+              ": cannot be written to its end; check that its folder is writable and the disk not full" +
+              (direct_ ? "" : "; what was there before is kept"));
+}
+
+/// False where something has that name.
+bool WholeFile::give_name(const fs::path& name) {
+  const std::string descriptor = fmt::format("/proc/self/fd/{}", buffer_->fd());
+  return ::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// The same for a draft that has a name already. Some file systems have no links, others no such renaming.
+bool WholeFile::rename_draft(const fs::path& name) {
+  if (::renameat2(AT_FDCWD, draft_.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) {
+    draft_.clear();
+    return true;
+  }
+  return errno == EINVAL && ::link(draft_.c_str(), name.c_str()) == 0;
+}
+
+void WholeFile::publish() {
+  finish();
+  if (direct_) return;
+  if (draft_.empty()) {
+    const fs::path name = unused_name(folder_of(target_));
+    if (!give_name(name)) fail(file_);
+    draft_ = name;
+  }
+  if (::rename(draft_.c_str(), target_.c_str()) != 0) fail(file_);
+  draft_.clear();
+}
+
+void WholeFile::publish_as_new() {
+  finish();
+  if (!(draft_.empty() ? give_name(target_) : rename_draft(target_))) fail(file_);
+}
+
+void write_whole(const fs::path& file, std::string_view text, Link link) {
+  WholeFile whole(file, link);
+  whole.stream() << text;
+  whole.publish();
+}
+
+std::optional<std::string> why_not_writable(const fs::path& file) {
+  const fs::path target = end_of_links(file), folder = folder_of(target);
+  std::error_code none;
+  if (fs::exists(target, none) && ::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
+  if (is_written_directly(target)) return std::nullopt;
+  if (::access(folder.c_str(), W_OK) != 0) return fmt::format("folder {}: {}", folder.string(), std::strerror(errno));
+  return std::nullopt;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <ext/stdio_filebuf.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace lacuna {
+
+/// What becomes of a symbolic link that has the file's name.
+enum class Link {
+  followed,  ///< of a file that the user named: the link stays, and the file that it points to is written
+  replaced   ///< of a name that we chose in a folder: whatever a link there points to is left alone
+};
+
+/// A file that is replaced whole or not at all. What is written goes into a draft in the same folder; `publish` gives
+/// the complete draft, once it is on the disk, the file's name. Until then, and wherever something fails, the old file
+/// stays as it is, and the draft ends with the object. It has no name before `publish` (O_TMPFILE), so that a killed
+/// process leaves none; where that cannot be, or in the moment of `publish`, a hidden file `.lacuna-...` is left, which
+/// the next one that writes into the folder removes.
+/// Permissions of a file that is replaced stay. What a user named and is no regular file (/dev/stdout, a pipe) has
+/// nothing to be replaced and is written into directly.
+class WholeFile {
+ public:
+  /// Throws `Error` where nothing can be written there.
+  WholeFile(const std::filesystem::path& file, Link link);
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  std::ostream& stream() { return stream_; }
+  /// Brings what was written to the disk. Throws `Error` where it does not fit.
+  void finish();
+  /// `finish`, and the draft takes the file's place.
+  void publish();
+  /// The same, but throws `Error` where there is a file of that name, which is left alone.
+  void publish_as_new();
+
+ private:
+  int open_draft(mode_t mode);
+  bool give_name(const std::filesystem::path& name);
+  bool rename_draft(const std::filesystem::path& name);
+
+  const std::filesystem::path file_;    ///< as it was named, for messages
+  const std::filesystem::path target_;  ///< what is written
+  const bool direct_;
+  std::filesystem::path draft_;  ///< empty: it has no name
+  std::optional<__gnu_cxx::stdio_filebuf<char>> buffer_;
+  std::ostream stream_;
+};
+
+/// Writes a whole text so.
+void write_whole(const std::filesystem::path& file, std::string_view text, Link link);
+
+/// Why a file that the user named could not be written, for a check before long work; nothing if it can.
+std::optional<std::string> why_not_writable(const std::filesystem::path& file);
+
+}  // namespace lacuna

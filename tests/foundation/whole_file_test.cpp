@@ -1,0 +1,197 @@
+#include "foundation/whole_file.h"
+
+#include <lacuna/error.h>
+
+#include "support/test_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <stdexcept>
+
+namespace lacuna {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class WholeFileTest : public testing::Test {
+ protected:
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path()))
+      found.push_back(entry.path().filename());
+    return found;
+  }
+
+  const TestFolder folder_;
+  const fs::path file_ = folder_.write("result.json", "old\n");
+};
+
+TEST_F(WholeFileTest, ReplacesAFileAndKeepsItsPermissions) {
+  fs::permissions(file_, fs::perms(0640));
+  write_whole(file_, "new\n", Link::followed);
+  EXPECT_EQ(read_bytes(file_), "new\n");
+  EXPECT_EQ(fs::status(file_).permissions(), fs::perms(0640));
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(WholeFileTest, MakesAFileWithTheUsualPermissions) {
+  const mode_t before = ::umask(027);
+  write_whole(folder_ / "fresh.json", "new\n", Link::replaced);
+  ::umask(before);
+  EXPECT_EQ(fs::status(folder_ / "fresh.json").permissions(), fs::perms(0640));
+}
+
+TEST_F(WholeFileTest, KeepsTheOldFileUntilTheNewOneIsWhole) {
+  WholeFile whole(file_, Link::followed);
+  whole.stream() << std::string(1 << 20, 'x') << std::flush;
+  EXPECT_EQ(read_bytes(file_), "old\n");
+  whole.publish();
+  EXPECT_EQ(fs::file_size(file_), 1U << 20);
+}
+
+TEST_F(WholeFileTest, KeepsTheOldFileWhereTheWorkEndsByAnException) {
+  try {
+    WholeFile whole(file_, Link::followed);
+    whole.stream() << "half of it" << std::flush;
+    throw std::runtime_error("the query failed");
+  } catch (const std::runtime_error&) {
+    EXPECT_EQ(read_bytes(file_), "old\n");
+    EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+  }
+}
+
+/// A disk that is full, as a limit on the size of files, which a process can set for itself alone.
+TEST_F(WholeFileTest, KeepsTheOldFileOnAFullDisk) {
+  const auto write_much = [this] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{4096, 4096};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_whole(file_, std::string(1 << 20, 'x'), Link::followed);
+    } catch (const Error& error) {
+      std::fputs(error.what(), stderr);
+      ::_exit(3);
+    }
+    ::_exit(0);
+  };
+  EXPECT_EXIT(write_much(), testing::ExitedWithCode(3), "result.json: cannot be written to its end");
+  EXPECT_EQ(read_bytes(file_), "old\n");
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(WholeFileTest, LeavesNoDraftWhenKilled) {
+  std::array<int, 2> ready{};
+  ASSERT_EQ(::pipe(ready.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    WholeFile whole(file_, Link::followed);
+    whole.stream() << "half of it" << std::flush;
+    if (::write(ready[1], "x", 1) == 1) ::pause();
+    ::_exit(0);
+  }
+  char begun = 0;
+  ASSERT_EQ(::read(ready[0], &begun, 1), 1);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  EXPECT_EQ(read_bytes(file_), "old\n");
+  const int unnamed = ::open(folder_.path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (unnamed < 0) GTEST_SKIP() << "this file system has no files without a name";
+  ::close(unnamed);
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(WholeFileTest, RemovesDraftsOfTheKilledAndNoOthers) {
+  folder_.write(".lacuna-0123456789abcdef", "half of it");
+  folder_.write(".lacuna-settings", "mine");
+  const fs::path held = folder_.write(".lacuna-fedcba9876543210", "half of it");
+  const int writer = ::open(held.c_str(), O_WRONLY);
+  ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+  write_whole(file_, "new\n", Link::followed);
+  EXPECT_THAT(names(), testing::UnorderedElementsAre("result.json", ".lacuna-settings", ".lacuna-fedcba9876543210"));
+  ::close(writer);
+}
+
+TEST_F(WholeFileTest, FollowsALinkThatTheUserNamed) {
+  fs::create_symlink("result.json", folder_ / "link.json");  // from its own folder
+  write_whole(folder_ / "link.json", "new\n", Link::followed);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.json"));
+  EXPECT_EQ(read_bytes(file_), "new\n");
+  fs::create_symlink(folder_ / "later.json", folder_ / "early.json");
+  write_whole(folder_ / "early.json", "new\n", Link::followed);
+  EXPECT_EQ(read_bytes(folder_ / "later.json"), "new\n");
+}
+
+TEST_F(WholeFileTest, ReplacesALinkThatHasANameOfOurs) {
+  fs::create_symlink(file_, folder_ / "angle.svg");
+  write_whole(folder_ / "angle.svg", "new\n", Link::replaced);
+  EXPECT_FALSE(fs::is_symlink(folder_ / "angle.svg"));
+  EXPECT_EQ(read_bytes(folder_ / "angle.svg"), "new\n");
+  EXPECT_EQ(read_bytes(file_), "old\n");
+}
+
+TEST_F(WholeFileTest, WritesDirectlyIntoWhatIsNoFile) {
+  EXPECT_NO_THROW(write_whole("/dev/null", "new\n", Link::followed));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  write_whole(pipe, "new\n", Link::followed);
+  std::array<char, 8> text{};
+  EXPECT_EQ(::read(reader, text.data(), text.size()), 4);
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(WholeFileTest, SaysWhenADeviceIsFull) {
+  try {
+    write_whole("/dev/full", "new\n", Link::followed);
+    ADD_FAILURE() << "nothing was said";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/dev/full: cannot be written to its end"));
+  }
+}
+
+/// What the shell has redirected standard output to is not replaced under it.
+TEST_F(WholeFileTest, WritesBehindWhatADescriptorHas) {
+  const int descriptor = ::open(file_.c_str(), O_WRONLY | O_APPEND);
+  struct stat before {
+  }, after{};
+  ::fstat(descriptor, &before);
+  write_whole("/dev/fd/" + std::to_string(descriptor), "new\n", Link::followed);
+  ::stat(file_.c_str(), &after);
+  ::close(descriptor);
+  EXPECT_EQ(before.st_ino, after.st_ino);
+  EXPECT_EQ(read_bytes(file_), "old\nnew\n");
+}
+
+TEST_F(WholeFileTest, PublishesAsNewOnlyWhereThereIsNothing) {
+  WholeFile taken(file_, Link::replaced), fresh(folder_ / "fresh.json", Link::replaced);
+  taken.stream() << "new\n";
+  EXPECT_THROW(taken.publish_as_new(), Error);
+  EXPECT_EQ(read_bytes(file_), "old\n");
+  fresh.stream() << "new\n";
+  fresh.publish_as_new();
+  EXPECT_EQ(read_bytes(folder_ / "fresh.json"), "new\n");
+}
+
+TEST_F(WholeFileTest, SaysWhereNothingCanBeWritten) {
+  EXPECT_THROW(write_whole(folder_ / "no/such.json", "new\n", Link::followed), Error);
+  EXPECT_THROW(write_whole(folder_.path(), "new\n", Link::followed), Error);
+  EXPECT_THROW(write_whole(folder_.path(), "new\n", Link::replaced), Error);
+}
+
+}  // namespace
+}  // namespace lacuna
