@@ -4,6 +4,7 @@
 #include "app/progress_line.h"
 #include "app/workbench.h"
 #include "foundation/counted.h"
+#include "foundation/shell_word.h"
 #include "report/comparison_json.h"
 #include "report/comparison_text.h"
 
@@ -25,7 +26,7 @@ void run_fit(const CommonOptions& options) {
                fitted.known ? "known" : format_duration(fitted.result.seconds));
     fmt::print("{}", fit_text(fitted.result));
     for (const std::string& fault : bench.faults(fitted.result)) fmt::print("in doubt: {}\n", fault);
-    fmt::print("→ lacuna compare {}\n", options.experiment.string());
+    fmt::print("→ lacuna compare {}\n", shell_word(options.experiment.string()));
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
   bench.ledger().done();

@@ -3,17 +3,19 @@
 #include "app/rig_draft.h"
 #include "foundation/counted.h"
 #include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "foundation/unit.h"
+#include "foundation/whole_file.h"
 #include "measurement/clock_check.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -30,14 +32,29 @@ void refuse_existing(const std::filesystem::path& file) {
     throw Error(file.string() + ": is there already and is not overwritten; choose another name or move it away");
 }
 
-/// Writes a file that must not exist; what another program wrote meanwhile is left alone.
-void write_new(const std::filesystem::path& file, const std::string& text) {
-  std::FILE* stream = std::fopen(file.c_str(), "wxb");
-  if (!stream) throw Error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
-  const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-  if (std::fclose(stream) != 0 || !written)
-    throw Error(fmt::format("{}: cannot be written to its end: {}", file.string(), std::strerror(errno)));
-}
+/// Writes files that must not exist, all or none; what another program wrote meanwhile is left alone.
+class NewFiles {
+ public:
+  void add(const std::filesystem::path& file, const std::string& text) {
+    WholeFile& draft = *drafts_.emplace_back(file, std::make_unique<WholeFile>(file, Link::replaced)).second;
+    draft.stream() << text;
+    draft.finish();
+  }
+  void publish() {
+    for (std::size_t i = 0; i < drafts_.size(); ++i) {
+      try {
+        drafts_[i].second->publish_as_new();
+      } catch (...) {
+        std::error_code ignored;
+        for (std::size_t made = 0; made < i; ++made) std::filesystem::remove(drafts_[made].first, ignored);
+        throw;
+      }
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::filesystem::path, std::unique_ptr<WholeFile>>> drafts_;
+};
 
 /// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
 std::string read_recordings(RigDraft& draft) {
@@ -110,8 +127,10 @@ void make_new(const NewOptions& options) {
   const std::string problems = read_recordings(draft);
   const std::string experiment = experiment_text(draft);
   const std::string robot = robot_text(draft);
-  if (draft.writes_robot) write_new(draft.robot, robot);
-  write_new(draft.experiment, experiment);
+  NewFiles files;
+  if (draft.writes_robot) files.add(draft.robot, robot);
+  files.add(draft.experiment, experiment);
+  files.publish();
 
   std::printf("%s%s written from %s\n", draft.experiment.c_str(),
               draft.writes_robot ? (" and " + draft.robot.string()).c_str() : "",
@@ -125,7 +144,7 @@ void make_new(const NewOptions& options) {
   std::printf("fill in\n");
   print_blanks(draft.experiment, experiment);
   if (draft.writes_robot) print_blanks(draft.robot, robot);
-  std::printf("then  lacuna check %s\n", draft.experiment.c_str());
+  std::printf("then  lacuna check %s\n", shell_word(draft.experiment.string()).c_str());
 }
 
 }  // namespace

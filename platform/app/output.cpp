@@ -1,14 +1,13 @@
 #include "app/output.h"
 
 #include "foundation/problem.h"
-#include "report/not_written.h"
+#include "foundation/whole_file.h"
 
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 
 namespace lacuna {
 namespace {
@@ -24,8 +23,7 @@ void check_file(const fs::path& file) {
   if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file for the results");
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) refuse(file, "cannot be written: there is no folder " + folder.string());
-  const fs::path& changed = fs::exists(file, ignored) ? file : folder;
-  if (::access(changed.c_str(), W_OK) != 0) refuse(file, std::string("cannot be written: ") + std::strerror(errno));
+  if (const auto why = why_not_writable(file)) refuse(file, "cannot be written: " + *why);
 }
 
 }  // namespace
@@ -35,8 +33,7 @@ void write_output(const std::string& to, const std::string& text) {
     std::fputs(text.c_str(), stdout);
     return;
   }
-  std::ofstream stream(to, std::ios::binary);
-  if (!(stream << text) || !stream.flush()) throw_not_written(to);
+  write_whole(to, text, Link::followed);
 }
 
 bool takes_standard_output(const std::optional<std::string>& option) { return option && option->empty(); }

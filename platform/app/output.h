@@ -7,7 +7,7 @@
 namespace lacuna {
 
 /// Where a command's results go besides the terminal. `to`: the option's value, "" for standard
-/// output. Throws `Error` where the file cannot be written to its end.
+/// output. A file gets the whole text or stays as it is; `Error` then says why.
 void write_output(const std::string& to, const std::string& text);
 
 /// Whether an optional output option takes standard output, so that nothing else is printed there.

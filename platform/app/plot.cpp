@@ -2,6 +2,7 @@
 #include "app/newest_setting.h"
 #include "app/output.h"
 #include "app/stored_bench.h"
+#include "report/file_name.h"
 #include "report/run_pictures.h"
 
 #include <CLI/CLI.hpp>
@@ -50,7 +51,7 @@ void plot(const PlotOptions& options) {
       fmt::format("{}, {}", listings.front().experiment,
                   listings.size() > 4 ? fmt::format("{} runs", listings.size()) : numbers(listings));
   for (const NamedFigure& named : run_figures(runs, title)) {
-    const std::filesystem::path file = options.folder / (named.name + ".svg");
+    const std::filesystem::path file = options.folder / file_name(named.name + ".svg");
     if (std::filesystem::is_directory(file))
       throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
     write_svg(named.figure, file);

@@ -200,7 +200,7 @@ void write_report(const PredictOptions& options, const AskedRun& run, const Pred
   }
   if (options.json) write_output(*options.json, prediction_json(report));
   if (options.csv) write_output(*options.csv, prediction_csv(report.prediction));
-  if (options.picture) write_svg(prediction_figure(report), *options.picture);
+  if (options.picture) write_output(*options.picture, svg_of(prediction_figure(report)));
 }
 
 /// A run's genomes mean what they meant when it was begun.

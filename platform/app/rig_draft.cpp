@@ -2,6 +2,8 @@
 
 #include "config/toml_node.h"
 #include "foundation/counted.h"
+#include "foundation/plain_text.h"
+#include "foundation/shell_word.h"
 #include "foundation/unit.h"
 #include "measurement/rest_noise.h"
 
@@ -17,9 +19,9 @@ namespace {
 constexpr double kLongestStep = 2e-3;  // s
 constexpr int kCommentColumn = 40;
 
-/// A line with its comment to the right of it.
+/// A line with its comment to the right of it. A column's name may be in the comment, and may have line breaks in it.
 std::string with_comment(const std::string& line, const std::string& comment) {
-  return fmt::format("{:<{}}# {}\n", line + "  ", kCommentColumn, comment);
+  return fmt::format("{:<{}}# {}\n", line + "  ", kCommentColumn, plain_text(comment));
 }
 
 /// A path as the experiment names it: from its own folder where the file is not far from it.
@@ -132,7 +134,7 @@ std::string columns_text(const RigDraft& draft) {
   for (const GuessedJoint& joint : guess.joints)
     if (joint.command) text += draft_command(joint);
   for (const GuessedColumn& column : guess.unused)
-    text += fmt::format("# not used: column {}, {}\n", toml_text(column.name), column.reason);
+    text += fmt::format("# not used: column {}, {}\n", toml_text(column.name), plain_text(column.reason));
   return text;
 }
 
@@ -218,7 +220,8 @@ std::string experiment_text(const RigDraft& draft) {
       "# Drafted from {1}. Put values where it says {2}, here and in the robot file, and mend what was\n"
       "# guessed wrong; `lacuna check` says what is left. Then: lacuna compare {3}\n\n"
       "[experiment]\nname = {4}\nseed = 1\n\n",
-      name, counted(draft.files.size(), "recording"), kBlank, draft.experiment.filename().string(), toml_text(name));
+      name, counted(draft.files.size(), "recording"), kBlank,
+      plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));
   text += target_text(draft) + columns_text(draft);
   const std::string& body = draft.guess.joints.front().body();
   text += fmt::format(
@@ -239,7 +242,7 @@ std::string robot_text(const RigDraft& draft) {
   std::string text = fmt::format(
       "# The robot of {}: one body a joint. Put values where it says {}; SI units, z up.\n"
       "# What is not written here (friction, a spring, the rotor's inertia) is zero.\n\n[robot]\nname = {}\n",
-      draft.experiment.filename().string(), kBlank, toml_text(name));
+      plain_text(draft.experiment.filename().string()), kBlank, toml_text(name));
   const std::vector<GuessedJoint>& joints = draft.guess.joints;
   for (std::size_t i = 0; i < joints.size(); ++i) text += body_text(joints[i], i == 0);
   for (std::size_t i = 0; i < joints.size(); ++i) text += joint_text(joints[i], i > 0 ? joints[i - 1].body() : "");

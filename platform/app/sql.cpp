@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output.h"
-#include "report/not_written.h"
+#include "foundation/whole_file.h"
 #include "storage/query.h"
 #include "storage/query_output.h"
 
@@ -9,7 +9,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -36,12 +35,14 @@ void query(const SqlOptions& options) {
   check_output(options.json);
   const Database database = Database::open_read_only(options.database);
   const bool to_file = options.json && !options.json->empty();
-  std::ofstream file;
-  if (to_file) file.open(*options.json);
-  std::ostream& stream = to_file ? file : std::cout;
   const QueryFormat format = options.json ? QueryFormat::json : options.csv ? QueryFormat::csv : QueryFormat::table;
-  run_queries(database, options.sql, *make_query_output(format, stream));
-  if (!stream.flush()) throw_not_written(to_file ? *options.json : "standard output");
+  const auto write_to = [&](std::ostream& stream) {
+    run_queries(database, options.sql, *make_query_output(format, stream));
+  };
+  if (!to_file) return write_to(std::cout);
+  WholeFile file(*options.json, Link::followed);
+  write_to(file.stream());
+  file.publish();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "report/advice_text.h"
 
 #include "foundation/counted.h"
+#include "foundation/shell_word.h"
 #include "report/times_floor_text.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ std::string advice_text(const Comparison& comparison, const std::string& file) {
   if (times_explained(comparison, *worst) <= kAtTheFloor)
     return fmt::format("model is at the floor as far as can be told: {} ×, which the uncertain start can explain\n",
                        times);
-  return fmt::format("model is above the floor ({} ×) → lacuna diagnose {}\n", times, file);
+  return fmt::format("model is above the floor ({} ×) → lacuna diagnose {}\n", times, shell_word(file));
 }
 
 }  // namespace lacuna

@@ -1,14 +1,13 @@
 #include "report/comparison_pictures.h"
 
+#include "foundation/whole_file.h"
 #include "report/figure.h"
 #include "report/file_name.h"
-#include "report/not_written.h"
 #include "report/times_floor_text.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace lacuna {
 namespace {
@@ -64,7 +63,8 @@ std::vector<std::filesystem::path> write_predictions(const Comparison& compariso
   std::vector<std::filesystem::path> files;
   for (const TrialComparison& trial : comparison.trials) {
     files.push_back(folder / file_name(trial.trial + "-predictions.csv"));
-    std::ofstream stream(files.back());
+    WholeFile file(files.back(), Link::replaced);
+    std::ostream& stream = file.stream();
     stream << "time_s";
     for (const ChannelScore& score : trial.channels)
       for (const char* what : {"measured", "predicted", "residual"})
@@ -76,7 +76,7 @@ std::vector<std::filesystem::path> write_predictions(const Comparison& compariso
         stream << fmt::format(",{},{},{}", trial.measured(i, c), trial.predicted(i, c), trial.residuals(i, c));
       stream << '\n';
     }
-    if (!stream.flush()) throw_not_written(files.back());
+    file.publish();
   }
   return files;
 }

@@ -1,5 +1,6 @@
 #include "report/diagnosis_text.h"
 
+#include "foundation/shell_word.h"
 #include "foundation/unit.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
@@ -127,11 +128,12 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
   if (!diagnosis.next_test.empty()) text += fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
   const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
   if (outside && !most && !diagnosis.formulas.empty())
-    text += fmt::format("→ lacuna plugins new effect NAME --formula \"{}\"\n", diagnosis.formulas.front().text());
+    text +=
+        fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
   if (diagnosis.verdict == Verdict::effect_found || (outside && most))
     for (const FoundEffect& effect : diagnosis.ranking.front().effects)
-      text += fmt::format("→ lacuna add {} {}{}\n", file, effect.effect,
-                          effect.where == "world" ? "" : " --where " + effect.where);
+      text += fmt::format("→ lacuna add {} {}{}\n", shell_word(file), shell_word(effect.effect),
+                          effect.where == "world" ? "" : " --where " + shell_word(effect.where));
   return text;
 }
 

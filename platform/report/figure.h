@@ -65,9 +65,12 @@ inline constexpr const char* kOrange = "#D55E00";
 inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kGrey = "#9A9A9A";
 
-/// Draws the figure into an SVG file, replacing it at once. Long lines are thinned to their
-/// extremes per pixel column. Throws `Error` where gnuplot is missing or fails, or the file
-/// cannot be written.
+/// The figure as SVG. Texts may be of any origin: they stand there as they are, with a space for each control character
+/// and U+FFFD for what is not UTF-8. Long lines are thinned to their extremes per pixel column. Throws `Error` where
+/// gnuplot is missing or fails.
+std::string svg_of(const Figure& figure);
+
+/// Writes the figure into a file whose name we chose in the user's folder, which is made where it is missing.
 void write_svg(const Figure& figure, const std::filesystem::path& file);
 
 }  // namespace lacuna

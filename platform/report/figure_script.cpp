@@ -25,7 +25,8 @@ constexpr double kRoomBelow = 66.0;             // px, for the ticks of the x ax
 
 std::string tick_names(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} {}", i ? ", " : "", quoted(names[i]), i);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{} {}", i ? ", " : "", quoted_tick(names[i]), i);
   return fmt::format("set xtics ({}) rotate by -20\nset xrange [-0.5:{}]\n", text,
                      static_cast<double>(names.size()) - 0.5);
 }
@@ -82,7 +83,8 @@ int tick_characters(const Range& range) {
 /// Names at 0, 1, ... downwards.
 std::string y_tick_names(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} {}", i ? ", " : "", quoted(names[i]), i);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{} {}", i ? ", " : "", quoted_tick(names[i]), i);
   return fmt::format("set ytics ({})\nset yrange [{}:-0.5]\n", text, static_cast<double>(names.size()) - 0.5);
 }
 
@@ -260,15 +262,14 @@ std::string grid_commands(const Figure& figure) {
 
 }  // namespace
 
-std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file) {
-  std::string text;
+std::string gnuplot_script(const Figure& figure) {
+  std::string text = "set encoding utf8\n";
   for (std::size_t p = 0; p < figure.panels.size(); ++p)
     for (std::size_t s = 0; s < figure.panels[p].series.size(); ++s)
       if (figure.panels[p].series[s].mark != Mark::level)
         text += data_block(figure.panels[p].series[s], block_name(p, s));
   text += fmt::format("set terminal svg size {},{} font \"sans-serif,13\" background \"white\" noenhanced\n",
                       figure.width, figure.height);
-  text += "set output " + quoted(file.string()) + "\n";
   text +=
       "set datafile missing \"NaN\"\nset grid lc rgb \"#E4E4E4\" lt 1\nset border 3 lc rgb \"#7A7A7A\"\nset tics "
       "nomirror\n";

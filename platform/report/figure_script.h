@@ -2,12 +2,12 @@
 
 #include "report/figure.h"
 
-#include <filesystem>
 #include <string>
 
 namespace lacuna {
 
-/// The commands with which gnuplot draws a figure into an SVG file.
-std::string gnuplot_script(const Figure& figure, const std::filesystem::path& file);
+/// The commands with which gnuplot draws a figure as SVG on its standard output. No text of the figure is one of them,
+/// or part of one (`quoted`).
+std::string gnuplot_script(const Figure& figure);
 
 }  // namespace lacuna

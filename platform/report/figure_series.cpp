@@ -1,28 +1,41 @@
 #include "report/figure_series.h"
 
+#include "foundation/plain_text.h"
 #include "report/thinning.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace lacuna {
 namespace {
 
 constexpr std::size_t kPixelColumns = 1000;
 
+std::string replaced(std::string text, std::string_view part, std::string_view with) {
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + with.size()))
+    text.replace(at, part.size(), with);
+  return text;
+}
+
 std::string value_text(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN"; }
 
 }  // namespace
 
 std::string quoted(const std::string& text) {
+  // gnuplot leaves both as they are, though the first is a character reference in SVG and the second ends a section.
+  const std::string safe = replaced(replaced(plain_text(text), "&#x", "&#x26;#x"), "]]>", "]]&#x3E;");
   std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
+  for (const char c : safe) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ';
+    // Four digits: behind a leading zero gnuplot reads so many, behind another digit one less.
+    result += plain ? std::string(1, c) : fmt::format("\\0{:03o}", static_cast<unsigned char>(c));
   }
   return result + '"';
 }
+
+std::string quoted_tick(const std::string& text) { return quoted(replaced(text, "%", "%%")); }
 
 std::string block_name(std::size_t panel, std::size_t series) { return fmt::format("$p{}s{}", panel, series); }
 

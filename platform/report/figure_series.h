@@ -7,8 +7,13 @@
 
 namespace lacuna {
 
-/// A text as gnuplot takes it, in quotes.
+/// A text of any origin as gnuplot takes it: in quotes, within which nothing but letters, digits and spaces stands for
+/// itself; all else is written as the number of its byte. So no character means anything to gnuplot, which runs what
+/// stands between backticks in such quotes, and the picture shows the text as it is.
 std::string quoted(const std::string& text);
+
+/// The same for the name of a tick, which gnuplot takes for the format of a number.
+std::string quoted_tick(const std::string& text);
 
 /// Data blocks are named by panel and series, and stand before the plot commands.
 std::string block_name(std::size_t panel, std::size_t series);

@@ -3,6 +3,7 @@
 #include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "report/figure.h"
+#include "report/file_name.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
 
@@ -137,7 +138,7 @@ std::vector<std::filesystem::path> draw_history(const std::vector<HistoryRow>& r
                                                 const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const std::string& channel : channels_of(rows)) {
-    files.push_back(folder / ("history-" + channel + ".svg"));
+    files.push_back(folder / file_name("history-" + channel + ".svg"));
     write_svg(figure_of(rows_of(rows, channel), channel, title), files.back());
   }
   return files;

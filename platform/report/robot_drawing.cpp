@@ -1,12 +1,12 @@
 #include "report/robot_drawing.h"
 
-#include "report/not_written.h"
+#include "foundation/plain_text.h"
+#include "foundation/whole_file.h"
 #include "report/robot_sketch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace lacuna {
 namespace {
@@ -21,7 +21,8 @@ constexpr double kLetter = 7.0, kBoldLetter = 9.0;                // px, their w
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (const char c : text) safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  for (const char c : plain_text(text))
+    safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return safe;
 }
 
@@ -163,13 +164,7 @@ std::string picture_of(const std::string& title, const std::vector<RobotRow>& ro
 }  // namespace
 
 void write_robots_svg(const std::string& title, const std::vector<RobotRow>& rows, const std::filesystem::path& file) {
-  const std::filesystem::path draft = file.string() + ".draft";
-  if (!(std::ofstream(draft) << picture_of(title, rows) << std::flush)) {
-    std::error_code ignored;
-    std::filesystem::remove(draft, ignored);
-    throw_not_written(file);
-  }
-  std::filesystem::rename(draft, file);
+  write_whole(file, picture_of(title, rows), Link::replaced);
 }
 
 }  // namespace lacuna

@@ -132,9 +132,13 @@ std::int64_t bytes_of(const Database& database) {
          number_of(database, "PRAGMA page_size");
 }
 
-void make_tables(const Database& from, Database& to) {
+/// One statement: in a file of unknown origin others may stand behind it, which SQLite did not look at when it read the
+/// schema.
+void make(const Database& to, const SchemaItem& item) { Statement(to, item.sql.c_str()).run(); }
+
+void make_tables(const Database& from, const Database& to) {
   for (const char* type : {"table", "index"})
-    for (const SchemaItem& item : items(from, type)) to.execute(item.sql);
+    for (const SchemaItem& item : items(from, type)) make(to, item);
 }
 
 /// Of all tables but series that `is_wanted` accepts.
@@ -224,7 +228,7 @@ std::vector<std::string> copy_for_pages(const Database& from, Database& to, std:
   Transaction writing(to);
   Statement(from, "BEGIN").run();  // one state of the file, whoever writes to it meanwhile
   std::vector<std::string> notes = copy_what_fits(from, to, static_cast<std::int64_t>(most_bytes));
-  for (const SchemaItem& view : items(from, "view")) to.execute(view.sql);
+  for (const SchemaItem& view : items(from, "view")) make(to, view);
   for (const char* header : {"application_id", "user_version"})
     to.execute(fmt::format("PRAGMA {} = {}", header, number_of(from, fmt::format("PRAGMA {}", header))));
   writing.commit();

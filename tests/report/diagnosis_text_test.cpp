@@ -95,7 +95,7 @@ TEST(DiagnosisText, ProposesThePluginOfAForceThatNoEffectHas) {
   EXPECT_THAT(text, HasSubstr("force on joint.hinge: -0.0105*v*abs(v) N*m   +2568 ± 39 nats held out"));
   EXPECT_LT(text.find("force on joint.hinge"), text.find("coulomb_friction @ joint.hinge"))
       << "the answer stands first";
-  EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula \"-0.0105*v*abs(v)\"\n"));
+  EXPECT_THAT(text, HasSubstr("→ lacuna plugins new effect NAME --formula '-0.0105*v*abs(v)'\n"));
 }
 
 TEST(DiagnosisText, AddsWhatExplainsNearlyAllBeforeWhatNoEffectHas) {

@@ -3,11 +3,11 @@
 
 #include "calibration/calibrate.h"
 #include "figures/figure_values.h"
+#include "foundation/whole_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -70,9 +70,7 @@ void calibrate(const CalibrateOptions& options) {
   const Told told = told_by(verdicts, calibration);
   const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
                                          all.set, fmt::join(all.versions, " "), verdicts.size());
-  std::ofstream file(options.out, std::ios::binary);
-  file << lacuna::calibration_json(calibration, source);
-  if (!file.flush()) throw std::runtime_error(options.out.string() + " cannot be written");
+  lacuna::write_whole(options.out, lacuna::calibration_json(calibration, source), lacuna::Link::followed);
   tell_errors(told);
 }
 

@@ -4,12 +4,12 @@
 #include "figures/baseline_table.h"
 #include "figures/pictures.h"
 #include "figures/tables.h"
+#include "foundation/whole_file.h"
 #include "runs/work_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -34,9 +34,7 @@ void show_figures(const FiguresOptions& options) {
   const std::string page = markdown(all) + baseline_table(database, all);
   if (options.out.empty()) return fmt::print("{}", page);
   make_folder(options.out);
-  std::ofstream file(options.out / "figures.md", std::ios::binary);
-  file << page;
-  if (!file.flush()) throw std::runtime_error((options.out / "figures.md").string() + " cannot be written");
+  lacuna::write_whole(options.out / "figures.md", page, lacuna::Link::replaced);
   draw_pictures(database, all, options.out);
   fmt::print("figures.md and the pictures are in {}\n", options.out.string());
 }

@@ -5,6 +5,7 @@
 #include "cases/write_case.h"
 #include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
+#include "foundation/whole_file.h"
 #include "runs/case_truth.h"
 #include "runs/run_contact_case.h"
 #include "runs/work_folder.h"
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -52,9 +52,7 @@ void make(const MakeOptions& options) {
   const std::string truth = is_contact_case(plan) ? make_on_ground(plan, options.out) : make_planar(plan, options.out);
   fmt::print("{} is in {}\n", plan.name(), options.out.string());
   if (!options.truth) return;
-  std::ofstream file(options.out / "truth.json", std::ios::binary);
-  file << truth;
-  if (!file.flush()) throw std::runtime_error((options.out / "truth.json").string() + " cannot be written");
+  lacuna::write_whole(options.out / "truth.json", truth, lacuna::Link::replaced);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "figures/matrix_picture.h"
 
+#include "foundation/whole_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 namespace hidden_effects {
@@ -93,9 +93,7 @@ std::string matrix_svg(const Matrix& matrix) {
 }
 
 void write_matrix(const Matrix& matrix, const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary);
-  out << matrix_svg(matrix);
-  if (!out.flush()) throw std::runtime_error(file.string() + " cannot be written");
+  lacuna::write_whole(file, matrix_svg(matrix), lacuna::Link::replaced);
 }
 
 }  // namespace hidden_effects

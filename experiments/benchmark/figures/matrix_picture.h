@@ -16,7 +16,7 @@ struct Matrix {
 /// The matrix as SVG text: the number in each cell, shaded by its share of the row; the diagonal is framed.
 std::string matrix_svg(const Matrix& matrix);
 
-/// Throws `std::runtime_error` where the file cannot be written.
+/// Throws `lacuna::Error` where the file cannot be written.
 void write_matrix(const Matrix& matrix, const std::filesystem::path& file);
 
 }  // namespace hidden_effects
