@@ -10,6 +10,7 @@
 #include "config/value.h"
 #include "evaluation/redundant_effect.h"
 #include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "report/change_text.h"
 
 #include <CLI/CLI.hpp>
@@ -168,14 +169,13 @@ void run_add(const AddOptions& options) {
   Extension made = extension_of(options);
   const std::string redundancy = redundancy_of(made.extended.definition, made.entry.id);
   const RevisionErrors before = errors_before_edit(options, std::move(made.base));
-  const RevisionErrors after = errors_before_edit(options, std::move(made.extended));
-  replace_text(options.experiment, made.text, made.edited);
+  const RevisionErrors after = errors_with_edit(options, std::move(made.extended), made.text, made.edited);
   if (!takes_standard_output(options.json)) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(made.text, made.edited));
     if (made.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", made.entry.id);
     fmt::print("{}", change_text(before, after));
     if (!redundancy.empty()) fmt::print("{}\n", redundancy);
-    fmt::print("undo: lacuna undo {0}\n→ lacuna compare {0}\n", options.experiment.string());
+    fmt::print("undo: lacuna undo {0}\n→ lacuna compare {0}\n", shell_word(options.experiment.string()));
   }
   if (options.json) write_output(*options.json, change_json(made.entry.id, before, after));
 }

@@ -44,6 +44,16 @@ void Ledger::check_kept() const {
 
 StoredRevision Ledger::enter(const Rig& rig) { return store_.find_or_add_revision(experiment_, revision_record(rig)); }
 
+std::optional<StoredRevision> Ledger::find(const Rig& rig) const {
+  return store_.find_revision(experiment_, revision_record(rig));
+}
+
+void Ledger::in_one_transaction(const std::function<void()>& work) {
+  Transaction transaction(database_);
+  work();
+  transaction.commit();
+}
+
 std::string Ledger::settings(const Rig& rig) const {
   const FitSection& fit = rig.experiment.fit;
   std::string text =

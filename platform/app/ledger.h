@@ -7,6 +7,7 @@
 #include "fitting/fit.h"
 #include "storage/result_store.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ class Ledger {
 
   /// The revision that the rig's model is; from now on the experiment's current one.
   StoredRevision enter(const Rig& rig);
+  /// The revision that the rig's model is, where the database has it.
+  std::optional<StoredRevision> find(const Rig& rig) const;
+  /// What the work writes is in the database after it, or nothing of it where it or the commit throws.
+  void in_one_transaction(const std::function<void()>& work);
 
   /// The fit of that revision with these settings, where it was made before.
   std::optional<FitResult> known_fit(const StoredRevision& revision, const Rig& rig) const;

@@ -57,8 +57,7 @@ void run_undo(const CommonOptions& options) {
   Rig before = open_rig(options, edited, catalog);
   bench.ledger().done();
 
-  const RevisionErrors errors = errors_before_edit(options, std::move(before));
-  replace_text(options.experiment, text, edited);
+  const RevisionErrors errors = errors_with_edit(options, std::move(before), text, edited);
   if (!takes_standard_output(options.json)) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
     fmt::print("back at revision {}\n", errors.revision);

@@ -17,16 +17,19 @@ Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig
     if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
 }
 
-Workbench::Workbench(const CommonOptions& options, Rig rig)
+Workbench::Workbench(const CommonOptions& options, Rig rig, Entry entry)
     : options_(options),
       rig_(std::move(rig)),
       seed_(options.seed.value_or(rig_.experiment.seed)),
       threads_(options.threads > 0 ? options.threads : default_threads()),
-      ledger_(options, rig_, seed_, threads_),
-      revision_(ledger_.enter(rig_)) {}
+      ledger_(options, rig_, seed_, threads_) {
+  if (entry == Entry::at_once) revision_ = ledger_.enter(rig_);
+}
 
 Workbench::Fitted Workbench::fit_model() {
-  if (std::optional<FitResult> known = ledger_.known_fit(revision_, rig_)) return {std::move(*known), true};
+  const std::optional<StoredRevision> stored = revision_ ? revision_ : ledger_.find(rig_);
+  if (stored)
+    if (std::optional<FitResult> known = ledger_.known_fit(*stored, rig_)) return {std::move(*known), true};
   ledger_.check_kept();
   ProgressLine line(options_.quiet);
   const std::unique_ptr<CompiledModel> coarser = compile_coarser(rig_.definition);
@@ -40,7 +43,7 @@ Workbench::Fitted Workbench::fit_model() {
                           .progress = line.callback(),
                           .coarser = coarser.get(),
                           .finer = finer.get()});
-  ledger_.keep(revision_, rig_, result);
+  if (revision_) ledger_.keep(*revision_, rig_, result);
   return {std::move(result), false};
 }
 
@@ -48,7 +51,7 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
   ledger_.check_kept();
   const std::vector<Trial> trials = with_held_out ? rig_.trials : rig_.fit_trials();
   const bool looks = with_held_out && rig_.count(true) > 0;
-  const int look = looks ? ledger_.count_look(revision_) : 0;
+  const int look = looks ? ledger_.count_look(revision()) : 0;
   const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
   ProgressLine line(options_.quiet);
   ComparisonTask task{.definition = rig_.definition,
@@ -61,10 +64,28 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
                       .threads = threads_,
                       .progress = line.callback()};
   Compared compared{compare(task), look, {}};
-  compared.id =
-      ledger_.keep(revision_, rig_, trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt,
-                   rig_.definition.engine.step / rig_.definition.engine.substeps);
+  if (revision_) compared.id = keep(trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt);
   return compared;
+}
+
+ComparisonId Workbench::keep(const std::vector<Trial>& trials, const Comparison& comparison, bool refitted,
+                             std::optional<int> look) {
+  return ledger_.keep(revision(), rig_, trials, comparison, refitted, look,
+                      rig_.definition.engine.step / rig_.definition.engine.substeps);
+}
+
+void Workbench::enter(const Fitted& fitted, const Comparison& comparison, TextReplacement& file) {
+  try {
+    ledger_.in_one_transaction([&] {
+      revision_ = ledger_.enter(rig_);
+      if (!fitted.known) ledger_.keep(*revision_, rig_, fitted.result);
+      keep(rig_.fit_trials(), comparison, true, std::nullopt);
+      file.publish();  // last: only the commit may fail after it
+    });
+  } catch (...) {
+    file.take_back();
+    throw;
+  }
 }
 
 std::vector<std::string> Workbench::faults(const FitResult& fit) const {
@@ -81,20 +102,40 @@ WhereItFails Workbench::where_it_fails(const FitResult& fit, const Comparison& c
                                  .threads = threads_});
 }
 
-RevisionErrors errors_of(const CommonOptions& options, Rig rig) {
-  Workbench bench(options, std::move(rig));
-  RevisionErrors errors{bench.revision().number, bench.fit_model().result, {}};
-  errors.comparison = bench.compare_model(errors.fit, true, false).result;
-  bench.ledger().done();
-  return errors;
+namespace {
+
+/// Does what precedes the edit of a file. Ctrl-C says that there was none.
+RevisionErrors before_edit_of(const std::filesystem::path& file, const std::function<RevisionErrors()>& work) {
+  try {
+    return work();
+  } catch (const Interrupted& interruption) {
+    throw Interrupted(std::string(interruption.what()) + "; " + file.string() + " is as it was");
+  }
 }
 
+}  // namespace
+
 RevisionErrors errors_before_edit(const CommonOptions& options, Rig rig) {
-  try {
-    return errors_of(options, std::move(rig));
-  } catch (const Interrupted& interruption) {
-    throw Interrupted(std::string(interruption.what()) + "; " + options.experiment.string() + " is as it was");
-  }
+  return before_edit_of(options.experiment, [&] {
+    Workbench bench(options, std::move(rig));
+    RevisionErrors errors{bench.revision().number, bench.fit_model().result, {}};
+    errors.comparison = bench.compare_model(errors.fit, true, false).result;
+    bench.ledger().done();
+    return errors;
+  });
+}
+
+RevisionErrors errors_with_edit(const CommonOptions& options, Rig rig, const std::string& text,
+                                const std::string& edited) {
+  return before_edit_of(options.experiment, [&]() -> RevisionErrors {
+    Workbench bench(options, std::move(rig), Entry::with_its_file);
+    const Workbench::Fitted fitted = bench.fit_model();
+    const Comparison comparison = bench.compare_model(fitted.result, true, false).result;
+    TextReplacement file(options.experiment, text, edited);
+    bench.enter(fitted, comparison, file);
+    bench.ledger().done();
+    return {bench.revision().number, fitted.result, comparison};
+  });
 }
 
 }  // namespace lacuna

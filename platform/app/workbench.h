@@ -2,13 +2,25 @@
 
 #include "app/ledger.h"
 #include "app/options.h"
+#include "app/replace_file.h"
 #include "app/rig.h"
 #include "diagnosis/where_it_fails.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "report/change_text.h"
 
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace lacuna {
+
+/// When a model becomes a revision in the database.
+enum class Entry {
+  at_once,        ///< it is what the experiment file says
+  with_its_file,  ///< by `Workbench::enter`: the file says so only then
+};
 
 /// A command's way from an experiment file to a fitted, stored model. One fitter for all commands:
 /// a revision that was fitted before with the same settings keeps its fit.
@@ -16,7 +28,7 @@ class Workbench {
  public:
   explicit Workbench(const CommonOptions& options);
   /// For an experiment that was opened already; `rig` must outlive the bench.
-  Workbench(const CommonOptions& options, Rig rig);
+  Workbench(const CommonOptions& options, Rig rig, Entry entry = Entry::at_once);
 
   struct Fitted {
     FitResult result;
@@ -31,29 +43,39 @@ class Workbench {
     ComparisonId id;
   };
   Compared compare_model(const FitResult& fit, bool refitted, bool with_held_out);
+  /// Gives the experiment file its new text and enters the model with its fit and its comparison with the fit trials,
+  /// all or nothing. A process that is killed here leaves both undone, or the file alone: whatever command comes next
+  /// then enters the model, as after an edit by hand.
+  void enter(const Fitted& fitted, const Comparison& comparison, TextReplacement& file);
   /// Where the model fails on the fit trials of a comparison with all of the rig's.
   WhereItFails where_it_fails(const FitResult& fit, const Comparison& comparison) const;
   /// What of the data allows no verdict on a fitted model (diagnosis/data_doubts.h), sentences.
   std::vector<std::string> faults(const FitResult& fit) const;
 
   const Rig& rig() const { return rig_; }
-  const StoredRevision& revision() const { return revision_; }
+  /// Of a model that was entered.
+  const StoredRevision& revision() const { return revision_.value(); }
   Ledger& ledger() { return ledger_; }
   int threads() const { return threads_; }
 
  private:
+  ComparisonId keep(const std::vector<Trial>& trials, const Comparison& comparison, bool refitted,
+                    std::optional<int> look);
+
   const CommonOptions& options_;
   Rig rig_;
   std::uint64_t seed_;
   int threads_;
   Ledger ledger_;
-  StoredRevision revision_;
+  std::optional<StoredRevision> revision_;
 };
 
-/// Fits the rig's model and scores it on the fit files; held-out files are not looked at.
-RevisionErrors errors_of(const CommonOptions& options, Rig rig);
-/// The same for a command that edits the experiment file only after its refits, so that whatever ends them (an
-/// error, Ctrl-C, a power cut) leaves the file as it was. Ctrl-C says so.
+/// Fits the rig's model, which the experiment file says, and scores it on the fit files; held-out files are not looked
+/// at. For a command that edits the file afterwards: Ctrl-C says that the file is as it was.
 RevisionErrors errors_before_edit(const CommonOptions& options, Rig rig);
+/// The same for the model that the edited file will say, and then the edit. Whatever ends the work before (an error,
+/// Ctrl-C, a power cut) leaves file and database without it.
+RevisionErrors errors_with_edit(const CommonOptions& options, Rig rig, const std::string& text,
+                                const std::string& edited);
 
 }  // namespace lacuna

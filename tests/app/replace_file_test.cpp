@@ -25,15 +25,37 @@ class ReplaceText : public testing::Test {
 TEST_F(ReplaceText, WritesTheNewTextAndKeepsPermissions) {
   fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   const auto before = fs::status(file_).permissions();
-  replace_text(file_, "old\n", "new\n");
+  {
+    TextReplacement replacement(file_, "old\n", "new\n");
+    EXPECT_EQ(read_text(file_), "old\n") << "not before it is published";
+    replacement.publish();
+  }
   EXPECT_EQ(read_text(file_), "new\n");
   EXPECT_EQ(fs::status(file_).permissions(), before);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(ReplaceText, RefusesAFileThatChangedMeanwhile) {
-  EXPECT_THROW(replace_text(file_, "older\n", "new\n"), Error);
+  TextReplacement replacement(file_, "older\n", "new\n");
+  EXPECT_THROW(replacement.publish(), Error);
   EXPECT_EQ(read_text(file_), "old\n");
+  replacement.take_back();
+  EXPECT_EQ(read_text(file_), "old\n") << "nothing was published";
+}
+
+TEST_F(ReplaceText, TakesItBack) {
+  TextReplacement replacement(file_, "old\n", "new\n");
+  replacement.publish();
+  replacement.take_back();
+  EXPECT_EQ(read_text(file_), "old\n");
+}
+
+TEST_F(ReplaceText, DoesNotTakeBackWhatSomeoneElseWrote) {
+  TextReplacement replacement(file_, "old\n", "new\n");
+  replacement.publish();
+  folder_.write("rig.toml", "mine\n");
+  replacement.take_back();
+  EXPECT_EQ(read_text(file_), "mine\n");
 }
 
 TEST_F(ReplaceText, IsKnownToFailBeforehandWhereTheFileMayNotBeWritten) {
@@ -57,7 +79,7 @@ TEST_F(ReplaceText, IsKnownToFailBeforehandWhereTheFileMayNotBeWritten) {
 TEST_F(ReplaceText, FollowsSymbolicLinks) {
   const fs::path link = folder_ / "link.toml";
   fs::create_symlink(file_, link);
-  replace_text(link, "old\n", "new\n");
+  TextReplacement(link, "old\n", "new\n").publish();
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(read_text(file_), "new\n");
 }
