@@ -40,14 +40,6 @@ std::vector<std::int64_t> by_interest(std::vector<std::int64_t> trials) {
   return trials;
 }
 
-const ScoredTrial& trial_of(const StoredModel& model, std::int64_t trial, RunId run) {
-  const auto at = std::find(model.numbers.begin(), model.numbers.end(), static_cast<int>(trial));
-  if (at == model.numbers.end())
-    throw Error(fmt::format("model {} of run {} was held against the trials {} only", model.number, run.value,
-                            fmt::join(model.numbers, ", ")));
-  return model.trials[static_cast<std::size_t>(at - model.numbers.begin())];
-}
-
 void add_motion(ReplayRecord& replay, const std::string& whose, const PosedRobot::Motion& motion, Eigen::Index stride) {
   replay.traces.emplace_back(whose, every(motion.poses, stride));
   if (!motion.contacts.channels.empty())
@@ -75,7 +67,17 @@ Replays::Subject Replays::subject_of(Database& database, const EeaRunListing& ru
   const std::vector<PassRow> passes = store.passes();
   const auto best = std::find_if(passes.rbegin(), passes.rend(), [](const PassRow& pass) { return pass.best_model; });
   if (best == passes.rend()) throw Error(fmt::format("no pass of run {} has ended", run.run.value));
-  return {stored, run, best->number, stored_model(store, stored.bench->definition(), *best->best_model)};
+  const EeaDefinition& definition = stored.bench->definition();
+  return {stored, run, best->number, stored_model(store, definition, *best->best_model), run_trials(store, definition)};
+}
+
+ScoredTrial Replays::trial_of(const Subject& subject, std::int64_t trial) {
+  const std::vector<int>& fitted = subject.model.numbers;
+  const auto known = std::find(fitted.begin(), fitted.end(), static_cast<int>(trial));
+  if (known != fitted.end()) return subject.model.trials[static_cast<std::size_t>(known - fitted.begin())];
+  for (const RunTrial& one : subject.trials)
+    if (one.row.number == trial) return as_foretold(one);
+  throw Error(fmt::format("run {} has no trial {}; it has {}", subject.run.run.value, trial, subject.trials.size()));
 }
 
 std::int64_t Replays::prepare(std::int64_t run, std::int64_t trial) {
@@ -92,7 +94,7 @@ std::int64_t Replays::find_or_simulate(const Subject& subject, std::int64_t tria
 
 ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const {
   const StoredModel& model = subject.model;
-  const ScoredTrial& scored = trial_of(model, trial, subject.run.run);
+  const ScoredTrial scored = trial_of(subject, trial);
   const std::vector<double> times(scored.trial.measured.times.begin(), scored.trial.measured.times.end());
   const Eigen::Index stride = frame_stride(scored.trial.measured.times);
 
@@ -123,7 +125,8 @@ ReplayRecord Replays::simulate(const Subject& subject, std::int64_t trial) const
 }
 
 std::size_t Replays::prepare_run(const Subject& subject, std::size_t most_trials, std::size_t most_bytes) {
-  std::vector<std::int64_t> trials(subject.model.numbers.begin(), subject.model.numbers.end());
+  std::vector<std::int64_t> trials;
+  for (const RunTrial& one : subject.trials) trials.push_back(one.row.number);
   trials = by_interest(std::move(trials));
   std::size_t made = 0;
   std::string fault;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/run_trials.h"
 #include "app/stored_bench.h"
 #include "app/stored_model.h"
 #include "storage/page_database.h"
@@ -20,8 +21,8 @@ class Replays {
   /// `pages` must live as long.
   Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages);
 
-  /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there. Returns its key
-  /// in the pages. Throws `Error`, `BadInput` where it cannot be simulated.
+  /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there: also a trial that
+  /// the model was not fitted to, as the last one, which tells how well it predicts. Returns its key in the pages. Throws `Error`, `BadInput` where it cannot be simulated.
   std::int64_t prepare(std::int64_t run, std::int64_t trial);
 
   /// Trials of all runs, the newest first, as many as a report has room for; notes say which robots are missing.
@@ -34,8 +35,10 @@ class Replays {
     EeaRunListing run;
     int pass = 0;
     StoredModel model;
+    std::vector<RunTrial> trials;  ///< all of the run
   };
   const StoredBench& bench_of(const Database& database, const EeaRunListing& run);
+  static ScoredTrial trial_of(const Subject& subject, std::int64_t trial);
   Subject subject_of(Database& database, const EeaRunListing& run);
   std::int64_t find_or_simulate(const Subject& subject, std::int64_t trial);
   ReplayRecord simulate(const Subject& subject, std::int64_t trial) const;

@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
-#include <random>
 #include <thread>
 
 namespace lacuna {
@@ -37,17 +36,8 @@ constexpr auto kLook = std::chrono::milliseconds(100);
 
 bool is_loopback(const std::string& host) { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
 
-/// 128 bits from the system.
-std::string random_token() {
-  std::random_device device;
-  std::string token;
-  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", device());
-  return token;
-}
-
 /// Everybody can see what programs are called with, so that a token is handed over in a file of our own.
-std::string page_to_open(const std::string& address, const std::string& token, const ScratchFolder& scratch) {
-  if (token.empty()) return address;
+std::string page_to_open(const std::string& address, const ScratchFolder& scratch) {
   const std::filesystem::path page = scratch / "open.html";
   std::ofstream(page) << fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={}\">\n", address);
   return page.string();
@@ -86,15 +76,13 @@ void serve(const ServeOptions& options) {
   pages.add_about("database", options.database.filename().string());
   pages.add_about("lacuna", LACUNA_VERSION);
   Replays replays(options.database, options.plugin_paths, pages);
-  const std::string token = is_loopback(options.host) ? "" : random_token();
   PageServer server(
       {.database = options.database,
        .pages = scratch / "pages.db",
        .host = options.host,
        .port = options.port,
-       .token = token,
        .prepare_replay = [&](std::int64_t run, std::int64_t trial) { return replays.prepare(run, trial); }});
-  if (!token.empty())
+  if (!is_loopback(options.host))
     std::fprintf(stderr,
                  "warning: whoever can reach %s and has this address, token included, can read the whole database; "
                  "nothing is encrypted on the way\n",
@@ -102,17 +90,14 @@ void serve(const ServeOptions& options) {
   fmt::print("{}\n", server.address());
   std::fflush(stdout);
   fmt::print(stderr, "serves {}, which it only reads; Ctrl-C ends it\n", options.database.string());
-  if (options.open) open_browser(page_to_open(server.address(), token, scratch));
+  if (options.open) open_browser(page_to_open(server.address(), scratch));
   std::atomic<bool> ended = false;
   std::thread answering([&] {
     server.run();
     ended = true;
   });
   while (!interrupt_requested() && !ended) std::this_thread::sleep_for(kLook);
-  while (!ended) {  // a server that has not begun yet does not hear it
-    server.stop();
-    std::this_thread::sleep_for(kLook / 10);
-  }
+  server.stop();
   answering.join();
 }
 
@@ -125,10 +110,7 @@ void add_serve_command(CLI::App& program) {
   command->add_option("--port", options->port, "Port (default: a free one)")
       ->option_text("N")
       ->check(whole_number(0, 65535));
-  command
-      ->add_option(
-          "--host", options->host,
-          "Address to listen at (default: 127.0.0.1, this machine alone); others need the token in the address")
+  command->add_option("--host", options->host, "Address to listen at (default: 127.0.0.1, this machine alone)")
       ->option_text("ADDRESS");
   command->add_flag("--open", options->open, "Open a browser");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")

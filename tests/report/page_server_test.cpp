@@ -13,6 +13,7 @@
 #include <httplib.h>
 #include <nlohmann/json.hpp>
 
+#include <atomic>
 #include <thread>
 
 namespace lacuna {
@@ -38,21 +39,27 @@ TEST(ProcessorShare, IsPaidOffByTime) {
 /// A server that answers until the test ends.
 class Answering {
  public:
-  explicit Answering(PageServerOptions options) : server_(std::move(options)), thread_([this] { server_.run(); }) {
-    while (!client().Post("/state", "{}", "application/json")) std::this_thread::sleep_for(1ms);
-  }
+  explicit Answering(PageServerOptions options) : server_(std::move(options)), thread_([this] { server_.run(); }) {}
   ~Answering() {
     server_.stop();
     thread_.join();
   }
   Json ask(const char* path, const Json& question) const {
-    const httplib::Result answer = client().Post(path, question.dump(), "application/json");
+    const httplib::Result answer = post(path, question, {{"X-Lacuna-Token", token()}});
     return answer ? Json::parse(answer->body) : Json("no answer");
   }
+  httplib::Result post(const char* path, const Json& question, const httplib::Headers& headers) const {
+    return client().Post(path, headers, question.dump(), "application/json");
+  }
+  httplib::Client client() const {
+    httplib::Client client("127.0.0.1", server_.port());
+    client.set_read_timeout(60s);
+    return client;
+  }
+  std::string token() const { return server_.address().substr(server_.address().find("token=") + 6); }
   int port() const { return server_.port(); }
 
  private:
-  httplib::Client client() const { return httplib::Client("127.0.0.1", server_.port()); }
   PageServer server_;
   std::thread thread_;
 };
@@ -146,6 +153,75 @@ TEST_F(PageServerTest, TellsAChangeToAllViewersWhenTheLastOneIsPaidFor) {
     after = server.ask("/state", {});
   }
   EXPECT_NE(after, before);
+}
+
+int http_status(const httplib::Result& answer) { return answer ? answer->status : 0; }
+
+TEST_F(PageServerTest, NeedsItsTokenOnThisMachineToo) {
+  const Answering server(options());
+  EXPECT_EQ(http_status(server.client().Get("/")), 403);
+  EXPECT_EQ(http_status(server.client().Get("/?token=" + std::string(32, '0'))), 403);
+  EXPECT_EQ(http_status(server.client().Get("/?token=" + server.token())), 200);
+  const Json question = {{"sql", "SELECT 1"}};
+  for (const char* path : {"/sql", "/show", "/state", "/replay", "/other"})
+    EXPECT_EQ(http_status(server.post(path, question, {})), 403) << path;
+  EXPECT_EQ(http_status(server.post("/sql", question, {{"X-Lacuna-Token", server.token()}})), 200);
+  EXPECT_EQ(http_status(server.post("/other", question, {{"X-Lacuna-Token", server.token()}})), 404);
+}
+
+TEST_F(PageServerTest, RefusesOtherSitesAndNames) {
+  const Answering server(options());
+  const Json question = {{"sql", "SELECT 1"}};
+  const auto status = [&](const char* name, const char* value) {
+    return http_status(server.post("/sql", question, {{"X-Lacuna-Token", server.token()}, {name, value}}));
+  };
+  EXPECT_EQ(status("Origin", "http://evil.example"), 403);
+  EXPECT_EQ(status("Origin", "null"), 403);
+  EXPECT_EQ(status("Host", "evil.example"), 403);
+  EXPECT_EQ(status("Sec-Fetch-Site", "cross-site"), 403);
+  EXPECT_EQ(status("Sec-Fetch-Site", "same-origin"), 200);
+}
+
+TEST_F(PageServerTest, AnswersPagesWhileEndlessQueriesRun) {
+  const Answering server(options());
+  std::vector<std::thread> askers;
+  std::atomic<int> refused = 0, ended = 0;
+  for (int i = 0; i < 24; ++i)
+    askers.emplace_back([&, i] {
+      httplib::Client client = server.client();
+      client.set_read_timeout(3s);  // and goes away
+      const std::string endless =
+          fmt::format("WITH RECURSIVE n(i) AS (SELECT {} UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n", i);
+      const httplib::Result answer =
+          client.Post("/sql", {{"X-Lacuna-Token", server.token()}}, Json{{"sql", endless}}.dump(), "application/json");
+      ++ended;
+      if (http_status(answer) == 503) {
+        ++refused;
+        EXPECT_THAT(Json::parse(answer->body).at("error"), HasSubstr("too many questions"));
+      }
+    });
+  while (refused == 0 && ended < 24) std::this_thread::sleep_for(10ms);
+  for (int i = 0; i < 20; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(http_status(server.client().Get("/?token=" + server.token())), 200);
+    EXPECT_TRUE(server.ask("/state", {}).contains("stamp"));
+    EXPECT_EQ(server.ask("/show", {{"sql", fmt::format("SELECT {}", i)}}).at("rows"), Json::array({Json::array({i})}));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
+  }
+  for (std::thread& asker : askers) asker.join();
+  EXPECT_GE(refused, 4);
+  // What waited has gone with its clients: only what runs is waited for.
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(server.ask("/sql", {{"sql", "SELECT 7"}}).at("rows"), Json::parse("[[7]]"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 15s);
+}
+
+TEST_F(PageServerTest, LimitsAnswers) {
+  const Answering server(options());
+  const char* controls =
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 30) "
+      "SELECT replace(hex(zeroblob(500000)), '0', char(1)) FROM n";  // six times as long as JSON
+  EXPECT_THAT(server.ask("/sql", {{"sql", controls}}).at("error"), HasSubstr("ask for fewer rows or columns"));
 }
 
 TEST_F(PageServerTest, PreparesReplays) {

@@ -59,6 +59,27 @@ async function started(...words) {
 const picture = (page, selector) => page.$eval(selector, (canvas) => canvas.toDataURL());
 const shot = (page, name) => page.screenshot({ path: `${shots}/${name}.png`, fullPage: true });
 
+/** What a phone does not show: wider than the page, and in no box of its own that scrolls sideways; a link to a page that
+ *  is out of sight at first, or too small for a finger. */
+function whatIsCut() {
+  const { clientWidth } = document.documentElement;
+  const scrolls = (node) =>
+    node && (/auto|scroll/.test(getComputedStyle(node).overflowX) || scrolls(node.parentElement));
+  const found = [];
+  if (document.documentElement.scrollWidth > clientWidth) found.push('the page scrolls sideways');
+  for (const node of document.querySelectorAll('body *')) {
+    const { left, right, width, height } = node.getBoundingClientRect();
+    if (width === 0 || height === 0 || node.closest('.found, title, option')) continue;
+    if ((right > clientWidth + 1 || left < -1) && !scrolls(node.parentElement))
+      found.push(`${node.tagName} ${node.className.baseVal ?? node.className}: ${left} to ${right}`);
+  }
+  for (const link of document.querySelectorAll('nav a')) {
+    const { left, right, height } = link.getBoundingClientRect();
+    if (left < 0 || right > clientWidth || height < 30) found.push(`link ${link.textContent}: ${left} to ${right}`);
+  }
+  return found;
+}
+
 /** The same looks at a file and at a server. */
 function pagesOf(way, open) {
   describe(`pages of ${way}`, () => {
@@ -212,6 +233,19 @@ function pagesOf(way, open) {
       assert.match(bands, /95 % interval",1,[\d.]+,0,[\d.]+,2\r/, 'of two runs it would begin below 0');
     });
 
+    it('replay lists all trials, the last one too', async () => {
+      const last = JSON.parse(lacuna('sql', 'walk.db', '--json', 'SELECT max(number) AS n FROM target_trial'))[0].n;
+      await go(page, walk, `#/replay?run=2&trial=${last}`);
+      await page.waitForSelector('.stage canvas');
+      const listed = await page.locator('.choices option').allTextContents();
+      for (let trial = 0; trial <= last; ++trial)
+        assert.ok(
+          listed.some((one) => one.includes(`run 2 · trial ${trial}`)),
+          `trial ${trial} in ${listed}`,
+        );
+      assert.ok(listed.some((one) => one.endsWith(`run 2 · trial ${last} (transfer)`)));
+    });
+
     it('replay plays, scrubs and steps', async () => {
       await go(page, walk, '#/replay?run=2&trial=0');
       await page.waitForSelector('.stage canvas');
@@ -300,6 +334,18 @@ function pagesOf(way, open) {
       await page.emulateMedia({ media: 'screen' });
     });
 
+    it('SQL begins with a picture of what there is', async () => {
+      for (const [base, title] of [
+        [rig, 'times_floor over revision'],
+        [walk, 'error over pass'],
+      ]) {
+        await go(page, base, '#/sql');
+        await page.waitForSelector('.tabulator-row');
+        await page.waitForSelector(`.figure-title:has-text("${title}")`);
+        assert.ok((await page.locator('.chart .point').count()) >= 2);
+      }
+    });
+
     it('SQL answers, plots, saves, and says what is wrong', async () => {
       await go(page, rig, '#/sql');
       await page.waitForSelector('.tabulator-row');
@@ -308,6 +354,8 @@ function pagesOf(way, open) {
         .fill('SELECT sample, time, value FROM samples WHERE trace = (SELECT min(id) FROM traces) LIMIT 100');
       await page.keyboard.press('Control+Enter');
       await page.waitForFunction(() => document.querySelector('main').textContent.includes('100 rows'));
+      await page.waitForSelector('.chart .line', { state: 'attached' });
+      await page.locator('.select', { hasText: 'as' }).last().locator('select').selectOption('points');
       await page.waitForFunction(() => document.querySelectorAll('.chart .point').length === 100);
       await page.locator('.select', { hasText: 'x' }).first().locator('select').selectOption('time');
       await page.waitForFunction(() => document.querySelector('.chart').textContent.includes('time / s'));
@@ -340,9 +388,13 @@ function pagesOf(way, open) {
           ([source]) => new RegExp(source).test(document.querySelector('[role=alert]')?.textContent ?? ''),
           [says.source],
         );
-        await run('');
+        assert.equal(await page.locator('.data-table, .chart').count(), 0, 'of the query before');
+        await run('SELECT 1 AS one');
         await page.waitForSelector('.tabulator-row');
         assert.equal(await page.locator('[role=alert]').count(), 0);
+        await run('');
+        await page.waitForFunction(() => document.querySelector('main').textContent.includes('Type a query'));
+        assert.equal(await page.locator('.data-table, .chart, [role=alert]').count(), 0, 'of the query before');
       }
       await run('SELECT 1e999 AS most, -1e999 AS least');
       await page.waitForFunction(() => /Infinity.*-Infinity/s.test(document.querySelector('.tabulator')?.textContent));
@@ -378,11 +430,14 @@ function pagesOf(way, open) {
       await page.waitForFunction(() => /compare\?experiment=first-steps&revision=2/.test(location.hash));
       await page.keyboard.press('7');
       await page.waitForFunction(() => document.title.startsWith('SQL'));
-      await page.setViewportSize({ width: 390, height: 800 });
-      for (const one of ['compare', 'diagnose', 'history', 'sql']) {
-        await go(page, rig, `#/${one}`);
-        const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-        assert.ok(over <= 0, `${one} is ${over} px wider than a phone`);
+      await page.setViewportSize({ width: 390, height: 844 });
+      for (const [base, hash] of [
+        ...['compare', 'diagnose', 'history', 'replay', 'sql'].map((one) => [rig, `#/${one}`]),
+        ...['run', 'runs', 'replay', 'sql'].map((one) => [walk, `#/${one}`]),
+      ]) {
+        await go(page, base, hash);
+        await page.waitForTimeout(300);
+        assert.deepEqual(await page.evaluate(whatIsCut), [], `${hash} on a phone`);
       }
       await page.emulateMedia({ colorScheme: 'dark' });
       await page.waitForFunction(() => getComputedStyle(document.body).backgroundColor === 'rgb(20, 23, 26)');
@@ -406,6 +461,31 @@ pagesOf('file', async () => [url('rig.html'), url('walk.html')]);
 pagesOf('server', async () => [(await started('rig.db')).address, (await started('walk.db')).address]);
 
 describe('a report', () => {
+  it('opens the newest diagnosis, whatever it found, with one probability', async () => {
+    await edit('rig.db', 'newest.db', (database) => {
+      const [[text]] = database.exec('SELECT document FROM diagnosis ORDER BY id DESC LIMIT 1')[0].values;
+      const newest = {
+        ...JSON.parse(text),
+        verdict: 'nothing_missing',
+        probability: 0.93,
+        calibrated: true,
+        formulas: [],
+      };
+      const columns = database.exec("SELECT name FROM pragma_table_info('diagnosis')")[0].values.flat();
+      const copied = columns.map((name) => ({ id: 'id + 1', document: '?' })[name] ?? name).join();
+      database.run(`INSERT INTO diagnosis SELECT ${copied} FROM diagnosis ORDER BY id DESC LIMIT 1`, [
+        JSON.stringify(newest),
+      ]);
+    });
+    lacuna('report', 'newest.db', '--out', 'newest.html', '--quiet');
+    const page = await newPage(browser);
+    await go(page, url('newest.html'), '#/diagnose');
+    assert.match(await page.textContent('.lead'), /Nothing is missing.*probability 0\.93 \(calibrated/);
+    assert.doesNotMatch(await page.textContent('table.grid'), /weight/);
+    noFaults(page);
+    await page.close();
+  });
+
   it('is small, and the same each time', () => {
     lacuna('report', 'rig.db', '--out', 'again.html', '--quiet');
     assert.ok(statSync(at('rig.html')).size < 3e6 + statSync(at('rig.db')).size);
@@ -724,34 +804,75 @@ describe('hostile names', () => {
 });
 
 describe('the server', () => {
-  it('refuses other names, other sites and anything but reading', async () => {
+  it('answers only with its token, by its name, to its own pages, and reads only', async () => {
     const { address } = await started('rig.db');
+    const { origin, searchParams } = new URL(address);
+    const token = searchParams.get('token');
+    assert.match(token, /^[0-9a-f]{32}$/);
+    assert.equal((await fetch(`${origin}/`)).status, 403);
+    assert.equal((await fetch(`${origin}/?token=${'0'.repeat(32)}`)).status, 403);
+    assert.equal((await fetch(address)).status, 200);
     const ask = (path, body, headers = {}) =>
-      fetch(address + path, {
+      fetch(`${origin}/${path}`, {
         method: 'POST',
         body: JSON.stringify(body),
-        headers: { 'Content-Type': 'application/json', ...headers },
+        headers: { 'Content-Type': 'application/json', 'X-Lacuna-Token': token, ...headers },
       });
     const { request } = await import('node:http');
     const status = await new Promise((resolve) =>
       request(address, { headers: { Host: 'evil.example' } }, (answer) => resolve(answer.statusCode)).end(),
     );
     assert.equal(status, 403);
-    assert.match(
-      (await (await ask('sql', { sql: 'SELECT 1' }, { 'Content-Type': 'text/plain' })).json()).error,
-      /application\/json/,
-    );
+    const one = { sql: 'SELECT 1' };
+    assert.equal((await ask('sql', one)).status, 200);
+    assert.equal((await ask('sql', one, { 'X-Lacuna-Token': '' })).status, 403);
+    assert.equal((await ask('sql', one, { Origin: 'http://evil.example' })).status, 403);
+    assert.match((await (await ask('sql', one, { 'Content-Type': 'text/plain' })).json()).error, /application\/json/);
     assert.match((await (await ask('sql', { sql: "SELECT load_extension('x')" })).json()).error, /not authorized/);
     assert.equal((await (await ask('sql', { sql: 'SELECT * FROM run', most: 1 })).json()).cut, true);
   });
 
-  it('elsewhere needs its token, and warns', async () => {
+  it('can be opened from another page, as from a message, and not be framed by one', async () => {
+    const { address } = await started('rig.db');
+    writeFileSync(at('message.html'), `<a href="${address}#/history">open</a><iframe src="${address}"></iframe>`);
+    const page = await newPage(browser);
+    await page.goto(url('message.html'));
+    await page.waitForTimeout(500);
+    const framed = page.frames().find((one) => one !== page.mainFrame());
+    assert.equal(await framed.locator('main').count(), 0);
+    page.faults = []; // the browser says that it framed nothing
+    await page.locator('a').click();
+    await page.waitForFunction(() => document.title.startsWith('History'));
+    noFaults(page);
+    await page.close();
+  });
+
+  it('shows pages while endless queries run and wait', async () => {
+    const { address } = await started('rig.db');
+    const { origin, searchParams } = new URL(address);
+    const headers = { 'Content-Type': 'application/json', 'X-Lacuna-Token': searchParams.get('token') };
+    const gone = new AbortController();
+    const endless = Array.from({ length: 16 }, (_, i) => {
+      const sql = `WITH RECURSIVE n(i) AS (SELECT ${i} UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n`;
+      const question = { method: 'POST', headers, body: JSON.stringify({ sql }), signal: gone.signal };
+      return fetch(`${origin}/sql`, question).catch(() => null);
+    });
+    await pause(300);
+    const page = await newPage(browser);
+    const begin = Date.now();
+    await go(page, address, '#/history');
+    await page.waitForSelector('.side-by-side td');
+    assert.ok(Date.now() - begin < 8000, `${Date.now() - begin} ms`);
+    gone.abort();
+    await Promise.all(endless);
+    noFaults(page);
+    await page.close();
+  });
+
+  it('elsewhere warns', async () => {
     const server = await started('rig.db', '--host', '0.0.0.0');
     assert.match(server.messages(), /warning: whoever can reach/);
-    const { origin, searchParams } = new URL(server.address);
-    assert.equal((await fetch(`${origin}/`)).status, 403);
-    assert.equal((await fetch(`${origin}/?token=${'0'.repeat(32)}`)).status, 403);
-    assert.equal((await fetch(`${origin}/?token=${searchParams.get('token')}`)).status, 200);
+    assert.equal((await fetch(new URL(server.address).origin)).status, 403);
     const page = await newPage(browser);
     await go(page, server.address, '#/history');
     noFaults(page);

@@ -115,8 +115,9 @@ export async function serve(database, ...more) {
 export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 async function stampOf({ address }) {
-  const headers = { 'Content-Type': 'application/json' };
-  return (await (await fetch(`${address}state`, { method: 'POST', headers, body: '{}' })).json()).stamp;
+  const { origin, searchParams } = new URL(address);
+  const headers = { 'Content-Type': 'application/json', 'X-Lacuna-Token': searchParams.get('token') };
+  return (await (await fetch(`${origin}/state`, { method: 'POST', headers, body: '{}' })).json()).stamp;
 }
 
 /** Waits until the viewers of a server show the database as it is: it tells them of a change late, so that a run is not

@@ -11,11 +11,11 @@ export class ServerSource implements Source {
   private readonly token = new URLSearchParams(location.search).get('token') ?? '';
 
   query(sql: string, values: Value[] = []): Promise<Table> {
-    return this.sql({ sql, values, most: kMostRows });
+    return this.sql('show', { sql, values, most: kMostRows });
   }
 
   ask(sql: string, mostRows: number): Promise<Table> {
-    return this.sql({ sql, most: mostRows, sizes: true });
+    return this.sql('sql', { sql, most: mostRows, sizes: true });
   }
 
   /** The server tells of a change late enough that it does not slow a run. */
@@ -43,9 +43,10 @@ export class ServerSource implements Source {
     return replay;
   }
 
-  private async sql(question: unknown): Promise<Table> {
+  /** What a page shows (`show`) does not wait for what a user typed (`sql`). */
+  private async sql(path: 'show' | 'sql', question: unknown): Promise<Table> {
     const answer = await this.post<{ error?: string; columns: string[]; rows: JsonCell[][]; cut: boolean }>(
-      'sql',
+      path,
       question,
     );
     if (answer.error !== undefined) throw new Error(answer.error);
@@ -60,6 +61,7 @@ export class ServerSource implements Source {
       headers: { 'Content-Type': 'application/json', 'X-Lacuna-Token': this.token },
       body: JSON.stringify(body),
     });
+    if (response.headers.get('Content-Type') !== 'application/json') throw new Error((await response.text()).trim());
     return (await response.json()) as Answer;
   }
 }

@@ -43,9 +43,7 @@ export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
 }
 
 function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string, string> }) {
-  // The last one that found something says more than the one after it that found nothing.
-  const found = all.filter((one) => readDocument(one.document).verdict !== 'nothing_missing');
-  const row = all.find((one) => String(one.id) === choices.diagnosis) ?? found[found.length - 1] ?? all[all.length - 1];
+  const row = all.find((one) => String(one.id) === choices.diagnosis) ?? all[all.length - 1];
   const document = readDocument(row.document);
   const label = (one: DiagnosisRow) => {
     const { verdict } = readDocument(one.document);
@@ -114,7 +112,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. ${outdone ? '' : 'Weight: of these candidates against each other, by what they predict; the probability that the answer is right stands above. '}A value without an interval is at a bound of its range, or not told by these data.`}
+        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. A value without an interval is at a bound of its range, or not told by these data.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -128,22 +126,11 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
                 <th scope="col" class="number">
                   error
                 </th>
-                {!outdone && (
-                  <th scope="col" class="number">
-                    weight
-                  </th>
-                )}
               </tr>
             </thead>
             <tbody>
               {document.ranking.map((one, i) => (
-                <Candidate
-                  key={i}
-                  rank={i + 1}
-                  model={one}
-                  length={document.ranking[0]?.segment_s ?? null}
-                  weighed={!outdone}
-                />
+                <Candidate key={i} rank={i + 1} model={one} length={document.ranking[0]?.segment_s ?? null} />
               ))}
             </tbody>
           </table>
@@ -163,7 +150,6 @@ function saveCandidates(ranking: Ranked[]): void {
       model.gain_ci95[1],
       model.ratio_to_floor,
       model.segment_s,
-      model.probability,
     ];
     const values = model.effects.flatMap((effect) =>
       Object.entries(effect.parameters).map(([name, one]) => [
@@ -186,7 +172,6 @@ function saveCandidates(ranking: Ranked[]): void {
       'gain_upper',
       'times_floor',
       'segment_s',
-      'weight',
       'parameter',
       'value',
       'lower',
@@ -198,20 +183,15 @@ function saveCandidates(ranking: Ranked[]): void {
   );
 }
 
-const kLeastShare = 0.001; // less is not worth its digits
-const shareText = (share: number | null) =>
-  share !== null && share < kLeastShare ? `< ${kLeastShare}` : plain(share, 2);
-
 const kNoInterval = 'at its bound, or not told';
 
 interface CandidateProps {
   rank: number;
   model: Ranked;
   length: number | null; // s, of the answer's segments; errors over others are no measure beside its own
-  weighed: boolean;
 }
 
-function Candidate({ rank, model, length, weighed }: CandidateProps) {
+function Candidate({ rank, model, length }: CandidateProps) {
   return (
     <tr>
       <td class="muted">{rank}</td>
@@ -230,7 +210,6 @@ function Candidate({ rank, model, length, weighed }: CandidateProps) {
       <td class="number">
         {(model.segment_s ?? null) === length ? times(model.ratio_to_floor) : `over ${quantity(model.segment_s, 's')}`}
       </td>
-      {weighed && <td class="number">{shareText(model.probability)}</td>}
     </tr>
   );
 }

@@ -25,7 +25,6 @@ export interface Ranked {
   gain: number | null;
   gain_standard_error: number | null;
   gain_ci95: [number | null, number | null];
-  probability: number | null;
 }
 
 /** A force that the residual shows, over one feature. */
@@ -152,6 +151,7 @@ export function readDocument(text: string): DiagnosisDocument {
   };
   const known = JSON.parse(text) as Partial<DiagnosisDocument>;
   const first = known.ranking?.[0];
-  if (first) empty.answer_gain = { value: first.gain, standard_error: first.gain_standard_error, ci95: first.gain_ci95 };
+  if (first)
+    empty.answer_gain = { value: first.gain, standard_error: first.gain_standard_error, ci95: first.gain_ci95 };
   return { ...empty, ...known };
 }

@@ -27,14 +27,15 @@ export interface Play {
 const kComparisons = `SELECT DISTINCT experiment, revision, trial, comparison, run.identity FROM latest_comparison
   JOIN run ON run.number = comparison >> 40
   WHERE EXISTS (SELECT * FROM trace WHERE trace.comparison = latest_comparison.comparison) ORDER BY comparison DESC, trial`;
-const kSimulated = 'SELECT DISTINCT run, trial, experiment, identity FROM page_replay ORDER BY run DESC, trial DESC';
-// The trials that the best model so far was held against.
-const kTrials = `SELECT target_trial.run, target_trial.number AS trial, experiment.name AS experiment, run.identity
+const kSimulated = `SELECT DISTINCT page_replay.run, page_replay.trial, page_replay.experiment, page_replay.identity,
+    target_trial.for_transfer
+  FROM page_replay LEFT JOIN target_trial ON target_trial.run = page_replay.run AND target_trial.number = page_replay.trial
+  ORDER BY page_replay.run DESC, page_replay.trial DESC`;
+// Every trial of the runs that have a model.
+const kTrials = `SELECT target_trial.run, target_trial.number AS trial, experiment.name AS experiment, run.identity, for_transfer
   FROM target_trial JOIN eea_run ON eea_run.run = target_trial.run JOIN experiment ON experiment.id = eea_run.experiment
   JOIN run ON run.number = eea_run.run
-  WHERE NOT for_transfer AND EXISTS (SELECT * FROM model_score WHERE model_score.trial = target_trial.trial
-    AND model_score.model = (SELECT best_model FROM pass
-      WHERE pass.run = eea_run.run AND ended AND best_model IS NOT NULL ORDER BY pass.id DESC LIMIT 1))
+  WHERE EXISTS (SELECT * FROM pass WHERE pass.run = eea_run.run AND ended AND best_model IS NOT NULL)
   ORDER BY target_trial.run DESC, trial DESC`;
 
 interface OfRun {
@@ -42,6 +43,7 @@ interface OfRun {
   trial: number;
   experiment: string;
   identity: string;
+  for_transfer: number | null;
 }
 
 interface OfComparison {
@@ -59,7 +61,7 @@ export async function loadPieces(source: Source): Promise<Piece[]> {
     ...runs.map((one) => ({
       key: `run ${one.run}/${one.trial}`,
       identity: one.identity,
-      label: `${one.experiment} · run ${one.run} · trial ${one.trial}`,
+      label: `${one.experiment} · run ${one.run} · trial ${one.trial}${one.for_transfer ? ' (transfer)' : ''}`,
       run: one.run,
       trial: one.trial,
     })),

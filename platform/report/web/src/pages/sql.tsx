@@ -8,6 +8,7 @@ import { Chart } from '../ui/chart';
 import { DataTable } from '../ui/data_table';
 import { Figure } from '../ui/figure';
 import { Empty, Key, Select, Show } from '../ui/parts';
+import { axesOf, numericColumns } from './sql_plot';
 import { unitOf } from './sql_units';
 
 interface View {
@@ -16,7 +17,17 @@ interface View {
   example: string;
 }
 
-const kFirst = 'SELECT * FROM error_by_revision ORDER BY experiment, revision';
+// What is asked where nobody has asked yet: what has a picture to begin with.
+const kErrors = `SELECT experiment, revision, change, channel, unit, fit_rmse, held_out_rmse, times_floor
+FROM error_by_revision ORDER BY experiment, revision`;
+const kPasses = 'SELECT run, pass, trials, error, evaluations_so_far FROM error_by_pass ORDER BY run, pass';
+const kSamples = `WITH newest AS (SELECT max(id) AS trace FROM traces WHERE kind = 'measured')
+SELECT time, channel, value FROM samples
+WHERE trace = (SELECT trace FROM newest)
+  AND channel = (SELECT channel FROM samples WHERE trace = (SELECT trace FROM newest) LIMIT 1)`;
+const kHas = `SELECT (SELECT count(DISTINCT revision) FROM error_by_revision) AS revisions,
+  EXISTS (SELECT * FROM error_by_pass) AS passes, EXISTS (SELECT * FROM traces WHERE kind = 'measured') AS samples`;
+const kNothing = ' '; // an address keeps it
 const kMostPoints = 20_000;
 const kMostRows = 50_000;
 const kMostSavedRows = 1_000_000;
@@ -26,27 +37,56 @@ const kRowsOnPaper = 12; // more scroll
 const withAdvice = (message: string) =>
   message.replace(/(no such table: \S+?)(; `lacuna sql .*)?$/, '$1; “What can be asked” has those that there are');
 
+interface Has {
+  revisions: number;
+  passes: number;
+  samples: number;
+}
+
+function firstQuery({ revisions, passes, samples }: Has): string {
+  if (revisions > 1) return kErrors;
+  if (passes) return kPasses;
+  return revisions === 1 && samples ? kSamples : kErrors;
+}
+
 /** Any query that reads, its result as table, picture and file. */
 export function SqlPage({ choices }: { choices: Record<string, string> }) {
+  const has = useRows<Has>(kHas);
+  return <Show of={has}>{([found]) => <Page first={firstQuery(found)} choices={choices} />}</Show>;
+}
+
+function Page({ first, choices }: { first: string; choices: Record<string, string> }) {
+  const [begun] = useState(first); // whatever is stored meanwhile, what a reader edits stays
+  return <Asked asked={choices.q ?? begun} choices={choices} />;
+}
+
+function Asked({ asked, choices }: { asked: string; choices: Record<string, string> }) {
   const { source } = useContext(SharedContext);
-  const asked = choices.q ?? '';
-  const [text, setText] = useState(asked || kFirst);
-  const [answer, setAnswer] = useState<{ table?: Table; error?: string; ms?: number } | null>(null);
+  const [text, setText] = useState(asked.trim());
+  const [answer, setAnswer] = useState<(Answer & { to: string }) | null>(null);
   const editor = useRef<HTMLTextAreaElement>(null);
+  const question = `${choices.again ?? ''} ${asked}`;
   useEffect(() => {
-    if (asked) setText(asked);
+    setText(asked.trim());
+    if (asked.trim() === '') return;
     let wanted = true;
     const began = performance.now();
-    setAnswer(null);
-    source.ask(asked || kFirst, kMostRows).then(
-      (table) => wanted && setAnswer({ table, ms: performance.now() - began }),
-      (error: Error) => wanted && setAnswer({ error: withAdvice(error.message) }),
+    source.ask(asked, kMostRows).then(
+      (table) => wanted && setAnswer({ to: question, table, ms: performance.now() - began }),
+      (error: Error) => wanted && setAnswer({ to: question, error: withAdvice(error.message) }),
     );
     return () => {
       wanted = false;
     };
-  }, [source, asked, choices.again]);
-  const run = (sql: string) => choose({ q: sql, x: null, y: null, again: sql === asked ? Date.now() % 1e6 : null });
+  }, [source, question]);
+  const run = (sql: string) =>
+    choose({
+      q: sql.trim() === '' ? kNothing : sql,
+      x: null,
+      y: null,
+      as: null,
+      again: sql === asked ? Date.now() % 1e6 : null,
+    });
   return (
     <div class="with-side">
       <section class="main-column">
@@ -71,7 +111,7 @@ export function SqlPage({ choices }: { choices: Record<string, string> }) {
               }
             }}
           />
-          <pre class="on-paper">{asked || kFirst}</pre>
+          <pre class="on-paper">{asked.trim()}</pre>
           <div class="choices off-paper">
             <button type="submit" class="primary">
               Run
@@ -81,19 +121,40 @@ export function SqlPage({ choices }: { choices: Record<string, string> }) {
             </span>
           </div>
         </form>
-        {answer === null && <p class="empty loading">asking …</p>}
-        {answer?.error !== undefined && (
-          <p class="error" role="alert">
-            {answer.error}
-          </p>
-        )}
-        {answer?.table && <Result table={answer.table} ms={answer.ms ?? 0} choices={choices} sql={asked || kFirst} />}
+        <Answered answer={answer?.to === question ? answer : null} asked={asked} choices={choices} />
       </section>
       <aside class="side off-paper">
         <Views run={run} />
       </aside>
     </div>
   );
+}
+
+interface Answer {
+  table?: Table;
+  error?: string;
+  ms?: number;
+}
+
+/** Never the answer to another question. */
+function Answered({
+  answer,
+  asked,
+  choices,
+}: {
+  answer: Answer | null;
+  asked: string;
+  choices: Record<string, string>;
+}) {
+  if (asked.trim() === '') return <Empty>Type a query, or choose one of those that are listed.</Empty>;
+  if (answer === null) return <p class="empty loading">asking …</p>;
+  if (answer.error !== undefined)
+    return (
+      <p class="error" role="alert">
+        {answer.error}
+      </p>
+    );
+  return <Result table={answer.table!} ms={answer.ms ?? 0} choices={choices} sql={asked} />;
 }
 
 interface ResultProps {
@@ -137,21 +198,13 @@ function Result({ table, ms, choices, sql }: ResultProps) {
   );
 }
 
-const isNumeric = (rows: Cell[][], column: number) =>
-  rows.some((row) => typeof row[column] === 'number') &&
-  rows.every((row) => row[column] === null || typeof row[column] === 'number');
-
 function Plot({ table, choices }: { table: Table; choices: Record<string, string> }) {
-  const numeric = table.columns.map((name, i) => ({ name, i })).filter(({ i }) => isNumeric(table.rows, i));
-  if (numeric.length < 2) return null;
-  const pick = (name: string | undefined, otherwise: number) =>
-    numeric.find((one) => one.name === name) ?? numeric[otherwise];
-  const x = pick(choices.x, 0),
-    y = pick(choices.y, numeric.length - 1);
-  const kind = choices.as === 'line' ? ('line' as const) : ('points' as const);
+  const axes = axesOf(table, choices);
+  if (!axes) return null;
+  const { x, y, kind } = axes;
   const rows = table.rows.slice(0, kMostPoints);
   const number = (cell: Cell) => (typeof cell === 'number' ? cell : NaN);
-  const options = numeric.map(({ name }) => ({ value: name, label: name }));
+  const options = numericColumns(table).map(({ name }) => ({ value: name, label: name }));
   return (
     <>
       <div class="choices">

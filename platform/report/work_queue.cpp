@@ -1,0 +1,36 @@
+#include "report/work_queue.h"
+
+namespace lacuna {
+
+WorkQueue::WorkQueue(int threads, std::size_t most_waiting) : most_waiting_(most_waiting) {
+  for (int i = 0; i < threads; ++i) threads_.emplace_back([this](const std::stop_token& stopped) { do_work(stopped); });
+}
+
+WorkQueue::~WorkQueue() {
+  for (std::jthread& thread : threads_) thread.request_stop();
+  threads_.clear();
+}
+
+bool WorkQueue::add(std::function<void()> work) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= most_waiting_) return false;
+    waiting_.push_back(std::move(work));
+  }
+  added_.notify_one();
+  return true;
+}
+
+void WorkQueue::do_work(const std::stop_token& stopped) {
+  std::unique_lock lock(mutex_);
+  while (added_.wait(lock, stopped, [this] { return !waiting_.empty(); })) {
+    if (stopped.stop_requested()) return;
+    const std::function<void()> work = std::move(waiting_.front());
+    waiting_.pop_front();
+    lock.unlock();
+    work();
+    lock.lock();
+  }
+}
+
+}  // namespace lacuna
