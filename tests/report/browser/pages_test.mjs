@@ -243,7 +243,7 @@ function pagesOf(way, open) {
           listed.some((one) => one.includes(`run 2 · trial ${trial}`)),
           `trial ${trial} in ${listed}`,
         );
-      assert.ok(listed.some((one) => one.endsWith(`run 2 · trial ${last} (transfer)`)));
+      assert.ok(listed.some((one) => one.startsWith(`run 2 · trial ${last} (transfer)`)));
     });
 
     it('replay plays, scrubs and steps', async () => {

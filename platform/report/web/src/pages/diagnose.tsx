@@ -6,7 +6,7 @@ import { choose, linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
 import { Forest, type ForestRow } from '../ui/forest';
 import { ForceMap } from '../ui/force_map';
-import { Empty, Select, Show } from '../ui/parts';
+import { Breakable, Empty, Select, Show } from '../ui/parts';
 import {
   effectName,
   firstIsAnswer,
@@ -196,7 +196,9 @@ function Candidate({ rank, model, length }: CandidateProps) {
     <tr>
       <td class="muted">{rank}</td>
       <td class="wraps">
-        <strong>{modelName(model)}</strong>
+        <strong>
+          <Breakable>{modelName(model)}</Breakable>
+        </strong>
         {model.effects.map((effect) => (
           <span key={effect.effect + effect.where} class="small">
             {Object.entries(effect.parameters)

@@ -5,7 +5,7 @@ import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Chart, type ChartSeries } from '../ui/chart';
 import { Figure } from '../ui/figure';
-import { Empty, Select, Show } from '../ui/parts';
+import { Breakable, Empty, Select, Show } from '../ui/parts';
 
 interface Row {
   experiment: string;
@@ -232,7 +232,9 @@ function Table({
                 <th scope="row">{one.number}</th>
                 <td class="muted">{one.parent ?? ''}</td>
                 <td class="wraps">
-                  <strong>{one.change}</strong>
+                  <strong>
+                    <Breakable>{one.change}</Breakable>
+                  </strong>
                   <span class="small">
                     {one.effects ?? 'no effects'} · {one.free_values} free values
                   </span>
@@ -336,8 +338,12 @@ function SideBySide({
               <thead>
                 <tr>
                   <th />
-                  <th>{name(a)}</th>
-                  <th>{name(b)}</th>
+                  <th>
+                    <Breakable>{name(a)}</Breakable>
+                  </th>
+                  <th>
+                    <Breakable>{name(b)}</Breakable>
+                  </th>
                 </tr>
               </thead>
               <tbody>
@@ -355,7 +361,9 @@ function SideBySide({
                     all.find((one) => one.revision === revision && one.address === address);
                   return (
                     <tr key={address}>
-                      <th scope="row">{address}</th>
+                      <th scope="row">
+                        <Breakable>{address}</Breakable>
+                      </th>
                       <td>{interval(at(a))}</td>
                       <td>{interval(at(b))}</td>
                     </tr>

@@ -61,14 +61,14 @@ export async function loadPieces(source: Source): Promise<Piece[]> {
     ...runs.map((one) => ({
       key: `run ${one.run}/${one.trial}`,
       identity: one.identity,
-      label: `${one.experiment} · run ${one.run} · trial ${one.trial}${one.for_transfer ? ' (transfer)' : ''}`,
+      label: `run ${one.run} · trial ${one.trial}${one.for_transfer ? ' (transfer)' : ''} · ${one.experiment}`,
       run: one.run,
       trial: one.trial,
     })),
     ...compared.map((one) => ({
       key: `comparison ${one.comparison}/${one.trial}`,
       identity: one.identity,
-      label: `${one.experiment} · revision ${one.revision} · ${one.trial}`,
+      label: `revision ${one.revision} · ${one.trial} · ${one.experiment}`,
       comparison: one.comparison,
       trialName: one.trial,
     })),

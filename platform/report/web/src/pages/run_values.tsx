@@ -5,7 +5,7 @@ import { quantity } from '../kit/format';
 import { choose, notHere } from '../kit/route';
 import { Figure } from '../ui/figure';
 import { ParameterChart, type BestValue } from '../ui/parameter_chart';
-import { Empty, Select, Show } from '../ui/parts';
+import { Breakable, Empty, Select, Show } from '../ui/parts';
 import { kindOf, spreadOf, type Run, type Spread } from './run_data';
 
 /** Genomes of the last generation of each pass, where a gene is a free value. */
@@ -129,7 +129,9 @@ function Values({
               const own = spreadAt(one.address);
               return (
                 <tr key={one.address}>
-                  <th scope="row">{one.address}</th>
+                  <th scope="row">
+                    <Breakable>{one.address}</Breakable>
+                  </th>
                   <td class="number">{quantity(one.value, one.unit)}</td>
                   <td class="number">{quantity(one.truth, one.unit)}</td>
                   <td class="number">

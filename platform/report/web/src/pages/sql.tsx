@@ -222,7 +222,7 @@ function Plot({ table, choices }: { table: Table; choices: Record<string, string
       </div>
       <Chart
         title={`${y.name} over ${x.name}`}
-        x={{ label: x.name, unit: unitOf(table, x.i) }}
+        x={{ label: x.name, unit: unitOf(table, x.i), whole: x.isWhole }}
         y={{ label: y.name, unit: unitOf(table, y.i) }}
         series={[
           {

@@ -3,6 +3,8 @@ import type { Cell, Table } from '../data/source';
 export interface Column {
   name: string;
   i: number;
+  /** Few whole numbers, as of passes. */
+  isWhole: boolean;
 }
 
 export interface Axes {
@@ -20,7 +22,11 @@ export function numericColumns({ columns, rows }: Table): Column[] {
   const isNumeric = (column: number) =>
     rows.some((row) => typeof row[column] === 'number') &&
     rows.every((row) => row[column] === null || typeof row[column] === 'number');
-  return columns.map((name, i) => ({ name, i })).filter(({ i }) => isNumeric(i));
+  const isWhole = (column: number) => {
+    const values = rows.map((row) => row[column]);
+    return values.every((one) => Number.isInteger(one)) && new Set(values).size <= kFewPoints;
+  };
+  return columns.map((name, i) => ({ name, i, isWhole: isWhole(i) })).filter(({ i }) => isNumeric(i));
 }
 
 const isConstant = (rows: Cell[][], { i }: Column) => rows.every((row) => row[i] === rows[0][i]);

@@ -43,6 +43,7 @@ const compare = (a: unknown, b: unknown) => {
 };
 
 function columnsOf({ table, formats }: Props): ColumnDefinition[] {
+  const canRest = !matchMedia('(hover: none)').matches;
   return table.columns.map((name, i) => {
     const numeric = table.rows.some((row) => typeof row[i] === 'number');
     return {
@@ -51,7 +52,8 @@ function columnsOf({ table, formats }: Props): ColumnDefinition[] {
       hozAlign: numeric ? 'right' : 'left',
       headerHozAlign: numeric ? 'right' : 'left',
       sorter: compare,
-      maxInitialWidth: 360,
+      // Where no pointer can rest on a cell it is as wide as its text, and the table scrolls.
+      ...(canRest ? { maxInitialWidth: 360 } : {}),
       titleFormatter: () => textNode(name),
       formatter: (cell: CellComponent) => textNode((formats?.[name] ?? cellText)(cell.getValue() as Cell)),
     };

@@ -24,6 +24,8 @@ interface Props {
 }
 
 const kRow = 26;
+const kTallRow = 40; // with the name above
+const kNarrow = 520; // px
 const kBottom = 40;
 
 /** The scale is linear up to chance and logarithmic beyond, since gains go from −10 to 10 000. */
@@ -34,8 +36,10 @@ export function Forest({ title, rows, label, chance, note }: Props) {
   const [box, width] = useWidth();
   const picture = useRef<SVGSVGElement>(null);
   const wide = Math.max(width, 240);
-  const names = Math.min(wide * 0.42, 300);
-  const letters = Math.floor(names / 6.6);
+  const isNarrow = wide < kNarrow;
+  const names = isNarrow ? 0 : Math.min(wide * 0.42, 300);
+  const letters = Math.floor((isNarrow ? wide : names) / 6.6);
+  const rowHeight = isNarrow ? kTallRow : kRow;
   const unit = Math.max(chance ?? 1, 1);
   const all = rows
     .flatMap((row) => [row.value, row.lower, row.upper])
@@ -52,7 +56,7 @@ export function Forest({ title, rows, label, chance, note }: Props) {
       (one, i, list) =>
         one === 0 || list.slice(0, i).every((other) => Math.abs(place(other) - place(one)) > 30 || other === one),
     );
-  const height = rows.length * kRow + kBottom + 6;
+  const height = rows.length * rowHeight + kBottom + 6;
   return (
     <Figure
       title={title}
@@ -94,10 +98,15 @@ export function Forest({ title, rows, label, chance, note }: Props) {
               </g>
             )}
             {rows.map((row, i) => {
-              const y = 6 + i * kRow + kRow / 2;
+              const y = 6 + (i + 1) * rowHeight - kRow / 2;
               return (
                 <g key={i} class={row.chosen ? 'ink-predicted' : 'ink-floor'}>
-                  <text class="row-name" x={names} y={y + 4} text-anchor="end">
+                  <text
+                    class="row-name"
+                    x={names}
+                    y={isNarrow ? y - 12 : y + 4}
+                    text-anchor={isNarrow ? 'start' : 'end'}
+                  >
                     <title>{row.name}</title>
                     {row.name.length > letters ? `${row.name.slice(0, letters - 1)}…` : row.name}
                   </text>

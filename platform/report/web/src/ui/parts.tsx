@@ -48,3 +48,15 @@ export function Select({ label, value, options, change }: SelectProps) {
 
 /** Letters of a key that does something. */
 export const Key = ({ children }: { children: ComponentChildren }) => <kbd>{children}</kbd>;
+
+/** An address or a name of several words, which may go on in the next line behind "." and "_". */
+export const Breakable = ({ children }: { children: string }) => (
+  <>
+    {children.split(/(?<=[._])/).map((part, i) => (
+      <Fragment key={i}>
+        {i > 0 && <wbr />}
+        {part}
+      </Fragment>
+    ))}
+  </>
+);
