@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/default_place.h"
 #include "app/diagnosed_start.h"
 #include "app/options.h"
 #include "app/output.h"
@@ -141,11 +142,14 @@ struct Extension {
   EffectEntry entry;
   Rig base, extended;
   bool from_diagnosis = false;  ///< the start values that were not typed
+  bool only_place = false;      ///< the place was not typed, and no other is possible
 };
 
-Extension extension_of(const AddOptions& options) {
+Extension extension_of(AddOptions options) {
   std::string text = read_text(options.experiment);
   Rig base = open_rig(options);
+  const bool says_where = !options.where.empty();
+  if (!says_where) options.where = default_place(base, options.effect);
   check_id(options.id, base.experiment.model.effects);
   EffectEntry entry = entry_of(options, base.experiment.model.effects);
   std::string edited = insert_effect(text, entry);
@@ -160,7 +164,13 @@ Extension extension_of(const AddOptions& options) {
     edited = insert_effect(text, entry);
     extended = open_extended(options, edited, base);
   }
-  return {std::move(text), std::move(edited), std::move(entry), std::move(base), std::move(extended), from_diagnosis};
+  return {std::move(text),
+          std::move(edited),
+          std::move(entry),
+          std::move(base),
+          std::move(extended),
+          from_diagnosis,
+          !says_where && !options.where.empty()};
 }
 
 void run_add(const AddOptions& options) {
@@ -172,6 +182,8 @@ void run_add(const AddOptions& options) {
   const RevisionErrors after = errors_with_edit(options, std::move(made.extended), made.text, made.edited);
   if (!takes_standard_output(options.json)) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(made.text, made.edited));
+    if (made.only_place)
+      fmt::print("{} is placed on {}, the only place possible\n", made.entry.id, made.entry.where.front());
     if (made.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", made.entry.id);
     fmt::print("{}", change_text(before, after));
     if (!redundancy.empty()) fmt::print("{}\n", redundancy);
@@ -191,7 +203,7 @@ void add_add_command(CLI::App& program) {
       ->option_text("NAME");
   command
       ->add_option("--where", options->where,
-                   "Element to place it on, such as joint.hinge; may be repeated; none: the world")
+                   "Element to place it on, such as joint.hinge; may be repeated (default: the only one possible)")
       ->allow_extra_args(false)
       ->option_text("ELEMENT");
   command->add_option("--id", options->id, "Name of this placement (default: the effect's)")->option_text("NAME");

@@ -77,6 +77,7 @@ int run_program(int argc, char** argv) {
   add_sql_command(program);
   add_report_command(program);
   add_serve_command(program);
+  add_help_command(program);
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);

@@ -30,6 +30,7 @@ void add_hash_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_serve_command(CLI::App& program);
+void add_help_command(CLI::App& program);
 
 /// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be resumed.
 int run_program(int argc, char** argv);

@@ -99,7 +99,7 @@ std::vector<ComponentDetails> details_of(const PluginCatalog& catalog, const std
   return found;
 }
 
-std::string text_of(const ComponentDetails& details) {
+std::string text_of(const ComponentDetails& details, bool verbose) {
   const PluginListing& listing = details.listing;
   std::string text = fmt::format("{} {}: {}\n", listing.kind, listing.name, listing.summary);
   if (details.effect) {
@@ -112,6 +112,7 @@ std::string text_of(const ComponentDetails& details) {
   }
   text += details.parameters.empty() ? "no parameters\n" : "parameters: unit, default and bounds, meaning\n";
   text += parameter_table(details.parameters);
+  if (!verbose) return text;
   text += parameter_line("file", listing.file.string());
   text += parameter_line("sha256", listing.sha256);
   text += parameter_line("build", listing.build_id);

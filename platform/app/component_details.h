@@ -21,7 +21,8 @@ struct ComponentDetails {
 /// a component that cannot say what it is.
 std::vector<ComponentDetails> details_of(const PluginCatalog& catalog, const std::string& name);
 
-std::string text_of(const ComponentDetails& details);
+/// `verbose`: with the file, its digest and its build.
+std::string text_of(const ComponentDetails& details, bool verbose = false);
 nlohmann::ordered_json json_of(const ComponentDetails& details);
 
 }  // namespace lacuna

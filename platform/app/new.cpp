@@ -1,6 +1,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/rig_draft.h"
+#include "config/robot_reader.h"
+#include "config/text_file.h"
+#include "config/toml_parser.h"
 #include "foundation/counted.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
@@ -59,7 +62,7 @@ class NewFiles {
 /// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
 std::string read_recordings(RigDraft& draft) {
   try {
-    draft.recording = read_recording(source_of(draft.guess, draft.files), placeholder_robot(draft.guess));
+    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft));
   } catch (const BadInput& error) {
     return error.what();
   }
@@ -68,17 +71,31 @@ std::string read_recordings(RigDraft& draft) {
   return {};
 }
 
+/// Refuses an experiment file, which is the file that is named by mistake most often, in one sentence.
+RobotSpec read_known_robot(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  const TomlNode tree = parse_toml(text, file.string());
+  for (const TomlMember& member : tree.members)
+    if (member.name == "experiment" || member.name == "target")
+      throw_problem(member.location, fmt::format("--robot names an experiment file, not a robot file: it has [{}]; "
+                                                 "name the file that stands under model.file in it",
+                                                 member.name));
+  return read_robot_text(text, file);
+}
+
 RigDraft make_draft(const NewOptions& options) {
   RigDraft draft;
   draft.experiment = options.experiment;
   draft.files = options.files;
-  draft.writes_robot = options.robot.empty();
   draft.robot = options.robot;
-  if (draft.writes_robot)
+  if (options.robot.empty())
     draft.robot = draft.experiment.parent_path() / (draft.experiment.stem().string() + "-robot.toml");
+  else
+    draft.known_robot = read_known_robot(options.robot);
   std::vector<FileSample> samples;
   for (const std::filesystem::path& file : draft.files) samples.push_back(sample_file(file));
-  draft.guess = guess_rig(samples, options.hints);
+  draft.guess =
+      draft.known_robot ? guess_rig(samples, options.hints, *draft.known_robot) : guess_rig(samples, options.hints);
   return draft;
 }
 
@@ -87,17 +104,34 @@ void print_column(const std::string& what, const GuessedColumn& column, const st
               column.unit.c_str(), reason.c_str());
 }
 
-void print_guesses(const RigDraft& draft) {
-  const RigGuess& guess = draft.guess;
-  std::printf("guessed\n");
-  print_column("time", guess.time, guess.time.reason);
-  if (guess.trial) print_column("trials", *guess.trial, guess.trial->reason);
+void print_joints(const RigGuess& guess) {
   for (const GuessedJoint& joint : guess.joints) {
     std::printf("  %-18s a %s\n", ("joint." + joint.name).c_str(), joint.slides ? "slider" : "hinge");
     if (joint.position) print_column("  " + joint.position_sensor(), *joint.position, joint.position->reason);
     if (joint.velocity) print_column("  " + joint.velocity_sensor(), *joint.velocity, joint.velocity->reason);
     if (joint.command) print_column("  " + joint.motor(), *joint.command, joint.command->reason);
   }
+}
+
+void print_matches(const RigGuess& guess) {
+  for (const MatchedColumn& match : guess.sensors)
+    print_column("sensor." + match.channel.name, match.column, match.column.reason);
+  for (const MatchedColumn& match : guess.commands)
+    print_column("actuator." + match.channel.name, match.column, match.column.reason);
+  for (const UnmatchedChannel& left : guess.unmatched)
+    std::printf("  %-18s %s.%s in %s: %s\n", "not matched", left.is_actuator ? "actuator" : "sensor",
+                left.channel.name.c_str(), left.channel.unit.c_str(), reason_of(left).c_str());
+}
+
+void print_guesses(const RigDraft& draft) {
+  const RigGuess& guess = draft.guess;
+  std::printf("guessed\n");
+  print_column("time", guess.time, guess.time.reason);
+  if (guess.trial) print_column("trials", *guess.trial, guess.trial->reason);
+  if (draft.known_robot)
+    print_matches(guess);
+  else
+    print_joints(guess);
   for (const GuessedColumn& column : guess.unused) print_column("not used", column, column.reason);
   std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
   if (draft.interval > 0.0)
@@ -123,17 +157,18 @@ void make_new(const NewOptions& options) {
   refuse_existing(options.experiment);
   check_output(options.experiment.string());
   RigDraft draft = make_draft(options);
-  if (draft.writes_robot) refuse_existing(draft.robot);
+  const bool writes_robot = !draft.known_robot;
+  if (writes_robot) refuse_existing(draft.robot);
   const std::string problems = read_recordings(draft);
   const std::string experiment = experiment_text(draft);
-  const std::string robot = robot_text(draft);
+  const std::string robot = writes_robot ? robot_text(draft) : "";
   NewFiles files;
-  if (draft.writes_robot) files.add(draft.robot, robot);
+  if (writes_robot) files.add(draft.robot, robot);
   files.add(draft.experiment, experiment);
   files.publish();
 
   std::printf("%s%s written from %s\n", draft.experiment.c_str(),
-              draft.writes_robot ? (" and " + draft.robot.string()).c_str() : "",
+              writes_robot ? (" and " + draft.robot.string()).c_str() : "",
               counted(draft.files.size(), "recording").c_str());
   print_guesses(draft);
   if (draft.recording)
@@ -141,9 +176,9 @@ void make_new(const NewOptions& options) {
       std::printf("note  %s: %s\n", to_string(note.location).c_str(), note.message.c_str());
   if (!problems.empty())
     std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
-  std::printf("fill in\n");
+  if (writes_robot || experiment.find('"' + std::string(kBlank)) != experiment.npos) std::printf("fill in\n");
   print_blanks(draft.experiment, experiment);
-  if (draft.writes_robot) print_blanks(draft.robot, robot);
+  if (writes_robot) print_blanks(draft.robot, robot);
   std::printf("then  lacuna check %s\n", shell_word(draft.experiment.string()).c_str());
 }
 
@@ -158,7 +193,9 @@ void add_new_command(CLI::App& program) {
   command->add_option("--from", options->files, "Measured files (CSV), required; the last of several is held out")
       ->required()
       ->option_text("FILE ...");
-  command->add_option("--robot", options->robot, "Robot file that is there already, instead of a draft")
+  command
+      ->add_option("--robot", options->robot,
+                   "Robot file that is there already; columns are matched with its sensors and actuators")
       ->option_text("FILE");
   command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess")
       ->option_text("COLUMN");

@@ -59,22 +59,22 @@ std::string unit_or_blank(const GuessedColumn& column, const std::string& si_uni
   return has_dimension(column.unit, si_unit) ? toml_text(column.unit) : blank("");
 }
 
-std::string sensor_line(const RigDraft& draft, const std::string& channel, const GuessedColumn& column,
-                        const std::string& si_unit) {
-  const bool known = has_dimension(column.unit, si_unit);
-  const NoiseText noise = known ? noise_of(draft, channel, si_unit, column.unit) : NoiseText{};
-  const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel), toml_text(column.name),
-                                       unit_or_blank(column, si_unit), noise.key);
+std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
+  const auto& [channel, column] = match;
+  const bool known = has_dimension(column.unit, channel.unit);
+  const NoiseText noise = known ? noise_of(draft, channel.name, channel.unit, column.unit) : NoiseText{};
+  const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel.name),
+                                       toml_text(column.name), unit_or_blank(column, channel.unit), noise.key);
   std::string comment = "guessed: " + column.reason;
   if (!known) comment += "; unit as in rad, deg, m, mm, rad/s";
   if (!noise.reason.empty()) comment += "; " + noise.reason;
   return with_comment(line, comment);
 }
 
-std::string draft_command(const GuessedJoint& joint) {
-  const GuessedColumn& column = *joint.command;
-  const std::string wanted = command_unit(joint);
-  std::string line = fmt::format("{} = {{ column = {}, unit = ", toml_key(joint.motor()), toml_text(column.name));
+std::string command_text(const MatchedColumn& match) {
+  const GuessedColumn& column = match.column;
+  const std::string& wanted = match.channel.unit;
+  std::string line = fmt::format("{} = {{ column = {}, unit = ", toml_key(match.channel.name), toml_text(column.name));
   std::string comment = "guessed: " + column.reason;
   if (column.unit.empty()) {
     line += blank("") + " }";
@@ -86,6 +86,15 @@ std::string draft_command(const GuessedJoint& joint) {
     comment += fmt::format("; the gain turns {} into {}", column.unit, wanted);
   }
   return with_comment(line, comment);
+}
+
+/// A line for each channel of the robot that got no column.
+std::string unmatched_text(const RigGuess& guess, bool actuators) {
+  std::string text;
+  for (const UnmatchedChannel& left : guess.unmatched)
+    if (left.is_actuator == actuators)
+      text += fmt::format("# not matched: {} in {}, {}\n", left.channel.name, left.channel.unit, reason_of(left));
+  return text;
 }
 
 std::string file_list(const RigDraft& draft, bool held_out) {
@@ -126,15 +135,22 @@ std::string target_text(const RigDraft& draft) {
 std::string columns_text(const RigDraft& draft) {
   const RigGuess& guess = draft.guess;
   std::string text = "\n[target.sensors]                        # named like the robot's sensors\n";
-  for (const GuessedJoint& joint : guess.joints) {
-    if (joint.position) text += sensor_line(draft, joint.position_sensor(), *joint.position, position_unit(joint));
-    if (joint.velocity) text += sensor_line(draft, joint.velocity_sensor(), *joint.velocity, velocity_unit(joint));
-  }
+  for (const MatchedColumn& sensor : guess.sensors) text += sensor_line(draft, sensor);
+  text += unmatched_text(guess, false);
   text += "\n[target.commands]                       # named like the robot's actuators\n";
-  for (const GuessedJoint& joint : guess.joints)
-    if (joint.command) text += draft_command(joint);
+  for (const MatchedColumn& command : guess.commands) text += command_text(command);
+  text += unmatched_text(guess, true);
   for (const GuessedColumn& column : guess.unused)
     text += fmt::format("# not used: column {}, {}\n", toml_text(column.name), plain_text(column.reason));
+  return text;
+}
+
+/// Values of the model that a user may want to free, as examples.
+std::string free_text(const RobotSpec& robot) {
+  std::string text = "\n[model.free]                            # what the fit may change, and how far\n";
+  if (!robot.bodies.empty())
+    text += fmt::format("# \"body.{}.mass\" = [\"0.5 kg\", \"2 kg\"]\n", robot.bodies.front().name);
+  if (!robot.joints.empty()) text += fmt::format("# \"joint.{}.damping\" = [0.0, 1.0]\n", robot.joints.front().name);
   return text;
 }
 
@@ -200,6 +216,17 @@ std::string blank(const std::string& unit) {
   return toml_text(unit.empty() ? std::string(kBlank) : kBlank + (" " + unit));
 }
 
+std::string reason_of(const UnmatchedChannel& left) {
+  if (left.candidates.empty()) return "no column fits";
+  std::string columns;
+  for (const std::string& name : left.candidates) columns += (columns.empty() ? "" : ", ") + name;
+  return (left.candidates.size() > 1 ? "several columns fit: " : "a column fits others as well: ") + columns;
+}
+
+RobotSpec robot_of(const RigDraft& draft) {
+  return draft.known_robot ? *draft.known_robot : placeholder_robot(draft.guess);
+}
+
 std::string rig_name(const std::filesystem::path& experiment) {
   std::string name;
   for (const char c : experiment.stem().string())
@@ -223,13 +250,8 @@ std::string experiment_text(const RigDraft& draft) {
       name, counted(draft.files.size(), "recording"), kBlank,
       plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));
   text += target_text(draft) + columns_text(draft);
-  const std::string& body = draft.guess.joints.front().body();
-  text += fmt::format(
-      "\n[model]\nfile = {}\neffects = []\n\n"
-      "[model.free]                            # what the fit may change, and how far\n"
-      "# \"body.{}.mass\" = [\"0.5 kg\", \"2 kg\"]\n"
-      "# \"joint.{}.damping\" = [0.0, 1.0]\n\n[engine]\n",
-      toml_text(path_in_file(draft.robot, draft.experiment)), body, draft.guess.joints.front().name);
+  text += fmt::format("\n[model]\nfile = {}\neffects = []\n{}\n[engine]\n",
+                      toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)));
   const std::string value = fmt::format("step = \"{:.4g} ms\"", 1e3 * step);
   text += draft.interval > 0.0
               ? with_comment(value, fmt::format("the recordings' interval is {:.4g} ms", 1e3 * draft.interval))

@@ -14,9 +14,9 @@ namespace lacuna {
 /// Everything that `lacuna new` knows before it writes.
 struct RigDraft {
   RigGuess guess;
-  std::filesystem::path experiment;  ///< to be written
-  std::filesystem::path robot;       ///< to be written, or there already
-  bool writes_robot = true;
+  std::filesystem::path experiment;      ///< to be written
+  std::filesystem::path robot;           ///< to be written, or there already
+  std::optional<RobotSpec> known_robot;  ///< of a file that is there; none: it is drafted too
   std::vector<std::filesystem::path> files;
   std::optional<Recording> recording;  ///< as read with the guess; none where the files have problems
   double interval = 0.0;               ///< s, median; 0: not known
@@ -31,6 +31,12 @@ std::string experiment_text(const RigDraft& draft);
 /// The robot stub: a body and a joint for each guessed joint, with its motor and sensors. What no
 /// recording tells (masses, inertias, where things are) is blank.
 std::string robot_text(const RigDraft& draft);
+
+/// What there is to say of a sensor or an actuator without a column, half a sentence.
+std::string reason_of(const UnmatchedChannel& left);
+
+/// The known robot, or the stub's as `placeholder_robot` makes it.
+RobotSpec robot_of(const RigDraft& draft);
 
 /// The robot of the stub with blanks left at their defaults, to read the recordings with.
 RobotSpec placeholder_robot(const RigGuess& guess);

@@ -1,5 +1,6 @@
 #include "command_line/usage_error.h"
 
+#include "command_line/subcommands.h"
 #include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
@@ -17,28 +18,16 @@ struct Place {
   std::vector<std::string> rest;      ///< words behind its name
 };
 
-const CLI::App* subcommand(const CLI::App& command, const std::string& name) {
-  for (const CLI::App* candidate : command.get_subcommands(nullptr))
-    if (candidate->get_name() == name) return candidate;
-  return nullptr;
-}
-
 Place place_of(const CLI::App& program, int argc, char** argv) {
   Place place{&program, program.get_name(), {argv + 1, argv + argc}};
   while (!place.rest.empty()) {
-    const CLI::App* next = subcommand(*place.command, place.rest.front());
+    const CLI::App* next = find_subcommand(*place.command, place.rest.front());
     if (next == nullptr) break;
     place.command = next;
     place.name += " " + next->get_name();
     place.rest.erase(place.rest.begin());
   }
   return place;
-}
-
-std::vector<std::string> subcommand_names(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::App* candidate : command.get_subcommands(nullptr)) names.push_back(candidate->get_name());
-  return names;
 }
 
 /// "--threads" of "--threads=2".

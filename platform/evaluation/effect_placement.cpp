@@ -61,6 +61,7 @@ class EntryCheck {
   EntryCheck(std::string key, EffectEntry entry, const PluginCatalog& catalog, Complaints& complaints)
       : key_(std::move(key)),
         entry_(std::move(entry)),
+        is_without_place_(entry_.where.empty()),
         origin_(catalog.origin<PhysicalEffect>(entry_.effect)),
         catalog_(catalog),
         complaints_(complaints) {}
@@ -186,6 +187,9 @@ class EntryCheck {
     if (std::find(allowed.begin(), allowed.end(), placed_.kind) != allowed.end()) return;
     std::string text;
     for (const ElementKind kind : allowed) text += (text.empty() ? "" : " or ") + with_article(kind);
+    if (is_without_place_ && !allowed.empty())
+      return complain(".where", fmt::format("is missing: {} acts on {}; say on which one, as in where = [\"{}.NAME\"]",
+                                            entry_.effect, text, to_string(allowed.front())));
     complain(".where", entry_.effect + " cannot be placed on " + with_article(placed_.kind) + "; place it on " + text);
   }
 
@@ -223,6 +227,7 @@ class EntryCheck {
 
   std::string key_;
   EffectEntry entry_;
+  bool is_without_place_;
   ComponentOrigin origin_;
   const PluginCatalog& catalog_;
   Complaints& complaints_;

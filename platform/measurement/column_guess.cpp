@@ -130,6 +130,7 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
     if (column.role == role) {
       column.role = ColumnRole::other;
       column.reason = "not among those you named";
+      column.passed_over = true;
     }
   for (const std::string& name : names) {
     const int index = sample.find(name);
@@ -140,6 +141,8 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
     GuessedColumn& column = columns[static_cast<std::size_t>(index)];
     column.role = role;
     column.reason = "you said so";
+    column.named_by_user = true;
+    column.passed_over = false;
   }
 }
 

@@ -24,6 +24,8 @@ struct GuessedColumn {
   std::string unit;    ///< in the notation of foundation/unit.h; empty: not known
   std::string joint;   ///< what in the name tells joints apart: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty
   std::string reason;  ///< why this role, half a sentence
+  bool named_by_user = false;
+  bool passed_over = false;  ///< the user named others for what it seemed to be
 };
 
 /// Columns that the user named; the rest is guessed.

@@ -1,5 +1,6 @@
 #include "measurement/rig_guess.h"
 
+#include "foundation/address.h"
 #include "foundation/problem.h"
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
@@ -130,14 +131,12 @@ void settle_time_unit(RigGuess& guess, const FileSample& sample) {
 
 void settle_hold(RigGuess& guess) {
   guess.hold_reason = "a controller holds its output between samples";
-  for (const GuessedJoint& joint : guess.joints) {
-    if (!joint.command) continue;
-    for (const std::string& word : words_of(joint.command->name))
+  for (const MatchedColumn& command : guess.commands)
+    for (const std::string& word : words_of(command.column.name))
       if (word == "meas" || word == "measured" || word == "actual" || word == "sensor") {
         guess.hold = Hold::first_order;
-        guess.hold_reason = fmt::format("`{}` is measured, not held", joint.command->name);
+        guess.hold_reason = fmt::format("`{}` is measured, not held", command.column.name);
       }
-  }
 }
 
 /// Columns of the first file that all others have too.
@@ -157,6 +156,37 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
   return columns;
 }
 
+/// Time and trials.
+RigGuess guess_clock(const Columns& columns, const FileSample& first) {
+  RigGuess guess;
+  const Columns times = with_role(columns, ColumnRole::time);
+  if (times.empty())
+    throw_problem({first.path.string(), 1, 0},
+                  "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
+  guess.time = times.front();
+  settle_time_unit(guess, first);
+  const Columns trials = with_role(columns, ColumnRole::trial);
+  if (!trials.empty()) guess.trial = trials.front();
+  return guess;
+}
+
+/// The sensors and the motors that the draft of the robot will have, with the columns of their joints.
+void match_joints(RigGuess& guess) {
+  for (const GuessedJoint& joint : guess.joints) {
+    if (joint.position) guess.sensors.push_back({{joint.position_sensor(), position_unit(joint)}, *joint.position});
+    if (joint.velocity) guess.sensors.push_back({{joint.velocity_sensor(), velocity_unit(joint)}, *joint.velocity});
+    if (joint.command) guess.commands.push_back({{joint.motor(), command_unit(joint)}, *joint.command});
+  }
+}
+
+/// "angle in rad, velocity in rad/s".
+std::string sensors_in_words(const RobotSpec& robot) {
+  std::string text;
+  for (const Channel& channel : sensor_channels(robot))
+    text += (text.empty() ? "" : ", ") + channel.name + " in " + channel.unit;
+  return text.empty() ? "it has none" : text;
+}
+
 }  // namespace
 
 std::string GuessedJoint::body() const { return only_one ? (slides ? "carriage" : "arm") : name + "_link"; }
@@ -170,13 +200,7 @@ std::string GuessedJoint::velocity_sensor() const { return only_one ? "velocity"
 RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints) {
   const FileSample& first = samples.front();
   const Columns columns = common_columns(samples, hints);
-  RigGuess guess;
-  const Columns times = with_role(columns, ColumnRole::time);
-  if (times.empty())
-    throw_problem({first.path.string(), 1, 0},
-                  "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
-  guess.time = times.front();
-  settle_time_unit(guess, first);
+  RigGuess guess = guess_clock(columns, first);
   make_joints(guess, columns);
   if (guess.joints.empty())
     throw_problem({first.path.string(), 1, 0},
@@ -185,10 +209,27 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
                       listed(first.format.names));
   attach_drives(guess, columns, first);
   name_joints(guess);
+  match_joints(guess);
   settle_hold(guess);
-  const Columns trials = with_role(columns, ColumnRole::trial);
-  if (!trials.empty()) guess.trial = trials.front();
   for (const GuessedColumn& column : with_role(columns, ColumnRole::other)) guess.unused.push_back(column);
+  return guess;
+}
+
+RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints, const RobotSpec& robot) {
+  const FileSample& first = samples.front();
+  const Columns columns = common_columns(samples, hints);
+  RigGuess guess = guess_clock(columns, first);
+  RobotMatch match = match_robot(robot, columns);
+  if (match.sensors.empty())
+    throw_problem({first.path.string(), 1, 0},
+                  fmt::format("no column fits a sensor of the robot ({}); name one with --position or --velocity. The "
+                              "columns are {}",
+                              sensors_in_words(robot), listed(first.format.names)));
+  guess.sensors = std::move(match.sensors);
+  guess.commands = std::move(match.commands);
+  guess.unmatched = std::move(match.unmatched);
+  guess.unused = std::move(match.unused);
+  settle_hold(guess);
   return guess;
 }
 
@@ -207,21 +248,18 @@ RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesyst
   source.time_column = guess.time.name;
   source.time_unit = guess.time.unit;
   if (guess.trial) source.trial_column = guess.trial->name;
-  const auto mapping = [](const std::string& channel, const GuessedColumn& column, const std::string& si_unit) {
+  const auto mapping = [](const MatchedColumn& match) {
+    const auto& [channel, column] = match;
     ColumnMapping result;
-    result.channel = channel;
+    result.channel = channel.name;
     result.column = column.name;
-    result.unit = column.unit.empty() ? si_unit : column.unit;
-    if (!same_dimension(result.unit, si_unit)) result.gain_unit = fmt::format("{}/({})", si_unit, result.unit);
+    result.unit = column.unit.empty() ? channel.unit : column.unit;
+    if (!same_dimension(result.unit, channel.unit))
+      result.gain_unit = fmt::format("{}/({})", channel.unit, result.unit);
     return result;
   };
-  for (const GuessedJoint& joint : guess.joints) {
-    if (joint.position)
-      source.sensors.push_back(mapping(joint.position_sensor(), *joint.position, position_unit(joint)));
-    if (joint.velocity)
-      source.sensors.push_back(mapping(joint.velocity_sensor(), *joint.velocity, velocity_unit(joint)));
-    if (joint.command) source.commands.push_back(mapping(joint.motor(), *joint.command, command_unit(joint)));
-  }
+  for (const MatchedColumn& match : guess.sensors) source.sensors.push_back(mapping(match));
+  for (const MatchedColumn& match : guess.commands) source.commands.push_back(mapping(match));
   return source;
 }
 

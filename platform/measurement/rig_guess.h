@@ -3,7 +3,7 @@
 #include <lacuna/robot_spec.h>
 
 #include "foundation/recording_source.h"
-#include "measurement/column_guess.h"
+#include "measurement/robot_match.h"
 
 #include <optional>
 #include <string>
@@ -34,13 +34,19 @@ struct RigGuess {
   std::optional<GuessedColumn> trial;
   Hold hold = Hold::zero_order;
   std::string hold_reason;
-  std::vector<GuessedJoint> joints;
+  std::vector<GuessedJoint> joints;              ///< none where the robot was known
+  std::vector<MatchedColumn> sensors, commands;  ///< of the joints, or of the known robot
+  std::vector<UnmatchedChannel> unmatched;       ///< of the known robot
   std::vector<GuessedColumn> unused;
 };
 
 /// Puts the columns that all files have together to joints. Throws `BadInput` for files that are not
 /// readable, and `Error` where no column can be the time or none is measured, saying how to name them.
 RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints);
+
+/// The same for a robot that is known: the columns that all files have are matched with its sensors and actuators.
+/// Throws `Error` where no sensor gets one.
+RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hints, const RobotSpec& robot);
 
 /// A source that reads the files as guessed; units that are not known are taken to be SI, and gains 1.
 RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files);

@@ -8,14 +8,22 @@
 namespace lacuna {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ThrowsMessage;
 
 TEST(ComponentDetails, OfAnEffectTellItsPhysics) {
   const std::string text = text_of(details_of(built_catalog(), "viscous_friction").front());
   for (const char* part : {"tau = -damping*v", "place on    joint", "fast motion", "linear_drag", "Automatica",
-                           "N*m*s/rad (N*s/m on a slider)", "0, from 0 to 10000", "viscous_friction.so"})
+                           "N*m*s/rad (N*s/m on a slider)", "0, from 0 to 10000"})
     EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(ComponentDetails, TellTheirFileOnlyWhenAsked) {
+  const ComponentDetails details = details_of(built_catalog(), "viscous_friction").front();
+  EXPECT_THAT(text_of(details), Not(HasSubstr("viscous_friction.so")));
+  EXPECT_THAT(text_of(details, true), AllOf(HasSubstr("viscous_friction.so"), HasSubstr(details.listing.sha256)));
 }
 
 TEST(ComponentDetails, AsJsonHaveTheSame) {

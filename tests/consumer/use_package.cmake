@@ -19,7 +19,7 @@ set(lacuna ${prefix}/bin/lacuna)
 set(plugins --plugin-path ${WORK}/build/lib/lacuna/plugins)
 step("effect +propeller_drag +Drag of a propeller" ${lacuna} plugins list ${plugins})
 step("effect +coulomb_friction" ${lacuna} plugins list)
-step("N\\*m\\*s\\^2/rad\\^2.*build +1\\.2\\.3" ${lacuna} plugins show propeller_drag ${plugins})
+step("N\\*m\\*s\\^2/rad\\^2.*build +1\\.2\\.3" ${lacuna} plugins show propeller_drag --verbose ${plugins})
 step(": ok" ${lacuna} check ${LACUNA_SOURCE}/experiments/servo-pendulum.toml ${plugins}
   --set "model.effects=[{effect=\"propeller_drag\",where=\"joint.hinge\",start={drag=0.01}}]")
 

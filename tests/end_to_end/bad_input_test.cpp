@@ -34,6 +34,7 @@ class BadInputTest : public testing::TestWithParam<BadInputCase> {
  protected:
   void SetUp() override {
     program_.copy_first_steps();
+    program_.copy_smoke();
     program_.write("binary.toml", std::string("\x7f\x45\x4c\x46\x00\xff\xfe", 7));
     program_.write("empty.toml", "");
     program_.write("empty.csv", "");
@@ -72,6 +73,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{
             "UnknownSubcommand", "plugins lits", 2,
             "lacuna plugins: there is no command \"lits\" (did you mean \"list\"?); see lacuna plugins --help"},
+        BadInputCase{"HelpOfAnUnknownCommand", "help diagnos", 2,
+                     "lacuna: there is no command \"diagnos\" (did you mean \"diagnose\"?); see lacuna --help"},
+        BadInputCase{"UnknownOptionOfTheProgram", "--verison", 2,
+                     "lacuna: there is no option --verison (did you mean \"--version\"?); see lacuna --help"},
         BadInputCase{"NoExperiment", "compare", 2, "lacuna compare: experiment is required; see lacuna compare --help"},
         BadInputCase{
             "UnknownOption", "compare first-steps.toml --thread 3", 2,
@@ -114,6 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
                      "nowhere/rig.toml: cannot be written: there is no folder nowhere"},
         BadInputCase{"NewWithAnotherTime", "new rig.toml --from one.csv --time ts", 2,
                      "one.csv:1: no column `ts` (did you mean \"t_s\"?)"},
+        BadInputCase{"NewOfARobotNowhere", "new rig.toml --from one.csv --robot nowhere.toml", 2,
+                     "nowhere.toml: no such file"},
         BadInputCase{"PicturesIntoAFile", "compare first-steps.toml --out one.csv", 2,
                      "one.csv: cannot be a folder for results"},
         BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json=nowhere/result.json", 2,
@@ -135,8 +142,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "there is no effect \"coulomb\" (did you mean \"coulomb_friction\"?)"},
         BadInputCase{"ARobotIsNoEffect", "add first-steps.toml declared --where joint.hinge", 2,
                      "there is no effect \"declared\""},
-        BadInputCase{"PlacedNowhere", "add first-steps.toml coulomb_friction", 2,
+        BadInputCase{"PlacedOnTheWorld", "add first-steps.toml coulomb_friction --where world", 2,
                      "coulomb_friction cannot be placed on the world; place it on a joint"},
+        BadInputCase{"PlacedNowhereOfSeveralPlaces", "add smoke/quadruped-parametric.toml coulomb_friction", 2,
+                     "add coulomb_friction: say where: --where joint."},
         BadInputCase{"PlacedOnABody", "add first-steps.toml coulomb_friction --where body.arm", 2,
                      "coulomb_friction cannot be placed on a body; place it on a joint"},
         BadInputCase{"PlacedOnABareName", "add first-steps.toml coulomb_friction --where hinge", 2,
@@ -148,6 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{"StartOutOfRange", kLowStart.c_str(), 2, "is outside the range of coulomb_friction"},
         BadInputCase{"StartOfAnotherParameter", kOtherStart.c_str(), 2, "(did you mean \"torque\"?)"},
         BadInputCase{"FixedOfAnotherParameter", kOtherFixed.c_str(), 2, "(did you mean \"torque\"?)"},
+        BadInputCase{"ListOfNoKind", "plugins list --kind effcts", 2,
+                     "--kind effcts: there is no such kind (did you mean \"effect\"?); the kinds are effect, metric, "},
         BadInputCase{"ShowOfAPart", "plugins show coulomb", 2,
                      "there is no plugin \"coulomb\" (did you mean \"coulomb_friction\"?)"}),
     [](const auto& bad) { return bad.param.name; });

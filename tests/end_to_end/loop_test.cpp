@@ -74,9 +74,10 @@ TEST(Loop, AnAddedEffectStartsWhereTheDiagnosisLeftItUnlessAStartIsTyped) {
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.02"));
 
   ASSERT_EQ(program.run({"undo", "first-steps.toml"}).exit_code, 0);
-  const Outcome typed =
-      program.run({"add", "first-steps.toml", "coulomb_friction", "--where", "joint.hinge", "--start", "torque=0.01"});
+  const Outcome typed = program.run({"add", "first-steps.toml", "coulomb_friction", "--start", "torque=0.01"});
   ASSERT_EQ(typed.exit_code, 0) << typed.errors;
+  EXPECT_THAT(typed.output, HasSubstr("coulomb_friction is placed on joint.hinge, the only place possible\n"));
+  EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("where = \"joint.hinge\""));
   EXPECT_THAT(typed.output, testing::Not(HasSubstr("where the diagnosis left it")));
   EXPECT_THAT(program.read("first-steps.toml"), HasSubstr("start = { torque = 0.01 }"));
 }

@@ -19,7 +19,7 @@ int longest(const nlohmann::json& components, const std::string& key) {
   return static_cast<int>(length);
 }
 
-TEST(PluginsList, HasKindNameAndSummaryInColumnsAndTheFileBelowTheSummary) {
+TEST(PluginsList, HasKindNameAndSummaryInColumnsAndTheFileBelowTheSummaryWhenAsked) {
   const Program program;
   const Outcome json = program.run({"plugins", "list", "--json"});
   ASSERT_EQ(json.exit_code, 0) << json.errors;
@@ -27,13 +27,25 @@ TEST(PluginsList, HasKindNameAndSummaryInColumnsAndTheFileBelowTheSummary) {
   const int kind = longest(components, "kind"), name = longest(components, "name");
   ASSERT_EQ(kind, static_cast<int>(std::string("objective metric").size()));
 
-  std::vector<std::string> expected;
+  std::vector<std::string> brief, verbose;
   for (const nlohmann::json& component : components) {
     const auto text = [&](const char* key) { return component[key].get<std::string>(); };
-    expected.push_back(fmt::format("{:<{}}  {:<{}}  {}", text("kind"), kind, text("name"), name, text("summary")));
-    expected.push_back(fmt::format("{:<{}}{}", "", kind + name + 4, text("file")));
+    brief.push_back(fmt::format("{:<{}}  {:<{}}  {}", text("kind"), kind, text("name"), name, text("summary")));
+    verbose.push_back(brief.back());
+    verbose.push_back(fmt::format("{:<{}}{}", "", kind + name + 4, text("file")));
   }
-  EXPECT_THAT(lines_of(program.run({"plugins", "list"}).output), testing::ElementsAreArray(expected));
+  EXPECT_THAT(lines_of(program.run({"plugins", "list"}).output), testing::ElementsAreArray(brief));
+  EXPECT_THAT(lines_of(program.run({"plugins", "list", "--verbose"}).output), testing::ElementsAreArray(verbose));
+}
+
+TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
+  const Program program;
+  const std::vector<std::string> robots = lines_of(program.run({"plugins", "list", "--kind", "robot"}).output);
+  EXPECT_THAT(robots, testing::SizeIs(3));
+  EXPECT_THAT(robots, testing::Each(testing::StartsWith("robot  ")));
+  const Outcome json = program.run({"plugins", "list", "--kind", "search", "--json"});
+  for (const nlohmann::json& component : nlohmann::json::parse(json.output)["components"])
+    EXPECT_EQ(component["kind"], "search");
 }
 
 }  // namespace

@@ -218,9 +218,12 @@ TEST_F(DefineModel, PlacesThatAnEffectCannotHaveAreRefused) {
   add_effect("b", "coulomb_friction", {});
   add_effect("c", "coulomb_friction", {"joint.rail", "joint.hinge"});
   add_effect("d", "coulomb_friction", {"joint.rail", "body.arm"});
+  add_effect("e", "coulomb_friction", {"world"});
   EXPECT_THAT(problems(),
               testing::UnorderedElementsAre(HasSubstr("cannot be placed on a body; place it on a joint"),
-                                            HasSubstr("cannot be placed on the world"),
+                                            HasSubstr("cannot be placed on the world; place it on a joint"),
+                                            HasSubstr("is missing: coulomb_friction acts on a joint; say on which one, "
+                                                      "as in where = [\"joint.NAME\"]"),
                                             HasSubstr("in N and in N*m at once"), HasSubstr("elements of one kind")));
 }
 

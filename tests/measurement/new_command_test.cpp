@@ -13,6 +13,28 @@ namespace {
 
 using testing::HasSubstr;
 
+/// A robot whose names no draft would choose.
+constexpr const char* kPivot = R"([robot]
+name = "pivot"
+[body.rod]
+mass = 0.5
+com = [0.0, 0.0, -0.2]
+inertia = [0.02, 0.02, 0.001]
+[joint.pivot]
+kind = "hinge"
+child = "rod"
+axis = "y"
+[actuator.drive]
+joint = "pivot"
+kind = "force"
+[sensor.encoder]
+kind = "joint_position"
+joint = "pivot"
+[sensor.tacho]
+kind = "joint_velocity"
+joint = "pivot"
+)";
+
 /// `lacuna new` as a user types it, in a folder of its own.
 class NewCommand : public testing::Test {
  protected:
@@ -38,6 +60,10 @@ class NewCommand : public testing::Test {
     std::vector<std::string> words{"new", rig().string(), "--from"};
     for (const std::filesystem::path& file : files) words.push_back(file.string());
     return run(words);
+  }
+
+  Outcome run_new_of(const std::filesystem::path& file, const std::string& robot) const {
+    return run({"new", rig().string(), "--from", file.string(), "--robot", (folder_.path() / robot).string()});
   }
 
   std::filesystem::path rig() const { return folder_.path() / "rig.toml"; }
@@ -151,14 +177,41 @@ TEST_F(NewCommand, NeverOverwrites) {
   EXPECT_FALSE(std::filesystem::exists(robot()));
 }
 
-TEST_F(NewCommand, UsesARobotThatIsThere) {
-  const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
-  folder_.write("mine.toml", "mine\n");
-  const Outcome outcome =
-      run({"new", rig().string(), "--from", file.string(), "--robot", (folder_.path() / "mine.toml").string()});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(text_of(rig()), HasSubstr("file = \"mine.toml\""));
+TEST_F(NewCommand, MatchesColumnsWithARobotThatIsThere) {
+  const std::filesystem::path file =
+      folder_.write("run.csv", "t,theta_deg,i_A,T_C\n0,1,2,20\n0.1,2,3,20\n0.2,1,2,20\n");
+  folder_.write("mine.toml", kPivot);
+  const Outcome outcome = run_new_of(file, "mine.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("sensor.encoder     column theta_deg in deg (the only column that fits)\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("actuator.drive     column i_A in A (the only column that fits)\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("not matched        sensor.tacho in rad/s: no column fits\n"));
+  const std::string text = text_of(rig());
+  for (const char* line : {"file = \"mine.toml\"", "encoder = { column = \"theta_deg\", unit = \"deg\" }",
+                           "drive = { column = \"i_A\", unit = \"A\", gain = \"FILL IN N*m/A\" }",
+                           "# not matched: tacho in rad/s, no column fits", "# \"body.rod.mass\""})
+    EXPECT_THAT(text, HasSubstr(line));
   EXPECT_FALSE(std::filesystem::exists(robot()));
+  fill(rig());
+  const Outcome checked =
+      run({"check", rig().string(), "--plugin-path", LACUNA_BINARY_DIRECTORY "/lib/lacuna/plugins"});
+  EXPECT_EQ(checked.code, 0) << checked.err;
+}
+
+TEST_F(NewCommand, RefusesARobotThatIsNone) {
+  const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
+  folder_.write("notes.txt", "mine\n");
+  folder_.write("other.toml", "[experiment]\nname = \"other\"\n");
+  const std::pair<const char*, const char*> kRefused[] = {
+      {"nowhere.toml", "nowhere.toml: no such file"},
+      {"notes.txt", "notes.txt:1:"},
+      {"other.toml", "other.toml:1:2: --robot names an experiment file, not a robot file"}};
+  for (const auto& [name, sentence] : kRefused) {
+    const Outcome outcome = run_new_of(file, name);
+    EXPECT_EQ(outcome.code, 2) << name;
+    EXPECT_THAT(outcome.err, HasSubstr(sentence));
+    EXPECT_FALSE(std::filesystem::exists(rig()));
+  }
 }
 
 TEST_F(NewCommand, TellsProblemsOfTheRecordingsAndDraftsAllTheSame) {

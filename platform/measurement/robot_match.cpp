@@ -1,0 +1,197 @@
+#include "measurement/robot_match.h"
+
+#include "foundation/address.h"
+#include "foundation/unit.h"
+#include "measurement/column_words.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+/// A sensor channel or an actuator that waits for a column.
+struct OpenChannel {
+  Channel channel;
+  ColumnRole role = ColumnRole::other;  ///< what a column for it is guessed to be
+  bool is_actuator = false;
+  bool is_servo = false;
+  std::vector<std::string> words;  ///< of its name and its element's
+  std::optional<GuessedColumn> column;
+};
+
+enum class Dimension { unknown, same, other };
+
+Dimension dimension_of(const GuessedColumn& column, const Channel& channel) {
+  const std::optional<Unit> unit = parse_unit(column.unit), wanted = parse_unit(channel.unit);
+  if (column.unit.empty() || !unit || !wanted) return Dimension::unknown;
+  return unit->same_dimension(*wanted) ? Dimension::same : Dimension::other;
+}
+
+ColumnRole role_of(SensorKind kind) {
+  switch (kind) {
+    case SensorKind::joint_position:
+    case SensorKind::body_position:
+    case SensorKind::beacon_range: return ColumnRole::position;
+    case SensorKind::joint_velocity:
+    case SensorKind::body_velocity:
+    case SensorKind::body_angular_velocity: return ColumnRole::velocity;
+    case SensorKind::joint_force:
+    case SensorKind::contact_force:
+    case SensorKind::touch:
+    case SensorKind::body_orientation: return ColumnRole::other;
+  }
+  return ColumnRole::other;
+}
+
+std::vector<OpenChannel> open_channels(const RobotSpec& robot) {
+  const auto words = [](const std::string& name, const std::string& element) {
+    std::vector<std::string> all = words_of(name), others = words_of(element);
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  };
+  std::vector<OpenChannel> slots;
+  for (const ActuatorSpec& actuator : robot.actuators)
+    slots.push_back({command_channel(robot, actuator), ColumnRole::command, true, actuator.kind != ActuatorKind::force,
+                     words(actuator.name, actuator.joint), std::nullopt});
+  for (const SensorSpec& sensor : robot.sensors)
+    for (const Channel& channel : sensor_channels(robot, sensor))
+      slots.push_back({channel, role_of(sensor.kind), false, false, words(channel.name, sensor.element), std::nullopt});
+  return slots;
+}
+
+bool is_for_robot(const GuessedColumn& column) {
+  return column.role != ColumnRole::time && column.role != ColumnRole::trial && !column.passed_over;
+}
+
+bool fits(const OpenChannel& slot, const GuessedColumn& column) {
+  const Dimension dimension = dimension_of(column, slot.channel);
+  if (slot.is_actuator) {
+    if (column.role == ColumnRole::command) return true;
+    return slot.is_servo && column.role == ColumnRole::reference && dimension != Dimension::other;
+  }
+  if (column.role == ColumnRole::reference || column.role == ColumnRole::other) return false;
+  if (dimension == Dimension::same) return slot.channel.unit != "1" || column.role == slot.role;
+  return column.role == slot.role && (column.named_by_user || dimension == Dimension::unknown);
+}
+
+bool has_same_name(const OpenChannel& slot, const GuessedColumn& column) {
+  const bool may_be =
+      slot.is_actuator || column.named_by_user || dimension_of(column, slot.channel) != Dimension::other;
+  return may_be && (column.name == slot.channel.name || words_of(column.name) == words_of(slot.channel.name));
+}
+
+/// How many words of the column's name the channel and its element have too.
+int shared_words(const OpenChannel& slot, const GuessedColumn& column) {
+  const std::vector<std::string> words = words_of(column.name);
+  return static_cast<int>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(slot.words.begin(), slot.words.end(), word) != slot.words.end();
+  }));
+}
+
+/// Gives columns to slots; what has been given is no candidate any more.
+class Matching {
+ public:
+  Matching(std::vector<OpenChannel>& slots, const std::vector<GuessedColumn>& columns) : slots_(slots) {
+    std::copy_if(columns.begin(), columns.end(), std::back_inserter(free_), is_for_robot);
+  }
+
+  void match_same_names() {
+    for (OpenChannel& slot : slots_)
+      for (std::size_t i = 0; i < free_.size() && !slot.column; ++i)
+        if (has_same_name(slot, free_[i])) give(slot, i, "it has the same name");
+  }
+
+  void match_shared_words() {
+    while (match_best_words()) {
+    }
+  }
+
+  void match_kinds() {
+    for (std::size_t first = 0; first < slots_.size(); ++first) {
+      if (slots_[first].column) continue;
+      const std::vector<std::size_t> columns = candidates(slots_[first]);
+      std::vector<std::size_t> peers;
+      for (std::size_t i = first; i < slots_.size(); ++i)
+        if (!slots_[i].column && slots_[i].is_actuator == slots_[first].is_actuator && candidates(slots_[i]) == columns)
+          peers.push_back(i);
+      if (columns.empty() || peers.size() != columns.size()) continue;
+      const std::string reason = columns.size() == 1 ? "the only column that fits" : "the columns are in this order";
+      for (std::size_t i = columns.size(); i-- > 0;) give(slots_[peers[i]], columns[i], reason);
+    }
+  }
+
+  /// Those of the channel's unit where there are any, else all that fit.
+  std::vector<std::size_t> candidates(const OpenChannel& slot) const {
+    std::vector<std::size_t> fitting, of_unit;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (!fits(slot, free_[i])) continue;
+      fitting.push_back(i);
+      if (dimension_of(free_[i], slot.channel) == Dimension::same) of_unit.push_back(i);
+    }
+    return of_unit.empty() ? fitting : of_unit;
+  }
+
+  const std::vector<GuessedColumn>& free() const { return free_; }
+
+ private:
+  void give(OpenChannel& slot, std::size_t index, const std::string& reason) {
+    slot.column = free_[index];
+    if (!slot.column->named_by_user) slot.column->reason = reason;
+    free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+
+  /// Matches one slot and one column that share more words with each other than either does with any other.
+  bool match_best_words() {
+    for (OpenChannel& slot : slots_)
+      for (std::size_t i = 0; i < free_.size() && !slot.column; ++i) {
+        const int shared = shared_words(slot, free_[i]);
+        if (shared == 0 || !fits(slot, free_[i]) || !is_best(slot, i, shared)) continue;
+        give(slot, i, "its name");
+        return true;
+      }
+    return false;
+  }
+
+  bool is_best(const OpenChannel& slot, std::size_t index, int shared) const {
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (i != index && fits(slot, free_[i]) && shared_words(slot, free_[i]) >= shared) return false;
+    return std::none_of(slots_.begin(), slots_.end(), [&](const OpenChannel& other) {
+      return &other != &slot && !other.column && fits(other, free_[index]) &&
+             shared_words(other, free_[index]) >= shared;
+    });
+  }
+
+  std::vector<OpenChannel>& slots_;
+  std::vector<GuessedColumn> free_;
+};
+
+}  // namespace
+
+RobotMatch match_robot(const RobotSpec& robot, const std::vector<GuessedColumn>& columns) {
+  std::vector<OpenChannel> slots = open_channels(robot);
+  Matching matching(slots, columns);
+  matching.match_same_names();
+  matching.match_shared_words();
+  matching.match_kinds();
+  RobotMatch match;
+  for (OpenChannel& slot : slots) {
+    if (slot.column) {
+      (slot.is_actuator ? match.commands : match.sensors).push_back({slot.channel, *slot.column});
+      continue;
+    }
+    UnmatchedChannel left{slot.channel, slot.is_actuator, {}};
+    for (const std::size_t i : matching.candidates(slot)) left.candidates.push_back(matching.free()[i].name);
+    match.unmatched.push_back(std::move(left));
+  }
+  for (const GuessedColumn& column : matching.free()) {
+    match.unused.push_back(column);
+    if (column.role != ColumnRole::other)
+      match.unused.back().reason = "no sensor or actuator of the robot is left for it";
+  }
+  for (const GuessedColumn& column : columns)
+    if (column.passed_over) match.unused.push_back(column);
+  return match;
+}
+
+}  // namespace lacuna

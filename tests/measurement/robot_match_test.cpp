@@ -1,0 +1,152 @@
+#include "measurement/rig_guess.h"
+#include "measurement_fixture.h"
+
+#include <fmt/format.h>
+
+namespace lacuna {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+RobotSpec bare_arm(const std::vector<std::string>& joints) {
+  RobotSpec robot;
+  for (const std::string& name : joints) {
+    BodySpec body;
+    body.name = name + "_link";
+    robot.bodies.push_back(body);
+    JointSpec joint;
+    joint.name = name;
+    joint.child = body.name;
+    robot.joints.push_back(joint);
+  }
+  return robot;
+}
+
+void add_sensor(RobotSpec& robot, const std::string& name, SensorKind kind, const std::string& joint) {
+  SensorSpec sensor;
+  sensor.name = name;
+  sensor.kind = kind;
+  sensor.element = joint;
+  robot.sensors.push_back(sensor);
+}
+
+void add_motor(RobotSpec& robot, const std::string& name, const std::string& joint,
+               ActuatorKind kind = ActuatorKind::force) {
+  ActuatorSpec motor;
+  motor.name = name;
+  motor.joint = joint;
+  motor.kind = kind;
+  robot.actuators.push_back(motor);
+}
+
+/// An encoder on one joint and a motor, which no draft would call by these names.
+RobotSpec one_joint() {
+  RobotSpec robot = bare_arm({"pivot"});
+  add_sensor(robot, "encoder", SensorKind::joint_position, "pivot");
+  add_motor(robot, "drive", "pivot");
+  return robot;
+}
+
+RobotSpec two_joints() {
+  RobotSpec robot = bare_arm({"hip", "knee"});
+  add_sensor(robot, "hip_encoder", SensorKind::joint_position, "hip");
+  add_sensor(robot, "knee_encoder", SensorKind::joint_position, "knee");
+  add_sensor(robot, "knee_tacho", SensorKind::joint_velocity, "knee");
+  add_motor(robot, "m1", "hip");
+  add_motor(robot, "m2", "knee");
+  return robot;
+}
+
+class MatchRobot : public testing::Test {
+ protected:
+  /// Guesses for a recording with these columns behind the time.
+  RigGuess guess(const std::string& columns, const RobotSpec& robot, const ColumnHints& hints = {}) const {
+    std::string text = "t_s," + columns + "\n";
+    for (int row = 0; row < 5; ++row) {
+      text += fmt::format("{}", 0.01 * row);
+      for (int c = 0; c <= std::count(columns.begin(), columns.end(), ','); ++c)
+        text += fmt::format(",{}", (c + row * row) % 3);
+      text += "\n";
+    }
+    return guess_rig({sample_file(folder_.write("run.csv", text))}, hints, robot);
+  }
+
+  /// "hip_encoder=q1", sensors before actuators.
+  static std::vector<std::string> pairs(const RigGuess& guess) {
+    std::vector<std::string> all;
+    for (const auto* matches : {&guess.sensors, &guess.commands})
+      for (const MatchedColumn& match : *matches) all.push_back(match.channel.name + "=" + match.column.name);
+    return all;
+  }
+
+  static std::vector<std::string> unmatched(const RigGuess& guess) {
+    std::vector<std::string> all;
+    for (const UnmatchedChannel& left : guess.unmatched) all.push_back(left.channel.name);
+    return all;
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(MatchRobot, TakesTheOnlyColumnOfAUnit) {
+  const RigGuess rig = guess("theta_deg,tau_Nm", one_joint());
+  EXPECT_THAT(pairs(rig), ElementsAre("encoder=theta_deg", "drive=tau_Nm"));
+  EXPECT_EQ(rig.sensors[0].channel.unit, "rad");
+  EXPECT_THAT(rig.unmatched, IsEmpty());
+  const RecordingSource source = source_of(rig, {"run.csv"});
+  EXPECT_EQ(source.sensors[0].channel, "encoder");
+  EXPECT_EQ(source.commands[0].channel, "drive");
+}
+
+TEST_F(MatchRobot, GoesByNamesBeforeUnits) {
+  const RigGuess rig = guess("knee_pos_deg,hip_pos_deg,knee_vel,m2_A,m1_A", two_joints());
+  EXPECT_THAT(pairs(rig), ElementsAre("hip_encoder=hip_pos_deg", "knee_encoder=knee_pos_deg", "knee_tacho=knee_vel",
+                                      "m1=m1_A", "m2=m2_A"));
+}
+
+TEST_F(MatchRobot, TakesAsManyColumnsAsChannelsInTheirOrder) {
+  const RigGuess rig = guess("qa_rad,qb_rad,ua_Nm,ub_Nm", two_joints());
+  EXPECT_THAT(pairs(rig), ElementsAre("hip_encoder=qa_rad", "knee_encoder=qb_rad", "m1=ua_Nm", "m2=ub_Nm"));
+  EXPECT_THAT(unmatched(rig), ElementsAre("knee_tacho"));
+}
+
+TEST_F(MatchRobot, LeavesOpenWhatIsAmbiguous) {
+  RobotSpec robot = one_joint();
+  add_sensor(robot, "tacho", SensorKind::joint_velocity, "pivot");
+  const RigGuess rig = guess("a_deg,b_deg,speed_rpm,tau_Nm", robot);
+  EXPECT_THAT(pairs(rig), ElementsAre("tacho=speed_rpm", "drive=tau_Nm"));
+  ASSERT_EQ(rig.unmatched.size(), 1u);
+  EXPECT_THAT(rig.unmatched[0].candidates, ElementsAre("a_deg", "b_deg"));
+  EXPECT_THAT(pairs(guess("encoder_deg,b_deg,tau_Nm", one_joint())),
+              ElementsAre("encoder=encoder_deg", "drive=tau_Nm"));
+}
+
+TEST_F(MatchRobot, SaysWhatHasNoColumn) {
+  EXPECT_THAT([&] { guess("speed_rpm,tau_Nm", one_joint()); },
+              ThrowsMessage<Error>(HasSubstr("no column fits a sensor of the robot (encoder in rad); name one with "
+                                             "--position or --velocity")));
+  const RigGuess rig = guess("q_rad,blue", one_joint());
+  EXPECT_THAT(unmatched(rig), ElementsAre("drive"));
+  EXPECT_TRUE(rig.unmatched[0].is_actuator);
+  EXPECT_THAT(rig.unused.at(0).name, "blue");
+}
+
+TEST_F(MatchRobot, BelievesTheUser) {
+  ColumnHints hints;
+  hints.positions = {"b_V"};
+  const RigGuess rig = guess("a_rad,b_V,tau_Nm", one_joint(), hints);
+  EXPECT_THAT(pairs(rig), ElementsAre("encoder=b_V", "drive=tau_Nm"));
+}
+
+TEST_F(MatchRobot, GivesAServoTheReference) {
+  RobotSpec robot = one_joint();
+  robot.actuators[0].kind = ActuatorKind::position_servo;
+  EXPECT_THAT(pairs(guess("angle_deg,angle_ref_deg", robot)), ElementsAre("encoder=angle_deg", "drive=angle_ref_deg"));
+  EXPECT_THAT(pairs(guess("angle_deg,angle_ref_deg", one_joint())), ElementsAre("encoder=angle_deg"));
+}
+
+}  // namespace
+}  // namespace lacuna
