@@ -1,7 +1,12 @@
 #include "storage/database.h"
 
+#include "foundation/interrupt.h"
 #include "foundation/problem.h"
+#include "storage/connection.h"
+#include "storage/foreign_log.h"
+#include "storage/log_content.h"
 #include "storage/migrate.h"
+#include "storage/statement.h"
 #include "storage/storage_error.h"
 
 #include <lacuna/error.h>
@@ -9,36 +14,34 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
+#include <fmt/format.h>
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <thread>
 
 namespace lacuna {
 namespace {
 
-constexpr int kBusyTimeoutMs = 5000;  ///< another writer's transaction takes milliseconds
 constexpr int kPauseMs = 5;
+constexpr int kOperationsBetweenLooks = 10000;  ///< of SQLite's machine, well under a millisecond
 
-std::unique_ptr<SQLite::Database> connect(const std::filesystem::path& file, const std::string& name, int flags) {
+void check_place(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) {
     throw_problem({file.string()}, "is a folder; name a database file");
   }
   if (const std::filesystem::path folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder))
     throw_problem({file.string()}, "cannot be opened: there is no folder " + folder.string());
+}
+
+std::unique_ptr<SQLite::Database> connect(const std::filesystem::path& file, const std::string& name, int flags) {
+  check_place(file);
   try {
-    auto connection = std::make_unique<SQLite::Database>(name, flags | SQLITE_OPEN_EXRESCODE, kBusyTimeoutMs);
-    connection->exec("PRAGMA foreign_keys = ON");
-    return connection;
+    return open_connection(name, flags);
   } catch (const SQLite::Exception& error) {
     throw_storage_error(file, error);
   }
-}
-
-bool has_content(const std::filesystem::path& file) {
-  std::error_code ignored;
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-  return !ignored && size > 0;
 }
 
 /// SQLite does not wait for others in this step, so we do.
@@ -59,44 +62,83 @@ void keep_write_ahead_log(const std::filesystem::path& file, sqlite3* handle) {
   }
 }
 
-/// A URI that SQLite takes for this file, whatever characters its name has.
-std::string uri_of(const std::filesystem::path& file) {
-  std::string uri = "file:";
-  for (const char c : std::filesystem::absolute(file).string()) {
-    if (c == '?' || c == '#' || c == '%') {
-      static constexpr char kDigits[] = "0123456789ABCDEF";
-      uri += {'%', kDigits[static_cast<unsigned char>(c) >> 4U], kDigits[static_cast<unsigned char>(c) & 15U]};
-    } else {
-      uri += c;
-    }
-  }
-  return uri;
+constexpr const char* kMarkOfNow = "SELECT 1 FROM schema_text WHERE name = 'log'";
+
+/// See log_content.h.
+std::string next_mark() {
+  constexpr std::size_t kNow = kMarkWord.size() + kNoMark.size() + 2;  // counted from 1
+  return fmt::format(
+      "UPDATE schema_text SET sha256 = '{}' || substr(sha256, {}) || ' ' || lower(hex(randomblob(16))) WHERE name = "
+      "'log'",
+      kMarkWord, kNow);
 }
+
+std::string first_mark() {
+  return fmt::format(
+      "INSERT OR IGNORE INTO schema_text (name, sha256) VALUES ('log', '{}{} ' || lower(hex(randomblob(16))))",
+      kMarkWord, kNoMark);
+}
+
+/// Long queries on a file that is only read end when the user interrupts the program.
+int stop_if_interrupted(void*) { return interrupt_requested() ? 1 : 0; }
 
 }  // namespace
 
 Database::Database(std::filesystem::path file) : file_(std::move(file)) {}
 Database::Database(Database&&) noexcept = default;
-Database& Database::operator=(Database&&) noexcept = default;
-Database::~Database() = default;
+
+Database& Database::operator=(Database&& other) noexcept {
+  const Database old(std::move(*this));  // ends as any other
+  file_ = std::move(other.file_);
+  connection_ = std::move(other.connection_);
+  place_ = std::move(other.place_);
+  marks_commits_ = other.marks_commits_;
+  lost_ = std::move(other.lost_);
+  return *this;
+}
+
+Database::~Database() {
+  if (!connection_ || !place_ || !lost_.empty() || !has_moved()) return;
+  try {
+    if (in_transaction()) execute("ROLLBACK");
+    fmt::print(stderr, "{}\n", keep_what_was_committed(file_, handle(), *place_));
+  } catch (const std::exception&) {
+    // SQLite keeps the log where it is, and whoever opens the file next looks at it.
+  }
+}
 
 Database Database::open(const std::filesystem::path& file, const std::vector<Migration>& migrations) {
   Database database(file);
   database.connection_ = connect(file, file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   if (sqlite3_db_readonly(database.handle(), "main") == 1) throw_storage_error(file, SQLITE_READONLY, "");
+  if (const std::string problem = put_foreign_log_aside(file); !problem.empty())
+    throw Error(problem + "; move it away, or copy " + file.string() + " alone to another folder");
   check_header(database, migrations);
   // Only now may anything be written to it: it is ours, or empty.
   keep_write_ahead_log(file, database.handle());
   database.execute("PRAGMA synchronous = FULL");
-  database.identity_ = identity_of(file);
   migrate(database, migrations);
+  const std::filesystem::path log = beside(file, "-wal");
+  database.place_ = OpenPlace{identity_of(file).value_or(FileIdentity{}), log, identity_of(log)};
   return database;
 }
 
 Database Database::open(const std::filesystem::path& file) {
   Database database = open(file, schema_migrations());
   refresh_views(database, schema_views());
+  database.begin_marks();
   return database;
+}
+
+void Database::begin_marks() {
+  if (!Statement(*this, kMarkOfNow).step()) {
+    execute(first_mark());
+    // Into the file itself; where a reader is in the way, a later checkpoint does it.
+    wait_for_writers(std::chrono::milliseconds(0));
+    sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+    wait_for_writers(std::chrono::milliseconds(kBusyTimeoutMs));
+  }
+  marks_commits_ = true;
 }
 
 void Database::read_copy_of_this_version() {
@@ -118,7 +160,14 @@ Database Database::open_read_only(const std::filesystem::path& file) {
                   "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
   }
   Database database(file);
-  database.connection_ = connect(file, file.string(), SQLITE_OPEN_READONLY);
+  const std::string foreign_log = put_foreign_log_aside(file);
+  if (!foreign_log.empty()) {
+    fmt::print(stderr, "{}; {} is read without it\n", foreign_log, file.string());
+    database.connection_ =
+        connect(file, uri_of(file.string()) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  } else {
+    database.connection_ = connect(file, file.string(), SQLITE_OPEN_READONLY);
+  }
   try {
     check_header(database, schema_migrations());
   } catch (const Error&) {
@@ -131,11 +180,13 @@ Database Database::open_read_only(const std::filesystem::path& file) {
                   ": has changes in its -wal file, which cannot be read in a read-only folder; copy both files to a "
                   "folder that can be written, and read them there");
     }
-    database.connection_ = connect(file, uri_of(file) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    database.connection_ =
+        connect(file, uri_of(file.string()) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     check_header(database, schema_migrations());
   }
   if (!is_of_version(database, schema_migrations())) database.read_copy_of_this_version();
   database.execute("PRAGMA query_only = ON");
+  sqlite3_progress_handler(database.handle(), kOperationsBetweenLooks, stop_if_interrupted, nullptr);
   return database;
 }
 
@@ -172,6 +223,11 @@ void Database::execute(const std::string& statements) try {
   throw_storage_error(file_, error);
 }
 
+void Database::mark_commit() {
+  static const std::string kNextMark = next_mark();
+  if (marks_commits_) execute(kNextMark);
+}
+
 bool Database::has_moved() const {
   int moved = 0;
   sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
@@ -180,7 +236,7 @@ bool Database::has_moved() const {
 
 void Database::check_not_moved() {
   if (lost_.empty() && has_moved()) {
-    lost_ = keep_what_was_committed(file_, handle(), identity_.value_or(FileIdentity{}));
+    lost_ = keep_what_was_committed(file_, handle(), place_.value_or(OpenPlace{}));
   }
   if (!lost_.empty()) throw Error(lost_);
 }
@@ -209,6 +265,7 @@ void Transaction::commit() {
     database_.execute("ROLLBACK");
     database_.check_not_moved();
   }
+  database_.mark_commit();
   database_.execute("COMMIT");
   open_ = false;
 }

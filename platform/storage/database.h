@@ -34,7 +34,10 @@ inline constexpr int kApplicationId = 0x4C61636E;
 /// write-ahead log that survives a crash and a power cut once `commit` has returned.
 /// One thread at a time. Everything throws `Error` with a sentence that names the file: newer than
 /// this program, damaged, locked by another writer, read-only, disk full, moved or deleted while
-/// open; `BadInput` where the wrong file was named: none, a folder, no database, not ours.
+/// open; `BadInput` where the wrong file was named: none, a folder, no database, not ours. A log beside the file that
+/// is not the file's is set aside first (foreign_log.h). Where the file was replaced while it was open for writing,
+/// what was committed is kept (moved_file.h), at the end of the object at the latest, which then says so on standard
+/// error.
 class Database {
  public:
   /// Opens for writing; creates the file or brings it up to date, keeping a copy
@@ -67,13 +70,17 @@ class Database {
   /// is kept as moved_file.h says. To be called outside of a transaction, which `has_moved` need not be.
   void check_not_moved();
   bool has_moved() const;
+  /// Part of each commit (log_content.h). For `Transaction` alone.
+  void mark_commit();
 
  private:
   explicit Database(std::filesystem::path file);
   void read_copy_of_this_version();
+  void begin_marks();
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
-  std::optional<FileIdentity> identity_;
+  std::optional<OpenPlace> place_;  ///< of a file that was opened for writing
+  bool marks_commits_ = false;
   std::string lost_;  ///< why nothing can be written any more
 };
 

@@ -1,11 +1,16 @@
 #include "storage/log_left.h"
 
+#include "storage/connection.h"
+#include "storage/foreign_log.h"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
 
 namespace lacuna {
 namespace {
 
-std::filesystem::path log_of(const std::filesystem::path& database) { return database.string() + "-wal"; }
+std::filesystem::path log_of(const std::filesystem::path& database) { return beside(database, "-wal"); }
 
 bool is_empty_file(const std::filesystem::path& file) {
   std::error_code missing;
@@ -19,10 +24,12 @@ LogLeft::LogLeft(const std::filesystem::path& database)
 
 LogLeft::~LogLeft() {
   if (was_there_ || !is_empty_file(log_of(database_))) return;
-  sqlite3* handle = nullptr;
-  if (sqlite3_open_v2(database_.c_str(), &handle, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK)
-    sqlite3_exec(handle, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr);  // which opens the log
-  sqlite3_close(handle);
+  try {
+    open_connection(database_.string(), SQLITE_OPEN_READWRITE)
+        ->exec("SELECT count(*) FROM sqlite_master");  // which opens the log
+  } catch (const SQLite::Exception&) {
+    // The files stay, and harm nobody.
+  }
 }
 
 }  // namespace lacuna

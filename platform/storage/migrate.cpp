@@ -2,6 +2,7 @@
 
 #include "foundation/digest.h"
 #include "foundation/problem.h"
+#include "storage/connection.h"
 #include "storage/statement.h"
 #include "storage/storage_error.h"
 
@@ -9,11 +10,14 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
+#include <sqlite3.h>
 
 #include <unistd.h>
 
 namespace lacuna {
 namespace {
+
+constexpr int kFarNewer = 1000;  ///< more versions than a program will have
 
 int version_of(const Database& database) {
   Statement statement(database, "PRAGMA user_version");
@@ -36,13 +40,17 @@ bool is_empty(const Database& database) {
 /// Put in place once it is whole, so that there is an earlier copy until then. Another process may bring the file up to
 /// date meanwhile: what it is then is no copy of an older version.
 void put_in_place(const std::filesystem::path& draft, const std::filesystem::path& copy, int newest) {
-  SQLite::Database made(draft.string(), SQLite::OPEN_READONLY);
-  const bool older = made.execAndGet("PRAGMA user_version").getInt() < newest;
+  const auto made = open_connection(draft.string(), SQLite::OPEN_READONLY);
+  const bool older = made->execAndGet("PRAGMA user_version").getInt() < newest;
   if (older) std::filesystem::rename(draft, copy);
 }
 
+std::filesystem::path copy_name(const Database& database, int newest) {
+  return database.file().string() + ".before-version-" + std::to_string(newest);
+}
+
 void copy_before(const Database& database, int newest) {
-  const std::string copy = database.file().string() + ".before-version-" + std::to_string(newest);
+  const std::string copy = copy_name(database, newest).string();
   const std::string draft = copy + "." + std::to_string(getpid()) + ".draft";
   std::error_code ignored;
   std::filesystem::remove(draft, ignored);
@@ -57,6 +65,18 @@ void copy_before(const Database& database, int newest) {
   }
 }
 
+void apply(Database& database, const Migration& migration, int version) {
+  try {
+    database.connection().exec(migration.sql);
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_ERROR) throw_storage_error(database.file(), error);
+    throw Error(database.file().string() + ": says that it has schema " + std::to_string(version) +
+                ", but its tables are not those of that schema (" + error.what() +
+                "); it was left as it is. If its user_version was changed, set the number that it had: sqlite3 FILE "
+                "\"PRAGMA user_version = N\"; else restore a copy");
+  }
+}
+
 }  // namespace
 
 void check_header(const Database& database, const std::vector<Migration>& migrations) {
@@ -67,6 +87,11 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
     throw_problem({database.file().string()}, "is a database of another program, not of Lacuna; name another file");
   }
   const int version = version_of(database);
+  if (version < 0 || version > migrations.back().number + kFarNewer)
+    throw Error(
+        database.file().string() + ": says that it has schema " + std::to_string(version) +
+        ", which no Lacuna writes; its header was changed or is damaged. Restore a copy, or set the number that "
+        "it had: sqlite3 FILE \"PRAGMA user_version = N\"");
   if (version > migrations.back().number) {
     throw Error(database.file().string() + ": was written by a newer Lacuna (schema " + std::to_string(version) +
                 ", this program knows " + std::to_string(migrations.back().number) + "); use that one");
@@ -79,8 +104,16 @@ bool is_of_version(const Database& database, const std::vector<Migration>& migra
 
 void migrate(Database& database, const std::vector<Migration>& migrations) {
   if (is_of_version(database, migrations)) return;
+  const std::filesystem::path copy = copy_name(database, migrations.back().number);
+  const bool had_copy = std::filesystem::exists(copy);
   if (version_of(database) > 0) copy_before(database, migrations.back().number);
-  bring_up_to_date(database, migrations);
+  try {
+    bring_up_to_date(database, migrations);
+  } catch (const Error&) {
+    std::error_code ignored;
+    if (!had_copy && !is_of_version(database, migrations)) std::filesystem::remove(copy, ignored);
+    throw;
+  }
 }
 
 void bring_up_to_date(Database& database, const std::vector<Migration>& migrations) {
@@ -88,7 +121,7 @@ void bring_up_to_date(Database& database, const std::vector<Migration>& migratio
   const int version = version_of(database);  // another process may have been faster
   for (const Migration& migration : migrations) {
     if (migration.number <= version) continue;
-    database.execute(migration.sql);
+    apply(database, migration, version);
     database.execute("PRAGMA user_version = " + std::to_string(migration.number));
   }
   transaction.commit();
@@ -105,7 +138,7 @@ void refresh_views(Database& database, const std::string& views) {
   std::vector<std::string> old;
   Statement names(database, "SELECT name FROM sqlite_master WHERE type = 'view'");
   while (names.step()) old.push_back(names.text(0));
-  for (const std::string& name : old) database.execute("DROP VIEW \"" + name + "\"");
+  for (const std::string& name : old) database.execute("DROP VIEW " + name_in_sql(name));
   database.execute(views);
   Statement(database, "INSERT OR REPLACE INTO schema_text (name, sha256) VALUES ('views', ?)").run_with(digest);
   transaction.commit();

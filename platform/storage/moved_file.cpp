@@ -1,9 +1,12 @@
 #include "storage/moved_file.h"
 
+#include "storage/foreign_log.h"
+
 #include <sqlite3.h>
 #include <sys/stat.h>
 
 #include <memory>
+#include <string_view>
 
 namespace lacuna {
 namespace {
@@ -41,6 +44,32 @@ bool copy_to(const std::filesystem::path& copy, sqlite3* handle) {
   return sqlite3_exec(handle, statement.get(), nullptr, nullptr, nullptr) == SQLITE_OK;
 }
 
+bool log_is_there(const OpenPlace& opened) { return opened.log_itself && identity_of(opened.log) == opened.log_itself; }
+
+std::filesystem::path index_of(std::filesystem::path log) {
+  std::string name = log.string();
+  return name.replace(name.size() - std::string_view("-wal").size(), std::string::npos, "-shm");
+}
+
+/// What it holds is elsewhere by now. Another process may have put a log of its own in the same place.
+void remove_log(const OpenPlace& opened) {
+  if (!log_is_there(opened)) return;
+  std::error_code ignored;
+  std::filesystem::remove(index_of(opened.log), ignored);
+  std::filesystem::remove(opened.log, ignored);
+}
+
+std::string set_log_aside(const OpenPlace& opened) {
+  if (!log_is_there(opened)) return {};
+  std::error_code ignored;
+  std::filesystem::remove(index_of(opened.log), ignored);
+  try {
+    return "; its log was set aside as " + set_aside(opened.log).string();
+  } catch (const std::filesystem::filesystem_error&) {
+    return "; its log is " + opened.log.string() + ", which must be moved away before the new file is opened";
+  }
+}
+
 }  // namespace
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
@@ -49,25 +78,27 @@ std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
   return FileIdentity{status.st_dev, status.st_ino};
 }
 
-std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const FileIdentity& opened) {
-  if (identity_of(file)) {
-    return file.string() +
-           ": was replaced by another file while it was open; nothing more is written. Use a name of its own for each";
-  }
-  const Whereabouts now = find(opened);
+std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened) {
+  const bool replaced = identity_of(file).has_value();
+  const Whereabouts now = find(opened.file);
+  const std::string nothing_more = " while it was open; nothing more is written. What was stored until then is ";
+  const std::string here = file.string() + (replaced ? ": was replaced by another file" : "");
   if (!now.deleted && !now.place.empty() && complete_from_log(handle)) {
-    return file.string() + ": was moved to " + now.place.string() +
-           " while it was open; nothing more is written. What was stored until then is complete there; go on with that "
-           "file, or move it back";
+    remove_log(opened);
+    return (replaced ? here + " and moved to " : here + ": was moved to ") + now.place.string() + nothing_more +
+           "complete there; go on with that file" + (replaced ? "" : ", or move it back");
   }
-  if (const std::filesystem::path copy = free_name(file); now.deleted && copy_to(copy, handle)) {
-    return file.string() +
-           ": was deleted while it was open; nothing more is written. What was stored until then is in " +
-           copy.string() + "; rename it to go on with it";
+  if (const std::filesystem::path copy = free_name(file); copy_to(copy, handle)) {
+    remove_log(opened);
+    return (replaced      ? here
+            : now.deleted ? here + ": was deleted"
+                          : here + ": was moved") +
+           nothing_more + "in " + copy.string() + "; rename it to go on with it";
   }
-  return file.string() +
-         ": was moved or deleted while it was open; nothing more is written. Put it back, with its -wal "
-         "file beside it, or run again";
+  const std::string log = replaced ? set_log_aside(opened) : std::string();
+  return (replaced ? here : here + ": was moved or deleted") +
+         " while it was open; nothing more is written, and no copy could be made of what was stored" +
+         (replaced ? log : ". Put it back, with its -wal file beside it, or run again");
 }
 
 }  // namespace lacuna

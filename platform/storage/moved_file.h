@@ -17,10 +17,18 @@ struct FileIdentity {
 /// Nothing where there is no file of that name.
 std::optional<FileIdentity> identity_of(const std::filesystem::path& file);
 
+/// Where a database was opened for writing.
+struct OpenPlace {
+  FileIdentity file;
+  std::filesystem::path log;               ///< its write-ahead log
+  std::optional<FileIdentity> log_itself;  ///< which file that was then
+};
+
 /// For a database that is no longer where it was opened, outside of a transaction: sees to it that what was committed
 /// stays readable, and says in a sentence where it is. A moved file gets what its write-ahead log, which was left
-/// behind, still holds; of a deleted one, a copy is made beside its old place. Where another file has taken the name,
-/// the log is that one's, too, and nothing is touched.
-std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const FileIdentity& opened);
+/// behind, still holds; of one that was deleted or written over by a rename, a copy is made beside its old place. Then
+/// the log goes, which would be played into whatever file has the name now; it is set aside where nothing could be
+/// kept.
+std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened);
 
 }  // namespace lacuna

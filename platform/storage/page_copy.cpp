@@ -95,7 +95,7 @@ class RowCopy {
     for (int i = 0; i < columns; ++i)
       if (sqlite3_column_name(source_.get(), i) == paths) with_path_ = i;
     into_ = row_statement(
-        to, fmt::format("INSERT {}INTO \"{}\" VALUES ({})", with_path_ < 0 ? "" : "OR IGNORE ", table, marks));
+        to, fmt::format("INSERT {}INTO {} VALUES ({})", with_path_ < 0 ? "" : "OR IGNORE ", name_in_sql(table), marks));
   }
 
   void copy_all() {
@@ -136,7 +136,7 @@ std::int64_t bytes_of(const Database& database) {
 /// schema.
 void make(const Database& to, const SchemaItem& item) { Statement(to, item.sql.c_str()).run(); }
 
-void make_tables(const Database& from, const Database& to) {
+void make_tables(const Database& from, Database& to) {
   for (const char* type : {"table", "index"})
     for (const SchemaItem& item : items(from, type)) make(to, item);
 }
@@ -147,7 +147,7 @@ void copy_rows(const Database& from, const Database& to, const Choices& choices,
   for (const SchemaItem& table : items(from, "table")) {
     if (table.name == "trace" || !is_wanted(table.name)) continue;
     const auto choice = choices.find(table.name);
-    const std::string all = fmt::format("SELECT * FROM \"{}\"", table.name);
+    const std::string all = "SELECT * FROM " + name_in_sql(table.name);
     RowCopy(from, to, table.name, choice == choices.end() ? all : choice->second).copy_all();
   }
 }

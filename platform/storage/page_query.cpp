@@ -12,9 +12,6 @@
 namespace lacuna {
 namespace {
 
-constexpr int kLongestValue = 128 << 20;  ///< bytes of a row: what a query makes up must fit into memory many times
-constexpr int kLongestPattern = 200;      ///< of LIKE and GLOB, which nothing can interrupt
-
 std::string quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
@@ -36,16 +33,21 @@ int bind_value(sqlite3_stmt* statement, int index, const PageCell& value) {
   return sqlite3_bind_null(statement, index);
 }
 
+/// What has no memory is empty, which `has_no_memory` tells.
 PageCell page_cell(sqlite3_stmt* statement, int column, bool sizes) {
-  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement, column));
   switch (sqlite3_column_type(statement, column)) {
     case SQLITE_INTEGER: return std::int64_t{sqlite3_column_int64(statement, column)};
     case SQLITE_FLOAT: return sqlite3_column_double(statement, column);
-    case SQLITE_TEXT: return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)), size);
+    case SQLITE_TEXT: {
+      const auto* first = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
+      if (first == nullptr) return std::string();
+      return std::string(first, static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+    }
     case SQLITE_BLOB: {
-      if (sizes) return Blob{size};
+      if (sizes) return Blob{static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
       const auto* first = static_cast<const std::byte*>(sqlite3_column_blob(statement, column));
-      return size == 0 ? std::vector<std::byte>{} : std::vector<std::byte>(first, first + size);
+      if (first == nullptr) return std::vector<std::byte>{};
+      return std::vector<std::byte>(first, first + sqlite3_column_bytes(statement, column));
     }
     default: return std::monostate{};
   }
@@ -72,6 +74,7 @@ bool fill(sqlite3_stmt* statement, const PageQuery& query, PageTable& table) {
     std::vector<PageCell>& row = table.rows.emplace_back();
     for (int column = 0; column < count; ++column)
       bytes += bytes_of(row.emplace_back(page_cell(statement, column, query.sizes)));
+    if (has_no_memory(statement)) return false;
   }
 }
 
@@ -82,8 +85,6 @@ PageTable ask_for_page(const std::filesystem::path& database_file, const std::fi
   Database database = Database::open_read_only(database_file);
   const TraceSamples traces(database);
   add_pages(database, pages);
-  sqlite3_limit(database.handle(), SQLITE_LIMIT_LENGTH, kLongestValue);
-  sqlite3_limit(database.handle(), SQLITE_LIMIT_LIKE_PATTERN_LENGTH, kLongestPattern);
   const ReadingOnly reading(database.handle(), query.longest);
   PageTable table;
   for_each_statement(database, query.sql, reading, [&](sqlite3_stmt* statement) {

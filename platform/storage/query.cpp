@@ -36,10 +36,17 @@ std::vector<std::string> names_of_tables(sqlite3* handle) {
 
 std::string advice(sqlite3* handle, const std::string& message) {
   static constexpr std::string_view kNoTable = "no such table: ";
+  static constexpr std::string_view kNoFunction = "not authorized to use function: ";
+  static constexpr std::string_view kNoModule = "no such module: ";
   if (message.starts_with(kNoTable)) {
     const std::string near = did_you_mean(message.substr(kNoTable.size()), names_of_tables(handle));
     return near.empty() ? "; `lacuna sql FILE --views` lists what there is" : near;
   }
+  if (message.starts_with(kNoFunction))
+    return "; the functions that a query may use are SQLite's for numbers, texts, times, JSON, aggregates and windows";
+  if (message.starts_with(kNoModule)) return "; tables of modules other than json_each and json_tree are not read here";
+  if (message == "string or blob too big")
+    return fmt::format("; a value may have {} MB here", ReadingOnly::kLongestValue / 1'000'000);
   if (message.starts_with("not authorized") || message == "authorization denied")
     return "; only reading is allowed here";
   return "";
@@ -68,6 +75,10 @@ bool is_fault_of_sql(int primary_code) {
     throw_problem({}, fmt::format("the query takes longer than {} s and was ended",
                                   std::chrono::duration<double>(reading.longest()).count()));
   if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted("interrupted; the query was ended");
+  if ((code & 0xff) == SQLITE_NOMEM)
+    throw_problem(
+        {}, fmt::format("the query needs more than {} MB of memory and was ended; ask for fewer or shorter values",
+                        ReadingOnly::kMostQueryMemory / 1'000'000));
   if (!is_fault_of_sql(code & 0xff)) throw_storage_error(database.file(), code, message);
   const std::size_t place = start + (offset > 0 ? static_cast<std::size_t>(offset) : 0);
   throw BadInput({Problem{place_in(sql, std::min(place, sql.size())), message + advice(handle, message)}});
@@ -77,9 +88,11 @@ Cell cell_of(sqlite3_stmt* statement, int column) {
   switch (sqlite3_column_type(statement, column)) {
     case SQLITE_INTEGER: return std::int64_t{sqlite3_column_int64(statement, column)};
     case SQLITE_FLOAT: return sqlite3_column_double(statement, column);
-    case SQLITE_TEXT:
-      return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)),
-                         static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+    case SQLITE_TEXT: {
+      const auto* first = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
+      if (first == nullptr) return std::string();  // no memory: `has_no_memory`
+      return std::string(first, static_cast<std::size_t>(sqlite3_column_bytes(statement, column)));
+    }
     case SQLITE_BLOB: return Blob{static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
     default: return std::monostate{};
   }
@@ -100,6 +113,7 @@ bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
   std::vector<Cell> cells(columns.size());
   for (; result == SQLITE_ROW; result = sqlite3_step(statement)) {
     for (int column = 0; column < count; ++column) cells[static_cast<std::size_t>(column)] = cell_of(statement, column);
+    if (has_no_memory(statement)) return false;
     output.row(cells);
   }
   if (result != SQLITE_DONE) return false;
@@ -108,6 +122,10 @@ bool run_one(sqlite3_stmt* statement, QueryOutput& output) {
 }
 
 }  // namespace
+
+bool has_no_memory(sqlite3_stmt* statement) {
+  return (sqlite3_errcode(sqlite3_db_handle(statement)) & 0xff) == SQLITE_NOMEM;
+}
 
 void for_each_statement(const Database& database, const std::string& sql, const ReadingOnly& reading,
                         const std::function<bool(sqlite3_stmt*)>& run) {

@@ -44,6 +44,9 @@ void run_queries(const Database& database, const std::string& sql, QueryOutput& 
 void for_each_statement(const Database& database, const std::string& sql, const ReadingOnly& reading,
                         const std::function<bool(sqlite3_stmt*)>& run);
 
+/// Whether there was no memory for a value of the row that was just read.
+bool has_no_memory(sqlite3_stmt* statement);
+
 /// What the comments in schema/views.sql say about a view.
 struct ViewDescription {
   std::string name;

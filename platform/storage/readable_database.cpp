@@ -1,5 +1,6 @@
 #include "storage/readable_database.h"
 
+#include "storage/connection.h"
 #include "storage/database.h"
 #include "storage/page_query.h"
 #include "storage/storage_error.h"
@@ -21,8 +22,8 @@ bool is_temporary(const Database& database) {
 
 void write_copy(const Database& database, const std::filesystem::path& copy) {
   try {
-    SQLite::Database into(copy.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    SQLite::Backup(into, database.connection()).executeStep();
+    const auto into = open_connection(copy.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Backup(*into, database.connection()).executeStep();
   } catch (const SQLite::Exception& error) {
     throw_storage_error(copy, error);
   }

@@ -84,4 +84,10 @@ void Statement::bind(int index, std::span<const std::byte> blob) {
 
 void Statement::bind_null(int index) { statement_.bind(index); }
 
+std::string name_in_sql(const std::string& name) {
+  std::string quoted = "\"";
+  for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace lacuna

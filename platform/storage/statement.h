@@ -72,4 +72,7 @@ class Statement {
   SQLite::Statement statement_;
 };
 
+/// The name of a table or view, which may be a stranger's, as it stands in SQL.
+std::string name_in_sql(const std::string& name);
+
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 #include "storage/storage_error.h"
 
+#include "foundation/interrupt.h"
 #include "foundation/problem.h"
 
 #include <SQLiteCpp/Exception.h>
@@ -31,6 +32,8 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_IOERR:
       return "cannot be read or written (" + message +
              "); check the disk, its quota and its connection, then run again";
+    case SQLITE_NOMEM: return "needs more memory than there is for it; free some, or ask for less at once";
+    case SQLITE_TOOBIG: return "has a value that is too long to be read (" + message + ")";
     case SQLITE_CONSTRAINT:
       return "refused a record (" + message + "), which is a fault of this program; please report it";
     default: return "cannot be used (" + message + ")";
@@ -50,6 +53,7 @@ void throw_storage_error(const std::filesystem::path& file, int extended_code, c
   const int code = extended_code & 0xff;
   if ((code == SQLITE_CANTOPEN || code == SQLITE_READONLY) && folder_is_read_only(file))
     throw Error(file.string() + ": cannot be written: its folder is read-only; --db FILE puts the database elsewhere");
+  if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted while it was read");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
   throw Error(file.string() + ": " + sentence(extended_code, message));
 }

@@ -1,5 +1,7 @@
 #include "storage/stored_run.h"
 
+#include "foundation/digest.h"
+#include "foundation/problem.h"
 #include "storage/json_text.h"
 #include "storage/statement.h"
 
@@ -7,13 +9,22 @@
 
 namespace lacuna {
 
+std::string digest_of_text(const std::string& text, const std::string& overrides) {
+  return sha256(text + '\n' + overrides);
+}
+
 StoredRun stored_run(const Database& database, RunId run) {
   Statement row(database,
-                "SELECT experiment.name, file, text, overrides, seed, threads FROM run"
+                "SELECT experiment.name, file, text, overrides, seed, threads, digest FROM run"
                 " JOIN experiment_text ON experiment_text.id = run.experiment_text"
                 " JOIN experiment ON experiment.id = experiment_text.experiment WHERE run.number = ?");
   if (!row.with(run).step())
     throw Error(database.file().string() + ": has no run " + std::to_string(run.value) + "; lacuna runs lists them");
+  if (digest_of_text(row.text(2), row.text(3)) != row.text(6))
+    throw_problem({database.file().string()},
+                  "the experiment of run " + std::to_string(run.value) +
+                      " is not the text that was stored when the run began (its digest is another one): the file was "
+                      "edited or is damaged; restore a copy");
   StoredRun stored;
   stored.experiment = {row.text(0), row.text(1), row.text(2), sentences_from(row.text(3))};
   stored.seed = static_cast<std::uint64_t>(row.integer(4));

@@ -3,9 +3,13 @@
 #include "storage/database.h"
 #include "storage/records.h"
 
+#include <string>
 #include <vector>
 
 namespace lacuna {
+
+/// What is stored with the text of an experiment. `overrides`: as they stand in the database.
+std::string digest_of_text(const std::string& text, const std::string& overrides);
 
 /// What a run was started from: enough to run it again.
 struct StoredRun {
@@ -16,7 +20,8 @@ struct StoredRun {
   std::vector<RobotFileRecord> robots;    ///< by file; none where an older version began the run
 };
 
-/// Throws `Error` where the database has no such run.
+/// Throws `Error` where the database has no such run, `BadInput` where the experiment's text is not the one whose
+/// digest was stored with it. That shows accidents; who forges a text can forge its digest.
 StoredRun stored_run(const Database& database, RunId run);
 
 }  // namespace lacuna

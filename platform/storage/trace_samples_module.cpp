@@ -50,7 +50,22 @@ std::string text_of(const Query& row, int column) {
   return text == nullptr ? std::string() : std::string(text);
 }
 
+thread_local bool samples_are_read = false;
+
+/// In a file of a stranger, `trace` may be a view that asks for samples itself.
+class ReadingOnce {
+ public:
+  ReadingOnce() {
+    if (samples_are_read) throw Error("not a database of Lacuna: its table trace is made of samples");
+    samples_are_read = true;
+  }
+  ~ReadingOnce() { samples_are_read = false; }
+  ReadingOnce(const ReadingOnce&) = delete;
+  ReadingOnce& operator=(const ReadingOnce&) = delete;
+};
+
 TimeSeries read(sqlite3* handle, sqlite3_int64 trace) {
+  const ReadingOnce once;
   static constexpr const char* kQuery =
       "SELECT channels, sample_count, precision, times, samples, digest FROM trace WHERE id = ?";
   sqlite3_stmt* prepared = nullptr;
@@ -74,7 +89,8 @@ TimeSeries read(sqlite3* handle, sqlite3_int64 trace) {
 int connect_table(sqlite3* handle, void*, int, const char* const*, sqlite3_vtab** table, char**) {
   const int result = sqlite3_declare_vtab(handle, kDeclaration);
   if (result != SQLITE_OK) return result;
-  auto* made = new Table;  // SQLite hands it back to `disconnect`
+  sqlite3_vtab_config(handle, SQLITE_VTAB_INNOCUOUS);  // it only reads, so views may use it
+  auto* made = new Table;                              // SQLite hands it back to `disconnect`
   made->handle = handle;
   *table = &made->base;
   return SQLITE_OK;

@@ -91,6 +91,21 @@ TEST_F(DatabaseTest, ANewerVersionIsRefused) {
   EXPECT_THAT(read_sentence(), HasSubstr("was written by a newer Lacuna (schema 99"));
 }
 
+/// By somebody who experiments with the header.
+TEST_F(DatabaseTest, AWrongVersionGetsASentenceAndLeavesTheFileAsItIs) {
+  const int newest = schema_migrations().back().number;
+  for (const int wrong : {0, 1, newest - 1, -1, -2147483647, 2147483647}) {
+    { Database::open(file_).execute("PRAGMA user_version = " + std::to_string(wrong)); }
+    const std::string before = content_of(file_);
+    for (const std::string& sentence : {open_sentence(), read_sentence()})
+      EXPECT_THAT(sentence, testing::AllOf(HasSubstr("rig.db: says that it has schema " + std::to_string(wrong)),
+                                           HasSubstr("PRAGMA user_version = N")));
+    EXPECT_EQ(content_of(file_), before) << wrong;
+    EXPECT_FALSE(std::filesystem::exists(file_.string() + ".before-version-" + std::to_string(newest)));
+    std::filesystem::remove(file_);
+  }
+}
+
 TEST_F(DatabaseTest, AFolderAndAMissingFolderGetASentence) {
   std::filesystem::create_directory(file_);
   EXPECT_THAT(open_sentence(), HasSubstr("is a folder"));

@@ -167,7 +167,7 @@ TEST_F(StorageFault, AFileSizeLimitGivesASentenceAndLeavesTheFileIntact) {
 TEST_F(StorageFault, AFullDiskGivesASentenceAndLeavesTheFileIntact) {
   ChildProcess child([&](int to_parent) {
     if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
-        mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=600k") != 0) {
+        mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, "size=900k") != 0) {
       return ChildProcess::say(to_parent, std::string("no mount: ") + std::strerror(errno));
     }
     Database database = Database::open(file_);
@@ -183,7 +183,7 @@ TEST_F(StorageFault, AFullDiskGivesASentenceAndLeavesTheFileIntact) {
   });
   const std::string said = child.all();
   if (said.starts_with("no mount"))
-    GTEST_SKIP() << "a file system of 600 kB of its own cannot be mounted here (" << said
+    GTEST_SKIP() << "a file system of 900 kB of its own cannot be mounted here (" << said
                  << "); it takes root, and a root folder that is a mount point (not a chroot)";
   EXPECT_THAT(said, HasSubstr("the disk or the quota is full"));
   EXPECT_THAT(said, HasSubstr("intact / with what was kept"));

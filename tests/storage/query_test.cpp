@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
 
+#include <chrono>
 #include <sstream>
 
 namespace lacuna {
@@ -120,6 +122,89 @@ TEST_F(QueryTest, AnInterruptEndsALongQuery) {
   ASSERT_EQ(child.next(), 'q');
   child.interrupt();
   EXPECT_EQ(child.all(), "interrupted");
+}
+
+TEST_F(QueryTest, FunctionsAreThoseThatOnlyCompute) {
+  EXPECT_EQ(ask("SELECT round(sqrt(16)) AS a, json_extract('{\"b\":2}', '$.b') AS b, upper('c') AS c, "
+                "group_concat(value) AS d, row_number() OVER () AS e FROM json_each('[1,2]')",
+                QueryFormat::csv),
+            "a,b,c,d,e\n4,2,C,\"1,2\",1\n");
+  EXPECT_THAT(complaint("SELECT load_extension('x')"), HasSubstr("not authorized to use function: load_extension"));
+  EXPECT_THAT(complaint("SELECT sqlite_compileoption_get(1)"), HasSubstr("functions that a query may use are"));
+  for (const std::string name : {"fts3_tokenizer('simple')", "rtreenode(2, x'00')", "readfile('/etc/passwd')"})
+    EXPECT_THAT(complaint("SELECT " + name), HasSubstr("no such function: " + name.substr(0, name.find('(')))) << name;
+  for (const std::string table : {"dbstat", "sqlite_dbpage", "fts3tokenize('simple', 'a')", "sqlite_stmt"})
+    EXPECT_THAT(complaint("SELECT * FROM " + table), HasSubstr("no such table")) << table;
+}
+
+TEST_F(QueryTest, FunctionsThatTakeLongAreTheSameAndQuick) {
+  EXPECT_EQ(
+      ask("SELECT instr('aéb', 'b') AS a, instr(x'aabbcc', x'cc') AS b, instr('a', '') AS c, instr('', 'a') AS d, "
+          "instr(1234, 3) AS e, instr(NULL, 'a') IS NULL AS f",
+          QueryFormat::csv),
+      "a,b,c,d,e,f\n3,3,1,0,3,1\n");
+  EXPECT_EQ(ask("SELECT replace('aXbX', 'X', 'yz') AS a, replace('aa', '', 'b') AS b, replace(1212, 2, 3) AS c, "
+                "replace('a', 'a', NULL) IS NULL AS d, replace('', 'a', 'b') AS e",
+                QueryFormat::csv),
+            "a,b,c,d,e\nayzbyz,aa,1313,1,\n");
+  EXPECT_EQ(ask("SELECT trim('  a ') AS a, ltrim('éaé', 'é') AS b, rtrim('xyabyx', 'xy') AS c, trim('aaa', 'a') AS d",
+                QueryFormat::csv),
+            "a,b,c,d\na,aé,xyab,\n");
+  const auto begin = std::chrono::steady_clock::now();
+  ask("WITH t (x) AS (SELECT hex(zeroblob(4000000))) SELECT instr(x, x || '1'), "
+      "length(replace(x, substr(x, 1, 2000000) || '1', '')) FROM t");
+  EXPECT_THAT(complaint("SELECT trim('a', hex(zeroblob(1000)))"), HasSubstr("too many characters"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
+TEST_F(QueryTest, ValuesAndMemoryHaveALimit) {
+  for (const std::string value : {"zeroblob(1000000000)", "randomblob(1000000000)", "hex(zeroblob(100000000))",
+                                  "replace(hex(zeroblob(1000000)), '0', hex(zeroblob(1000)))"})
+    EXPECT_THAT(complaint("SELECT length(" + value + ")"), HasSubstr("too big; a value may have 134 MB")) << value;
+  EXPECT_EQ(ask("SELECT printf('%.*c', 1000000000, 'x') IS NULL AS a", QueryFormat::csv), "a\n1\n");
+  std::string many = "SELECT ";
+  for (int i = 0; i < 12; ++i) many += "printf('%.*c', 100000000, 'x') AS c" + std::to_string(i) + (i < 11 ? "," : "");
+  EXPECT_THAT(complaint("SELECT length(c0) FROM (" + many + " ORDER BY 1)"),
+              HasSubstr("needs more than 1073 MB of memory"));
+  std::string deep = "1";
+  for (int i = 0; i < 300; ++i) deep += "+1";
+  EXPECT_THAT(complaint("SELECT " + deep), HasSubstr("Expression tree is too large"));
+}
+
+/// What a stranger may have put into a file that has our header.
+TEST_F(QueryTest, AHostileFileGivesSentences) {
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open(file_.c_str(), &handle), SQLITE_OK);
+  const auto change = [&](const char* sql) {
+    ASSERT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
+  };
+  change("CREATE VIEW tokens AS SELECT fts3_tokenizer('simple')");
+  change("CREATE VIEW extension AS SELECT load_extension('x')");
+  change("CREATE VIEW itself AS SELECT * FROM itself2; CREATE VIEW itself2 AS SELECT * FROM itself");
+  change("CREATE VIEW long AS SELECT length(zeroblob(1000000000)) AS x");
+  change("CREATE VIRTUAL TABLE words USING fts4(a)");
+  change(
+      "CREATE TABLE loud (a, b); INSERT INTO loud (a) VALUES (1);"
+      "CREATE TRIGGER shout AFTER INSERT ON run BEGIN DELETE FROM loud; END");
+  change("CREATE VIEW \"a\"\"; DROP TABLE loud; --\" AS SELECT 1");
+  change("DROP VIEW runs; CREATE VIEW runs AS SELECT * FROM trace_samples(1)");
+  EXPECT_THAT(complaint("SELECT * FROM tokens"), HasSubstr("no such function: fts3_tokenizer"));
+  EXPECT_THAT(complaint("SELECT * FROM extension"), HasSubstr("SQL:1:1: "));
+  EXPECT_THAT(complaint("SELECT * FROM itself"), HasSubstr("circularly defined"));
+  EXPECT_THAT(complaint("SELECT * FROM long"), HasSubstr("too big"));
+  EXPECT_THAT(complaint("SELECT * FROM words"), HasSubstr("no such module: fts4; tables of modules"));
+  change(
+      "ALTER TABLE trace RENAME TO kept; CREATE VIEW trace AS SELECT trace AS id, channel AS channels, 1 AS "
+      "sample_count, 'float32' AS precision, x'' AS times, x'' AS samples, '' AS digest FROM trace_samples(1)");
+  EXPECT_THAT(complaint("SELECT * FROM trace_samples(1)"), HasSubstr("SQL:1:"));
+  change("DROP VIEW trace; ALTER TABLE kept RENAME TO trace; UPDATE schema_text SET sha256 = 'x' WHERE name = 'views'");
+  sqlite3_close(handle);
+  {
+    Database database = Database::open(file_);
+    ResultStore store(database);
+    store.begin_run({.command = "test", .seed = 1, .threads = 1}, {});
+  }
+  EXPECT_EQ(ask("SELECT a FROM loud", QueryFormat::csv), "a\n1\n") << "neither a trigger nor a name is carried out";
 }
 
 TEST_F(QueryTest, AFaultInTheMiddleOfAQueryIsReported) {
