@@ -24,6 +24,7 @@ struct ReproduceOptions {
   std::optional<std::int64_t> run;
   int threads = 0;
   bool quiet = false;
+  bool trust = false;
   std::vector<std::filesystem::path> plugin_paths;
 };
 
@@ -45,6 +46,18 @@ std::string first_difference(const std::vector<PassRow>& stored, const std::vect
   return "their passes agree, but not all of their rows";
 }
 
+/// Shows the program that will be started; throws where the user has not said that it may be.
+void check_program(const ReproduceOptions& options, const StoredBench& stored) {
+  const std::string line = program_line(stored.bench->rig().experiment);
+  if (line.empty()) return;
+  if (options.trust) return fmt::print(stderr, "starts the program that the database names: {}\n", line);
+  throw_problem({options.database.string()},
+                fmt::format("run {} has a program as its target, and only the database says which: {} - it was not "
+                            "started. Whoever made the file can have written this line (a digest shows accidents, not "
+                            "forgery). If you know the program and trust it: {} --trust",
+                            stored.listing.run.value, line, command_line()));
+}
+
 void reproduce(const ReproduceOptions& options) {
   Database database = Database::open_read_only(options.database);
   const EeaRunListing listing = choose_run(database, options.run);
@@ -52,7 +65,9 @@ void reproduce(const ReproduceOptions& options) {
     throw_problem({options.database.string()},
                   fmt::format("run {} is not done ({}); only a run that is can be compared with another",
                               listing.run.value, listing.ending));
-  const StoredBench stored = open_stored(database, listing, options.plugin_paths);
+  const StoredBench stored = open_stored(database, listing, options.plugin_paths,
+                                         options.trust ? StoredProgram::trusted : StoredProgram::refused);
+  check_program(options, stored);
   for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
 
   const ScratchFolder scratch;
@@ -96,6 +111,7 @@ void add_reproduce_command(CLI::App& program) {
   command->add_option("--threads", options->threads, "Threads (default: one a processor)")
       ->option_text("N")
       ->check(whole_number(1, 1024));
+  command->add_flag("--trust", options->trust, "Start the program that the database names as the target");
   command->add_flag("--quiet", options->quiet, "Print results only");
   command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
       ->allow_extra_args(false)

@@ -17,6 +17,7 @@ struct ProcessSource {
   int repeats = 1;                                 ///< how often a test is tried again after it failed
   double pause = 1.0;                              ///< s, between a test that failed and the next attempt
   int copies = 1;                                  ///< how many of it may run side by side
+  std::string refused;                             ///< why it may not be started, a sentence; empty: it may
   std::string version;                             ///< trials of another one are another target's
 };
 

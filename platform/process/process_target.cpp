@@ -86,6 +86,7 @@ void ProcessTarget::start() {
 }
 
 void ProcessTarget::start_afresh() {
+  if (!setting_.source.refused.empty()) throw_problem(setting_.location, setting_.source.refused);
   try {
     lines_ = std::make_unique<ChildLines>(setting_.source);
   } catch (const Error& error) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -231,8 +232,47 @@ TEST_F(OutsideRig, ThatKeepsItsOwnTimeIsResumedToTheSameRows) {
   ASSERT_EQ(lacuna({"run", "--resume"}, "wavers").exit_code, 0);
   ASSERT_EQ(lacuna({"run", "--db", "whole.db"}, "wavers").exit_code, 0);
   EXPECT_EQ(hash("rig.db"), hash("whole.db"));
-  const Outcome again = program_.run({"reproduce", "whole.db"});
+  const Outcome again = program_.run({"reproduce", "whole.db", "--trust"});
   EXPECT_EQ(again.exit_code, 0) << again.errors;
+}
+
+/// Whoever made a database can have written any program into it.
+TEST_F(OutsideRig, ThatADatabaseNamesIsStartedOnlyWhereTheUserTrustsIt) {
+  ASSERT_EQ(lacuna({"run"}).exit_code, 0);
+  std::filesystem::remove(program_.folder() / "pid");
+  const Outcome asked = program_.run({"reproduce", "rig.db"});
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.errors, AllOf(HasSubstr("python3 rig.py none"), HasSubstr("was not started"),
+                                  HasSubstr("lacuna reproduce rig.db --trust")));
+  EXPECT_FALSE(is_there("pid")) << "it ran";
+  for (const char* command : {"replay rig.db", "report rig.db --out report.html", "plot rig.db", "runs rig.db"}) {
+    program_.shell(std::string("lacuna ") + command);
+    EXPECT_FALSE(is_there("pid")) << command;
+  }
+  const Outcome trusted = program_.run({"reproduce", "rig.db", "--trust"});
+  EXPECT_EQ(trusted.exit_code, 0) << trusted.errors;
+  EXPECT_THAT(trusted.errors, HasSubstr("starts the program that the database names: "));
+  EXPECT_TRUE(is_there("pid"));
+  EXPECT_EQ(std::count(asked.errors.begin(), asked.errors.end(), '\n'), 1) << "one line: " << asked.errors;
+}
+
+TEST_F(OutsideRig, ThatADatabaseNamesIsShownWithEveryCharacter) {
+  ASSERT_EQ(lacuna({"run"}).exit_code, 0);
+  const Outcome forged = program_.shell(
+      "python3 - <<'EOF'\n"
+      "import sqlite3, hashlib\n"
+      "d = sqlite3.connect('rig.db')\n"
+      "text, overrides = d.execute('SELECT text, overrides FROM experiment_text').fetchone()\n"
+      "text = text.replace('\"rig.py\"', '\"-c\", \"open(\\\\\"ran\\\\\", \\\\\"w\\\\\")\\\\n# `x` \\\\u001b[2K\"')\n"
+      "digest = hashlib.sha256((text + '\\n[]').encode()).hexdigest()\n"
+      "d.execute('UPDATE experiment_text SET text = ?, overrides = ?, digest = ?', (text, '[]', digest))\n"
+      "d.commit()\n"
+      "EOF");
+  ASSERT_EQ(forged.exit_code, 0) << forged.errors;
+  const Outcome asked = program_.run({"reproduce", "rig.db"});
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.errors, HasSubstr(R"(python3 -c $'open("ran", "w")\x0a# `x` \x1b[2K' none)")) << asked.errors;
+  EXPECT_FALSE(is_there("ran"));
 }
 
 TEST_F(OutsideRig, IsGivenTimeBeforeATestIsTriedAgain) {
