@@ -69,21 +69,23 @@ void run(const RunOptions& options) {
   check_output(options.json);
   const EeaBench bench(open_rig(options));
   const std::filesystem::path file = database_of(options, bench.rig().experiment);
-  if (options.resume && !std::filesystem::exists(file))
-    throw_problem({file.string()}, "no such database, so there is no run to go on with; without --resume one begins");
   ask_target(bench);  // what does not fit is said before a run begins
   Database database = Database::open(file);
-  const RunPlan plan =
-      options.resume ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  const bool goes_on = options.resume && has_run(database, bench);
+  const RunPlan plan = goes_on ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  if (options.resume && !goes_on && !options.quiet)
+    fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
   if (!options.quiet)
     for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
-  RunLines lines(options.json, options.resume);  // a refused run leaves the file of an earlier one
+  RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
   std::vector<ReplicateEnd> ends;
   {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
+  const auto has_failed = [](const ReplicateEnd& end) { return end.ending == RunEnding::failed; };
+  if (std::none_of(ends.begin(), ends.end(), has_failed)) database.check_not_moved();  // since the last commit
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
   judge(ends, options.resume);
   lines.throw_if_failed();
@@ -101,7 +103,8 @@ void add_run_command(CLI::App& program) {
       ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
       ->option_text("N")
       ->check(whole_number(1, 1000000));
-  command->add_flag("--resume", options->resume, "Go on with this experiment's runs that were not done");
+  command->add_flag("--resume", options->resume,
+                    "Go on with this experiment's runs that were not done, or begin where there is none");
   command->callback([options] { run(*options); });
 }
 

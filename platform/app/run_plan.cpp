@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace lacuna {
 namespace {
 
@@ -53,18 +55,22 @@ void consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
   plan.claims.push_back(std::move(claim));
 }
 
-[[noreturn]] void refuse(const Database& database, const std::string& name, int runs, const RunPlan& plan) {
+[[noreturn]] void refuse(const Database& database, const std::string& name, const RunPlan& plan) {
   const SourceLocation file{database.file().string()};
   std::vector<Problem> problems;
   for (const std::string& reason : plan.left) problems.push_back({file, reason});
-  const char* const why = runs == 0           ? "; lacuna runs lists those that it has"
-                          : plan.left.empty() ? "; every one of them is done"
-                                              : "; without --resume a new one begins";
+  const char* const why = plan.left.empty() ? "; every one of them is done" : "; without --resume a new one begins";
   problems.push_back({file, "has no run of " + name + " to go on with" + why});
   throw BadInput(std::move(problems));
 }
 
 }  // namespace
+
+bool has_run(const Database& database, const EeaBench& bench) {
+  const std::vector<EeaRunListing> runs = eea_runs(database);
+  return std::any_of(runs.begin(), runs.end(),
+                     [&](const EeaRunListing& run) { return run.experiment == bench.rig().experiment.name; });
+}
 
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
   const Experiment& file = bench.rig().experiment;
@@ -91,13 +97,11 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   RunPlan plan;
   plan.threads = options.threads > 0 ? options.threads : default_threads();
   const std::string& name = bench.rig().experiment.name;
-  int runs = 0;
   for (const EeaRunListing& run : eea_runs(database)) {
     if (run.experiment != name) continue;
-    ++runs;
     if (run.ending != "done") consider(run, options, bench, database, plan);
   }
-  if (plan.replicates.empty()) refuse(database, name, runs, plan);
+  if (plan.replicates.empty()) refuse(database, name, plan);
   ResultStore store(database);
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);

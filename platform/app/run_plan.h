@@ -26,6 +26,9 @@ struct RunPlan {
   std::vector<std::string> left;  ///< sentences: unfinished runs that are left as they are, and why
 };
 
+/// Whether there is a run of this experiment to go on with, or one that is done.
+bool has_run(const Database& database, const EeaBench& bench);
+
 /// Enters new runs into the database, one a replicate.
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database);
 

@@ -14,6 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kDone = 0, kBadInput = 2, kInterrupted = 75;
 
@@ -84,16 +85,71 @@ TEST_F(Resume, RefusesASeedThatIsNotTheRuns) {
   EXPECT_THAT(outcome.errors, HasSubstr("run 1 was begun with --seed 1"));
 }
 
-TEST_F(Resume, OfNothingMakesNoDatabase) {
-  const Outcome none = program_.run({"run", "small.toml", "--resume"});
-  EXPECT_EQ(none.exit_code, kBadInput);
-  EXPECT_THAT(none.errors, HasSubstr("small.db: no such database"));
-  EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db"));
-  interrupt({});
+/// One line for a supervisor, the first time and every other.
+TEST_F(Resume, BeginsWhereThereIsNothingToGoOnWith) {
+  const Outcome first = program_.run({"run", "small.toml", "--resume"});
+  ASSERT_EQ(first.exit_code, kDone) << first.errors;
+  EXPECT_THAT(first.errors, HasSubstr("small.db has no run of small yet, so a new one begins\n"));
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "whole.db"}).exit_code, kDone);
+  EXPECT_EQ(hash("small.db"), hash("whole.db"));
   const Outcome other =
       program_.run({"run", "small.toml", "--set", "experiment.name=other", "--db", "small.db", "--resume"});
-  EXPECT_EQ(other.exit_code, kBadInput);
-  EXPECT_THAT(other.errors, HasSubstr("has no run of other to go on with; lacuna runs lists"));
+  ASSERT_EQ(other.exit_code, kDone) << other.errors;
+  EXPECT_THAT(other.errors, HasSubstr("small.db has no run of other yet"));
+  const Outcome done = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(done.exit_code, kBadInput);
+  EXPECT_THAT(done.errors, HasSubstr("has no run of small to go on with; every one of them is done"));
+  EXPECT_THAT(program_.run({"runs", "small.db"}).output, Not(HasSubstr("\n3 "))) << "no second run of what is done";
+}
+
+TEST_F(Resume, RefusesATextThatWasEdited) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE experiment_text SET text = text || '# '\"").exit_code, 0);
+  for (const char* command : {"reproduce small.db", "reproduce small.db --trust", "replay small.db", "check small.toml",
+                              "predict small.toml --test 0"}) {
+    const Outcome outcome = program_.shell(std::string("lacuna ") + command);
+    EXPECT_EQ(outcome.exit_code, kBadInput) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("its digest is another one")) << command;
+  }
+  ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE run SET ending = 'interrupted'\"").exit_code, 0);
+  EXPECT_THAT(program_.run({"run", "small.toml", "--resume"}).errors, HasSubstr("its digest is another one"));
+}
+
+/// Another database is moved over one that is being written, and the writer goes on, or is killed.
+TEST_F(Resume, AReplacedDatabaseHarmsNobody) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
+  const std::string theirs = program_.read("theirs.db"), their_hash = hash("theirs.db");
+  const auto replace = [&] {
+    if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
+    program_.write("new.db", theirs);
+    std::filesystem::rename(program_.folder() / "new.db", program_.folder() / "small.db");
+    return true;
+  };
+  const std::vector<std::string> run = {"run", "small.toml", "--json=lines", "--threads", "1"};
+  program_.write("lines", "");
+  const Outcome noticed = program_.run_and_signal(run, replace, SIGCONT);
+  EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
+  EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was replaced by another file while it was open"),
+                                    HasSubstr("small.db.rescued")));
+  EXPECT_EQ(program_.read("small.db"), theirs);
+  EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db-wal"));
+  EXPECT_THAT(program_.run({"runs", "small.db.rescued"}).output, ContainsRegex("1 +small +1"));
+
+  for (const std::string command :
+       {"lacuna sql small.db 'SELECT count(*) FROM runs'", "lacuna hash small.db",
+        "lacuna report small.db --out report.html", "(timeout -s INT 3 lacuna serve small.db --port 0 || true)",
+        "lacuna run small.toml --resume"}) {
+    std::filesystem::remove(program_.folder() / "small.db");
+    program_.write("lines", "");
+    ASSERT_EQ(program_.run_and_signal(run, replace, SIGKILL).exit_code, 128 + SIGKILL);
+    const std::string log = program_.read("small.db-wal");
+    ASSERT_GT(log.size(), 4096U) << "the test would show nothing";
+    const Outcome outcome = program_.shell(command);
+    EXPECT_THAT(outcome.errors, HasSubstr("small.db-wal: holds changes to another database")) << command;
+    EXPECT_EQ(hash("small.db"), their_hash) << command;
+    EXPECT_EQ(program_.read("small.db-wal.set-aside"), log) << command;
+    std::filesystem::remove(program_.folder() / "small.db-wal.set-aside");
+  }
 }
 
 TEST_F(Resume, LeavesARunThatAnotherProcessCarriesOut) {
