@@ -42,7 +42,7 @@ const std::vector<std::string> kShort = {"--set", "estimation.parameters.generat
                                          "--set", "estimation.parameters.population=10",
                                          "--set", "estimation.parameters.keep=5"};
 
-TEST_F(ReplaysTest, AreThereForEveryTrialThatTheBestModelWasHeldAgainst) {
+TEST_F(ReplaysTest, AreThereForEveryTrialTheLastOneIncluded) {
   program_.copy_first_steps();
   run("first-steps.toml", "run.db", kShort);  // one pass over two recorded trials
   program_.write("small.toml", kSmallRun);
@@ -50,7 +50,7 @@ TEST_F(ReplaysTest, AreThereForEveryTrialThatTheBestModelWasHeldAgainst) {
   PageDatabase pages(at("pages.db"));
   Replays(at("run.db"), {}, pages).prepare_for_report(kPlenty);
   EXPECT_EQ(asked("SELECT group_concat(run || '/' || trial, ' ') FROM (SELECT * FROM page_replay ORDER BY run, trial)"),
-            std::vector<std::string>{"1/1 2/0 2/1"})
+            std::vector<std::string>{"1/1 2/0 2/1 2/2"})
       << "all of the newest run and one of the other";
   EXPECT_EQ(asked("SELECT DISTINCT kind FROM page_replay_trace WHERE kind LIKE '% contacts' ORDER BY kind"),
             (std::vector<std::string>{"model contacts", "target contacts"}));
@@ -66,7 +66,7 @@ TEST_F(ReplaysTest, AreThereForOtherExperimentsWhereOneCannotBeReadAndItsFolders
   PageDatabase pages(at("pages.db"));
   Replays(at("run.db"), {}, pages).prepare_for_report(kPlenty);
   EXPECT_EQ(asked("SELECT group_concat(trial, ' ') FROM (SELECT * FROM page_replay WHERE run = 1 ORDER BY trial)"),
-            std::vector<std::string>{"0 1"});
+            std::vector<std::string>{"0 1 2"});
   const std::vector<std::string> notes = asked("SELECT sentence FROM page_note");
   EXPECT_THAT(notes, Contains(HasSubstr("The robots of run 2 are not shown: ")));
   EXPECT_THAT(notes, Not(Contains(HasSubstr(program_.folder().string()))));

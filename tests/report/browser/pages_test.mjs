@@ -69,7 +69,7 @@ function whatIsCut() {
   if (document.documentElement.scrollWidth > clientWidth) found.push('the page scrolls sideways');
   for (const node of document.querySelectorAll('body *')) {
     const { left, right, width, height } = node.getBoundingClientRect();
-    if (width === 0 || height === 0 || node.closest('.found, title, option')) continue;
+    if (width === 0 || height === 0 || node.closest('.found, .tabulator-header, title, option')) continue; // a table's header follows it
     if ((right > clientWidth + 1 || left < -1) && !scrolls(node.parentElement))
       found.push(`${node.tagName} ${node.className.baseVal ?? node.className}: ${left} to ${right}`);
   }
@@ -840,9 +840,9 @@ describe('the server', () => {
     await page.waitForTimeout(500);
     const framed = page.frames().find((one) => one !== page.mainFrame());
     assert.equal(await framed.locator('main').count(), 0);
-    page.faults = []; // the browser says that it framed nothing
     await page.locator('a').click();
     await page.waitForFunction(() => document.title.startsWith('History'));
+    page.faults = page.faults.filter((one) => !/status of 403|in a frame/.test(one)); // it was refused
     noFaults(page);
     await page.close();
   });

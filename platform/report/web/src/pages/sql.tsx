@@ -65,9 +65,12 @@ function Asked({ asked, choices }: { asked: string; choices: Record<string, stri
   const [text, setText] = useState(asked.trim());
   const [answer, setAnswer] = useState<(Answer & { to: string }) | null>(null);
   const editor = useRef<HTMLTextAreaElement>(null);
+  const ran = useRef(asked);
   const question = `${choices.again ?? ''} ${asked}`;
   useEffect(() => {
-    setText(asked.trim());
+    // Not what was asked here: the reader may be typing the next query by now.
+    if (asked.trim() !== ran.current.trim()) setText(asked.trim());
+    ran.current = asked;
     if (asked.trim() === '') return;
     let wanted = true;
     const began = performance.now();
@@ -79,7 +82,9 @@ function Asked({ asked, choices }: { asked: string; choices: Record<string, stri
       wanted = false;
     };
   }, [source, question]);
-  const run = (sql: string) =>
+  const run = (sql: string) => {
+    ran.current = sql;
+    setText(sql);
     choose({
       q: sql.trim() === '' ? kNothing : sql,
       x: null,
@@ -87,6 +92,7 @@ function Asked({ asked, choices }: { asked: string; choices: Record<string, stri
       as: null,
       again: sql === asked ? Date.now() % 1e6 : null,
     });
+  };
   return (
     <div class="with-side">
       <section class="main-column">

@@ -51,12 +51,12 @@ export const Key = ({ children }: { children: ComponentChildren }) => <kbd>{chil
 
 /** An address or a name of several words, which may go on in the next line behind "." and "_". */
 export const Breakable = ({ children }: { children: string }) => (
-  <>
+  <span class="breakable">
     {children.split(/(?<=[._])/).map((part, i) => (
       <Fragment key={i}>
         {i > 0 && <wbr />}
         {part}
       </Fragment>
     ))}
-  </>
+  </span>
 );
