@@ -22,7 +22,8 @@ class Replays {
   Replays(std::filesystem::path database, std::vector<std::filesystem::path> plugin_paths, PageDatabase& pages);
 
   /// Trial `trial` of a run, by the best model of the last pass that has ended, unless that is there: also a trial that
-  /// the model was not fitted to, as the last one, which tells how well it predicts. Returns its key in the pages. Throws `Error`, `BadInput` where it cannot be simulated.
+  /// the model was not fitted to, as the last one, which tells how well it predicts. Returns its key in the pages.
+  /// Throws `Error`, `BadInput` where it cannot be simulated.
   std::int64_t prepare(std::int64_t run, std::int64_t trial);
 
   /// Trials of all runs, the newest first, as many as a report has room for; notes say which robots are missing.
