@@ -65,14 +65,13 @@ Dual force_along_motion(@ARGUMENTS@, std::span<const double> p) {
 )";
 
 constexpr const char* kJointHooks =
-    R"(  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true}; }
-  void amend(RobotSpec& robot, const EffectContext& context) const override {
+    R"(  void amend(RobotSpec& robot, const EffectContext& context) const override {
     for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
   }
 )";
 
 constexpr const char* kActuatorHooks =
-    R"(  EffectHooks hooks() const override { return {.before_step = true, .command = CommandStage::saturation}; }
+    R"(  EffectStages stages() const override { return {.command = CommandStage::saturation}; }
   /// The command of each actuator, as it arrives there.
   int state_size(const EffectContext& context) const override { return static_cast<int>(context.elements.size()); }
   double command(double value, int which, const StepView&, const EffectContext&,

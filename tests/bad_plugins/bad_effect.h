@@ -14,7 +14,6 @@ class Effect : public lacuna::PhysicalEffect {
                               lacuna::ElementKind::world};
     return description;
   }
-  lacuna::EffectHooks hooks() const override { return {.before_step = true}; }
 };
 
 /// From here on the mid-run ones misbehave, s.

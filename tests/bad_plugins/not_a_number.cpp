@@ -18,7 +18,7 @@ class Load : public bad::Effect {
 
 class Command : public bad::Effect {
  public:
-  lacuna::EffectHooks hooks() const override { return {.command = lacuna::CommandStage::offset}; }
+  lacuna::EffectStages stages() const override { return {.command = lacuna::CommandStage::offset}; }
   double command(double value, int, const lacuna::StepView& view, const lacuna::EffectContext&,
                  std::span<double>) const override {
     return view.time >= bad::kOnset ? kNan : value;
@@ -27,7 +27,7 @@ class Command : public bad::Effect {
 
 class Reading : public bad::Effect {
  public:
-  lacuna::EffectHooks hooks() const override { return {.sensor = lacuna::SensorStage::offset}; }
+  lacuna::EffectStages stages() const override { return {.sensor = lacuna::SensorStage::offset}; }
   void sense(std::span<double> channels, int, const lacuna::StepView& view, const lacuna::EffectContext&,
              std::span<double>) const override {
     if (view.time >= bad::kOnset) std::fill(channels.begin(), channels.end(), kNan);

@@ -34,7 +34,7 @@ class ThrowsInStep : public bad::Effect {
 
 class ThrowsInSense : public bad::Effect {
  public:
-  lacuna::EffectHooks hooks() const override { return {.sensor = lacuna::SensorStage::offset}; }
+  lacuna::EffectStages stages() const override { return {.sensor = lacuna::SensorStage::offset}; }
   void sense(std::span<double>, int, const lacuna::StepView& view, const lacuna::EffectContext&,
              std::span<double>) const override {
     if (view.time >= bad::kOnset) throw 42;

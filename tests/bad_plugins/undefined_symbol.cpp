@@ -9,7 +9,6 @@ namespace {
 /// As sound as an effect can be without one of its functions.
 class Geared : public bad::Effect {
  public:
-  lacuna::EffectHooks hooks() const override { return {.amends_robot = true}; }
   void amend(lacuna::RobotSpec& robot, const lacuna::EffectContext&) const override {
     robot.joints.at(0).damping *= rig::gear_ratio(2);
   }

@@ -16,7 +16,6 @@ class EndlessState : public bad::Effect {
 
 class RemovesBodies : public bad::Effect {
  public:
-  lacuna::EffectHooks hooks() const override { return {.amends_robot = true}; }
   void amend(lacuna::RobotSpec& robot, const lacuna::EffectContext&) const override { robot.bodies.clear(); }
 };
 

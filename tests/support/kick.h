@@ -9,7 +9,6 @@ namespace lacuna {
 class Kick : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.before_step = true}; }
   void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
                    StepLoads& loads) const override;
 };

@@ -47,7 +47,23 @@ struct EffectDescription {
 enum class CommandStage { none, delay, gain, offset, lag, slew_rate, dead_zone, saturation };
 enum class SensorStage { none, delay, lag, geometry, scale, offset, drift, saturation, quantisation };
 
-/// Which hooks the engine calls; what is not named here costs nothing in a step.
+/// Where an effect acts on commands and on readings. One that overrides `command` or `sense` names the stage; the host
+/// refuses an effect that overrides without a stage, or names a stage without overriding.
+struct EffectStages {
+  CommandStage command = CommandStage::none;
+  SensorStage sensor = SensorStage::none;
+};
+
+/// Which hooks a class overrides (lacuna/overridden_hooks.h finds out); the others cost nothing in a step.
+struct OverriddenHooks {
+  bool amend = true;
+  bool before_step = true;
+  bool after_step = true;
+  bool command = true;
+  bool sense = true;
+};
+
+/// What the engine calls of an effect.
 struct EffectHooks {
   bool amends_robot = false;
   bool before_step = false;
@@ -116,12 +132,16 @@ struct StepLoads {
 /// remembered from step to step lies in `state`, which the host owns, saves and restores. The
 /// same arguments give the same results. An effect must not allocate in a hook that is called
 /// in a step. Hooks may throw `Error`; the evaluation is then invalid.
+///
+/// The hooks are `amend`, `before_step`, `after_step`, `command` and `sense`. An effect overrides those that it needs,
+/// in public; the host calls what is overridden.
 class PhysicalEffect {
  public:
   virtual ~PhysicalEffect() = default;
 
   virtual EffectDescription describe() const = 0;
-  virtual EffectHooks hooks() const = 0;
+  /// For effects that override `command` or `sense`.
+  virtual EffectStages stages() const { return {}; }
 
   /// Doubles of state for a placement; `context.parameters` holds each parameter's largest value.
   virtual int state_size(const EffectContext&) const { return 0; }
@@ -144,6 +164,19 @@ class PhysicalEffect {
   /// Changes the channels of the sensor `context.elements[which]` in place.
   virtual void sense(std::span<double> /*channels*/, int /*which*/, const StepView&, const EffectContext&,
                      std::span<double> /*state*/) const {}
+
+  /// What the host calls of it.
+  EffectHooks hooks() const {
+    const EffectStages stages_of = stages();
+    return {overridden_.amend, overridden_.before_step, overridden_.after_step, stages_of.command, stages_of.sensor};
+  }
+  const OverriddenHooks& overridden() const { return overridden_; }
+  /// The factory that `component` makes says what it found out; of an object that was made otherwise, as in a test, all
+  /// hooks are called.
+  void set_overridden(const OverriddenHooks& hooks) { overridden_ = hooks; }
+
+ private:
+  OverriddenHooks overridden_;
 };
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include <lacuna/model_encoding.h>
 #include <lacuna/mutation_operator.h>
 #include <lacuna/objective_metric.h>
+#include <lacuna/overridden_hooks.h>
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_definition.h>
 #include <lacuna/search_strategy.h>
@@ -13,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 /// The border between host and plugin. A plugin library exports one C symbol,
 /// `lacuna_plugin`, that returns a `PluginTable`: plain data that the host checks before it
@@ -20,7 +22,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 5;
+inline constexpr std::uint32_t kInterfaceVersion = 6;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -86,7 +88,9 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(RobotSpec),
     LACUNA_LAYOUT_(RobotRequest),
     LACUNA_LAYOUT_(EffectDescription),
-    LACUNA_LAYOUT_(EffectHooks),
+    LACUNA_LAYOUT_(EffectStages),
+    LACUNA_LAYOUT_(OverriddenHooks),
+    LACUNA_LAYOUT_(PhysicalEffect),
     LACUNA_LAYOUT_(EffectContext),
     LACUNA_LAYOUT_(StepView),
     LACUNA_LAYOUT_(JointLoad),
@@ -167,10 +171,17 @@ struct ComponentKind<ObjectiveMetric> {
   static constexpr const char* noun = "objective metric";
 };
 
+template <class Interface, class Component>
+void* make_component() {
+  Interface* made = new Component();
+  if constexpr (std::is_same_v<Interface, PhysicalEffect>) made->set_overridden(overridden_hooks<Component>());
+  return made;
+}
+
 /// An entry of the component list: `component<PhysicalEffect, ViscousFriction>("viscous_friction")`.
 template <class Interface, class Component>
 constexpr ComponentEntry component(const char* name) {
-  return {ComponentKind<Interface>::name, name, []() -> void* { return static_cast<Interface*>(new Component()); }};
+  return {ComponentKind<Interface>::name, name, &make_component<Interface, Component>};
 }
 
 }  // namespace lacuna

@@ -8,7 +8,7 @@ namespace lacuna {
 class ActuatorLag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.command = CommandStage::lag}; }
+  EffectStages stages() const override { return {.command = CommandStage::lag}; }
   int state_size(const EffectContext& context) const override;
   double command(double value, int which, const StepView& view, const EffectContext& context,
                  std::span<double> state) const override;

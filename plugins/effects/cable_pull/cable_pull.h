@@ -8,7 +8,6 @@ namespace lacuna {
 class CablePull : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.before_step = true}; }
   void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
                    StepLoads& loads) const override;
 };

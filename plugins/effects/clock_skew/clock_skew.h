@@ -10,7 +10,7 @@ namespace lacuna {
 class ClockSkew : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true, .sensor = SensorStage::delay}; }
+  EffectStages stages() const override { return {.sensor = SensorStage::delay}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   int state_size(const EffectContext& context) const override;
   void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,

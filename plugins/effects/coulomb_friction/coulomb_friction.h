@@ -9,7 +9,6 @@ namespace lacuna {
 class CoulombFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
 };
 

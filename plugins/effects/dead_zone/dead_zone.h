@@ -8,7 +8,7 @@ namespace lacuna {
 class DeadZone : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.command = CommandStage::dead_zone}; }
+  EffectStages stages() const override { return {.command = CommandStage::dead_zone}; }
   double command(double value, int which, const StepView& view, const EffectContext& context,
                  std::span<double> state) const override;
 };

@@ -8,7 +8,7 @@ namespace lacuna {
 class EncoderEccentricity : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.sensor = SensorStage::geometry}; }
+  EffectStages stages() const override { return {.sensor = SensorStage::geometry}; }
   void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
              std::span<double> state) const override;
 };

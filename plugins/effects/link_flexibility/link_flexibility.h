@@ -8,7 +8,6 @@ namespace lacuna {
 class LinkFlexibility : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true, .after_step = true}; }
   int state_size(const EffectContext& context) const override;
   void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;

@@ -8,7 +8,6 @@ namespace lacuna {
 class PositionFriction : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true, .before_step = true}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
                    StepLoads& loads) const override;

@@ -8,7 +8,6 @@ namespace lacuna {
 class Quantisation : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
 };
 

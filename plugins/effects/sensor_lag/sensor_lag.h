@@ -8,7 +8,7 @@ namespace lacuna {
 class SensorLag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.sensor = SensorStage::lag}; }
+  EffectStages stages() const override { return {.sensor = SensorStage::lag}; }
   int state_size(const EffectContext& context) const override;
   void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
              std::span<double> state) const override;

@@ -8,7 +8,7 @@ namespace lacuna {
 class SensorOffset : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.sensor = SensorStage::offset}; }
+  EffectStages stages() const override { return {.sensor = SensorStage::offset}; }
   void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
              std::span<double> state) const override;
 };

@@ -8,7 +8,7 @@ namespace lacuna {
 class ThermalFade : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true, .command = CommandStage::gain}; }
+  EffectStages stages() const override { return {.command = CommandStage::gain}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   int state_size(const EffectContext& context) const override;
   double command(double value, int which, const StepView& view, const EffectContext& context,

@@ -8,7 +8,7 @@ namespace lacuna {
 class TorqueSpeedLine : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  EffectHooks hooks() const override { return {.amends_robot = true, .command = CommandStage::saturation}; }
+  EffectStages stages() const override { return {.command = CommandStage::saturation}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   double command(double value, int which, const StepView& view, const EffectContext& context,
                  std::span<double> state) const override;

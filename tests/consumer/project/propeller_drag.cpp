@@ -16,7 +16,6 @@ class PropellerDrag : public lacuna::PhysicalEffect {
         {"drag", "{force}*s^2/{position}^2", 0.0, 0.0, 10.0, lacuna::Scale::linear, "Torque per squared velocity"}};
     return description;
   }
-  lacuna::EffectHooks hooks() const override { return {.before_step = true}; }
   void before_step(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<double>,
                    lacuna::StepLoads& loads) const override {
     for (const int joint : context.elements) {

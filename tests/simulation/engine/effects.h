@@ -43,7 +43,6 @@ class WearingFriction : public PhysicalEffect {
     description.parameters = {parameter("limit", 0.0, 10.0)};
     return description;
   }
-  EffectHooks hooks() const override { return {.before_step = true, .after_step = true}; }
   int state_size(const EffectContext&) const override { return 2; }
   void start(const StepView& view, const EffectContext& context, std::span<double> state) const override {
     state[1] = view.positions[coordinate(view, context)];
@@ -78,7 +77,7 @@ class Lag : public PhysicalEffect {
     description.parameters = {parameter("share", 0.0, 1.0)};
     return description;
   }
-  EffectHooks hooks() const override {
+  EffectStages stages() const override {
     if (of_command_) return {.command = CommandStage::lag};
     return {.sensor = SensorStage::lag};
   }
@@ -108,7 +107,7 @@ class CommandArithmetic : public PhysicalEffect {
     description.parameters = {parameter("operand", -100.0, 100.0)};
     return description;
   }
-  EffectHooks hooks() const override { return {.command = stage_}; }
+  EffectStages stages() const override { return {.command = stage_}; }
   double command(double value, int, const StepView&, const EffectContext& context, std::span<double>) const override {
     return multiply_ ? value * context.parameters[0] : value + context.parameters[0];
   }
@@ -126,7 +125,6 @@ class ExtraMass : public PhysicalEffect {
     description.parameters = {parameter("mass", -10.0, 10.0)};
     return description;
   }
-  EffectHooks hooks() const override { return {.amends_robot = true}; }
   void amend(RobotSpec& robot, const EffectContext& context) const override {
     robot.bodies[static_cast<std::size_t>(context.elements[0])].mass += context.parameters[0];
   }
@@ -138,7 +136,6 @@ class Misbehaviour : public PhysicalEffect {
   enum class Kind { throws_error, throws_foreign, writes_nan, pushes_hard, twists_hard, negative_damping };
   explicit Misbehaviour(Kind kind, double from = 0.05) : kind_(kind), from_(from) {}
   EffectDescription describe() const override { return {}; }
-  EffectHooks hooks() const override { return {.before_step = true}; }
   void before_step(const StepView& view, const EffectContext&, std::span<double>, StepLoads& loads) const override {
     if (view.time < from_) return;
     switch (kind_) {

@@ -181,7 +181,6 @@ TEST_P(Articulation, CarriesHeavyBodies) {
 class Wind : public PhysicalEffect {
  public:
   EffectDescription describe() const override { return {}; }
-  EffectHooks hooks() const override { return {.before_step = true}; }
   void before_step(const StepView& view, const EffectContext&, std::span<double>, StepLoads& loads) const override {
     for (BodyLoad& body : loads.bodies) {
       body.force += Eigen::Vector3d(3.0, -2.0 * std::sin(20.0 * view.time), 1.0);
