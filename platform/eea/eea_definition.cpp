@@ -1,6 +1,7 @@
 #include "eea/eea_definition.h"
 
 #include "evaluation/channel_choice.h"
+#include "evaluation/named_controller.h"
 #include "evaluation/proposed_model.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
@@ -150,6 +151,7 @@ ModelProposal EeaDefinition::decode_model(const Genome& genome) const {
 Test EeaDefinition::decode_test(const Genome& genome) const {
   Test test = guarded_call(test_encoding.origin, "decode",
                            [&] { return test_encoding->decode(test_space, test_encoding.parameters, genome); });
+  test = with_named_controller(std::move(test), test_encoding.origin);
   return seen_channels.empty() ? test : with_view(std::move(test), seen_channels);
 }
 

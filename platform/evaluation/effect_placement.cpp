@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -37,11 +36,6 @@ std::string parameter_list(const ParameterDeclarations& declarations) {
 std::string with_article(ElementKind kind) {
   if (kind == ElementKind::world) return "the world";
   return (kind == ElementKind::actuator ? "an " : "a ") + std::string(to_string(kind));
-}
-
-bool is_sound(const ParameterDeclaration& declaration) {
-  return std::isfinite(declaration.lower) && std::isfinite(declaration.upper) &&
-         declaration.lower <= declaration.default_value && declaration.default_value <= declaration.upper;
 }
 
 bool same_elements(const RobotSpec& a, const RobotSpec& b) {
@@ -92,10 +86,6 @@ class EntryCheck {
       complain(".effect", error.what());
       return false;
     }
-    for (const ParameterDeclaration& declaration : description_.parameters)
-      if (!is_sound(declaration))
-        complain(".effect", to_string(origin_) + ": the bounds and the default of its parameter \"" + declaration.name +
-                                "\" contradict each other; that is a fault of the plugin");
     placed_.id = entry_.id;
     placed_.name = entry_.effect;
     placed_.file = origin_.file;
@@ -212,7 +202,7 @@ class EntryCheck {
   /// An effect may have reasons of its own not to go where it is put; it says so when it amends the robot.
   void try_amend(const RobotSpec& robot) {
     try {
-      const EffectHooks hooks = guarded_call(origin_, "hooks", [this] { return placed_.effect->hooks(); });
+      const EffectHooks hooks = guarded_call(origin_, "stages", [this] { return placed_.effect->hooks(); });
       if (!hooks.amends_robot) return;
       RobotSpec copy = robot;
       const EffectContext context{placed_.values, placed_.elements, placed_.kind, 0.0};

@@ -73,6 +73,7 @@ struct ModelScorer::Tally {
   /// The same of readings that are in the order of what was measured.
   bool add(Eigen::Index row, std::span<const double> ordered) {
     const TimeSeries::Samples& measured = scored.trial.measured.samples;
+    const PluginCall call(on_page(metric), "its accumulator");
     try {
       const std::span<const double> of_row(measured.data() + row * measured.cols(), ordered.size());
       total.add(ordered, of_row);
@@ -126,14 +127,18 @@ void ModelScorer::score(const ModelProposal& candidate, std::optional<double> ba
   result.reason.clear();
   result.steps = 0;
   result.values.clear();
-  desk.total->reset();
+  guarded_call(metric_.origin, "reset", [&] { desk.total->reset(); });
   if (lags_.empty())
     score_trials(candidate, bar.value_or(kWorst), desk, result);
   else
     score_with_lags(candidate, bar.value_or(kWorst), desk, result);
   switch (result.kind) {
-    case ScoreKind::full: result.total = desk.total->score(); break;
-    case ScoreKind::abandoned: result.total = desk.total->bound(); break;
+    case ScoreKind::full:
+      result.total = guarded_call(metric_.origin, "score", [&] { return desk.total->score(); });
+      break;
+    case ScoreKind::abandoned:
+      result.total = guarded_call(metric_.origin, "bound", [&] { return desk.total->bound(); });
+      break;
     case ScoreKind::invalid: result.total = kWorst; break;
   }
   if (result.kind != ScoreKind::full || std::isfinite(result.total)) return;
@@ -154,7 +159,7 @@ void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk&
 
 void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore& result) const {
   ScoreAccumulator& of_trial = *desk.trials[t];
-  of_trial.reset();
+  guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
   Tally tally{trials_[t], maps_[t], metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
   SimulationOptions& options = desk.options[t];
   options.stop_when = [&tally](std::size_t sample, std::span<const double> readings) {
@@ -173,7 +178,9 @@ void ModelScorer::end_trial(std::size_t t, const Tally& tally, ModelScore& resul
   } else if (tally.abandoned) {
     result.kind = ScoreKind::abandoned;
   }
-  result.trials.push_back(result.kind == ScoreKind::full ? tally.of_trial.score() : tally.of_trial.bound());
+  result.trials.push_back(guarded_call(metric_.origin, "score", [&] {
+    return result.kind == ScoreKind::full ? tally.of_trial.score() : tally.of_trial.bound();
+  }));
 }
 
 /// All trials are simulated first: a delay is one for all of them.
@@ -185,7 +192,7 @@ void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, De
   lags_.fit(desk.readings, result.values);
   for (std::size_t t = 0; t < trials_.size() && result.kind == ScoreKind::full; ++t) {
     ScoreAccumulator& of_trial = *desk.trials[t];
-    of_trial.reset();
+    guarded_call(metric_.origin, "reset", [&] { of_trial.reset(); });
     Tally tally{trials_[t], {}, metric_.origin, *desk.total, of_trial, desk.predicted, bar, {}};
     const TimeSeries::Samples& readings = desk.readings[t];
     for (Eigen::Index row = trials_[t].first_sample; row < readings.rows(); ++row)

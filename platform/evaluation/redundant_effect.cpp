@@ -27,7 +27,8 @@ bool is_free(const ModelDefinition& model, const std::string& address) {
 
 /// The free parameters somewhere in their ranges, the others as they are. Empty: none is free.
 std::vector<double> values_somewhere(const ModelDefinition& model, const PlacedEffect& placed) {
-  const std::vector<ParameterDeclaration> parameters = placed.effect->describe().parameters;
+  const std::vector<ParameterDeclaration> parameters =
+      guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); }).parameters;
   std::vector<double> values = placed.values;
   bool any = false;
   for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -65,14 +66,16 @@ std::string redundancy_of(const ModelDefinition& model, const std::string& id) {
   const auto placed =
       std::find_if(effects.begin(), effects.end(), [&](const PlacedEffect& one) { return one.id == id; });
   if (placed == effects.end()) return "";
-  const EffectHooks hooks = placed->effect->hooks();
+  const EffectHooks hooks = guarded_call(origin_of(*placed), "stages", [&] { return placed->effect->hooks(); });
   if (!hooks.amends_robot || hooks.before_step || hooks.after_step || hooks.command != CommandStage::none ||
       hooks.sensor != SensorStage::none)
     return "";
   const std::vector<double> values = values_somewhere(model, *placed);
   if (values.empty()) return "";
   RobotSpec amended = model.structure.robot;
-  placed->effect->amend(amended, {values, placed->elements, placed->kind, model.engine.step});
+  guarded_call(origin_of(*placed), "amend", [&] {
+    placed->effect->amend(amended, {values, placed->elements, placed->kind, model.engine.step});
+  });
   const std::vector<std::string> addresses = free_values_that_do(model, std::move(amended));
   if (addresses.empty()) return "";
   return fmt::format(

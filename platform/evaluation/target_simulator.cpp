@@ -1,6 +1,7 @@
 #include "evaluation/target_simulator.h"
 
 #include "foundation/address.h"
+#include "foundation/plugin_call.h"
 
 #include <lacuna/error.h>
 #include <lacuna/random_stream.h>
@@ -48,6 +49,7 @@ TargetSimulator::TargetSimulator(const ModelDefinition& definition, std::vector<
 TargetSimulator::~TargetSimulator() = default;
 
 Trial TargetSimulator::simulate(const Test& test) const {
+  const HostCall call;
   const std::vector<double> times = sample_times(engine_, test.duration);
   SimulationOptions options;
   options.start = test.start;

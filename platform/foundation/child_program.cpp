@@ -135,6 +135,11 @@ std::string ChildEnding::phrase() const {
   return fmt::format("was ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
 }
 
+std::string ChildEnding::deed() const {
+  if (WIFEXITED(status)) return fmt::format("ended the program with exit code {}", WEXITSTATUS(status));
+  return fmt::format("ended the program by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+}
+
 ChildProgram::ChildProgram(const ChildBeginning& beginning) {
   std::vector<std::string> words = beginning.words, variables = environment_with(beginning.environment);
   const SpawnOrders orders(beginning);

@@ -49,6 +49,9 @@ struct ChildEnding {
 
   int code() const;            ///< of the exit; 128 + signal where one ended it
   std::string phrase() const;  ///< "ended with exit code 3", "was ended by signal 11 (Segmentation fault)"
+  /// Of what did that to a process of this program: "ended the program with exit code 3", "ended the program by signal
+  /// 11 (Segmentation fault)".
+  std::string deed() const;
 };
 
 /// A program that runs beside this one, in a process group of its own, so that an interrupt at the terminal reaches

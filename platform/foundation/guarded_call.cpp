@@ -30,6 +30,10 @@ std::string to_string(const ComponentOrigin& origin) {
   return origin.file.empty() ? name : name + " (" + origin.file.string() + ")";
 }
 
+const char* on_page(const ComponentOrigin& origin) {
+  return origin.on_page != nullptr ? origin.on_page : component_on_page(to_string(origin));
+}
+
 std::string describe_current_exception(const ComponentOrigin& origin, std::string_view what) {
   try {
     throw;

@@ -10,7 +10,8 @@ class Interrupted : public Error {
   using Error::Error;
 };
 
-/// From now on the first SIGINT or SIGTERM raises a flag; a second one ends the process at once.
+/// From now on the first SIGINT or SIGTERM raises a flag; a second one ends the process at once. What follows within
+/// 0.1 s is the first one once more: a signal to a process group arrives from its sender and from the parent process.
 void watch_for_interrupts();
 bool interrupt_requested();
 /// Throws `Interrupted` if the flag is up. Long work calls it between its steps.

@@ -1,6 +1,7 @@
 #include "foundation/placement_unit.h"
 
 #include "foundation/address.h"
+#include "foundation/unit.h"
 
 #include <algorithm>
 #include <map>
@@ -58,6 +59,28 @@ std::string unit_at(const std::string& declared, const RobotSpec& robot, Element
     case ElementKind::world: break;
   }
   return declared;
+}
+
+bool is_unit_on(ElementKind kind, const std::string& declared) {
+  const auto is_unit = [&](Words words) {
+    if (kind == ElementKind::body || kind == ElementKind::world) words.clear();
+    if (kind == ElementKind::actuator) words["{command}"] = "V";
+    if (kind == ElementKind::sensor) words["{channel}"] = "m/s^2";
+    return parse_unit(replaced(declared, words)).has_value();
+  };
+  return is_unit(joint_words(false)) && is_unit(joint_words(true));
+}
+
+std::string unit_words_on(ElementKind kind) {
+  const std::string of_joint = "{position}, {force}, {inertia}";
+  switch (kind) {
+    case ElementKind::joint: return of_joint;
+    case ElementKind::actuator: return of_joint + ", {command}";
+    case ElementKind::sensor: return of_joint + ", {channel}";
+    case ElementKind::body:
+    case ElementKind::world: break;
+  }
+  return {};
 }
 
 std::string unit_in_words(const std::string& declared) {

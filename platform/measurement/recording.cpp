@@ -1,6 +1,7 @@
 #include "measurement/recording.h"
 
 #include "foundation/address.h"
+#include "foundation/plugin_call.h"
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
 #include "measurement/controller_plan.h"
@@ -268,6 +269,7 @@ RecordingReader::RecordingReader(RecordingSource source, RobotSpec robot,
     : source_(std::move(source)), robot_(std::move(robot)), on_note_(std::move(on_note)) {}
 
 std::vector<Trial> RecordingReader::read() const {
+  const HostCall call;
   Recording recording = read_recording(source_, robot_);
   if (on_note_)
     for (const ReadingNote& note : recording.notes) on_note_(note);

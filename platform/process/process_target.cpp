@@ -1,6 +1,7 @@
 #include "process/process_target.h"
 
 #include "foundation/interrupt.h"
+#include "foundation/plugin_call.h"
 #include "process/child_lines.h"
 #include "process/conversation.h"
 #include "process/json_message.h"
@@ -58,6 +59,7 @@ const Hello& ProcessTarget::hello() {
 }
 
 Trial ProcessTarget::carry_out(const Test& test) {
+  const HostCall call;
   start();
   const std::string limit = fmt::format("target.trial_limit, {:.4g} s beyond the test's {:.4g} s",
                                         setting_.source.trial_limit, test.duration);

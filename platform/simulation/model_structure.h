@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/guarded_call.h"
+
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_spec.h>
 
@@ -17,8 +19,13 @@ struct PlacedEffect {
   ElementKind kind = ElementKind::world;
   std::vector<int> elements;   ///< indices into the robot's list of that kind
   std::vector<double> values;  ///< one a declared parameter
-  std::filesystem::path file;  ///< the plugin's, for messages (foundation/guarded_call.h); empty: part of the program
+  std::filesystem::path file;  ///< the plugin's; empty: part of the program
 };
+
+/// The effect's component, as messages name it.
+inline ComponentOrigin origin_of(const PlacedEffect& placed) {
+  return {.kind = "effect", .name = placed.name, .file = placed.file};
+}
 
 /// A number that comes anew with each simulation. Its address is one of `addressed_values`
 /// (foundation/address.h) or `effect.<id>.<parameter>`.

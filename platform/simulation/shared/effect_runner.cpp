@@ -1,7 +1,5 @@
 #include "simulation/shared/effect_runner.h"
 
-#include "foundation/guarded_call.h"
-
 #include <lacuna/error.h>
 
 #include <algorithm>
@@ -38,8 +36,9 @@ bool sound(const StepLoads& loads) {
 void EffectRunner::amend(RobotSpec& robot) {
   running_ = kNone;
   const std::size_t sizes[] = {robot.bodies.size(), robot.joints.size(), robot.actuators.size(), robot.sensors.size()};
+  PluginCall call;
   for (const std::size_t effect : schedule_.amending()) {
-    enter(effect, "amend");
+    enter(call, effect, "amend");
     schedule_.effects()[effect].effect->amend(robot, context(effect));
     if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
         sizes[3] != robot.sensors.size())
@@ -50,16 +49,18 @@ void EffectRunner::amend(RobotSpec& robot) {
 
 void EffectRunner::start(const StepView& view) {
   std::fill(states_.begin(), states_.end(), 0.0);
+  PluginCall call;
   for (std::size_t effect = 0; effect < schedule_.effects().size(); ++effect) {
-    enter(effect, "start");
+    enter(call, effect, "start");
     schedule_.effects()[effect].effect->start(view, context(effect), state(effect));
   }
   running_ = kNone;
 }
 
 void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
+  PluginCall call;
   for (const std::size_t effect : schedule_.before_step()) {
-    enter(effect, "before_step");
+    enter(call, effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
   }
   running_ = kNone;
@@ -68,12 +69,13 @@ void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
 
 void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
   const ContactSpec contact = instance_.robot().contact;
+  PluginCall call;
   for (const std::size_t effect : schedule_.before_step()) {
     std::fill(loads.joints.begin(), loads.joints.end(), JointLoad{});
     std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
     loads.contact = contact;
     loads.gravity = instance_.robot().gravity;
-    enter(effect, "before_step");
+    enter(call, effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
     if (!sound(loads)) throw Error(std::string("it wrote a load that is not finite or has the wrong sign") + kRepair);
   }
@@ -82,16 +84,20 @@ void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
 }
 
 void EffectRunner::after_step(const StepView& view) {
+  if (schedule_.after_step().empty()) return;
+  PluginCall call;
   for (const std::size_t effect : schedule_.after_step()) {
-    enter(effect, "after_step");
+    enter(call, effect, "after_step");
     schedule_.effects()[effect].effect->after_step(view, context(effect), state(effect));
   }
   running_ = kNone;
 }
 
 double EffectRunner::command(std::size_t actuator, double value, const StepView& view) {
+  if (schedule_.commands(actuator).empty()) return value;
+  PluginCall call;
   for (const auto& [effect, which] : schedule_.commands(actuator)) {
-    enter(effect, "command");
+    enter(call, effect, "command");
     value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
     if (!std::isfinite(value)) throw Error(std::string("its command is not a number") + kRepair);
   }
@@ -100,8 +106,10 @@ double EffectRunner::command(std::size_t actuator, double value, const StepView&
 }
 
 void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const StepView& view) {
+  if (schedule_.senses(sensor).empty()) return;
+  PluginCall call;
   for (const auto& [effect, which] : schedule_.senses(sensor)) {
-    enter(effect, "sense");
+    enter(call, effect, "sense");
     schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
     if (!std::all_of(channels.begin(), channels.end(), [](double reading) { return std::isfinite(reading); }))
       throw Error(std::string("its reading is not a number") + kRepair);
@@ -113,8 +121,7 @@ std::string EffectRunner::explain() {
   const std::size_t effect = std::exchange(running_, kNone);  // what fails next may not be an effect's fault
   if (effect != kNone) {
     const PlacedEffect& placed = schedule_.effects()[effect];
-    return "effect." + placed.id + ": " +
-           describe_current_exception({.kind = "effect", .name = placed.name, .file = placed.file}, hook_);
+    return "effect." + placed.id + ": " + describe_current_exception(origin_of(placed), hook_);
   }
   try {
     throw;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/plugin_call.h"
 #include "simulation/shared/effect_schedule.h"
 #include "simulation/shared/model_instance.h"
 #include "simulation/shared/state_archive.h"
@@ -34,9 +35,10 @@ class EffectRunner {
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  void enter(std::size_t effect, const char* hook) {
+  void enter(PluginCall& call, std::size_t effect, const char* hook) {
     running_ = effect;
     hook_ = hook;
+    call.enter(schedule_.on_page(effect), hook);
   }
   EffectContext context(std::size_t effect) const { return schedule_.context(effect, instance_.effect_values(effect)); }
   std::span<double> state(std::size_t effect) { return schedule_.state_of(effect, states_); }

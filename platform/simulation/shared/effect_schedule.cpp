@@ -1,6 +1,5 @@
 #include "simulation/shared/effect_schedule.h"
 
-#include "foundation/guarded_call.h"
 #include "foundation/problem.h"
 
 #include <algorithm>
@@ -23,10 +22,6 @@ std::size_t elements_of_kind(const RobotSpec& robot, ElementKind kind) {
   return 0;
 }
 
-ComponentOrigin origin_of(const PlacedEffect& placed) {
-  return {.kind = "effect", .name = placed.name, .file = placed.file};
-}
-
 void check_effect(const PlacedEffect& placed, const RobotSpec& robot, ProblemList& problems) {
   const std::string where = "effect \"" + placed.id + "\" (" + placed.name + "): ";
   if (!placed.effect) {
@@ -42,7 +37,7 @@ void check_effect(const PlacedEffect& placed, const RobotSpec& robot, ProblemLis
   for (const int element : placed.elements)
     if (element < 0 || static_cast<std::size_t>(element) >= count)
       problems.add({}, where + "it is placed on an element that the robot does not have");
-  const EffectHooks hooks = guarded_call(origin_of(placed), "hooks", [&] { return placed.effect->hooks(); });
+  const EffectHooks hooks = guarded_call(origin_of(placed), "stages", [&] { return placed.effect->hooks(); });
   if (hooks.command != CommandStage::none && placed.kind != ElementKind::actuator)
     problems.add({}, where + "it changes commands and must be placed on actuators");
   if (hooks.sensor != SensorStage::none && placed.kind != ElementKind::sensor)
@@ -78,6 +73,7 @@ EffectSchedule::EffectSchedule(const std::vector<PlacedEffect>& effects, const R
   for (const PlacedEffect& placed : effects) check_effect(placed, robot, problems);
   check_ids(effects, problems);
   problems.throw_if_any();
+  for (const PlacedEffect& placed : effects) on_page_.push_back(lacuna::on_page(origin_of(placed)));
   for (std::size_t i = 0; i < effects.size(); ++i) schedule(i);
   for (auto& calls : commands_)
     sort_by_stage(calls, [&](std::size_t effect) { return effects_[effect].effect->hooks().command; });

@@ -28,6 +28,8 @@ class EffectSchedule {
   void size_states(const std::vector<std::vector<double>>& largest_values);
 
   const std::vector<PlacedEffect>& effects() const { return effects_; }
+  /// How a parent process names the effect (foundation/plugin_call.h).
+  const char* on_page(std::size_t effect) const { return on_page_[effect]; }
   EffectContext context(std::size_t effect, std::span<const double> values) const;
   std::span<double> state_of(std::size_t effect, std::span<double> states) const;
   std::size_t state_size() const { return state_offsets_.back(); }
@@ -46,6 +48,7 @@ class EffectSchedule {
 
   const std::vector<PlacedEffect>& effects_;
   double step_;
+  std::vector<const char*> on_page_;  // per effect
   std::vector<std::size_t> amending_, before_step_, after_step_;
   std::vector<std::vector<Call>> commands_, senses_;  // per actuator, per sensor
   std::vector<std::size_t> state_offsets_;            // one more than effects

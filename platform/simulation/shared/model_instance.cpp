@@ -35,7 +35,8 @@ void add_robot_places(const ModelStructure& structure, std::vector<Place>& place
 void add_effect_places(const ModelStructure& structure, std::vector<Place>& places) {
   for (std::size_t effect = 0; effect < structure.effects.size(); ++effect) {
     const PlacedEffect& placed = structure.effects[effect];
-    const ParameterDeclarations declared = placed.effect->describe().parameters;
+    const ParameterDeclarations declared =
+        guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); }).parameters;
     for (std::size_t value = 0; value < declared.size(); ++value)
       places.push_back({effect_address(placed.id, declared[value].name),
                         declared[value].lower,

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What a thread is about to do in a plugin. It lies in memory that processes share which are forked later, so that
+/// one can tell in which call the other ended, whatever ended it.
+struct alignas(64) CallSlot {
+  std::atomic<const char*> component = nullptr;  ///< as `component_on_page` gave it; null: no plugin is called
+  std::atomic<const char*> call = nullptr;       ///< a literal, as in "before_step"
+  std::atomic<bool> taken = false;
+};
+
+extern thread_local constinit CallSlot* own_call_slot_or_null;
+CallSlot& take_call_slot();
+
+/// The slot of this thread, which has it until it ends.
+inline CallSlot& own_call_slot() {
+  return own_call_slot_or_null != nullptr ? *own_call_slot_or_null : take_call_slot();
+}
+
+/// A component's text where the processes that are forked later see it, and the one that forked this one does. Equal
+/// texts have equal addresses. Takes a lock: ask once and keep the pointer.
+const char* component_on_page(const std::string& component);
+
+/// While it lives, this thread calls plugins; what it did before is restored with its end. A call costs two stores.
+class PluginCall {
+ public:
+  PluginCall() noexcept : PluginCall(own_call_slot()) {}
+  PluginCall(const char* component, const char* call) noexcept : PluginCall() { enter(component, call); }
+  ~PluginCall() { enter(component_, call_); }
+  PluginCall(const PluginCall&) = delete;
+  PluginCall& operator=(const PluginCall&) = delete;
+
+  void enter(const char* component, const char* call) noexcept {
+    slot_.component.store(component, std::memory_order_relaxed);
+    slot_.call.store(call, std::memory_order_relaxed);
+  }
+
+ private:
+  explicit PluginCall(CallSlot& slot) noexcept
+      : slot_(slot),
+        component_(slot.component.load(std::memory_order_relaxed)),
+        call_(slot.call.load(std::memory_order_relaxed)) {}
+
+  CallSlot& slot_;
+  const char* component_;
+  const char* call_;
+};
+
+/// While it lives, this thread works for the host, be it that a plugin asked for it.
+class HostCall : private PluginCall {
+ public:
+  HostCall() noexcept : PluginCall(nullptr, nullptr) {}
+};
+
+/// A call as one process finds it after the other's end.
+struct ActiveCall {
+  std::string component;
+  std::string call;
+  bool operator==(const ActiveCall&) const = default;
+};
+
+/// What is remembered of a process that ended; the pointers lie on pages that both have.
+class CallPage {
+ public:
+  /// Before a process is forked that is to be watched, while this one has one thread. What an earlier one left is
+  /// forgotten.
+  static void prepare();
+  /// The calls that threads were in; only that of the thread that ended the process, where it is known. Each once.
+  static std::vector<ActiveCall> active();
+  /// Forgets what a process that this thread forked has left.
+  static void clear();
+
+  /// From now on a thread of this process that calls `exit`, aborts or crashes is remembered as the one. A signal that
+  /// something else has a handler for, such as a sanitizer, is left alone.
+  static void watch_this_process();
+  /// The same for `exit` alone, once more: what is registered later runs earlier, before the ends of plugins.
+  static void watch_exits();
+
+  /// The process is about to end as it should, with this exit code.
+  static void close(int exit_code);
+  static bool is_closed();
+  static int exit_code();
+};
+
+}  // namespace lacuna

@@ -1,0 +1,218 @@
+#include "app/supervised.h"
+
+#include "foundation/interrupt.h"
+#include "foundation/plugin_call.h"
+#include "support/test_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+namespace lacuna {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+using SupervisedWork = int (*)(int, char**);
+constexpr auto kAWhile = std::chrono::milliseconds(200);
+
+/// A process that supervises `work`; what it prints goes to files in a folder.
+class Supervisor {
+ public:
+  explicit Supervisor(SupervisedWork work) {
+    EXPECT_EQ(pipe2(said_.data(), O_CLOEXEC), 0);
+    said_end() = said_[1];
+    process_ = fork();
+    if (process_ != 0) return;
+    dup2(open((folder_.path() / "errors").c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    _exit(run_supervised(0, nullptr, work));
+  }
+  ~Supervisor() {
+    for (const int end : said_) close(end);
+  }
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  /// In the work: tells the test its process number.
+  static void say_ready() {
+    const pid_t process = getpid();
+    EXPECT_EQ(write(said_end(), &process, sizeof(process)), static_cast<ssize_t>(sizeof(process)));
+  }
+  /// The process that does the work, once it is at it.
+  pid_t worker() const {
+    pid_t process = 0;
+    EXPECT_EQ(read(said_[0], &process, sizeof(process)), static_cast<ssize_t>(sizeof(process)));
+    return process;
+  }
+  void send(int signal) const { kill(process_, signal); }
+  int wait(int options = 0) const {
+    int status = 0;
+    waitpid(process_, &status, options);
+    return status;
+  }
+  std::string errors() const { return read_bytes(folder_.path() / "errors"); }
+
+ private:
+  static int& said_end() {
+    static int end = -1;
+    return end;
+  }
+
+  TestFolder folder_;
+  std::array<int, 2> said_{};
+  pid_t process_ = 0;
+};
+
+int until_interrupted(int, char**) {
+  watch_for_interrupts();
+  Supervisor::say_ready();
+  for (;;) {
+    try {
+      pause_for(60.0);
+    } catch (const Interrupted&) {
+      return 75;
+    }
+  }
+}
+
+TEST(RunSupervised, PassesTheExitCodeOnAndSaysNothing) {
+  const Supervisor supervisor([](int, char**) { return 42; });
+  const int status = supervisor.wait();
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 42);
+  EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+TEST(RunSupervised, AnEndThatIsNoReturnIsAFailure) {
+  for (const SupervisedWork work : {SupervisedWork([](int, char**) -> int { std::exit(0); }),
+                                    SupervisedWork([](int, char**) -> int { _exit(0); })}) {
+    const Supervisor supervisor(work);
+    EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+    EXPECT_THAT(supervisor.errors(),
+                HasSubstr("ended with exit code 0 before its work was done, in no call of a plugin"));
+  }
+}
+
+int exit_in_one_of_two_calls(int, char**) {
+  std::thread([] {
+    const PluginCall call(component_on_page("effect \"other\""), "sense");
+    std::this_thread::sleep_for(10 * kAWhile);
+  }).detach();
+  std::this_thread::sleep_for(kAWhile);
+  const PluginCall outer(component_on_page("target \"outer\""), "carrying a test out");
+  { const PluginCall inner(component_on_page("effect \"inner\""), "before_step"); }
+  std::exit(0);
+}
+
+TEST(RunSupervised, NamesTheCallOfTheThreadThatExits) {
+  const Supervisor supervisor(exit_in_one_of_two_calls);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("target \"outer\": carrying a test out ended the program with exit code 0"),
+                    Not(HasSubstr("other")), Not(HasSubstr("inner"))));
+}
+
+int crash_in_a_thread(int, char**) {
+  const PluginCall call(component_on_page("search \"patient\""), "ask");
+  std::thread([] {
+    const PluginCall in_thread(component_on_page("effect \"hasty\""), "command");
+    std::abort();
+  }).join();
+  return 0;
+}
+
+TEST(RunSupervised, NamesTheCallOfTheThreadThatCrashes) {
+  const Supervisor supervisor(crash_in_a_thread);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"hasty\": command ended the program by signal 6 (Aborted)"),
+                                         HasSubstr("repair it"), Not(HasSubstr("patient"))));
+}
+
+int end_at_once_during_two_calls(int, char**) {
+  std::thread([] {
+    const PluginCall call(component_on_page("effect \"one\""), "sense");
+    std::this_thread::sleep_for(10 * kAWhile);
+  }).detach();
+  std::this_thread::sleep_for(kAWhile);
+  const PluginCall call(component_on_page("effect \"two\""), "before_step");
+  const HostCall service;
+  const PluginCall inner(component_on_page("effect \"three\""), "command");
+  _exit(0);
+}
+
+TEST(RunSupervised, NamesAllCallsWhereNobodyKnowsWhoseItWas) {
+  const Supervisor supervisor(end_at_once_during_two_calls);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"one\": sense"), HasSubstr("effect \"three\": command"),
+                                         HasSubstr("one of these calls"), Not(HasSubstr("two"))));
+}
+
+TEST(RunSupervised, AKillIsNotCalledThePluginsFault) {
+  const Supervisor supervisor([](int, char**) {
+    const PluginCall call(component_on_page("effect \"slow\""), "before_step");
+    return until_interrupted(0, nullptr);
+  });
+  kill(supervisor.worker(), SIGKILL);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"slow\": before_step: the program was ended by signal 9"),
+                                         HasSubstr("another program ended it"), Not(HasSubstr("fault of the plugin"))));
+}
+
+TEST(RunSupervised, ASignalToTheSupervisorReachesTheWork) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Supervisor supervisor(until_interrupted);
+    supervisor.worker();
+    supervisor.send(signal);
+    EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 75) << signal;
+    EXPECT_THAT(supervisor.errors(), IsEmpty());
+  }
+}
+
+TEST(RunSupervised, AHangUpEndsBothBySignal) {
+  const Supervisor supervisor(until_interrupted);
+  supervisor.worker();
+  supervisor.send(SIGHUP);
+  const int status = supervisor.wait();
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGHUP);
+  EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+TEST(RunSupervised, StopsAndGoesOnWithTheWork) {
+  const Supervisor supervisor(until_interrupted);
+  kill(supervisor.worker(), SIGSTOP);
+  EXPECT_TRUE(WIFSTOPPED(supervisor.wait(WUNTRACED)));
+  supervisor.send(SIGCONT);
+  EXPECT_TRUE(WIFCONTINUED(supervisor.wait(WCONTINUED)));
+  supervisor.send(SIGINT);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 75);
+}
+
+TEST(RunSupervised, TheWorkDoesNotOutliveTheSupervisor) {
+  const Supervisor supervisor(until_interrupted);
+  const pid_t worker = supervisor.worker();
+  supervisor.send(SIGKILL);
+  supervisor.wait();
+  bool gone = false;
+  for (int i = 0; i < 1000 && !gone; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::string status = read_bytes("/proc/" + std::to_string(worker) + "/stat");
+    gone = status.empty() || status.find(") Z") != status.npos;  // nobody may have waited for it yet
+  }
+  EXPECT_TRUE(gone);
+}
+
+}  // namespace
+}  // namespace lacuna

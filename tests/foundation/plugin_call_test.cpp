@@ -1,0 +1,64 @@
+#include "foundation/plugin_call.h"
+
+#include "foundation/guarded_call.h"
+#include "foundation/parallel.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(PluginCall, IsActiveWhileItLivesAndRestoresTheOneBefore) {
+  const char* const drag = component_on_page("effect \"drag\"");
+  const char* const rig = component_on_page("target \"rig\"");
+  EXPECT_THAT(CallPage::active(), IsEmpty());
+  {
+    PluginCall outer(rig, "carrying a test out");
+    {
+      const HostCall service;
+      EXPECT_THAT(CallPage::active(), IsEmpty());
+      const PluginCall inner(drag, "before_step");
+      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "before_step"}));
+    }
+    EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"target \"rig\"", "carrying a test out"}));
+    outer.enter(rig, "recorded");
+    EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"target \"rig\"", "recorded"}));
+  }
+  EXPECT_THAT(CallPage::active(), IsEmpty());
+}
+
+TEST(PluginCall, OfAGuardedCallEndsWithAnException) {
+  const ComponentOrigin origin{"effect", "drag", "/opt/drag.so"};
+  std::vector<ActiveCall> seen;
+  EXPECT_ANY_THROW(guarded_call(origin, "amend", [&] {
+    seen = CallPage::active();
+    throw std::runtime_error("no");
+  }));
+  EXPECT_THAT(seen, ElementsAre(ActiveCall{"effect \"drag\" (/opt/drag.so)", "amend"}));
+  EXPECT_THAT(CallPage::active(), IsEmpty());
+}
+
+TEST(PluginCall, EachThreadHasASlotAndGivesItBack) {
+  constexpr std::size_t kMoreThanThereAreSlots = 3000;
+  const char* const drag = component_on_page("effect \"drag\"");
+  for (std::size_t round = 0; round < kMoreThanThereAreSlots / 2; ++round)
+    parallel_for(2, 2, [&](std::size_t, int) {
+      const PluginCall call(drag, "before_step");
+      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "before_step"}));
+    });
+  EXPECT_THAT(CallPage::active(), IsEmpty());
+}
+
+TEST(ComponentOnPage, EqualTextsHaveOnePlace) {
+  EXPECT_EQ(component_on_page("metric \"mean\""), component_on_page(std::string("metric ") + "\"mean\""));
+  EXPECT_STREQ(component_on_page("metric \"mean\""), "metric \"mean\"");
+}
+
+}  // namespace
+}  // namespace lacuna
