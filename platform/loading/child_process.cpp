@@ -1,5 +1,8 @@
 #include "loading/child_process.h"
 
+#include "foundation/child_program.h"
+#include "foundation/plugin_call.h"
+
 #include <lacuna/error.h>
 
 #include <fcntl.h>
@@ -10,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 
@@ -24,45 +28,70 @@ void become_silent() {
   for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) std::signal(signal, SIG_DFL);
 }
 
-/// Writes one byte a piece of work done.
+bool write_all(int pipe_end, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = write(pipe_end, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+/// False: the pipe ended before.
+bool read_all(int pipe_end, char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = read(pipe_end, bytes, count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// An answer travels as its length and its bytes.
+bool send(int pipe_end, const std::string& answer) {
+  const auto size = static_cast<std::uint32_t>(answer.size());
+  return write_all(pipe_end, reinterpret_cast<const char*>(&size), sizeof(size)) &&
+         write_all(pipe_end, answer.data(), size);
+}
+
+bool receive(int pipe_end, std::string& answer) {
+  std::uint32_t size = 0;
+  if (!read_all(pipe_end, reinterpret_cast<char*>(&size), sizeof(size))) return false;
+  answer.resize(size);
+  return read_all(pipe_end, answer.data(), size);
+}
+
 [[noreturn]] void serve(int pipe_end, std::size_t first, std::size_t count,
-                        const std::function<void(std::size_t)>& work, unsigned seconds_each) {
+                        const std::function<std::string(std::size_t)>& work, unsigned seconds_each) {
   become_silent();
   for (std::size_t index = first; index < count; ++index) {
     alarm(seconds_each);
+    std::string answer;
     try {
-      work(index);
+      answer = work(index);
     } catch (...) {  // an exception is not a death; the host meets it again and says what it was
     }
-    if (write(pipe_end, "+", 1) != 1) _exit(1);
+    if (!send(pipe_end, answer)) _exit(1);
   }
   _exit(0);
 }
 
-std::size_t count_bytes(int pipe_end) {
-  std::size_t total = 0;
-  std::array<char, 256> block{};
-  for (;;) {
-    const ssize_t got = read(pipe_end, block.data(), block.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return total;
-    total += static_cast<std::size_t>(got);
-  }
-}
-
 std::string cause_of_death(int status, unsigned seconds_each) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    return "takes longer than " + std::to_string(seconds_each) + " s";
-  if (WIFSIGNALED(status))
-    return "is ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
-  return "ends the process with exit code " + std::to_string(WEXITSTATUS(status));
+    return "took longer than " + std::to_string(seconds_each) + " s";
+  return ChildEnding{status}.deed();
 }
 
 }  // namespace
 
-std::vector<std::string> survive_in_child(std::size_t count, const std::function<void(std::size_t)>& work,
-                                          unsigned seconds_each) {
-  std::vector<std::string> endings(count);
+std::vector<ChildAnswer> ask_in_child(std::size_t count, const std::function<std::string(std::size_t)>& work,
+                                      unsigned seconds_each) {
+  const HostCall call;  // the page is this process's and the child's
+  std::vector<ChildAnswer> answers(count);
   std::fflush(nullptr);
   std::size_t next = 0;
   while (next < count) {
@@ -71,16 +100,19 @@ std::vector<std::string> survive_in_child(std::size_t count, const std::function
     const pid_t child = fork();
     if (child == 0) serve(ends[1], next, count, work, seconds_each);
     close(ends[1]);
-    const std::size_t survived = child > 0 ? count_bytes(ends[0]) : 0;
+    while (child > 0 && next < count && receive(ends[0], answers[next].answer)) ++next;
     close(ends[0]);
     if (child < 0) throw Error(std::string("no child process can be started: ") + strerror(errno));
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    next += survived;
-    if (next < count) endings[next++] = cause_of_death(status, seconds_each);
+    if (next == count) break;
+    const std::vector<ActiveCall> calls = CallPage::active();
+    answers[next] = {cause_of_death(status, seconds_each), calls.empty() ? "" : calls.front().call, ""};
+    CallPage::clear();
+    ++next;
   }
-  return endings;
+  return answers;
 }
 
 }  // namespace lacuna

@@ -1,6 +1,8 @@
 #include "loading/plugin_catalog.h"
 
+#include "loading/child_process.h"
 #include "loading/component_kinds.h"
+#include "loading/conformance.h"
 
 #include <sys/stat.h>
 
@@ -20,6 +22,7 @@ struct PluginCatalog::Entry {
   std::string build_id;
   void* (*create)() = nullptr;
   std::string duplicate_of;  // the sentence, if another file has the same component
+  std::string refusal;       // the sentence, if it is unfit for use
   std::mutex making;
   void* made = nullptr;
 
@@ -55,6 +58,36 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
   return files;
 }
 
+constexpr const char* kRepair = "; that is a fault of the plugin: repair it, or take it out of the plugin folder";
+
+/// What a component says of itself that cannot be; empty: nothing.
+template <class Interface>
+std::string problem_of(const Interface& component, const ComponentOrigin& origin) {
+  if constexpr (std::is_same_v<Interface, PhysicalEffect>) {
+    const EffectDescription description = guarded_call(origin, "describe", [&] { return component.describe(); });
+    const EffectStages stages = guarded_call(origin, "stages", [&] { return component.stages(); });
+    return effect_problem(description, stages, component.overridden());
+  } else {
+    guarded_call(origin, "summary", [&] { return component.summary(); });
+    return declaration_problem(guarded_call(origin, "parameters", [&] { return component.parameters(); }));
+  }
+}
+
+std::string problem_of(std::string_view kind, const void* component, const ComponentOrigin& origin) {
+  std::string problem;
+  for_component_kind(kind, [&]<class Interface>(std::type_identity<Interface>) {
+    problem = problem_of(*static_cast<const Interface*>(component), origin);
+  });
+  return problem;
+}
+
+std::string refusal_of(const ComponentOrigin& origin, const ChildAnswer& rehearsal) {
+  if (!rehearsal.death.empty())
+    return to_string(origin) + ": " + (rehearsal.call.empty() ? "its code" : rehearsal.call) + " " + rehearsal.death +
+           kRepair;
+  return rehearsal.answer.empty() ? std::string() : to_string(origin) + ": " + rehearsal.answer + kRepair;
+}
+
 template <class Interface>
 std::string summary_of(const Interface& component) {
   if constexpr (std::is_same_v<Interface, PhysicalEffect>)
@@ -84,6 +117,8 @@ PluginCatalog::PluginCatalog(const std::vector<std::filesystem::path>& folders) 
     return std::tie(a->origin.kind, a->origin.name) < std::tie(b->origin.kind, b->origin.name);
   });
   find_duplicates();
+  refuse_unfit();
+  CallPage::watch_exits();  // before the ends of the plugins, which are registered by now
 }
 
 void PluginCatalog::add(const PluginLibrary& library) {
@@ -92,11 +127,21 @@ void PluginCatalog::add(const PluginLibrary& library) {
     auto entry = std::make_shared<Entry>();
     entry->kind = component.kind;
     entry->origin = {component_noun(component.kind), component.name, library.file()};
+    entry->origin.on_page = on_page(entry->origin);
     entry->sha256 = library.sha256();
     entry->build_id = table.build_id == nullptr ? "unknown" : table.build_id;
     entry->create = component.create;
     entries_.push_back(std::move(entry));
   }
+}
+
+void PluginCatalog::refuse_unfit() {
+  const std::vector<ChildAnswer> rehearsals = ask_in_child(entries_.size(), [this](std::size_t index) {
+    const Entry& entry = *entries_[index];
+    return problem_of(entry.kind, entry.make(), entry.origin);
+  });
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    entries_[i]->refusal = refusal_of(entries_[i]->origin, rehearsals[i]);
 }
 
 void PluginCatalog::find_duplicates() {
@@ -140,6 +185,7 @@ const std::shared_ptr<PluginCatalog::Entry>& PluginCatalog::find(std::string_vie
   for (const auto& entry : entries_) {
     if (entry->kind != kind || entry->origin.name != name) continue;
     if (!entry->duplicate_of.empty()) throw Error(entry->duplicate_of);
+    if (!entry->refusal.empty()) throw Error(entry->refusal);
     return entry;
   }
   throw Error(missing(kind, name));
@@ -168,7 +214,8 @@ std::vector<PluginListing> PluginCatalog::list() const {
     listing.file = entry->origin.file;
     listing.sha256 = entry->sha256;
     listing.build_id = entry->build_id;
-    listing.problem = entry->duplicate_of;
+    listing.problem = entry->duplicate_of.empty() ? entry->refusal : entry->duplicate_of;
+    if (!entry->refusal.empty()) continue;
     try {
       listing.summary =
           guarded_call(entry->origin, "its summary", [&] { return summary_of(entry->kind, shared_component(entry)); });

@@ -32,10 +32,14 @@ class PluginCatalog {
   /// Loads all `*.so` files of the folders, in order of folder and name; a file that two of them lead
   /// to is loaded once. A folder that does not exist is passed over. Broken files do not hide the
   /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
+  ///
+  /// Then each component is made and asked what it is in a child process, with a time limit: one that ends the child,
+  /// or takes too long, or says of itself what cannot be (loading/conformance.h), is refused with a sentence; the
+  /// others go on working.
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
   /// The component of that interface and name: `get<PhysicalEffect>("viscous_friction")`. Throws `Error` for a name
-  /// that no plugin has, or that two have, and where making the component fails.
+  /// that no plugin has, or that two have, for a component that was refused, and where making it fails.
   template <class Interface>
   const Interface& get(const std::string& name) const {
     return *static_cast<const Interface*>(shared_component(find(ComponentKind<Interface>::name, name)));
@@ -61,6 +65,7 @@ class PluginCatalog {
   struct Entry;
 
   void add(const PluginLibrary& library);
+  void refuse_unfit();
   void find_duplicates();
   ComponentOrigin origin(std::string_view kind, const std::string& name) const;
   const std::shared_ptr<Entry>& find(std::string_view kind, const std::string& name) const;

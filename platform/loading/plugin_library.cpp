@@ -47,14 +47,13 @@ std::string loader_complaint(std::string_view message) {
 }
 
 std::string in_child(const std::filesystem::path& file, const std::string& ending) {
-  return file.string() + ": " + ending + " when it is loaded; copy it or build it again, or take it out of the folder";
+  return file.string() + ": " + ending + " when it was loaded; copy it or build it again, or take it out of the folder";
 }
 
 /// What happens to a file in the child process: everything that will happen to it in this one.
-void rehearse(const std::filesystem::path& file) {
+std::string rehearse(const std::filesystem::path& file) {
   const shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
-  const volatile bool usable = table_problem(table_of(library)).empty();
-  static_cast<void>(usable);
+  return table_problem(table_of(library));
 }
 
 }  // namespace
@@ -83,16 +82,16 @@ std::vector<PluginLoad> PluginLibrary::load_all(const std::vector<std::filesyste
     else
       loads[i].problem = files[i].string() + ": " + problem;
   }
-  const std::vector<std::string> endings =
-      survive_in_child(complete.size(), [&](std::size_t index) { rehearse(files[complete[index]]); });
+  const std::vector<ChildAnswer> rehearsals =
+      ask_in_child(complete.size(), [&](std::size_t index) { return rehearse(files[complete[index]]); });
   for (std::size_t index = 0; index < complete.size(); ++index) {
     const std::filesystem::path& file = files[complete[index]];
     PluginLoad& load = loads[complete[index]];
     try {
-      if (endings[index].empty())
+      if (rehearsals[index].death.empty())
         load.library = open(file);
       else
-        load.problem = in_child(file, endings[index]);
+        load.problem = in_child(file, rehearsals[index].death);
     } catch (const boost::dll::fs::system_error& error) {
       load.problem = file.string() + ": " + loader_complaint(error.what());
     } catch (const Error& error) {

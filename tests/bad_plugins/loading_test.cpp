@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <stdlib.h>
+
+#include <map>
+
 /// Broken libraries: each gives one sentence that names the file and what to do, and the host goes on.
 namespace lacuna {
 namespace {
@@ -45,7 +49,7 @@ TEST(BadPlugin, WithAnotherLayout) {
 
 TEST(BadPlugin, ThatDiesOnLoadTakesOnlyAChildProcessWithIt) {
   const BadFolder folder("dies_on_load");
-  expect_one_problem(folder.path(), "dies_on_load.so", "when it is loaded", "take it out of the folder");
+  expect_one_problem(folder.path(), "dies_on_load.so", "when it was loaded", "take it out of the folder");
 }
 
 TEST(BadPlugin, CutShort) {
@@ -113,6 +117,45 @@ TEST(BadPlugin, WhoseFactoryThrowsNamesComponentAndFile) {
   EXPECT_THAT([&] { catalog.get<PhysicalEffect>("throws_foreign_in_factory"); },
               ThrowsMessage<Error>(AllOf(HasSubstr("an object of type rig::Trouble"), HasSubstr("repair it"))));
   EXPECT_NO_THROW(catalog.get<PhysicalEffect>("harmless"));
+}
+
+TEST(BadPlugin, ThatSaysOfItselfWhatCannotBeIsRefusedByName) {
+  const BadFolder folder("unfit");
+  const PluginCatalog catalog({folder.path()});
+  const auto refusal = [&](const char* name, const char* what) {
+    return AllOf(HasSubstr(std::string("\"") + name + "\""), HasSubstr("unfit.so"), HasSubstr(what),
+                 HasSubstr("repair it"));
+  };
+  const std::map<std::string, const char*> whats = {{"without_stage", "overrides `command` and names no stage"},
+                                                    {"without_placement", "has no placement"},
+                                                    {"unknown_unit", "\"{foo}\", which is no unit on"},
+                                                    {"bounds_reversed", "a lower bound above its upper bound"}};
+  for (const auto& [name, what] : whats)
+    EXPECT_THAT([&] { catalog.get<PhysicalEffect>(name); }, ThrowsMessage<Error>(refusal(name.c_str(), what)));
+  EXPECT_THAT([&] { catalog.get<FitnessMetric>("unknown_metric_unit"); },
+              ThrowsMessage<Error>(refusal("unknown_metric_unit", "N*x")));
+  for (const PluginListing& listing : catalog.list())
+    EXPECT_EQ(listing.problem.empty(), listing.name == "undeclared_hook") << listing.problem;
+  EXPECT_THAT(catalog.problems(), IsEmpty());
+  EXPECT_TRUE(catalog.get<PhysicalEffect>("undeclared_hook").hooks().before_step);
+}
+
+TEST(BadPlugin, ThatEndsTheProgramWhereItIsMadeOrDescribedTakesOnlyAChildProcessWithIt) {
+  const BadFolder folder("hostile");
+  for (const auto& [order, what] : {std::pair{"factory exit", "its factory ended the program with exit code 0"},
+                                    std::pair{"describe _exit", "describe ended the program with exit code 0"},
+                                    std::pair{"describe abort", "describe ended the program by signal 6"},
+                                    std::pair{"stages segfault", "stages ended the program by signal 11"},
+                                    std::pair{"stages terminate", "stages ended the program by signal 6"},
+                                    std::pair{"describe kill", "describe ended the program by signal 9"}}) {
+    setenv("HOSTILE", order, 1);
+    const PluginCatalog catalog({folder.path()});
+    unsetenv("HOSTILE");
+    EXPECT_THAT([&] { catalog.get<PhysicalEffect>("hostile"); },
+                ThrowsMessage<Error>(AllOf(HasSubstr("effect \"hostile\""), HasSubstr("hostile.so"), HasSubstr(what),
+                                           HasSubstr("repair it"))));
+    EXPECT_NO_THROW(catalog.get<PhysicalEffect>("harmless_neighbour"));
+  }
 }
 
 TEST(BadPlugin, ThatCannotDescribeItselfIsListedWithItsProblem) {

@@ -1,0 +1,131 @@
+#include "bad_plugins/bad_folder.h"
+#include "end_to_end/program.h"
+#include "support/sanitizers.h"
+#include "support/small_experiment.h"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+/// A plugin that ends the process that calls it: the command fails, with a line that names plugin and call, and the
+/// database is as it was.
+namespace lacuna {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::filesystem::path kRig = std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "tests" / "bad_plugins" / "rig";
+
+class HostilePlugin : public testing::Test {
+ protected:
+  HostilePlugin() {
+    for (const char* file : {"rig.toml", "robot.toml", "spin.csv"}) program_.write(file, read_bytes(kRig / file));
+    program_.write("small.toml", small_experiment("0.2", "population = 4, keep = 2, generations = 2",
+                                                  "population = 4, keep = 2, generations = 2"));
+  }
+  /// What the hostile plugin does is told it by `order`.
+  Outcome lacuna(const std::string& order, const std::string& command) const {
+    return program_.shell("export HOSTILE='" + order + "'; lacuna " + command + " --plugin-path " +
+                          folder_.path().string());
+  }
+  static std::string compare(const std::string& effect) {
+    return "compare rig.toml --set 'model.effects=[{effect=\"" + effect + "\",where=\"joint.axle\"}]'";
+  }
+  auto names(const std::string& component, const std::string& what) const {
+    return AllOf(HasSubstr(component + " (" + (folder_.path() / "hostile.so").string() + "): " + what),
+                 HasSubstr("that is a fault of the plugin"));
+  }
+
+  BadFolder folder_{"hostile"};
+  Program program_;
+};
+
+TEST_F(HostilePlugin, ThatEndsTheProgramInAStepIsNamed) {
+  ASSERT_EQ(lacuna("", "compare rig.toml").exit_code, 0);
+  const auto error = [&] {
+    const std::string history = program_.run({"history", "rig.toml"}).output;
+    std::smatch match;
+    return std::regex_search(history, match, std::regex("rigid +([0-9.]+ mrad)")) ? match[1].str() : history;
+  };
+  const std::string before = error();
+  ASSERT_THAT(before, testing::EndsWith("mrad"));
+  for (const auto& [order, what] : {std::pair{"before_step exit", "before_step ended the program with exit code 0"},
+                                    std::pair{"before_step _exit", "before_step ended the program with exit code 0"},
+                                    std::pair{"before_step abort", "before_step ended the program by signal 6"},
+                                    std::pair{"before_step terminate 20", "before_step ended the program by signal 6"},
+                                    std::pair{"describe exit 2", "describe ended the program with exit code 0"},
+                                    std::pair{"stages _exit 2", "stages ended the program with exit code 0"}}) {
+    const Outcome outcome = lacuna(order, compare("hostile"));
+    EXPECT_EQ(outcome.exit_code, 1) << order;
+    EXPECT_THAT(outcome.errors, names("effect \"hostile\"", what)) << order;
+  }
+  EXPECT_THAT(program_.run({"sql", "wheel.db", "PRAGMA integrity_check"}).output, HasSubstr("ok"));
+  EXPECT_EQ(error(), before);
+}
+
+TEST_F(HostilePlugin, ThatCrashesInAStepIsNamed) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "the sanitizer makes an exit code of its own of a crash";
+  const Outcome crash = lacuna("before_step segfault", compare("hostile"));
+  EXPECT_EQ(crash.exit_code, 1);
+  EXPECT_THAT(crash.errors, names("effect \"hostile\"", "before_step ended the program by signal 11"));
+}
+
+TEST_F(HostilePlugin, ThatIsKilledIsNamedAndNotBlamed) {
+  const Outcome outcome = lacuna("before_step kill", compare("hostile"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("hostile.so): before_step"), HasSubstr("was ended by signal 9"),
+                                    HasSubstr("memory"), Not(HasSubstr("fault of the plugin"))));
+}
+
+TEST_F(HostilePlugin, ThatTakesAllMemoryOrThrowsIsNamed) {
+  const Outcome foreign = lacuna("before_step throw", compare("hostile"));
+  EXPECT_EQ(foreign.exit_code, 1);
+  EXPECT_THAT(foreign.errors, HasSubstr("before_step threw an object of type"));
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer needs more address space than this leaves";
+  const Outcome hog = program_.shell("ulimit -v 2000000; export HOSTILE='before_step hog'; lacuna " +
+                                     compare("hostile") + " --plugin-path " + folder_.path().string());
+  EXPECT_EQ(hog.exit_code, 1);
+  EXPECT_THAT(hog.errors, AllOf(HasSubstr("hostile.so"), HasSubstr("before_step threw std::bad_alloc")));
+}
+
+TEST_F(HostilePlugin, ThatEndsADiagnosisIsNamed) {
+  program_.copy_first_steps();
+  const Outcome outcome = lacuna("before_step exit", "diagnose first-steps.toml --among hostile");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
+  EXPECT_THAT(outcome.errors, names("effect \"hostile\"", "before_step ended the program with exit code 0"));
+}
+
+TEST_F(HostilePlugin, ThatEndsARunIsNamed) {
+  const Outcome search = lacuna("begin exit",
+                                "run small.toml --set 'estimation.search=\"hostile_search\"'"
+                                " --set 'estimation.parameters={}'");
+  EXPECT_EQ(search.exit_code, 1);
+  EXPECT_THAT(search.errors, names("search \"hostile_search\"", "begin ended the program with exit code 0"));
+  const Outcome metric = lacuna("add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2");
+  EXPECT_EQ(metric.exit_code, 1);
+  EXPECT_THAT(metric.errors, names("metric \"hostile_metric\"", "its accumulator ended the program by signal 6"));
+}
+
+TEST_F(HostilePlugin, ThatEndsItsDescriptionIsListedAndTheOthersWork) {
+  for (const std::string order : {"describe exit", "factory _exit", "stages abort"}) {
+    const Outcome list = lacuna(order, "plugins list");
+    EXPECT_EQ(list.exit_code, 0) << order;
+    EXPECT_THAT(list.output, AllOf(HasSubstr("cannot be used: effect \"hostile\""), HasSubstr("ended the program"),
+                                   HasSubstr("harmless_neighbour"), HasSubstr("coulomb_friction")));
+    EXPECT_EQ(lacuna(order, compare("harmless_neighbour")).exit_code, 0) << order;
+    const Outcome use = lacuna(order, compare("hostile"));
+    EXPECT_EQ(use.exit_code, 2) << order;
+    EXPECT_THAT(use.errors, AllOf(HasSubstr("model.effects[0].effect"), HasSubstr("ended the program")));
+  }
+}
+
+TEST_F(HostilePlugin, WhoseDescriptionHangsIsListedAfterTheTimeLimit) {
+  const Outcome list = lacuna("describe hang", "plugins list");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_THAT(list.output, HasSubstr("hostile.so): describe took longer than 10 s; that is a fault of the plugin"));
+}
+
+}  // namespace
+}  // namespace lacuna

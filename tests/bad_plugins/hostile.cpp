@@ -1,0 +1,97 @@
+#include "bad_effect.h"
+
+#include <lacuna/error.h>
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+/// Components that do in one of their calls what the variable HOSTILE says, as in "before_step exit" or
+/// "describe segfault 3", from the third time on that it is called in a process.
+namespace {
+
+struct Trouble {};
+
+void do_it(const std::string& deed) {
+  if (deed == "exit") std::exit(0);
+  if (deed == "_exit") _exit(0);
+  if (deed == "abort") std::abort();
+  if (deed == "terminate") std::terminate();
+  if (deed == "segfault") *const_cast<volatile int*>(static_cast<const volatile int*>(nullptr)) = 1;
+  if (deed == "kill") raise(SIGKILL);
+  if (deed == "throw") throw Trouble{};
+  if (deed == "hang")
+    for (;;) pause();
+  if (deed == "hog")
+    for (std::vector<std::vector<char>> all;;) all.emplace_back(std::size_t{1} << 28, 'x');
+}
+
+void misbehave(const std::string& where) {
+  const char* const variable = std::getenv("HOSTILE");
+  if (variable == nullptr) return;
+  static std::atomic<int> calls = 0;
+  const std::string order = variable;
+  const std::size_t deed = order.find(' '), count = order.find(' ', deed + 1);
+  if (order.substr(0, deed) != where) return;
+  const int wanted = count == std::string::npos ? 1 : std::atoi(order.c_str() + count);
+  if (++calls >= wanted) do_it(order.substr(deed + 1, count - deed - 1));
+}
+
+class Effect : public bad::Effect {
+ public:
+  Effect() { misbehave("factory"); }
+  lacuna::EffectDescription describe() const override {
+    misbehave("describe");
+    return bad::Effect::describe();
+  }
+  lacuna::EffectStages stages() const override {
+    misbehave("stages");
+    return {};
+  }
+  void before_step(const lacuna::StepView&, const lacuna::EffectContext&, std::span<double>,
+                   lacuna::StepLoads&) const override {
+    misbehave("before_step");
+  }
+};
+
+class Accumulator : public lacuna::ScoreAccumulator {
+ public:
+  void add(std::span<const double>, std::span<const double>) override { misbehave("add"); }
+  double bound() const override { return 0.0; }
+  double score() const override { return 1.0; }
+  void reset() override {}
+};
+
+class Metric : public lacuna::FitnessMetric {
+ public:
+  std::string summary() const override {
+    misbehave("summary");
+    return "Broken on purpose";
+  }
+  std::unique_ptr<lacuna::ScoreAccumulator> accumulator(const lacuna::ComparisonShape&,
+                                                        std::span<const double>) const override {
+    return std::make_unique<Accumulator>();
+  }
+};
+
+class Searching : public lacuna::SearchStrategy {
+ public:
+  std::string summary() const override { return "Broken on purpose"; }
+  std::unique_ptr<lacuna::Search> begin(const lacuna::SearchTask&, std::span<const double>) const override {
+    misbehave("begin");
+    throw lacuna::Error("it has begun");
+  }
+};
+
+}  // namespace
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, Effect>("hostile"),
+              lacuna::component<lacuna::PhysicalEffect, bad::Effect>("harmless_neighbour"),
+              lacuna::component<lacuna::FitnessMetric, Metric>("hostile_metric"),
+              lacuna::component<lacuna::SearchStrategy, Searching>("hostile_search"))
