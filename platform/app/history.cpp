@@ -1,13 +1,16 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output.h"
-#include "app/workbench.h"
+#include "app/records.h"
+#include "app/rig.h"
 #include "report/history_text.h"
+#include "storage/result_store.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -17,25 +20,55 @@ struct HistoryOptions : CommonOptions {
   std::filesystem::path out;
 };
 
+/// What the database has of the experiment, and what it lacks of the model that the file describes now.
+struct StoredHistory {
+  std::vector<HistoryRow> rows;
+  int looks = 0;
+  std::string missing;  ///< a sentence; empty: nothing
+};
+
+/// Why the current revision's errors are not all stored, or nothing.
+std::string missing_of(const ResultStore& store, const std::optional<StoredRevision>& revision, bool has_held_out) {
+  if (!revision) return "the model in the file is not stored yet";
+  const auto compared = [&](bool held_out) {
+    return store.latest_comparison(revision->id, ComparisonKind::refitted, held_out).has_value();
+  };
+  if (!compared(false)) return fmt::format("revision {} is not compared yet", revision->number);
+  if (has_held_out && !compared(true))
+    return fmt::format("revision {} is not compared with the held-out files yet", revision->number);
+  return "";
+}
+
+/// Reads, and changes nothing: no fit, no look at held-out files, no revision.
+StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) {
+  if (!std::filesystem::exists(file)) return {{}, 0, "nothing is stored yet"};
+  Database database = Database::open_read_only(file);
+  const ResultStore store(database);
+  const std::optional<ExperimentId> experiment = store.find_experiment(rig.experiment.name);
+  if (!experiment) return {{}, 0, fmt::format("nothing of {} is stored yet", rig.experiment.name)};
+  const std::optional<StoredRevision> now = store.find_revision(*experiment, revision_record(rig));
+  StoredHistory history{store.history(*experiment), store.holdout_looks(*experiment),
+                        missing_of(store, now, rig.count(true) > 0)};
+  for (HistoryRow& row : history.rows) row.current = now && row.number == now->number;
+  return history;
+}
+
 void run_history(const HistoryOptions& options) {
   check_output(options.json, options.csv);
   make_output_folder(options.out);
-  Workbench bench(options);
-  const bool compared =
-      bench.ledger()
-          .store()
-          .latest_comparison(bench.revision().id, ComparisonKind::refitted, bench.rig().count(true) > 0)
-          .has_value();
-  if (!compared) bench.compare_model(bench.fit_model().result, true, true);
-
-  const std::vector<HistoryRow> rows = bench.ledger().store().history(bench.ledger().experiment());
-  const int looks = bench.ledger().store().holdout_looks(bench.ledger().experiment());
-  if (!takes_standard_output(options.json) && !takes_standard_output(options.csv))
-    fmt::print("{} · {}\n{}", bench.rig().experiment.name, bench.ledger().file().string(), history_text(rows, looks));
-  if (options.json) write_output(*options.json, history_json(rows, looks));
-  if (options.csv) write_output(*options.csv, history_csv(rows));
-  if (!options.out.empty()) draw_history(rows, bench.rig().experiment.name + " · error by revision", options.out);
-  bench.ledger().done();
+  const Rig rig = open_rig(options);
+  const std::filesystem::path file = database_of(options, rig.experiment);
+  const StoredHistory history = stored_history(file, rig);
+  const std::string next = history.missing.empty() ? "" : "lacuna compare " + shell_word(options.experiment.string());
+  if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
+    fmt::print("{} · {}\n", rig.experiment.name, file.string());
+    if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks));
+    if (!next.empty()) fmt::print("{}. Next: {}\n", history.missing, next);
+  }
+  if (options.json) write_output(*options.json, history_json(history.rows, history.looks, history.missing, next));
+  if (options.csv) write_output(*options.csv, history_csv(history.rows));
+  if (!options.out.empty() && !history.rows.empty())
+    draw_history(history.rows, rig.experiment.name + " · error by revision", options.out);
 }
 
 }  // namespace

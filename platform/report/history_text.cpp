@@ -106,7 +106,11 @@ std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks
   return text + fmt::format("held-out looks {}\n", held_out_looks);
 }
 
-std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks) {
+std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks, const std::string& missing,
+                         const std::string& next) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+  };
   nlohmann::ordered_json revisions = nlohmann::ordered_json::array();
   for (const HistoryRow& row : rows)
     revisions.push_back({{"revision", row.number},
@@ -121,7 +125,12 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
                          {"floor", row.floor},
                          {"times_floor", row.times_floor},
                          {"failed_trials", row.failed_trials}});
-  return nlohmann::ordered_json{{"held_out_looks", held_out_looks}, {"revisions", revisions}}.dump(2) + "\n";
+  return nlohmann::ordered_json{{"held_out_looks", held_out_looks},
+                                {"missing", text_or_null(missing)},
+                                {"next", text_or_null(next)},
+                                {"revisions", revisions}}
+             .dump(2) +
+         "\n";
 }
 
 std::string history_csv(const std::vector<HistoryRow>& rows) {

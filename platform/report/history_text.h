@@ -11,7 +11,10 @@ namespace lacuna {
 /// Error by revision: a table a channel, with a bar for the multiple of the floor.
 /// `held_out_looks`: how often held-out data were looked at so far.
 std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks);
-std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks);
+/// `missing`: a sentence on errors of the current model that are not stored, `next`: the command that stores them;
+/// empty: nothing is missing.
+std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks, const std::string& missing = {},
+                         const std::string& next = {});
 std::string history_csv(const std::vector<HistoryRow>& rows);
 
 /// One SVG a channel, `history-<channel>.svg`: fit and held-out error by revision, and the floor.
