@@ -4,6 +4,7 @@
 #include "app/stored_ensembles.h"
 #include "app/test_reading.h"
 #include "config/experiment_reader.h"
+#include "evaluation/step_count.h"
 #include "evaluation/target_simulator.h"
 #include "evaluation/test_space.h"
 #include "foundation/parallel.h"
@@ -109,11 +110,14 @@ WantedTest numbered_test(const AskedRun& run, std::uint64_t number, const AskedT
 }
 
 WantedTest wanted_test(const AskedRun& run, const AskedTest& asked) {
+  if (const std::optional<double> duration = asked_duration(asked))
+    check_step_count(run.rig().experiment, *duration, "of the test");
   if (const std::optional<std::uint64_t> number = test_number(asked.test)) return numbered_test(run, *number, asked);
   const ModelDefinition* target = run.stored.bench->target();
   const RobotSpec& robot = (target ? *target : run.rig().definition).structure.robot;
   const TestSpace space = test_space(robot, run.rig().experiment.engine, 0.0);
   WantedTest wanted{read_test(asked, space, *run.rig().catalog), {}};
+  check_step_count(run.rig().experiment, wanted.test.duration, "of the test");
   wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
   return wanted;
 }

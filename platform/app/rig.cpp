@@ -3,6 +3,7 @@
 #include "app/trial_target.h"
 #include "config/experiment_reader.h"
 #include "config/result_setting.h"
+#include "evaluation/step_count.h"
 #include "foundation/counted.h"
 #include "foundation/guarded_call.h"
 #include "storage/carried_out.h"
@@ -23,12 +24,14 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   rig.experiment = std::move(experiment);
   rig.catalog = std::move(catalog);
   rig.definition = define_model(rig.experiment, *rig.catalog);
+  const std::string& target = rig.experiment.target.kind;
+  check_step_count(rig.experiment, {}, rig.catalog->make<TargetSystem>(target)->takes_tests());
   rig.model = compile(rig.definition.structure, rig.definition.engine);
   const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
                                [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
-  const std::string& target = rig.experiment.target.kind;
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
+  check_step_count(rig.experiment, rig.trials, false);
   return rig;
 }
 

@@ -6,6 +6,7 @@
 #include "app/test_reading.h"
 #include "app/trial_target.h"
 #include "app/used_plugins.h"
+#include "evaluation/step_count.h"
 #include "evaluation/test_space.h"
 #include "foundation/counted.h"
 #include "foundation/shell_word.h"
@@ -165,7 +166,10 @@ void run_trial(const TrialOptions& options) {
   TrialTarget target(rig.experiment, rig.definition, *rig.catalog, replicate);
   const RobotSpec& robot = target.robot() ? *target.robot() : rig.definition.structure.robot;
   const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
+  if (const std::optional<double> asked = asked_duration(options.asked))
+    check_step_count(rig.experiment, *asked, "of the test");
   const Test test = read_test(options.asked, space, *rig.catalog);
+  check_step_count(rig.experiment, test.duration, "of the test");
   if (target.takes_tests() && !options.csv)
     report(options, rig, carry_out(options, rig, target, test), test.duration);
   else if (!target.takes_tests() && !options.csv && takes_standard_output(options.json))
