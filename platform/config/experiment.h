@@ -33,13 +33,14 @@ struct ComponentChoice {
 
 /// What is believed of a robot, or what a simulated target is.
 struct ModelSection {
-  std::string robot;                         ///< plugin name
-  std::map<std::string, double> parameters;  ///< of the robot plugin
-  std::filesystem::path file;                ///< of a declared robot
-  std::string file_digest;                   ///< SHA-256 of its text
-  std::optional<RobotSpec> declared;         ///< its content
-  std::map<std::string, double> set;         ///< address pattern → value, fixed
-  std::vector<FreeRange> free;               ///< of a target: what is hidden, drawn uniformly
+  std::string robot;                                   ///< plugin name
+  std::map<std::string, double> parameters;            ///< of the robot plugin
+  std::filesystem::path file;                          ///< of a declared robot
+  std::string file_digest;                             ///< SHA-256 of its text
+  std::optional<RobotSpec> declared;                   ///< its content
+  std::map<std::string, SourceLocation> robot_places;  ///< where its keys stand: "body.arm.mass"
+  std::map<std::string, double> set;                   ///< address pattern → value, fixed
+  std::vector<FreeRange> free;                         ///< of a target: what is hidden, drawn uniformly
   EffectList effects;
   ComponentChoice encoding = {"parameters", {}};  ///< of models, for the estimation phase
   bool approximate = false;                       ///< the start values are a model to begin with

@@ -31,7 +31,7 @@ void read_declared_robot(const TomlNode& tree, const std::string& section, const
   try {
     const std::string text = read_text_file(path);
     into.file_digest = sha256(text);
-    into.declared = read_robot_text(text, path);
+    into.declared = read_robot_text(text, path, &into.robot_places);
   } catch (const BadInput& bad) {
     append(bad, problems);
   }

@@ -58,7 +58,7 @@ void check_written_units(RobotSpec& robot, const Locations& locations, Reading& 
 
 }  // namespace
 
-RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& file) {
+RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& file, Locations* places) {
   const TomlNode tree = parse_toml(text, file.string());
   const Locations locations = locations_of(tree);
   ProblemList problems;
@@ -70,6 +70,7 @@ RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& 
   RobotSpec robot = assembled(written, locations, reading);
   check_written_units(robot, locations, reading);
   problems.throw_if_any();
+  if (places != nullptr) *places = locations;
   return robot;
 }
 

@@ -2,6 +2,8 @@
 
 #include <lacuna/robot_spec.h>
 
+#include "config/locations.h"
+
 #include <filesystem>
 #include <string>
 
@@ -13,7 +15,8 @@ namespace lacuna {
 /// where the child is.
 RobotSpec read_robot(const std::filesystem::path& file);
 
-/// The same from text; `file` is used in messages.
-RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& file);
+/// The same from text; `file` is used in messages. `places`, if given, gets where each key stands: a value's key is its
+/// address.
+RobotSpec read_robot_text(const std::string& text, const std::filesystem::path& file, Locations* places = nullptr);
 
 }  // namespace lacuna

@@ -16,6 +16,10 @@ class Complaints {
   void add(const std::string& key, const std::string& message) {
     problems_.add(experiment_.where(key), key + ": " + message);
   }
+  /// Of something that stands elsewhere, as in the robot file.
+  void add_at(const SourceLocation& place, const std::string& message) { problems_.add(place, message); }
+  /// Where `key` stands, or the nearest table around it.
+  SourceLocation where(const std::string& key) const { return experiment_.where(key); }
   /// Complains where the number at `key` was written in a unit of another dimension.
   void check_unit(const std::string& key, const std::string& unit) { experiment_.check_unit(key, unit, problems_); }
   std::size_t count() const { return problems_.all().size(); }

@@ -4,6 +4,7 @@
 #include "loading/plugin_catalog.h"
 #include "simulation/compiled_model.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct FreeValue {
   double start = 0.0;
   Scale scale = Scale::linear;
   std::string description = {};
+  /// What the robot has where no file gives a start and that value lies outside the bounds; `start` is the nearest
+  /// bound.
+  std::optional<double> own = {};
 };
 
 /// The model section of an experiment with its plugins: what is compiled, fitted and stored.

@@ -1,14 +1,21 @@
 #include "evaluation/robot_values.h"
 
+#include "config/locations.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
 namespace lacuna {
 namespace {
+
+constexpr double kBoundRounding = 1e-9;  ///< of the larger bound
+constexpr int kBoundDigits = 6;          ///< enough to tell a value from a bound that it misses
 
 /// `body.torso.mass` → `body.*.mass`; `contact.friction` stays.
 std::string with_star(const std::string& address) {
@@ -64,14 +71,59 @@ void scale_inertia(InertiaSpec& inertia, double factor) {
     *moment *= factor;
 }
 
-FreeValue free_value(const AddressedValue& value, const FreeRange& range) {
-  return {.address = value.address,
-          .unit = value.unit,
-          .lower = range.lower,
-          .upper = range.upper,
-          .start = std::clamp(range.start.value_or(*value.value), range.lower, range.upper),
-          .scale = Scale::linear,
-          .description = ""};
+/// Bounds and value may be written in other units, "800 g" and 0.8: their last digits do not count.
+bool is_within(double value, const FreeRange& range) {
+  const double rounding = kBoundRounding * std::max(std::abs(range.lower), std::abs(range.upper));
+  return value >= range.lower - rounding && value <= range.upper + rounding;
+}
+
+/// The place in the robot file that gives this value, if one does: its key, that of the vector which it is a component
+/// of, or the body whose shapes tell its mass and inertia.
+std::optional<SourceLocation> place_in_robot_file(const ModelSection& section, const std::string& address) {
+  if (!section.declared) return std::nullopt;
+  if (address.starts_with("body.")) return nearest_location(section.robot_places, address, section.file.string());
+  const std::string key = address.starts_with("world.gravity") ? "robot.gravity" : address;
+  const bool is_component = std::count(key.begin(), key.end(), '.') > 2;
+  const auto found = section.robot_places.find(is_component ? key.substr(0, key.rfind('.')) : key);
+  return found == section.robot_places.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The pattern of `[model.set]` that gave the value, if one did: the closest.
+std::optional<std::string> set_by(const ModelSection& section, const std::string& address) {
+  const auto stars = [](const std::string& pattern) { return std::count(pattern.begin(), pattern.end(), '*'); };
+  std::optional<std::string> closest;
+  for (const auto& [pattern, value] : section.set)
+    if (matches(pattern, address) && (!closest || stars(pattern) < stars(*closest))) closest = pattern;
+  return closest;
+}
+
+/// Moves to its bounds what no file gives, and complains of a file's value beyond them: the fit would begin with
+/// another model than the one that the files describe.
+FreeValue free_value(const AddressedValue& value, const FreeRange& range, const SystemSource& source,
+                     Complaints& complaints) {
+  const double start = range.start.value_or(*value.value);
+  FreeValue free{.address = value.address,
+                 .unit = value.unit,
+                 .lower = range.lower,
+                 .upper = range.upper,
+                 .start = std::clamp(start, range.lower, range.upper),
+                 .scale = Scale::linear,
+                 .description = ""};
+  if (source.free != "free" || is_within(start, range)) return free;
+  const std::string bounds = source.key + "." + source.free + "." + range.pattern;
+  const std::string beyond = fmt::format(
+      "{} lies outside {} to {}, the bounds that {} has at {}; write a value within them, widen them, or say there "
+      "where the fit starts: {{ range = [{}, {}], start = ... }}",
+      format_quantity(start, value.unit, kBoundDigits), format_quantity(range.lower, value.unit, kBoundDigits),
+      format_quantity(range.upper, value.unit, kBoundDigits), bounds, to_string(complaints.where(bounds)), range.lower,
+      range.upper);
+  if (const std::optional<std::string> pattern = set_by(source.section, value.address))
+    complaints.add(source.key + ".set." + *pattern, beyond);
+  else if (const std::optional<SourceLocation> place = place_in_robot_file(source.section, value.address))
+    complaints.add_at(*place, value.address + ": " + beyond);
+  else
+    free.own = start;
+  return free;
 }
 
 }  // namespace
@@ -116,7 +168,7 @@ std::vector<FreeValue> free_robot_values(RobotSpec& robot, const SystemSource& s
     for (const char* number : {"[0]", "[1]", ".range[0]", ".range[1]", ".uniform[0]", ".uniform[1]", ".start"})
       complaints.check_unit(table + range.pattern + number, values[i].unit);
     if (range.lower >= values[i].lower && range.lower <= range.upper && range.upper <= values[i].upper)
-      free.push_back(free_value(values[i], range));
+      free.push_back(free_value(values[i], range, source, complaints));
     else
       complaints.add(table + range.pattern, "the range goes beyond the possible values of " + values[i].address + " (" +
                                                 bounds_text(values[i]) + ")");

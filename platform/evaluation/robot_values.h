@@ -17,8 +17,9 @@ void assign_value(RobotSpec& robot, const AddressedValue& target, double value);
 void set_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& complaints);
 
 /// The values that `[model.free]` frees, or `[target.hidden]` hides, in the order of `addressed_values`, one a matched
-/// address, with the same rule for several patterns. Without a `start` the robot's own value is the start, moved into
-/// the range.
+/// address, with the same rule for several patterns. Without a `start` the robot's own value is the start. One that a
+/// file gives a model must lie within the bounds, to rounding; one that no file gives is moved to the nearest bound
+/// (`FreeValue::own`). What is hidden needs no start.
 std::vector<FreeValue> free_robot_values(RobotSpec& robot, const SystemSource& source, Complaints& complaints);
 
 /// Gives the sensors that the patterns (`sensor.angle*`) name white noise of that standard deviation, in the unit of

@@ -114,9 +114,37 @@ TEST_F(DefineModel, APatternFreesOneValueAnAddressInSpecOrder) {
   EXPECT_EQ(model.structure.parameters[1].upper, 5.0);
 }
 
-TEST_F(DefineModel, AStartOutsideTheRangeMovesIntoIt) {
-  experiment_.model.free = {{"body.cart.mass", 3.0, 5.0, std::nullopt}, {"body.arm.mass", 0.1, 5.0, 0.3}};
-  EXPECT_THAT(define().start_values(), ElementsAre(3.0, 0.3));
+TEST_F(DefineModel, AValueOfTheRobotFileBeyondItsBoundsIsAProblemAtItsPlace) {
+  experiment_.model.robot_places = {{"body.cart", {"cart.toml", 3, 1}}, {"body.cart.mass", {"cart.toml", 4, 8}}};
+  experiment_.locations = {{"model.free.body.*.mass", {"rig.toml", 20, 16}}};
+  experiment_.model.free = {{"body.*.mass", 0.3, 0.8, std::nullopt}};
+  EXPECT_THAT(problems(), ElementsAre(AllOf(HasSubstr("cart.toml:4:8: body.cart.mass: 2.00000 kg lies outside"),
+                                            HasSubstr("model.free.body.*.mass has at rig.toml:20:16"))));
+}
+
+TEST_F(DefineModel, AValueThatTheExperimentSetsBeyondItsBoundsIsAProblemThere) {
+  experiment_.locations = {{"model.set.body.arm.mass", {"rig.toml", 17, 4}}};
+  experiment_.model.set = {{"body.arm.mass", 0.9}};
+  experiment_.model.free = {{"body.arm.mass", 0.3, 0.8, std::nullopt}};
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("rig.toml:17:4: model.set.body.arm.mass: 0.900000 kg lies outside")));
+}
+
+TEST_F(DefineModel, AValueAtItsBoundIsWithinWhateverItsUnitWas) {
+  experiment_.model.free = {{"body.cart.mass", 2.0 * (1.0 + 1e-15), 5.0, std::nullopt},
+                            {"body.arm.mass", 0.1, 0.5, std::nullopt}};
+  EXPECT_THAT(define().start_values(), ElementsAre(2.0 * (1.0 + 1e-15), 0.5));
+}
+
+TEST_F(DefineModel, AStartOfItsOwnMayDifferFromTheFilesValue) {
+  experiment_.model.free = {{"body.cart.mass", 3.0, 5.0, 4.0}};
+  EXPECT_THAT(define().start_values(), ElementsAre(4.0));
+}
+
+TEST_F(DefineModel, AValueThatNoFileGivesStartsAtTheNearestBoundAndIsNamed) {
+  experiment_.model.free = {{"joint.hinge.damping", 0.1, 5.0, std::nullopt}};
+  const FreeValue free = define().free.at(0);
+  EXPECT_EQ(free.start, 0.1);
+  EXPECT_EQ(free.own, 0.0);
 }
 
 TEST_F(DefineModel, EffectsAreFreeWithinTheirDeclaredBoundsUnlessFixed) {
