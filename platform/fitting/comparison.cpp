@@ -20,6 +20,7 @@ constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
 /// Of the larger of error and floor: a tenth of its square. What the integrator does wrong beyond that is taken for the
 /// model's.
 constexpr double kCoarseSteps = 0.32;
+constexpr double kNoticedRise = 0.01;  ///< of the error as written
 
 /// The noise that fit trials show; of channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
@@ -61,6 +62,7 @@ class Comparer {
     result_.pooled = pool(result_.trials, result_.floors);
     name_unscored();
     name_coarse_steps();
+    name_worse_than_written();
     result_.seconds = meter_.seconds();
     return std::move(result_);
   }
@@ -202,6 +204,17 @@ class Comparer {
         result_.notes.push_back("the numerical error of " + score.channel +
                                 " is not small beside its error and floor; set more engine.substeps");
     }
+  }
+
+  /// What a fit minimises is not this error, and a user should not have to find out.
+  void name_worse_than_written() {
+    for (const PooledScore& score : result_.pooled)
+      if (!score.held_out && score.rmse > (1.0 + kNoticedRise) * score.rmse_as_written)
+        result_.notes.push_back(fmt::format(
+            "{}: the error after the fit is larger than as written: the fit minimises a robust error over the stage "
+            "that "
+            "fit.horizon names, not the RMSE of a free run (fit.loss = \"squared\" counts every reading by its square)",
+            score.channel));
   }
 
   void score_horizons() {

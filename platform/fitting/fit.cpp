@@ -9,6 +9,7 @@
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
 #include "fitting/step_shift.h"
+#include "foundation/unit.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,9 @@ namespace {
 constexpr std::size_t kExploredSegments = 48;  ///< to choose among starting points
 constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to the last one
 constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
-constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
+constexpr double kClearlyBetter = 1e-2;  ///< likewise: a 200th of the residual
+constexpr double kBetter = 1e-4;         ///< of the objective, per sample: a 20 000th of the residual
+constexpr double kNoticedShift = 0.25;   ///< of half an interval, from which the integration step is named
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
@@ -74,6 +77,7 @@ class Fitter {
       keep_rivals(candidates_, problem_->samples());
     }
     settle_heads(stages.back());
+    let_best_win(stages.back());
     judge();
     finish_problem();
     result_.seconds = meter_.seconds();
@@ -196,6 +200,118 @@ class Fitter {
     if (same_starts(before, problem_->segments())) return;
     refine_candidates(last.name + ", once more", kFine);
     result_.stages.pop_back();
+    record(last);
+  }
+
+  /// Values with what the last stage makes of them as they are: what the fit minimises, the trials' starts told by the
+  /// values themselves.
+  struct Judged {
+    std::string name;  ///< where they come from
+    std::unique_ptr<ShootingProblem> problem;
+    Candidate candidate;
+
+    double objective() const {
+      return candidate.valid ? candidate.objective / static_cast<double>(candidate.samples) : kInfinity;
+    }
+  };
+
+  Judged judged(std::string name, const std::vector<double>& values, const PlannedStage& last) {
+    return judged_by(predictor_, std::move(name), values, last);
+  }
+
+  Judged judged_by(const TrialPredictor& predictor, std::string name, const std::vector<double>& values,
+                   const PlannedStage& last) {
+    const std::vector<double> within = space_.to_values(space_.to_coordinates(values));
+    auto problem = std::make_unique<ShootingProblem>(
+        predictor, space_, make_segments(predictor, *states_, last.length, within), result_.noise);
+    problem->set_steps(problem_->steps());
+    Judged judged{std::move(name), std::move(problem), {}};
+    // Of values at which the start of a trial cannot be simulated nothing is known of all trials.
+    if (judged.problem->segments().size() == problem_->segments().size())
+      judged.candidate = evaluate(*judged.problem, space_.to_coordinates(within), search(kFine));
+    return judged;
+  }
+
+  /// The start and the results of all stages but the last, the best first, those that the model cannot be simulated at
+  /// left out.
+  std::vector<Judged> others(const PlannedStage& last) {
+    std::vector<Judged> all;
+    all.push_back(judged("the start values", start_values(), last));
+    for (std::size_t i = 0; i + 1 < result_.stages.size(); ++i)
+      all.push_back(judged("the values of " + result_.stages[i].name, result_.stages[i].values, last));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Judged& a, const Judged& b) { return a.objective() < b.objective(); });
+    return all;
+  }
+
+  /// The one place where a fit's result is chosen: where the start or another stage fits better than what the last
+  /// search ended with, the search begins there again, and the best of all wins, as it is or refined.
+  void let_best_win(const PlannedStage& last) {
+    const Judged found = judged("", current_values(), last);
+    std::vector<Judged> all = others(last);
+    Judged& best = all.front();
+    if (best.objective() < found.objective() - kBetter) go_on_from(best, last);
+    count_in(found);
+    for (const Judged& one : all) count_in(one);
+    keep_start_if_steps_decide(last);
+  }
+
+  std::vector<double> start_values() const { return as_written(task_.definition).parameters(); }
+
+  /// A search may find values under which the integrator's error makes up for the residual. The start stays where it
+  /// fits better in shorter steps.
+  void keep_start_if_steps_decide(const PlannedStage& last) {
+    if (!task_.finer) return;
+    const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
+    const Judged found = judged_by(finer, "", current_values(), last);
+    const Judged there = judged_by(finer, "", start_values(), last);
+    count_in(found);
+    count_in(there);
+    if (!(there.objective() < found.objective() - kClearlyBetter)) return;
+    Judged start = judged("the start values", start_values(), last);
+    if (!start.candidate.valid) return;
+    const double before = candidates_.front().residual;
+    take(start, last);
+    result_.notes.push_back(fmt::format(
+        "the start values are kept: with twice the substeps they fit better ({:.3g} × the sensor noise) than what the "
+        "search found ({:.3g} ×), which is better ({:.3g} × against {:.3g} ×) only by the error of the integration "
+        "step; set more engine.substeps and fit again",
+        there.candidate.residual, found.candidate.residual, before, candidates_.front().residual));
+  }
+
+  void count_in(const Judged& judged) {
+    if (!judged.problem) return;
+    result_.simulations += judged.problem->simulations();
+    result_.invalid_simulations += judged.problem->invalid_simulations();
+  }
+
+  void go_on_from(Judged& best, const PlannedStage& last) {
+    const double before = candidates_.front().residual, there = best.candidate.residual;
+    meter_.add_parts(1);
+    const std::vector<Candidate> refined =
+        refine_all(*best.problem, {best.candidate.values}, search(kFine), meter_, last.name + ", from " + best.name);
+    Judged further = judged(best.name, space_.to_values(refined.front().values), last);
+    const bool is_further = further.objective() < best.objective();
+    if (is_further) further.candidate.search.iterations = refined.front().search.iterations;
+    if (is_further) further.candidate.search.converged = refined.front().search.converged;
+    take(is_further ? further : best, last);
+    count_in(further);
+    result_.notes.push_back(fmt::format(
+        "the stages disagree: over {}, which the fit minimises, {} fit better ({:.3g} × the sensor noise) than where "
+        "shorter segments led ({:.3g} ×); the fit {}",
+        last.length > 0.0 ? last.name : "whole trials", best.name, there, before,
+        is_further ? fmt::format("went on from them, to {:.3g} ×", candidates_.front().residual)
+                   : "found nothing better from there and keeps them"));
+  }
+
+  void take(Judged& winner, const PlannedStage& last) {
+    finish_problem();
+    problem_ = std::move(winner.problem);
+    candidates_ = {std::move(winner.candidate)};
+    problem_->set_steps(candidates_.front().steps);
+    agreeing_ = 1;
+    result_.stages.pop_back();
+    ++refined_;
     record(last);
   }
 
@@ -339,6 +455,10 @@ FitResult as_written(const ModelDefinition& definition) {
     value.start = value.value = free.start;
     value.standard_error = value.lower_95 = value.upper_95 = kNotFitted;
     result.values.push_back(value);
+    if (free.own)
+      result.notes.push_back(fmt::format(
+          "{} is not given: it starts at {}, the end of its range, because the robot's own value, {}, lies outside",
+          free.address, format_quantity(free.start, free.unit), format_quantity(*free.own, free.unit)));
   }
   const auto size = static_cast<Eigen::Index>(result.values.size());
   result.covariance = Eigen::MatrixXd::Constant(size, size, kNotFitted);

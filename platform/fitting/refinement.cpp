@@ -43,24 +43,40 @@ void summarise(const ShootingProblem& problem, const RobustLoss& loss, Candidate
       squares += std::pow(r * over_noise, 2);
     }
   candidate.objective = bounded + 2.0 * logarithms;
+  candidate.samples = problem.samples();
   candidate.residual = std::sqrt(squares / static_cast<double>(problem.samples()));
 }
 
-bool same_error(const Candidate& a, const Candidate& b, std::size_t samples) {
-  return std::abs(a.objective - b.objective) <= 1.0 + kSameError * static_cast<double>(samples);
-}
+/// A problem of which only start states are left.
+class StatesProblem : public SegmentedProblem {
+ public:
+  StatesProblem(ShootingProblem& problem, const Eigen::VectorXd& values) : problem_(problem), values_(values) {}
 
-}  // namespace
+  const Eigen::VectorXd& lower() const override { return none_; }
+  const Eigen::VectorXd& upper() const override { return none_; }
+  Eigen::Index robust_rows(std::size_t k) const override { return problem_.robust_rows(k); }
+  bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override {
+    return problem_.residuals({values_, point.states}, residuals);
+  }
+  void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                 std::vector<SegmentJacobian>& jacobians) override {
+    problem_.linearize_states({values_, point.states}, residuals, jacobians);
+  }
 
-Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options) {
-  Candidate candidate;
-  candidate.values = values;
-  problem.set_scales(noise_scales(problem));
-  FitPoint point = problem.start(values);
+ private:
+  ShootingProblem& problem_;
+  const Eigen::VectorXd& values_;
+  const Eigen::VectorXd none_;
+};
+
+/// Searches in turn with the scales that the residuals of the search before tell. `searched`: the problem itself, or
+/// what is left of it.
+void search_with_scales(ShootingProblem& problem, SegmentedProblem& searched, FitPoint point,
+                        const RefinementOptions& options, Candidate& candidate) {
   std::vector<Eigen::VectorXd> residuals;
-  candidate.valid = problem.residuals(point, residuals);
-  if (!candidate.valid) return candidate;
-
+  problem.set_scales(noise_scales(problem));
+  candidate.valid = searched.residuals(point, residuals);
+  if (!candidate.valid) return;
   LeastSquaresOptions search;
   search.loss = options.loss;
   search.progress = options.progress;
@@ -73,16 +89,42 @@ Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const 
     const double precision = last ? options.precision : std::max(options.precision, kRough);
     search.tolerance = std::min(kLoosest, precision / residual_memory(problem, residuals).effective_samples);
     search.max_iterations = options.max_iterations - iterations;
-    candidate.search = minimize(problem, point, search);
+    candidate.search = minimize(searched, point, search);
     iterations += candidate.search.iterations;
     point = candidate.search.point;
     residuals = candidate.search.residuals;
   }
   candidate.search.iterations = iterations;
-  candidate.values = point.values;
   candidate.scales = problem.scales();
   candidate.steps = problem.steps();
   summarise(problem, options.loss, candidate);
+}
+
+bool same_error(const Candidate& a, const Candidate& b, std::size_t samples) {
+  return std::abs(a.objective - b.objective) <= 1.0 + kSameError * static_cast<double>(samples);
+}
+
+}  // namespace
+
+Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options) {
+  Candidate candidate;
+  candidate.values = values;
+  search_with_scales(problem, problem, problem.start(values), options, candidate);
+  if (candidate.valid) candidate.values = candidate.search.point.values;
+  return candidate;
+}
+
+Candidate evaluate(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options) {
+  Candidate candidate;
+  candidate.values = values;
+  StatesProblem states(problem, candidate.values);
+  search_with_scales(problem, states, {Eigen::VectorXd(), problem.start(values).states}, options, candidate);
+  candidate.search.point.values = values;
+  if (!candidate.valid) return candidate;
+  candidate.scales = residual_scales(problem, candidate.search.residuals, options.loss);
+  problem.set_scales(candidate.scales);
+  candidate.valid = problem.residuals(candidate.search.point, candidate.search.residuals);
+  if (candidate.valid) summarise(problem, options.loss, candidate);
   return candidate;
 }
 

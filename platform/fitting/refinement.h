@@ -15,6 +15,7 @@ struct Candidate {
   std::vector<double> scales;  ///< of the channels, under which `search` ended
   std::vector<double> steps;   ///< of differences, as the search left them
   double objective = 0.0;      ///< what candidates are compared by: Σ 2 log scale + bounded loss (see .cpp)
+  std::size_t samples = 0;     ///< measured values that `objective` sums over
   double residual = 0.0;       ///< RMS of residual over sensor noise
 };
 
@@ -33,6 +34,10 @@ struct RefinementOptions {
 /// follows the residual itself (median absolute deviation, at least the sensor noise), so that a model that is
 /// still wrong is not fitted as if all of its error were outliers.
 Candidate refine(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options);
+
+/// What `refine` would make of values that may not move: only start states are fitted. Its objective is that of the
+/// values alone, where the problem's segments were made with them.
+Candidate evaluate(ShootingProblem& problem, const Eigen::VectorXd& values, const RefinementOptions& options);
 
 std::vector<Eigen::VectorXd> starts_of(const std::vector<Candidate>& candidates);
 

@@ -316,6 +316,56 @@ TEST(Fit, GoesBackToAnEffectBesideABaseThatFitsIt) {
   EXPECT_NEAR(result.values[1].value, 2.0, 0.01);
 }
 
+/// An oscillator whose readings carry a ripple that it does not have. Short segments see little but the ripple; over a
+/// whole trial the frequency has a minimum at each period.
+class RippledOscillator : public testing::Test {
+ protected:
+  static constexpr double kStiffness = 36.0;
+
+  void record_with(double ripple) {
+    trials_ = {record(model_, {kStiffness}, regular_times(4001, 200.0), {}, {{1.0}, {0.0}}, kNoise, 3)};
+    for (Eigen::Index row = 0; row < trials_[0].measured.times.size(); ++row)
+      trials_[0].measured.samples(row, 0) += ripple * std::sin(15.0 * trials_[0].measured.times(row));
+    trials_[0].initial = {{InitialKnowledge::given, 1.0, 0.0}};
+  }
+  FitResult fit_from(double start) const {
+    const ModelDefinition definition =
+        define({free_value("joint.hinge.stiffness", start, 1.0, 1e4)}, one_joint_robot());
+    FitSection options;
+    options.starts = 1;
+    options.loss = "squared";  // then the fit minimises the error that is asked for here
+    return fit({definition, model_, trials_, options});
+  }
+  /// Of a free run from the given start.
+  double error_at(double stiffness) const {
+    const Trial right = record(model_, {stiffness}, trials_[0].measured.times, {}, {{1.0}, {0.0}}, 0.0, 1);
+    return std::sqrt((right.measured.samples - trials_[0].measured.samples).squaredNorm() /
+                     static_cast<double>(right.measured.times.size()));
+  }
+
+  const OneJointModel model_{[](std::span<const double> values, double q, double, double) { return -values[0] * q; }};
+  std::vector<Trial> trials_;
+};
+
+TEST_F(RippledOscillator, IsNeverLeftWithALargerErrorThanItsFitBeganWith) {
+  bool went_back = false;
+  for (const double ripple : {0.04, 0.08, 0.12, 0.2}) {
+    record_with(ripple);
+    const FitResult result = fit_from(kStiffness);
+    EXPECT_LE(error_at(result.values[0].value), 1.001 * error_at(kStiffness)) << "ripple " << ripple;
+    EXPECT_NEAR(result.values[0].value, kStiffness, 0.1) << "ripple " << ripple;
+    for (const std::string& note : result.notes) went_back = went_back || note.starts_with("the stages disagree");
+  }
+  EXPECT_TRUE(went_back) << "no ripple led astray; the test shows nothing";
+}
+
+TEST_F(RippledOscillator, IsFittedWithoutANoteWhereTheStagesAgree) {
+  record_with(0.0);
+  const FitResult result = fit_from(35.9);
+  EXPECT_NEAR(result.values[0].value, kStiffness, 0.1);
+  for (const std::string& note : result.notes) EXPECT_THAT(note, testing::Not(HasSubstr("disagree")));
+}
+
 TEST(Fit, ReportsProgressThatEnds) {
   const OneJointModel model(pendulum);
   const ModelDefinition definition = pendulum_definition();
