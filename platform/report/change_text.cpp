@@ -1,5 +1,6 @@
 #include "report/change_text.h"
 
+#include "foundation/unit.h"
 #include "report/bound_text.h"
 #include "report/error_text.h"
 #include "report/interval_text.h"
@@ -10,9 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
+
+constexpr double kNoticed = 0.01;  ///< share that an error rises by
 
 const PooledScore* fit_score(const Comparison& comparison, const std::string& channel) {
   const auto found = std::find_if(comparison.pooled.begin(), comparison.pooled.end(),
@@ -66,18 +71,78 @@ nlohmann::ordered_json errors(const RevisionErrors& revision) {
   return {{"revision", revision.revision}, {"channels", channels}, {"values", values}};
 }
 
+bool has_risen(double before, double after) {
+  return std::isfinite(before) && std::isfinite(after) && after > (1.0 + kNoticed) * before;
+}
+
+void add_rises(const TrialComparison& before, const TrialComparison& after, std::vector<ErrorRise>& rises) {
+  const auto add = [&](const ChannelScore& channel, double horizon, double then, double now) {
+    rises.push_back({after.trial, after.held_out, channel.channel, channel.unit, horizon, then, now});
+  };
+  const std::size_t channels = std::min(before.channels.size(), after.channels.size());
+  for (std::size_t c = 0; c < channels; ++c) {
+    const ChannelScore &then = before.channels[c], &now = after.channels[c];
+    if (before.valid && !after.valid)
+      add(now, 0.0, then.rmse, std::numeric_limits<double>::infinity());
+    else if (has_risen(then.rmse, now.rmse))
+      add(now, 0.0, then.rmse, now.rmse);
+    for (const HorizonScore& later : after.horizons)
+      for (const HorizonScore& earlier : before.horizons)
+        if (!later.automatic && !earlier.automatic && later.horizon == earlier.horizon &&
+            has_risen(earlier.rmse[c], later.rmse[c]))
+          add(now, later.horizon, earlier.rmse[c], later.rmse[c]);
+  }
+}
+
+std::string rises_text(const std::vector<ErrorRise>& rises, const std::string& undo) {
+  if (rises.empty()) return "";
+  std::vector<std::vector<std::string>> rows = {{"larger than before", "", "", "RMSE", ""}};
+  for (const ErrorRise& rise : rises)
+    rows.push_back({rise.channel, (rise.held_out ? "held out " : "") + rise.trial,
+                    rise.horizon > 0.0 ? fmt::format("every {:g} s", rise.horizon) : "free run",
+                    format_quantity(rise.before, rise.unit) + " →",
+                    std::isfinite(rise.after) ? format_quantity(rise.after, rise.unit) : "cannot be simulated"});
+  return text_table(rows) + (undo.empty() ? "" : fmt::format("to take the change back: {}\n", undo));
+}
+
+nlohmann::ordered_json document(const ErrorRise& rise) {
+  return {{"trial", rise.trial},
+          {"held_out", rise.held_out},
+          {"channel", rise.channel},
+          {"unit", rise.unit},
+          {"horizon_s", rise.horizon > 0.0 ? nlohmann::ordered_json(rise.horizon) : nlohmann::ordered_json(nullptr)},
+          {"before", rise.before},
+          {"after", rise.after}};
+}
+
 }  // namespace
 
-std::string change_text(const RevisionErrors& before, const RevisionErrors& after) {
+std::vector<ErrorRise> error_rises(const Comparison& before, const Comparison& after) {
+  std::vector<ErrorRise> rises;
+  for (const TrialComparison& now : after.trials) {
+    const auto then = std::find_if(before.trials.begin(), before.trials.end(), [&](const TrialComparison& trial) {
+      return trial.trial == now.trial && trial.held_out == now.held_out;
+    });
+    if (then != before.trials.end()) add_rises(*then, now, rises);
+  }
+  return rises;
+}
+
+std::string change_text(const RevisionErrors& before, const RevisionErrors& after, const std::string& undo) {
   std::string text = fmt::format("revision {} → {}\n", before.revision, after.revision);
   text += error_rows(before, after) + value_rows(before, after) + bound_text(after.fit);
   for (const std::string& sentence : after.fit.cannot_tell) text += sentence + "\n";
-  return text;
+  return text + rises_text(error_rises(before.comparison, after.comparison), undo);
 }
 
-std::string change_json(const std::string& change, const RevisionErrors& before, const RevisionErrors& after) {
-  return nlohmann::ordered_json{{"change", change}, {"before", errors(before)}, {"after", errors(after)}}.dump(2) +
-         "\n";
+std::string change_json(const std::string& change, const RevisionErrors& before, const RevisionErrors& after,
+                        const std::string& undo) {
+  nlohmann::ordered_json rises = nlohmann::ordered_json::array();
+  for (const ErrorRise& rise : error_rises(before.comparison, after.comparison)) rises.push_back(document(rise));
+  nlohmann::ordered_json document = {
+      {"change", change}, {"before", errors(before)}, {"after", errors(after)}, {"rises", rises}};
+  if (!undo.empty()) document["undo"] = undo;
+  return document.dump(2) + "\n";
 }
 
 }  // namespace lacuna

@@ -35,7 +35,7 @@ class Lag : public PhysicalEffect {
     description.parameters = {{"time", "s", 0.05, 0.0, 1.0, Scale::linear, ""}};
     return description;
   }
-  EffectHooks hooks() const override { return {.command = CommandStage::lag}; }
+  EffectStages stages() const override { return {.command = CommandStage::lag}; }
   int state_size(const EffectContext&) const override { return 2; }
   double command(double value, int, const StepView&, const EffectContext& context,
                  std::span<double> state) const override {
