@@ -4,12 +4,15 @@
 
 add_library(lacuna_room_headers STATIC cmake/headers.cpp)
 target_link_libraries(lacuna_room_headers PRIVATE Eigen3::Eigen fmt::fmt)
+target_include_directories(lacuna_room_headers PRIVATE ${PROJECT_SOURCE_DIR}/platform)
 set(LACUNA_ROOM_HEADERS
-  <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>)
+  <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <Eigen/Core> <fmt/format.h>
+  <foundation/eigen_kernels.h>)
 target_precompile_headers(lacuna_room_headers PRIVATE ${LACUNA_ROOM_HEADERS})
 
 add_library(lacuna_cold_headers STATIC cmake/headers.cpp)
 target_link_libraries(lacuna_cold_headers PRIVATE Eigen3::Eigen fmt::fmt)
+target_include_directories(lacuna_cold_headers PRIVATE ${PROJECT_SOURCE_DIR}/platform)
 lacuna_set_up_cold(lacuna_cold_headers)
 target_precompile_headers(lacuna_cold_headers PRIVATE ${LACUNA_ROOM_HEADERS})
 

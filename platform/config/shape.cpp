@@ -61,6 +61,25 @@ std::string kind_in_words(const Shape& shape) {
 
 }  // namespace
 
+Shape::Shape() = default;
+Shape::Shape(const Shape&) = default;
+Shape::Shape(Shape&&) noexcept = default;
+Shape& Shape::operator=(const Shape&) = default;
+Shape& Shape::operator=(Shape&&) noexcept = default;
+Shape::~Shape() = default;
+
+KeyShape::KeyShape(std::string_view key, Shape value, bool is_required, std::string standard, std::string_view meaning)
+    : name(key),
+      shape(std::move(value)),
+      required(is_required),
+      default_text(std::move(standard)),
+      description(meaning) {}
+KeyShape::KeyShape(const KeyShape&) = default;
+KeyShape::KeyShape(KeyShape&&) noexcept = default;
+KeyShape& KeyShape::operator=(const KeyShape&) = default;
+KeyShape& KeyShape::operator=(KeyShape&&) noexcept = default;
+KeyShape::~KeyShape() = default;
+
 std::string described(const Shape& shape) {
   const bool is_said = shape.meaning.empty() || shape.kind == Shape::Kind::text;
   return is_said ? kind_in_words(shape) : kind_in_words(shape) + " (" + shape.meaning + ")";

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lacuna {
@@ -23,6 +24,14 @@ struct Shape {
     either  ///< whichever of `parts` fits
   };
 
+  // Made, copied and destroyed in one place, and not wherever a declaration is: half of the time to compile this room.
+  Shape();
+  Shape(const Shape&);
+  Shape(Shape&&) noexcept;
+  Shape& operator=(const Shape&);
+  Shape& operator=(Shape&&) noexcept;
+  ~Shape();
+
   Kind kind = Kind::text;
   std::string unit;  ///< number: SI; "" where it depends on what the number belongs to; "N*m or N" where on the joint
   double lower = -std::numeric_limits<double>::infinity();
@@ -39,6 +48,13 @@ struct Shape {
 };
 
 struct KeyShape {
+  KeyShape(std::string_view key, Shape value, bool is_required, std::string standard, std::string_view meaning);
+  KeyShape(const KeyShape&);
+  KeyShape(KeyShape&&) noexcept;
+  KeyShape& operator=(const KeyShape&);
+  KeyShape& operator=(KeyShape&&) noexcept;
+  ~KeyShape();
+
   std::string name;
   Shape shape;
   bool required = false;

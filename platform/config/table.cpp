@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -28,6 +29,17 @@ std::string as_phrase(const std::string& description) {
 }
 
 }  // namespace
+
+TableShape::TableShape() { shape_.kind = Shape::Kind::table; }
+
+void TableShape::declare(std::string_view name, const Shape& value, bool required, std::string default_text,
+                         std::string_view description) {
+  shape_.keys.emplace_back(name, value, required, std::move(default_text), description);
+}
+
+const TomlNode* TableShape::find(const TomlNode& node, std::size_t key) const {
+  return node.find(shape_.keys[key].name);
+}
 
 void check_keys(const Shape& shape, const TomlNode& node, Reading& reading) {
   const std::vector<std::string> names = names_of(shape);

@@ -1,0 +1,3 @@
+#include "foundation/eigen_kernels.h"
+
+LACUNA_EIGEN_KERNELS(template)
