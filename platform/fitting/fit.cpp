@@ -3,6 +3,7 @@
 #include "fitting/anew.h"
 #include "fitting/covariance.h"
 #include "fitting/identifiability.h"
+#include "fitting/judged_values.h"
 #include "fitting/progress_meter.h"
 #include "fitting/refine_all.h"
 #include "fitting/stage_drift.h"
@@ -203,56 +204,33 @@ class Fitter {
     record(last);
   }
 
-  /// Values with what the last stage makes of them as they are: what the fit minimises, the trials' starts told by the
-  /// values themselves.
-  struct Judged {
-    std::string name;  ///< where they come from
-    std::unique_ptr<ShootingProblem> problem;
-    Candidate candidate;
-
-    double objective() const {
-      return candidate.valid ? candidate.objective / static_cast<double>(candidate.samples) : kInfinity;
-    }
-  };
-
-  Judged judged(std::string name, const std::vector<double>& values, const PlannedStage& last) {
-    return judged_by(predictor_, std::move(name), values, last);
-  }
-
-  Judged judged_by(const TrialPredictor& predictor, std::string name, const std::vector<double>& values,
-                   const PlannedStage& last) {
-    const std::vector<double> within = space_.to_values(space_.to_coordinates(values));
-    auto problem = std::make_unique<ShootingProblem>(
-        predictor, space_, make_segments(predictor, *states_, last.length, within), result_.noise);
-    problem->set_steps(problem_->steps());
-    Judged judged{std::move(name), std::move(problem), {}};
-    // Of values at which the start of a trial cannot be simulated nothing is known of all trials.
-    if (judged.problem->segments().size() == problem_->segments().size())
-      judged.candidate = evaluate(*judged.problem, space_.to_coordinates(within), search(kFine));
-    return judged;
+  JudgedValues judged(const TrialPredictor& predictor, std::string name, const std::vector<double>& values,
+                      const PlannedStage& last) const {
+    return ValueJudge{predictor, *states_, space_, result_.noise, last.length, *problem_, search(kFine)}.judge(
+        std::move(name), values);
   }
 
   /// The start and the results of all stages but the last, the best first, those that the model cannot be simulated at
   /// left out.
-  std::vector<Judged> others(const PlannedStage& last) {
-    std::vector<Judged> all;
-    all.push_back(judged("the start values", start_values(), last));
+  std::vector<JudgedValues> others(const PlannedStage& last) {
+    std::vector<JudgedValues> all;
+    all.push_back(judged(predictor_, "the start values", start_values(), last));
     for (std::size_t i = 0; i + 1 < result_.stages.size(); ++i)
-      all.push_back(judged("the values of " + result_.stages[i].name, result_.stages[i].values, last));
+      all.push_back(judged(predictor_, "the values of " + result_.stages[i].name, result_.stages[i].values, last));
     std::stable_sort(all.begin(), all.end(),
-                     [](const Judged& a, const Judged& b) { return a.objective() < b.objective(); });
+                     [](const JudgedValues& a, const JudgedValues& b) { return a.objective() < b.objective(); });
     return all;
   }
 
   /// The one place where a fit's result is chosen: where the start or another stage fits better than what the last
   /// search ended with, the search begins there again, and the best of all wins, as it is or refined.
   void let_best_win(const PlannedStage& last) {
-    const Judged found = judged("", current_values(), last);
-    std::vector<Judged> all = others(last);
-    Judged& best = all.front();
+    const JudgedValues found = judged(predictor_, "", current_values(), last);
+    std::vector<JudgedValues> all = others(last);
+    JudgedValues& best = all.front();
     if (best.objective() < found.objective() - kBetter) go_on_from(best, last);
     count_in(found);
-    for (const Judged& one : all) count_in(one);
+    for (const JudgedValues& one : all) count_in(one);
     keep_start_if_steps_decide(last);
   }
 
@@ -263,12 +241,12 @@ class Fitter {
   void keep_start_if_steps_decide(const PlannedStage& last) {
     if (!task_.finer) return;
     const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
-    const Judged found = judged_by(finer, "", current_values(), last);
-    const Judged there = judged_by(finer, "", start_values(), last);
+    const JudgedValues found = judged(finer, "", current_values(), last);
+    const JudgedValues there = judged(finer, "", start_values(), last);
     count_in(found);
     count_in(there);
     if (!(there.objective() < found.objective() - kClearlyBetter)) return;
-    Judged start = judged("the start values", start_values(), last);
+    JudgedValues start = judged(predictor_, "the start values", start_values(), last);
     if (!start.candidate.valid) return;
     const double before = candidates_.front().residual;
     take(start, last);
@@ -279,18 +257,18 @@ class Fitter {
         there.candidate.residual, found.candidate.residual, before, candidates_.front().residual));
   }
 
-  void count_in(const Judged& judged) {
+  void count_in(const JudgedValues& judged) {
     if (!judged.problem) return;
     result_.simulations += judged.problem->simulations();
     result_.invalid_simulations += judged.problem->invalid_simulations();
   }
 
-  void go_on_from(Judged& best, const PlannedStage& last) {
+  void go_on_from(JudgedValues& best, const PlannedStage& last) {
     const double before = candidates_.front().residual, there = best.candidate.residual;
     meter_.add_parts(1);
     const std::vector<Candidate> refined =
         refine_all(*best.problem, {best.candidate.values}, search(kFine), meter_, last.name + ", from " + best.name);
-    Judged further = judged(best.name, space_.to_values(refined.front().values), last);
+    JudgedValues further = judged(predictor_, best.name, space_.to_values(refined.front().values), last);
     const bool is_further = further.objective() < best.objective();
     if (is_further) further.candidate.search.iterations = refined.front().search.iterations;
     if (is_further) further.candidate.search.converged = refined.front().search.converged;
@@ -304,7 +282,7 @@ class Fitter {
                    : "found nothing better from there and keeps them"));
   }
 
-  void take(Judged& winner, const PlannedStage& last) {
+  void take(JudgedValues& winner, const PlannedStage& last) {
     finish_problem();
     problem_ = std::move(winner.problem);
     candidates_ = {std::move(winner.candidate)};
