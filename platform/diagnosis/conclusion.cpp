@@ -5,6 +5,7 @@
 #include "diagnosis/ranking.h"
 #include "diagnosis/selection.h"
 #include "diagnosis/unexplained_motion.h"
+#include "diagnosis/verdict_figures.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,8 +17,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kCounts = 1e-3;   ///< of the stronger force's power
-constexpr double kByChance = 2.0;  ///< nats
+constexpr double kCounts = 1e-3;  ///< of the stronger force's power
 
 /// Quick and slow ones of each joint, but for those that do next to nothing beside the other.
 std::vector<RandomForce> random_forces(const Round& round) {
@@ -35,28 +35,38 @@ std::vector<RandomForce> random_forces(const Round& round) {
   return forces;
 }
 
-/// That a search through many effects ends with one is no evidence; that it predicts what was left out is.
-bool is_sure(const Gain& gain) { return gain.value > kByChance && gain.lower_95 > 0.0; }
+double best_further(const Round& last) { return last.rivals.empty() ? 0.0 : last.rivals.front().gain.value; }
 
-Verdict verdict_of(const Diagnosis& diagnosis, const Contender& contender, const Round& last) {
-  const double best = last.rivals.empty() ? 0.0 : last.rivals.front().gain.value;
-  const double free = diagnosis.free_force_gain.lower_95;
-  const bool is_law = diagnosis.free_force_p < kFreeForceLevel && free > std::max(0.0, best);
-  if (is_law && (contender.added.empty() || !answer_is_most(diagnosis))) return Verdict::not_in_library;
-  if (!contender.added.empty()) return is_sure(diagnosis.answer_gain) ? Verdict::effect_found : Verdict::cannot_tell;
-  return last.screening.p <= kFirstLevel ? Verdict::cannot_tell : Verdict::nothing_missing;
+/// What the search tells; whether it is a form alone, and what motion is missed, is not asked yet.
+VerdictFigures figures_of_search(const Diagnosis& diagnosis, const SearchOutcome& outcome) {
+  const Round& last = outcome.last;
+  VerdictFigures figures;
+  figures.has_answer = !outcome.answer.added.empty();
+  figures.outdone = outcome.law_ahead.has_value();
+  figures.law_ahead = with_range(outcome.law_ahead.value_or(0.0));
+  figures.answer_share =
+      share_with_range(std::max(0.0, diagnosis.answer_gain.value), std::max(0.0, diagnosis.free_force_gain.value));
+  figures.structure_p = {last.free_force.p, last.free_force.p_low, last.free_force.p_high};
+  figures.structure_gain = lower_with_range(diagnosis.free_force_gain, std::max(0.0, best_further(last)));
+  figures.answer_gain = with_range(diagnosis.answer_gain.value);
+  figures.answer_lower = lower_with_range(diagnosis.answer_gain);
+  figures.chance_p = {last.screening.p, last.screening.p_low, last.screening.p_high};
+  return figures;
 }
 
 /// What is found, or left, may only make up for the form of what the model has: nothing is missing then, and a sentence
 /// says so.
-std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome) {
+std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome, VerdictFigures& figures) {
   if (diagnosis.verdict == Verdict::nothing_missing) return "";
   const std::optional<PresentEffects> explained = outcome.present();
-  if (!explained) return "";
+  if (!explained || !(explained->gain.lower_95 > 0.0)) return "";
   const PresentEffects& present = *explained;
-  const double further = outcome.last.rivals.empty() ? 0.0 : outcome.last.rivals.front().gain.value;
-  const double gained = std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value, further});
-  if (!makes_up_for_form(gained, present, diagnosis.base_times_floor)) return "";
+  const double gained =
+      std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value, best_further(outcome.last)});
+  figures.may_be_form = true;
+  figures.form_share = with_range(gained / present.gain.value);
+  figures.base_error = with_range(diagnosis.base_times_floor, kLastDigitsOfError);
+  if (!is_form_only(figures)) return "";
   diagnosis.verdict = Verdict::nothing_missing;
   diagnosis.form_only = true;
   const double share = gained / present.gain.value;
@@ -112,11 +122,14 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
   diagnosis.free_force_p = last.free_force.p;
   diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, outcome.seed);
   measure_by(errors, last.base.segment, diagnosis);
-  diagnosis.verdict = outcome.outdone_by_law ? Verdict::not_in_library : verdict_of(diagnosis, answer, last);
+  VerdictFigures figures = figures_of_search(diagnosis, outcome);
+  diagnosis.verdict = verdict_of_search(figures);
   weigh(diagnosis);
-  const std::string about_form = judge_form(diagnosis, outcome);
+  const std::string about_form = judge_form(diagnosis, outcome, figures);
   const std::vector<std::string> unexplained = unexplained_motion(last.base, errors);
-  if (!unexplained.empty() && diagnosis.verdict != Verdict::not_in_library) cannot_tell(diagnosis);
+  figures.missed_motion = with_range(missed_motion(last.base, errors), kLastDigitsOfError);
+  if (verdict_of(figures) != diagnosis.verdict) cannot_tell(diagnosis);
+  diagnosis.at_threshold = at_thresholds(figures);
   const bool structure_left = diagnosis.free_force_p < kFreeForceLevel;
   if (diagnosis.verdict != Verdict::not_in_library && !(diagnosis.verdict == Verdict::effect_found && structure_left)) {
     diagnosis.residual_force.clear();

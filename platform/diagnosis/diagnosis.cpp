@@ -17,6 +17,16 @@ std::string_view to_string(Verdict verdict) {
   return "";
 }
 
+std::string_view to_string(FigureUnit unit) {
+  switch (unit) {
+    case FigureUnit::percent: return "percent";
+    case FigureUnit::nats: return "nats";
+    case FigureUnit::chance: return "chance";
+    case FigureUnit::times_floor: return "times_floor";
+  }
+  return "";
+}
+
 namespace {
 
 constexpr const char* kSaturation = "sensor_saturation";

@@ -63,12 +63,26 @@ struct RankedModel {
   double segment = 0.0;      ///< s, of the segments that the errors are about
 };
 
+enum class FigureUnit { percent, nats, chance, times_floor };
+std::string_view to_string(FigureUnit unit);
+
+/// A figure that a verdict is read from and that stands so near to its threshold that the last digits of another
+/// machine may turn the verdict (verdict_figures.h).
+struct AtThreshold {
+  std::string figure;  ///< what it is
+  FigureUnit unit = FigureUnit::nats;
+  double value = 0.0, threshold = 0.0;   ///< of 1 where the unit is percent
+  double low = 0.0, high = 0.0;          ///< between which it may come out
+  Verdict other = Verdict::cannot_tell;  ///< the verdict beyond the threshold
+};
+
 /// Figures that say how sure a verdict is, by name (evidence.h).
 using Evidence = std::map<std::string, double>;
 
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
   double probability = std::numeric_limits<double>::quiet_NaN();  ///< of the verdict; NaN: `cannot_tell` states none
+  std::vector<AtThreshold> at_threshold;  ///< why the verdict may be another on another machine; empty: it would not
   bool form_only = false;   ///< what is left makes up for the form of effects that the model has (present_effects.h)
   bool calibrated = false;  ///< the probability is how often such verdicts were right (calibration.h)
   Evidence evidence;
@@ -96,10 +110,6 @@ struct Diagnosis {
   std::string next_test_worth;        ///< the same with what it tells in nats, beside what a random test does
   double seconds = 0.0;
 };
-
-/// Whether the answer gains nearly all that a force of free form beside it would leave to be gained: what is left then
-/// is the form of an effect rather than another one.
-bool answer_is_most(const Diagnosis& diagnosis);
 
 /// Whether the answer is to be added although something is left that the library does not have: it gains nearly all
 /// that a force of free form beside it would leave to be gained, or more than the formula does.

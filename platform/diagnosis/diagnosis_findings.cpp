@@ -4,6 +4,7 @@
 #include "diagnosis/selection.h"
 #include "diagnosis/timing.h"
 #include "diagnosis/undeclared_force.h"
+#include "diagnosis/verdict_figures.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostOfIt = 0.95;      ///< of all that is to be gained
 constexpr double kMoved = 2.0;          ///< standard errors
 constexpr double kNoticeable = 0.01;    ///< of the value
 constexpr double kWorthSaying = 2.0;    ///< nats, what one more effect would gain
@@ -101,10 +101,9 @@ double share_of_answer(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-bool answer_is_most(const Diagnosis& diagnosis) { return share_of_answer(diagnosis) >= kMostOfIt; }
-
 bool answer_comes_first(const Diagnosis& diagnosis) {
-  if (answer_is_most(diagnosis) || diagnosis.formulas.empty()) return answer_is_most(diagnosis);
+  const bool is_most = share_of_answer(diagnosis) >= kAnswerIsMost;
+  if (is_most || diagnosis.formulas.empty()) return is_most;
   const Gain& answer = diagnosis.formulas_of_rest ? diagnosis.answer_gain : diagnosis.ranking.front().gain;
   return share_of_answer(diagnosis) > 0.0 && answer.value > diagnosis.formulas.front().gain.value;
 }

@@ -340,7 +340,10 @@ class EffectSearch {
   Diagnosis ended(const Round& round, bool outdone_by_law) {
     const std::optional<Unaided> none;
     const std::optional<Unaided>& without = contender_.added.empty() ? none : unaided(round);
-    end_search({task_, cut_, plain_, contender_, again_, round, without, outdone_by_law, state_, meter_});
+    std::optional<double> law_ahead;
+    if (outdone_by_law)
+      law_ahead = lead_of(state_.so_far.formulas.front(), round, state_.gains[names_of(contender_.added)]);
+    end_search({task_, cut_, plain_, contender_, again_, round, without, law_ahead, state_, meter_});
     state_.so_far.seconds = seconds();
     return std::move(state_.so_far);
   }

@@ -3,6 +3,7 @@
 #include "diagnosis/cross_validation.h"
 #include "diagnosis/force_interaction.h"
 #include "diagnosis/force_regression.h"
+#include "diagnosis/last_digits.h"
 #include "diagnosis/screening.h"
 #include "fitting/seeded_noise.h"
 
@@ -122,22 +123,29 @@ Eigen::MatrixXd in_blocks(const Eigen::MatrixXd& scores, Eigen::Index length) {
   return blocks;
 }
 
+/// Of a deviance, of one that is more, and of one that is less by what last digits may do.
+using Chances = std::array<double, 3>;
+
 /// How often the deviance is reached when the signs of the blocks' scores are drawn. Noise, whatever its spectrum,
 /// pushes a block one way as often as the other; a force that follows the motion does not.
-double p_by_signs(const Eigen::MatrixXd& blocks, double deviance, std::uint64_t seed) {
+Chances p_by_signs(const Eigen::MatrixXd& blocks, double deviance, std::uint64_t seed) {
   SeededNoise random(seed, 0xf2ee);
   Eigen::MatrixXd signs(blocks.cols(), static_cast<Eigen::Index>(kNullDraws));
   for (double& sign : signs.reshaped()) sign = random.uniform() < 0.5 ? -1.0 : 1.0;
   const Eigen::RowVectorXd drawn = (blocks * signs).colwise().squaredNorm();
-  const double reached = static_cast<double>((drawn.array() >= deviance).count());
-  return (1.0 + reached) / (1.0 + kNullDraws);
+  const auto p = [&](double size) {
+    return (1.0 + static_cast<double>((drawn.array() >= size).count())) / (1.0 + kNullDraws);
+  };
+  return {p(deviance), p(deviance * (1.0 + kLastDigitsOfScore)), p(deviance * (1.0 - kLastDigitsOfScore))};
 }
 
 /// The largest of all lengths of blocks that leave enough of them: how long a slow random force lasts is not known.
-double p_by_chance(const Eigen::MatrixXd& scores, double deviance, std::uint64_t seed) {
-  double p = p_by_signs(scores, deviance, seed);
-  for (Eigen::Index length = 2; scores.cols() >= length * kFewestBlocks; length *= 2)
-    p = std::max(p, p_by_signs(in_blocks(scores, length), deviance, seed));
+Chances p_by_chance(const Eigen::MatrixXd& scores, double deviance, std::uint64_t seed) {
+  Chances p = p_by_signs(scores, deviance, seed);
+  for (Eigen::Index length = 2; scores.cols() >= length * kFewestBlocks; length *= 2) {
+    const Chances other = p_by_signs(in_blocks(scores, length), deviance, seed);
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = std::max(p[i], other[i]);
+  }
   return p;
 }
 
@@ -286,7 +294,10 @@ FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whi
   double ridge = best_ridge(regression, all);
   for (int time = 0; time < kMostChoices && regression.settle(all, ridge); ++time) ridge = best_ridge(regression, all);
   result.held_out = regression.held_out(all, ridge);
-  result.p = p_by_chance(scores, result.deviance, task.seed);
+  const Chances chances = p_by_chance(scores, result.deviance, task.seed);
+  result.p = chances[0];
+  result.p_low = chances[1];
+  result.p_high = chances[2];
   result.curves = force.curves;
   draw_curves(force.readings * combinations, regression.sizes(all, ridge), regression.covariance(all, ridge),
               result.curves);

@@ -41,6 +41,7 @@ struct FreeForceTest {
   int freedom = 0;        ///< independent functions that can be seen
   /// How often noise explains as much, pieces of segments pushed either way at random; at least 1/(draws + 1).
   double p = 1.0;
+  double p_low = 1.0, p_high = 1.0;  ///< were the deviance as much more, or less, as last digits may make it
   /// Held-out deviance by block, folds left out one by one; ridge by cross-validation.
   Eigen::VectorXd held_out;
   std::vector<ForceCurve> curves;  ///< told

@@ -13,9 +13,13 @@ bool law_leads(const Round& round, std::uint64_t seed) {
 }
 
 bool outdoes_library(const ForceFormula& law, const Round& round, std::size_t added, const Gain& before) {
-  if (added < law.terms.size() || round.free_force.p >= kFreeForceLevel || before.value >= law.gain.value) return false;
-  return std::all_of(round.rivals.begin(), round.rivals.end(),
-                     [&](const Rival& rival) { return sum(before, rival.gain).value < law.gain.value; });
+  return added >= law.terms.size() && round.free_force.p < kFreeForceLevel && lead_of(law, round, before) > 0.0;
+}
+
+double lead_of(const ForceFormula& law, const Round& round, const Gain& before) {
+  double best = before.value;
+  for (const Rival& rival : round.rivals) best = std::max(best, sum(before, rival.gain).value);
+  return law.gain.value - best;
 }
 
 }  // namespace lacuna

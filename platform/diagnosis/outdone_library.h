@@ -17,4 +17,7 @@ bool law_leads(const Round& round, std::uint64_t seed);
 /// imitated two effects itself would lose to these two. `before`: the model's gain over the one without any effect.
 bool outdoes_library(const ForceFormula& law, const Round& round, std::size_t added, const Gain& before);
 
+/// By how many nats the law predicts better than the best of these models.
+double lead_of(const ForceFormula& law, const Round& round, const Gain& before);
+
 }  // namespace lacuna

@@ -9,9 +9,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLittle = 0.05;  ///< of what the effects explain
-constexpr double kAtFloor = 1.4;  ///< times the floor
-
 Contender without_effects(const Contender& plain, const PluginCatalog& catalog) {
   Contender bare;
   bare.experiment = plain.experiment;
@@ -40,10 +37,6 @@ std::optional<PresentEffects> present_effects(const Contender& plain, const Plug
   if (!with.valid || !less.valid) return std::nullopt;
   present.gain = gain(held_out_deviance(less, round.folds), held_out_deviance(with, round.folds), seed);
   return present;
-}
-
-bool makes_up_for_form(double gain, const PresentEffects& present, double base_times_floor) {
-  return base_times_floor <= kAtFloor && present.gain.lower_95 > 0.0 && gain <= kLittle * present.gain.value;
 }
 
 }  // namespace lacuna

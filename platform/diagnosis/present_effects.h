@@ -19,9 +19,10 @@ struct PresentEffects {
 std::optional<PresentEffects> present_effects(const Contender& plain, const PluginCatalog& catalog, const Round& round,
                                               std::uint64_t seed, int threads);
 
-/// Whether what could still be gained, nats, is so little beside what the effects that are there explain that it more
-/// likely makes up for the form of one of them (a real friction is never quite the library's), while the model is at
-/// the floor without it.
-bool makes_up_for_form(double gain, const PresentEffects& present, double base_times_floor);
+/// What could still be gained is so little beside what the effects that are there explain that it more likely makes up
+/// for the form of one of them (a real friction is never quite the library's), while the model is at the floor without
+/// it.
+inline constexpr double kFormShare = 0.05;   ///< of what the effects explain
+inline constexpr double kFormAtFloor = 1.4;  ///< times the floor
 
 }  // namespace lacuna

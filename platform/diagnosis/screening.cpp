@@ -1,5 +1,6 @@
 #include "diagnosis/screening.h"
 
+#include "diagnosis/last_digits.h"
 #include "fitting/seeded_noise.h"
 
 #include <Eigen/Eigenvalues>
@@ -69,8 +70,14 @@ Screening screen(const WhitenedSegments& whitened, const std::vector<std::vector
   std::stable_sort(result.scores.begin(), result.scores.end(),
                    [](const ProbeScore& a, const ProbeScore& b) { return a.deviance > b.deviance; });
   result.chance_95 = chance[static_cast<std::size_t>(0.95 * kNullDraws)];
-  const auto reached = chance.end() - std::lower_bound(chance.begin(), chance.end(), result.scores.front().deviance);
-  result.p = (1.0 + static_cast<double>(reached)) / (1.0 + kNullDraws);
+  const auto p = [&](double deviance) {
+    const auto reached = chance.end() - std::lower_bound(chance.begin(), chance.end(), deviance);
+    return (1.0 + static_cast<double>(reached)) / (1.0 + kNullDraws);
+  };
+  const double best = result.scores.front().deviance;
+  result.p = p(best);
+  result.p_low = p(best * (1.0 + kLastDigitsOfScore));
+  result.p_high = p(best * (1.0 - kLastDigitsOfScore));
   return result;
 }
 

@@ -19,9 +19,10 @@ struct ProbeScore {
 };
 
 struct Screening {
-  std::vector<ProbeScore> scores;  ///< best first
-  double chance_95 = 0.0;          ///< what the largest deviance of all probes stays below in 95 % of noise draws
-  double p = 1.0;                  ///< how often noise alone reaches the best one's deviance, at least 1/(draws + 1)
+  std::vector<ProbeScore> scores;    ///< best first
+  double chance_95 = 0.0;            ///< what the largest deviance of all probes stays below in 95 % of noise draws
+  double p = 1.0;                    ///< how often noise alone reaches the best one's deviance, at least 1/(draws + 1)
+  double p_low = 1.0, p_high = 1.0;  ///< were that deviance as much more, or less, as last digits may make it
 };
 
 /// Scores every probe and holds the best against the largest of all under `draws` draws of white noise through the same

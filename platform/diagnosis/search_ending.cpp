@@ -27,7 +27,7 @@ class EndedSearch {
     const auto present = [this] {
       return present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads);
     };
-    conclude(result_, {ending_.answer, first(), ending_.last, ending_.outdone_by_law, present, task_.seed});
+    conclude(result_, {ending_.answer, first(), ending_.last, ending_.law_ahead, present, task_.seed});
     const auto enough = ending_.state.enough.find(names_of(ending_.answer.added));
     if (is_answer() && enough != ending_.state.enough.end()) result_.findings.push_back(enough->second);
     if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();

@@ -6,6 +6,8 @@
 #include "diagnosis/search_state.h"
 #include "diagnosis/unaided.h"
 
+#include <optional>
+
 namespace lacuna {
 
 /// A search that has come to its end. Everything referred to must live until `end_search` returns.
@@ -17,7 +19,7 @@ struct SearchEnding {
   const Rejudged& again;                  ///< the answer's last effect and its rivals, under the noise of `last`
   const Round& last;                      ///< of the answer: it found nothing more to add
   const std::optional<Unaided>& unaided;  ///< under the noise of `last`; nothing where it cannot be simulated
-  bool outdone_by_law = false;
+  std::optional<double> law_ahead;        ///< nats, where it ended since a formula outdoes the library
   SearchState& state;
   ProgressMeter& meter;
 };

@@ -39,18 +39,35 @@ ChannelMotion motion_of(const std::vector<Trial>& trials, const std::string& cha
   return motion;
 }
 
+/// The error of a channel, and how large one still allows a verdict.
+struct MissedMotion {
+  double size = 0.0, missed = 0.0, allowed = 0.0;
+};
+
+MissedMotion missed_motion_of(const BaseSolution& base, const ChannelError& error) {
+  const ChannelMotion motion = motion_of(base.trials, error.channel);
+  return {motion.size, std::max(error.fit, error.floor), std::max(kMissed * motion.size, kScatters * motion.scatter)};
+}
+
 }  // namespace
+
+double missed_motion(const BaseSolution& base, const std::vector<ChannelError>& errors) {
+  double most = 0.0;
+  for (const ChannelError& error : errors)
+    if (const MissedMotion one = missed_motion_of(base, error); one.missed > 0.0)
+      most = std::max(most, one.missed / one.allowed);
+  return most;
+}
 
 std::vector<std::string> unexplained_motion(const BaseSolution& base, const std::vector<ChannelError>& errors) {
   std::vector<std::string> sentences;
   for (const ChannelError& error : errors) {
-    const ChannelMotion motion = motion_of(base.trials, error.channel);
-    const double missed = std::max(error.fit, error.floor);
-    if (missed <= std::max(kMissed * motion.size, kScatters * motion.scatter)) continue;
+    const MissedMotion one = missed_motion_of(base, error);
+    if (one.missed <= one.allowed) continue;
     sentences.push_back(fmt::format(
         "{}: the model misses {} of a motion of {} (RMS), and no effect explains it: check units, columns and the "
         "robot; a command column that holds no command looks like this",
-        error.channel, format_quantity(missed, error.unit), format_quantity(motion.size, error.unit)));
+        error.channel, format_quantity(one.missed, error.unit), format_quantity(one.size, error.unit)));
   }
   return sentences;
 }

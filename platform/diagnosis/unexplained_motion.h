@@ -13,4 +13,7 @@ namespace lacuna {
 /// is not right for want of an effect that explains it, and what is left to it is no noise.
 std::vector<std::string> unexplained_motion(const BaseSolution& base, const std::vector<ChannelError>& errors);
 
+/// Of the channel that misses most: its error over the largest that allows a verdict; above 1 it has a sentence.
+double missed_motion(const BaseSolution& base, const std::vector<ChannelError>& errors);
+
 }  // namespace lacuna

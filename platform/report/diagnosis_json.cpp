@@ -80,6 +80,12 @@ ordered_json document(const Untestable& one) {
   return {{"effect", one.effect}, {"where", one.where}, {"reason", one.reason}};
 }
 
+ordered_json document(const AtThreshold& near) {
+  return {{"figure", near.figure},       {"unit", to_string(near.unit)},   {"value", near.value},
+          {"threshold", near.threshold}, {"range", {near.low, near.high}}, {"other_verdict", to_string(near.other)},
+          {"text", threshold_text(near)}};
+}
+
 ordered_json document(const RandomForce& force) {
   return {{"joint", force.joint}, {"deviation", force.deviation}, {"unit", force.unit}, {"duration_s", force.duration}};
 }
@@ -104,6 +110,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
       {"verdict", to_string(diagnosis.verdict)},
       {"probability", diagnosis.probability},
       {"calibrated", diagnosis.calibrated},
+      {"at_threshold", list(diagnosis.at_threshold)},
       {"evidence", diagnosis.evidence},
       {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
       {"units", units(diagnosis.base)},

@@ -25,6 +25,22 @@ Verdict verdict_of(const std::string& text) {
   return Verdict::cannot_tell;
 }
 
+FigureUnit unit_of(const std::string& text) {
+  for (const FigureUnit unit : {FigureUnit::percent, FigureUnit::chance, FigureUnit::times_floor})
+    if (to_string(unit) == text) return unit;
+  return FigureUnit::nats;
+}
+
+AtThreshold threshold_of(const ordered_json& json) {
+  return {json["figure"],
+          unit_of(json["unit"]),
+          figure(json["value"]),
+          figure(json["threshold"]),
+          figure(json["range"][0]),
+          figure(json["range"][1]),
+          verdict_of(json["other_verdict"])};
+}
+
 Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered_json& interval) {
   return {figure(value), figure(error), figure(interval[0]), figure(interval[1])};
 }
@@ -92,6 +108,8 @@ Diagnosis read_diagnosis(const std::string& document) {
   diagnosis.verdict = verdict_of(whole["verdict"]);
   diagnosis.probability = figure(whole["probability"]);
   diagnosis.calibrated = whole.value("calibrated", false);
+  for (const ordered_json& one : whole.value("at_threshold", ordered_json::array()))
+    diagnosis.at_threshold.push_back(threshold_of(one));
   diagnosis.evidence = whole.value("evidence", Evidence{});
   diagnosis.base = errors_of(whole, whole["base"]);
   diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);

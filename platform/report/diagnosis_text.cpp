@@ -103,7 +103,33 @@ std::string untestable_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+std::string figure_text(double value, FigureUnit unit) {
+  switch (unit) {
+    case FigureUnit::percent: return fmt::format("{:.1f} %", 100.0 * value);
+    case FigureUnit::nats: return fmt::format("{:.1f} nats", value);
+    case FigureUnit::chance: return fmt::format("p {:.2g}", value);
+    case FigureUnit::times_floor: return fmt::format("{:.2f} × floor", value);
+  }
+  return "";
+}
+
+std::string thresholds_text(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const AtThreshold& near : diagnosis.at_threshold) text += threshold_text(near) + "\n";
+  return text;
+}
+
 }  // namespace
+
+std::string threshold_text(const AtThreshold& near) {
+  const std::string threshold = near.unit == FigureUnit::percent ? fmt::format("{:g} %", 100.0 * near.threshold)
+                                                                 : figure_text(near.threshold, near.unit);
+  return fmt::format(
+      "{} is {}, at the threshold of {}: the verdict can change to {} with the last digits of another machine "
+      "({} to {})",
+      near.figure, figure_text(near.value, near.unit), threshold, to_string(near.other),
+      figure_text(near.low, near.unit), figure_text(near.high, near.unit));
+}
 
 std::string verdict_text(const Diagnosis& diagnosis) {
   if (std::isnan(diagnosis.probability)) return std::string(to_string(diagnosis.verdict));
@@ -115,7 +141,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
   if (diagnosis.base.empty())  // nothing was searched
     return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                        fmt::join(diagnosis.findings, "\n"));
-  std::string text = "verdict " + verdict_text(diagnosis) + "\n";
+  std::string text = "verdict " + verdict_text(diagnosis) + "\n" + thresholds_text(diagnosis);
   text += answers_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);

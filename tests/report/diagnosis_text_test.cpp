@@ -130,6 +130,20 @@ TEST(DiagnosisText, ComparesAFormulaForWhatIsLeftUnderItsOwnNoise) {
   EXPECT_FALSE(answer_comes_first(outside));
 }
 
+/// Another machine's verdict may be another: nobody should have to find that out there.
+TEST(DiagnosisText, SaysWhatStandsAtAThreshold) {
+  Diagnosis near = diagnosis(Verdict::effect_found);
+  near.at_threshold = {
+      {"the gain of the effects found", FigureUnit::percent, 0.9503, 0.95, 0.9484, 0.9522, Verdict::not_in_library}};
+  const std::string text = diagnosis_text(near, "rig.toml");
+  EXPECT_THAT(text,
+              HasSubstr("the gain of the effects found is 95.0 %, at the threshold of 95 %: the verdict can change "
+                        "to not_in_library"));
+  const std::string document = diagnosis_json(near);
+  EXPECT_THAT(document, HasSubstr("\"other_verdict\": \"not_in_library\""));
+  EXPECT_EQ(diagnosis_text(read_diagnosis(document), "rig.toml"), text);
+}
+
 TEST(DiagnosisText, StatesNoProbabilityWhereItCannotTell) {
   Diagnosis result = diagnosis(Verdict::cannot_tell);
   result.probability = std::numeric_limits<double>::quiet_NaN();
