@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/records.h"
 #include "app/rig.h"
+#include "foundation/shell_word.h"
 #include "report/history_text.h"
 #include "storage/result_store.h"
 

@@ -1,6 +1,7 @@
 #include "app/stored_bench.h"
 
 #include "app/run_inputs.h"
+#include "foundation/shell_word.h"
 
 #include <fmt/format.h>
 
