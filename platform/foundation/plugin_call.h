@@ -26,29 +26,52 @@ inline CallSlot& own_call_slot() {
 /// texts have equal addresses. Takes a lock: ask once and keep the pointer.
 const char* component_on_page(const std::string& component);
 
-/// While it lives, this thread calls plugins; what it did before is restored with its end. A call costs two stores.
-class PluginCall {
+/// A slot with what stood in it.
+class SlotBefore {
  public:
-  PluginCall() noexcept : PluginCall(own_call_slot()) {}
-  PluginCall(const char* component, const char* call) noexcept : PluginCall() { enter(component, call); }
-  ~PluginCall() { enter(component_, call_); }
-  PluginCall(const PluginCall&) = delete;
-  PluginCall& operator=(const PluginCall&) = delete;
-
-  void enter(const char* component, const char* call) noexcept {
-    slot_.component.store(component, std::memory_order_relaxed);
-    slot_.call.store(call, std::memory_order_relaxed);
-  }
-
- private:
-  explicit PluginCall(CallSlot& slot) noexcept
-      : slot_(slot),
+  explicit SlotBefore(CallSlot& slot) noexcept
+      : slot_(&slot),
         component_(slot.component.load(std::memory_order_relaxed)),
         call_(slot.call.load(std::memory_order_relaxed)) {}
 
-  CallSlot& slot_;
+  void set(const char* component, const char* call) noexcept {
+    slot_->component.store(component, std::memory_order_relaxed);
+    slot_->call.store(call, std::memory_order_relaxed);
+  }
+  void restore() noexcept { set(component_, call_); }
+
+ private:
+  CallSlot* slot_;
   const char* component_;
   const char* call_;
+};
+
+/// While it lives, this thread calls plugins; what it did before is restored with its end.
+class PluginCall {
+ public:
+  PluginCall(const char* component, const char* call) noexcept : before_(own_call_slot()) { enter(component, call); }
+  ~PluginCall() { before_.restore(); }
+  PluginCall(const PluginCall&) = delete;
+  PluginCall& operator=(const PluginCall&) = delete;
+
+  void enter(const char* component, const char* call) noexcept { before_.set(component, call); }
+
+ private:
+  SlotBefore before_;
+};
+
+/// Calls of plugins by the thread that made it, one after another, for loops that cannot afford a `PluginCall` each.
+/// What the thread did before is restored by `leave`, not by its end: it may be kept, and be made anew by another
+/// thread.
+class CallSequence {
+ public:
+  CallSequence() noexcept : before_(own_call_slot()) {}
+
+  void enter(const char* component, const char* call) noexcept { before_.set(component, call); }
+  void leave() noexcept { before_.restore(); }
+
+ private:
+  SlotBefore before_;
 };
 
 /// While it lives, this thread works for the host, be it that a plugin asked for it.

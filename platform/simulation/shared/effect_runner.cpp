@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace lacuna::simulation {
 namespace {
@@ -35,91 +34,86 @@ bool sound(const StepLoads& loads) {
 
 void EffectRunner::amend(RobotSpec& robot) {
   running_ = kNone;
+  call_.emplace();
   const std::size_t sizes[] = {robot.bodies.size(), robot.joints.size(), robot.actuators.size(), robot.sensors.size()};
-  PluginCall call;
   for (const std::size_t effect : schedule_.amending()) {
-    enter(call, effect, "amend");
+    enter(effect, "amend");
     schedule_.effects()[effect].effect->amend(robot, context(effect));
     if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
         sizes[3] != robot.sensors.size())
       throw Error("it added or removed elements of the robot, which an effect may not");
   }
-  running_ = kNone;
+  leave();
 }
 
 void EffectRunner::start(const StepView& view) {
   std::fill(states_.begin(), states_.end(), 0.0);
-  PluginCall call;
   for (std::size_t effect = 0; effect < schedule_.effects().size(); ++effect) {
-    enter(call, effect, "start");
+    enter(effect, "start");
     schedule_.effects()[effect].effect->start(view, context(effect), state(effect));
   }
-  running_ = kNone;
+  leave();
 }
 
 void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
-  PluginCall call;
   for (const std::size_t effect : schedule_.before_step()) {
-    enter(call, effect, "before_step");
+    enter(effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
   }
-  running_ = kNone;
+  leave();
   if (!sound(loads)) throw_culprit(view, loads);
 }
 
 void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
   const ContactSpec contact = instance_.robot().contact;
-  PluginCall call;
   for (const std::size_t effect : schedule_.before_step()) {
     std::fill(loads.joints.begin(), loads.joints.end(), JointLoad{});
     std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
     loads.contact = contact;
     loads.gravity = instance_.robot().gravity;
-    enter(call, effect, "before_step");
+    enter(effect, "before_step");
     schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
     if (!sound(loads)) throw Error(std::string("it wrote a load that is not finite or has the wrong sign") + kRepair);
   }
-  running_ = kNone;
+  leave();
   throw Error("the effects together wrote a load that is not finite or has the wrong sign");
 }
 
 void EffectRunner::after_step(const StepView& view) {
   if (schedule_.after_step().empty()) return;
-  PluginCall call;
   for (const std::size_t effect : schedule_.after_step()) {
-    enter(call, effect, "after_step");
+    enter(effect, "after_step");
     schedule_.effects()[effect].effect->after_step(view, context(effect), state(effect));
   }
-  running_ = kNone;
+  leave();
 }
 
 double EffectRunner::command(std::size_t actuator, double value, const StepView& view) {
   if (schedule_.commands(actuator).empty()) return value;
-  PluginCall call;
   for (const auto& [effect, which] : schedule_.commands(actuator)) {
-    enter(call, effect, "command");
+    enter(effect, "command");
     value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
     if (!std::isfinite(value)) throw Error(std::string("its command is not a number") + kRepair);
   }
-  running_ = kNone;
+  leave();
   return value;
 }
 
 void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const StepView& view) {
   if (schedule_.senses(sensor).empty()) return;
-  PluginCall call;
   for (const auto& [effect, which] : schedule_.senses(sensor)) {
-    enter(call, effect, "sense");
+    enter(effect, "sense");
     schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
     if (!std::all_of(channels.begin(), channels.end(), [](double reading) { return std::isfinite(reading); }))
       throw Error(std::string("its reading is not a number") + kRepair);
   }
-  running_ = kNone;
+  leave();
 }
 
 std::string EffectRunner::explain() {
-  const std::size_t effect = std::exchange(running_, kNone);  // what fails next may not be an effect's fault
+  const std::size_t effect = running_;
   if (effect != kNone) {
+    leave();  // what fails next may not be an effect's fault
     const PlacedEffect& placed = schedule_.effects()[effect];
     return "effect." + placed.id + ": " + describe_current_exception(origin_of(placed), hook_);
   }

@@ -5,6 +5,7 @@
 #include "simulation/shared/model_instance.h"
 #include "simulation/shared/state_archive.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ class EffectRunner {
   EffectRunner(const EffectSchedule& schedule, const ModelInstance& instance)
       : schedule_(schedule), instance_(instance), states_(schedule.state_size(), 0.0) {}
 
+  /// Comes first in every simulation, on the thread that carries it out.
   void amend(RobotSpec& robot);
   void start(const StepView& view);
   /// Throws `Error` that names the effect if what was added is not finite.
@@ -35,10 +37,14 @@ class EffectRunner {
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  void enter(PluginCall& call, std::size_t effect, const char* hook) {
+  void enter(std::size_t effect, const char* hook) {
     running_ = effect;
     hook_ = hook;
-    call.enter(schedule_.on_page(effect), hook);
+    call_->enter(schedule_.on_page(effect), hook);
+  }
+  void leave() {
+    running_ = kNone;
+    call_->leave();
   }
   EffectContext context(std::size_t effect) const { return schedule_.context(effect, instance_.effect_values(effect)); }
   std::span<double> state(std::size_t effect) { return schedule_.state_of(effect, states_); }
@@ -49,6 +55,7 @@ class EffectRunner {
   std::vector<double> states_;
   std::size_t running_ = kNone;  // the effect whose hook runs
   const char* hook_ = "";
+  std::optional<CallSequence> call_;  // of this thread
 };
 
 }  // namespace lacuna::simulation
