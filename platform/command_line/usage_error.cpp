@@ -48,13 +48,12 @@ std::string complaint_of_extras(const Place& place, const std::vector<std::strin
   return "one argument too many: " + extras.front();
 }
 
-/// All that are missing, where CLI11 names the first alone; a command may have its own words for what it requires.
-std::string complaint_of_missing(const CLI::App& command, const CLI::ParseError& error) {
+/// All that are missing, where CLI11 names the first alone.
+std::vector<std::string> missing_options(const CLI::App& command) {
   std::vector<std::string> missing;
   for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0) missing.push_back(option->get_name());
-  if (missing.empty()) return error.what();
-  return fmt::format("{} {} required", fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are");
+  return missing;
 }
 
 std::string complaint(const CLI::App& program, const Place& place, const CLI::ParseError& error) {
@@ -66,10 +65,12 @@ std::string complaint(const CLI::App& program, const Place& place, const CLI::Pa
   const std::vector<std::string> extras = program.remaining(true);
   std::vector<std::string> complaints;
   if (!extras.empty()) complaints.push_back(complaint_of_extras(place, extras));
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
-    complaints.push_back(complaint_of_missing(*place.command, error));
-  else if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr)
-    complaints.push_back(error.what());
+  const bool lacks_something = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  const std::vector<std::string> missing = missing_options(*place.command);
+  if (lacks_something && !missing.empty())
+    complaints.push_back(fmt::format("{} {} required", fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are"));
+  else if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr && (!lacks_something || extras.empty()))
+    complaints.push_back(error.what());  // a command may have its own words for what it requires
   return fmt::format("{}", fmt::join(complaints, "; "));
 }
 

@@ -48,6 +48,12 @@ TEST(UsageSentence, NamesAnUnknownWordBeforeWhatIsMissing) {
   EXPECT_EQ(answer_to({"cases"}), "bench cases: name a command: plan, run; see bench cases --help");
 }
 
+TEST(UsageSentence, OfAMisspeltOptionBeforeAnyCommandNamesTheOptionAlone) {
+  EXPECT_EQ(answer_to({"--hlep"}), "bench: there is no option --hlep (did you mean \"--help\"?); see bench --help");
+  EXPECT_EQ(answer_to({"cases", "--hlep"}),
+            "bench cases: there is no option --hlep (did you mean \"--help\"?); see bench cases --help");
+}
+
 TEST(UsageSentence, SaysWhatANumberMayBe) {
   EXPECT_EQ(answer_to({"cases", "run", "--set", "a", "--db", "b", "--jobs", "0"}),
             "bench cases run: --jobs: must be a whole number from 1 to 64, but is \"0\"; see bench cases run --help");
