@@ -173,16 +173,6 @@ Extension extension_of(AddOptions options) {
           !says_where && !options.where.empty()};
 }
 
-/// To be typed as it is, with what the change depended on.
-std::string undo_command(const AddOptions& options) {
-  std::string command = "lacuna undo " + shell_word(options.experiment.string());
-  for (const std::string& one : options.overrides) command += " --set " + shell_word(one);
-  for (const std::filesystem::path& folder : options.plugin_paths)
-    command += " --plugin-path " + shell_word(folder.string());
-  if (!options.database.empty()) command += " --db " + shell_word(options.database.string());
-  return command;
-}
-
 void run_add(const AddOptions& options) {
   check_output(options.json);
   check_replaceable(options.experiment);
@@ -195,11 +185,12 @@ void run_add(const AddOptions& options) {
     if (made.only_place)
       fmt::print("{} is placed on {}, the only place possible\n", made.entry.id, made.entry.where.front());
     if (made.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", made.entry.id);
-    fmt::print("{}", change_text(before, after, undo_command(options)));
+    fmt::print("{}", change_text(before, after, command_to_type("undo", options)));
     if (!redundancy.empty()) fmt::print("{}\n", redundancy);
-    fmt::print("undo: {}\n→ lacuna compare {}\n", undo_command(options), shell_word(options.experiment.string()));
+    fmt::print("undo: {}\n→ {}\n", command_to_type("undo", options), command_to_type("compare", options));
   }
-  if (options.json) write_output(*options.json, change_json(made.entry.id, before, after, undo_command(options)));
+  if (options.json)
+    write_output(*options.json, change_json(made.entry.id, before, after, command_to_type("undo", options)));
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ void run_history(const HistoryOptions& options) {
   const Rig rig = open_rig(options);
   const std::filesystem::path file = database_of(options, rig.experiment);
   const StoredHistory history = stored_history(file, rig);
-  const std::string next = history.missing.empty() ? "" : "lacuna compare " + shell_word(options.experiment.string());
+  const std::string next = history.missing.empty() ? "" : command_to_type("compare", options);
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{} · {}\n", rig.experiment.name, file.string());
     if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks));

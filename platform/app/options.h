@@ -24,6 +24,9 @@ struct CommonOptions {
   bool quiet = false;
 };
 
+/// "lacuna NAME EXPERIMENT" to be typed as it is, with the settings, plugin folders and database of these options.
+std::string command_to_type(const std::string& name, const CommonOptions& options);
+
 /// The command line, such that a shell takes it again; `run_program` sets it.
 void set_command_line(int argc, char** argv);
 const std::string& command_line();

@@ -26,12 +26,12 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   rig.definition = define_model(rig.experiment, *rig.catalog);
   const std::string& target = rig.experiment.target.kind;
   check_step_count(rig.experiment, {}, rig.catalog->make<TargetSystem>(target)->takes_tests());
-  rig.model = compile(rig.definition.structure, rig.definition.engine);
   const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
                                [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
   check_step_count(rig.experiment, rig.trials, false);
+  rig.model = compile(rig.definition.structure, rig.definition.engine);  // delays are kept by the step
   return rig;
 }
 

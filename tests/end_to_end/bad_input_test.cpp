@@ -95,6 +95,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "--set engine.stpe=0.001: engine: unknown key \"stpe\" (did you mean \"step\"?)"},
         BadInputCase{"StepsThatNobodyCanWaitFor", "compare first-steps.toml --set engine.step=1e-9", 2,
                      "--set engine.step=1e-9: engine.step: 1.00 ns in 4 substeps makes"},
+        BadInputCase{"DelaysThatNoMemoryHolds",
+                     "compare first-steps.toml --set engine.step=1e-9 --set "
+                     "model.effects=[{effect=\"command_delay\",where=\"actuator.motor\"}]",
+                     2, "integration steps"},
         BadInputCase{"HistoryOfSuchSteps", "history first-steps.toml --set engine.step=1e-9", 2, "integration steps"},
         BadInputCase{"FileValueBeyondItsBounds",
                      "compare first-steps.toml --set model.free={\"body.arm.mass\"=[0.1,0.2]}", 2,
