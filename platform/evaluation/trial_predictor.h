@@ -57,8 +57,8 @@ class TrialPredictor {
   Stretch whole(std::size_t trial) const { return {trial, 0, trials_[trial].measured.times.size()}; }
 
   /// Whether delays, lags and other memories of commands or readings may hold at a trial's start what nobody knows: the
-  /// trial states neither what was commanded before nor a start at rest. The first `kLongestMemory` s tell nothing then of a
-  /// model that has such memories.
+  /// trial states neither what was commanded before nor a start at rest. The first `kLongestMemory` s tell nothing then
+  /// of a model that has such memories.
   bool past_is_unknown(std::size_t trial) const { return pasts_[trial] == Past::unknown; }
 
   /// Simulates from joint coordinates `start` at the time of the stretch's first sample, the trial's
