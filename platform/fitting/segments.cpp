@@ -56,7 +56,7 @@ Segment make_segment(const TrialPredictor& predictor, const StartStates& states,
     deviation.push_back(free ? kFree * known_to : known_to);
   }
   segment.deviation = Eigen::Map<Eigen::VectorXd>(deviation.data(), static_cast<Eigen::Index>(deviation.size()));
-  const double memory = predictor.model().has_memory() ? std::max(kLongestMemory, run_in) : run_in;
+  const double memory = predictor.model().has_memory() ? kLongestMemory : std::min(run_in, kHead);
   const Eigen::Index first =
       first_scored(predictor, stretch, scored_after_head ? estimate : StartEstimate{}, memory) - stretch.first;
   list_measured(trial, std::max(first, segment.run_in), segment);

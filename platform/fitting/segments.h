@@ -32,7 +32,8 @@ std::vector<Stretch> cut(const Trial& trial, std::size_t index, double length);
 /// then not scored; or free. Inner segments are free. Segments that hold no more measured values than
 /// unknowns tell nothing and are left out, as are heads that cannot be simulated. Inner segments are simulated from
 /// `run_in` s earlier, so that delays, lags and other memories, which no reading tells, are filled where they begin to
-/// count; at a trial's start, where what was before is unknown, the first `run_in` s are not scored.
+/// count. At a trial's start, where what was before is unknown, the head is not scored, and of a model that has such
+/// memories not the first `kLongestMemory` s.
 std::vector<Segment> make_segments(const TrialPredictor& predictor, const StartStates& states, double length,
                                    const std::vector<double>& values, double run_in = 0.0);
 

@@ -109,9 +109,10 @@ struct PageServer::Impl {
   template <typename Answer>
   static void ask(WorkQueue& queue, std::string question, const WebReply& reply, Answer answer) {
     const auto work = [question = std::move(question), reply, answer = std::move(answer)] {
-      if (reply.is_wanted()) reply(answer_to(question, answer));
+      reply(answer_to(question, answer));
     };
-    if (!queue.add(work)) reply(trouble(503, "too many questions are waiting; ask again when some are answered"));
+    if (!queue.add(work, [reply] { return reply.is_wanted(); }))
+      reply(trouble(503, "too many questions are waiting; ask again when some are answered"));
   }
 
   Text answer_state() {

@@ -11,11 +11,12 @@ WorkQueue::~WorkQueue() {
   threads_.clear();
 }
 
-bool WorkQueue::add(std::function<void()> work) {
+bool WorkQueue::add(std::function<void()> work, std::function<bool()> is_wanted) {
   {
     const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= most_waiting_) std::erase_if(waiting_, [](const Job& job) { return !job.is_wanted(); });
     if (waiting_.size() >= most_waiting_) return false;
-    waiting_.push_back(std::move(work));
+    waiting_.push_back({std::move(work), std::move(is_wanted)});
   }
   added_.notify_one();
   return true;
@@ -25,10 +26,10 @@ void WorkQueue::do_work(const std::stop_token& stopped) {
   std::unique_lock lock(mutex_);
   while (added_.wait(lock, stopped, [this] { return !waiting_.empty(); })) {
     if (stopped.stop_requested()) return;
-    const std::function<void()> work = std::move(waiting_.front());
+    const Job job = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    work();
+    if (job.is_wanted()) job.work();
     lock.lock();
   }
 }

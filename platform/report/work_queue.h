@@ -18,16 +18,22 @@ class WorkQueue {
   WorkQueue(const WorkQueue&) = delete;
   WorkQueue& operator=(const WorkQueue&) = delete;
 
-  /// False: as much waits already as may. Work must not throw.
-  bool add(std::function<void()> work);
+  /// False: as much waits already as may. Work that nobody wants any more, as `is_wanted` tells, waits for nothing: it
+  /// makes room and is not done. Neither may throw.
+  bool add(
+      std::function<void()> work, std::function<bool()> is_wanted = [] { return true; });
 
  private:
+  struct Job {
+    std::function<void()> work;
+    std::function<bool()> is_wanted;
+  };
   void do_work(const std::stop_token& stopped);
 
   const std::size_t most_waiting_;
   std::mutex mutex_;
   std::condition_variable_any added_;
-  std::deque<std::function<void()>> waiting_;
+  std::deque<Job> waiting_;
   std::vector<std::jthread> threads_;
 };
 

@@ -114,9 +114,8 @@ TEST(Add, TakesItsEditBackWhereTheDatabaseCannotBeWritten) {
   ASSERT_EQ(program.run({"compare", "first-steps.toml"}).exit_code, 0);
   const std::string as_written = program.read("first-steps.toml");
   ASSERT_EQ(program
-                .shell("sqlite3 first-steps.db 'CREATE TABLE full (id INTEGER PRIMARY KEY, of INTEGER REFERENCES full "
-                       "DEFERRABLE INITIALLY DEFERRED); CREATE TRIGGER fill AFTER INSERT ON revision BEGIN INSERT INTO "
-                       "full VALUES (1, 2); END'")
+                .shell("sqlite3 first-steps.db 'CREATE TABLE full (id INTEGER PRIMARY KEY); ALTER TABLE revision ADD "
+                       "COLUMN disk INTEGER DEFAULT 1 REFERENCES full DEFERRABLE INITIALLY DEFERRED'")
                 .exit_code,
             0);
   const Outcome outcome = program.run(kAddFriction);

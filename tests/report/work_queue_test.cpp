@@ -32,6 +32,31 @@ TEST(WorkQueueTest, WorksInOrderAndTakesNoMoreThanMayWait) {
   EXPECT_EQ(done, (std::vector{0, 1, 2}));
 }
 
+TEST(WorkQueueTest, WhatNobodyWantsAnyMoreMakesRoom) {
+  std::promise<void> open, begun;
+  std::vector<int> done;
+  std::atomic<bool> wanted = true;
+  {
+    WorkQueue queue(1, 2);
+    queue.add([&] {
+      begun.set_value();
+      open.get_future().wait();
+    });
+    begun.get_future().wait();
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(queue.add([&] { done.push_back(0); }, [&] { return wanted.load(); }));
+    EXPECT_FALSE(queue.add([&] { done.push_back(1); }));
+    wanted = false;
+    std::promise<void> last;
+    EXPECT_TRUE(queue.add([&] {
+      done.push_back(2);
+      last.set_value();
+    }));
+    open.set_value();
+    last.get_future().wait();
+  }
+  EXPECT_EQ(done, std::vector{2});
+}
+
 TEST(WorkQueueTest, ForgetsWhatWaitsWhenItEnds) {
   std::atomic<int> done = 0;
   std::promise<void> begun;
