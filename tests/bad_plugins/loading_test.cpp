@@ -130,8 +130,9 @@ TEST(BadPlugin, ThatSaysOfItselfWhatCannotBeIsRefusedByName) {
                                                     {"without_placement", "has no placement"},
                                                     {"unknown_unit", "\"{foo}\", which is no unit on"},
                                                     {"bounds_reversed", "a lower bound above its upper bound"}};
-  for (const auto& [name, what] : whats)
-    EXPECT_THAT([&] { catalog.get<PhysicalEffect>(name); }, ThrowsMessage<Error>(refusal(name.c_str(), what)));
+  for (const auto& entry : whats)
+    EXPECT_THAT([&] { catalog.get<PhysicalEffect>(entry.first); },
+                ThrowsMessage<Error>(refusal(entry.first.c_str(), entry.second)));
   EXPECT_THAT([&] { catalog.get<FitnessMetric>("unknown_metric_unit"); },
               ThrowsMessage<Error>(refusal("unknown_metric_unit", "N*x")));
   for (const PluginListing& listing : catalog.list())
