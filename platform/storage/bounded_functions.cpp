@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -46,13 +48,16 @@ void instr(sqlite3_context* context, int count, sqlite3_value** values) {
   sqlite3_result_int64(context, before + 1);
 }
 
+std::size_t longest_text(sqlite3_context* context) {
+  return static_cast<std::size_t>(sqlite3_limit(sqlite3_context_db_handle(context), SQLITE_LIMIT_LENGTH, -1));
+}
+
 void replace(sqlite3_context* context, int count, sqlite3_value** values) {
   if (any_null(count, values)) return;
   std::string_view in = text_of(values[0]);
   const std::string_view what = text_of(values[1]), with = text_of(values[2]);
   if (in.empty() || what.empty() || what.front() == '\0') return sqlite3_result_value(context, values[0]);
-  const auto most =
-      static_cast<std::size_t>(sqlite3_limit(sqlite3_context_db_handle(context), SQLITE_LIMIT_LENGTH, -1));
+  const std::size_t most = longest_text(context);
   std::string made;
   try {
     for (const char* at = find(in, what); at != nullptr; at = find(in, what)) {
@@ -104,6 +109,64 @@ void trim(sqlite3_context* context, int count, sqlite3_value** values) {
   sqlite3_result_text64(context, text.empty() ? "" : text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
 }
 
+/// Whether a format repeats a character more than `most` times: `%.5c`, or `%.*c` with the number among the values.
+bool repeats_too_often(std::string_view format, int count, sqlite3_value** values, std::size_t most) {
+  int next = 1;
+  for (std::size_t at = format.find('%'); at != std::string_view::npos; at = format.find('%', at)) {
+    std::uint64_t number = 0;  // the last one: the precision, where there is one
+    bool precision = false;
+    for (++at; at < format.size(); ++at) {
+      const char c = format[at];
+      if (c == '.') precision = true;
+      if (c == '.') number = 0;
+      if (c >= '0' && c <= '9')
+        number = std::min<std::uint64_t>(number * 10 + static_cast<std::uint64_t>(c - '0'), most + 1);
+      if (c == '*') {
+        const double given = next < count ? std::abs(sqlite3_value_double(values[next])) : 0.0;
+        number = given > static_cast<double>(most) ? most + 1 : static_cast<std::uint64_t>(given);
+        ++next;
+      }
+      if (std::strchr("-+ 0#!,.*123456789l", c) == nullptr) break;
+    }
+    if (at >= format.size()) return false;
+    if (format[at] == 'c' && precision && number > most) return true;
+    if (format[at] != '%') ++next;
+    ++at;
+  }
+  return false;
+}
+
+/// SQLite's own function, asked through a connection that has it.
+void print(sqlite3_context* context, int count, sqlite3_value** values) {
+  if (count == 0 || any_null(1, values)) return;
+  if (repeats_too_often(text_of(values[0]), count, values, longest_text(context)))
+    return sqlite3_result_error_toobig(context);
+  std::array<char, 512> question{};  // longer than with the 127 arguments that a function may have
+  char* end = std::strcpy(question.data(), "SELECT printf(?") + std::strlen(question.data());
+  for (int i = 1; i < count; ++i) end = std::copy_n(",?", 2, end);
+  *end = ')';
+  sqlite3* const plain = static_cast<sqlite3*>(sqlite3_user_data(context));
+  sqlite3_limit(plain, SQLITE_LIMIT_LENGTH, static_cast<int>(longest_text(context)));
+  sqlite3_stmt* statement = nullptr;
+  int result = sqlite3_prepare_v2(plain, question.data(), -1, &statement, nullptr);
+  for (int i = 0; result == SQLITE_OK && i < count; ++i) result = sqlite3_bind_value(statement, i + 1, values[i]);
+  if (result == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW)
+    sqlite3_result_value(context, sqlite3_column_value(statement, 0));
+  else
+    sqlite3_result_error_code(context, sqlite3_errcode(plain));
+  sqlite3_finalize(statement);
+}
+
+void close_plain(void* plain) { sqlite3_close(static_cast<sqlite3*>(plain)); }
+
+/// Without the memory for another connection there is no such function.
+void add_print(sqlite3* handle, const char* name) {
+  sqlite3* plain = nullptr;
+  sqlite3_open(":memory:", &plain);
+  sqlite3_create_function_v2(handle, name, -1, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS, plain, &print,
+                             nullptr, nullptr, &close_plain);
+}
+
 using Function = void (*)(sqlite3_context*, int, sqlite3_value**);
 
 void add(sqlite3* handle, const char* name, int arguments, Function function, std::uintptr_t sides = 0) {
@@ -121,6 +184,8 @@ void add_bounded_functions(sqlite3* handle) {
     add(handle, "ltrim", arguments, &trim, kLeft);
     add(handle, "rtrim", arguments, &trim, kRight);
   }
+  add_print(handle, "printf");
+  add_print(handle, "format");
 }
 
 }  // namespace lacuna

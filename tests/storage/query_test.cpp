@@ -161,7 +161,16 @@ TEST_F(QueryTest, ValuesAndMemoryHaveALimit) {
   for (const std::string value : {"zeroblob(1000000000)", "randomblob(1000000000)", "hex(zeroblob(100000000))",
                                   "replace(hex(zeroblob(1000000)), '0', hex(zeroblob(1000)))"})
     EXPECT_THAT(complaint("SELECT length(" + value + ")"), HasSubstr("too big; a value may have 134 MB")) << value;
-  EXPECT_EQ(ask("SELECT printf('%.*c', 1000000000, 'x') IS NULL AS a", QueryFormat::csv), "a\n1\n");
+  const auto begin = std::chrono::steady_clock::now();
+  for (const std::string value :
+       {"printf('%.*c', 2000000000, 'x')", "printf('%d %-+3.*c', 1, -2000000000, 'x')", "format('%.2000000000c', 'x')",
+        "printf('%99999999999999999999.99999999999999999999c', 'x')"})
+    EXPECT_THAT(complaint("SELECT length(" + value + ")"), HasSubstr("too big; a value may have 134 MB")) << value;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+  EXPECT_EQ(ask("SELECT printf('%.3c|%5.1f|%s|%%|%,d|%*d|%.*f', 'x', 2.25, 'a', 12345, 4, 7, 1, 0.25) AS a, "
+                "format('%s', NULL) AS b, printf(NULL) IS NULL AS c",
+                QueryFormat::csv),
+            "a,b,c\n\"xxx|  2.3|a|%|12,345|   7|0.3\",,1\n");
   std::string many = "SELECT ";
   for (int i = 0; i < 12; ++i) many += "printf('%.*c', 100000000, 'x') AS c" + std::to_string(i) + (i < 11 ? "," : "");
   EXPECT_THAT(complaint("SELECT length(c0) FROM (" + many + " ORDER BY 1)"),
