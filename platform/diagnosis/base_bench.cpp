@@ -1,5 +1,7 @@
 #include "diagnosis/base_bench.h"
 
+#include "fitting/states_problem.h"
+
 #include <utility>
 
 namespace lacuna {
@@ -9,27 +11,6 @@ namespace {
 constexpr int kIterations = 10, kStartIterations = 4;
 constexpr int kFirstIterations = 2;                     ///< after which values that have far to go have begun to
 constexpr double kFarBetter = 0.5, kBeginsToBe = 0.75;  ///< of what is left over
-
-/// A problem whose values are held where they are: of its unknowns the states alone are left.
-class HeldValues : public SegmentedProblem {
- public:
-  HeldValues(ShootingProblem& problem, Eigen::VectorXd values) : problem_(problem), values_(std::move(values)) {}
-
-  const Eigen::VectorXd& lower() const override { return none_; }
-  const Eigen::VectorXd& upper() const override { return none_; }
-  Eigen::Index robust_rows(std::size_t k) const override { return problem_.robust_rows(k); }
-  bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override {
-    return problem_.residuals({values_, point.states}, residuals);
-  }
-  void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                 std::vector<SegmentJacobian>& jacobians) override {
-    problem_.linearize_states({values_, point.states}, residuals, jacobians);
-  }
-
- private:
-  ShootingProblem& problem_;
-  const Eigen::VectorXd values_, none_;
-};
 
 LeastSquaresOptions options_of(int iterations) {
   LeastSquaresOptions options;
@@ -43,7 +24,7 @@ LeastSquaresOptions options_of(int iterations) {
 
 bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution& base, Moving moving) {
   const Eigen::VectorXd values = space.clamp(space.to_coordinates(base.values));
-  HeldValues held(problem, values);
+  StatesProblem held(problem, values);
   const LeastSquaresResult started = minimize(held, {Eigen::VectorXd(), base.states}, options_of(kStartIterations));
   if (!started.valid) return false;
   FitPoint point{values, started.point.states};

@@ -2,6 +2,7 @@
 
 #include "fitting/anew.h"
 #include "fitting/covariance.h"
+#include "fitting/fitted_values.h"
 #include "fitting/identifiability.h"
 #include "fitting/judged_values.h"
 #include "fitting/progress_meter.h"
@@ -27,7 +28,6 @@ constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to t
 constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
 constexpr double kClearlyBetter = 1e-2;  ///< likewise: a 200th of the residual
 constexpr double kBetter = 1e-4;         ///< of the objective, per sample: a 20 000th of the residual
-constexpr double kNoticedShift = 0.25;   ///< of half an interval, from which the integration step is named
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
@@ -297,7 +297,7 @@ class Fitter {
     const Candidate& best = candidates_.front();
     problem_->set_scales(best.scales);
     std::vector<bool> at_bound;
-    for (Eigen::Index j = 0; j < space_.size(); ++j) at_bound.push_back(bound_side(best.values, j) != 0);
+    for (Eigen::Index j = 0; j < space_.size(); ++j) at_bound.push_back(bound_side(space_, best.values, j) != 0);
     std::vector<SegmentJacobian> jacobians;
     problem_->linearize_finely(best.search.point, best.search.residuals, jacobians);
     const Uncertainty known =
@@ -314,8 +314,7 @@ class Fitter {
           fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
                       best.search.iterations));
     const Eigen::VectorXd shift = shift_of_steps(best, jacobians, known);
-    write_values(best, known, shift);
-    note_shifts(best, known, shift);
+    enter_values({space_, task_.definition.free, best.values, known, shift}, result_);
     for (std::string& sentence : drift_sentences(result_.stages, result_.values, task_.definition.free))
       result_.notes.push_back(std::move(sentence));
   }
@@ -328,58 +327,6 @@ class Fitter {
     const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
     return step_shift(*problem_, finer, best.search.point, best.search.residuals, jacobians, loss_, known)
         .value_or(none);
-  }
-
-  void note_shifts(const Candidate& best, const Uncertainty& known, const Eigen::VectorXd& shift) {
-    std::vector<std::string> shifts;
-    for (Eigen::Index j = 0; j < space_.size(); ++j) {
-      const bool noticed = std::abs(shift(j)) > kNoticedShift * known.quantile * std::sqrt(known.covariance(j, j));
-      if (!noticed) continue;
-      const FreeValue& free = task_.definition.free[static_cast<std::size_t>(j)];
-      const double moved = space_.to_value(j, best.values(j) + shift(j)) - space_.to_value(j, best.values(j));
-      shifts.push_back(fmt::format("{} by {:+.2g}", free.address, moved));
-    }
-    if (!shifts.empty())
-      result_.notes.push_back(fmt::format(
-          "integration in infinitely short steps would move {}; the intervals reach as far, more substeps make "
-          "them narrower",
-          fmt::join(shifts, ", ")));
-  }
-
-  /// −1 at the lower bound, 1 at the upper, else 0.
-  int bound_side(const Eigen::VectorXd& values, Eigen::Index j) const {
-    const double near = 1e-9 * (space_.upper()(j) - space_.lower()(j));
-    if (values(j) <= space_.lower()(j) + near) return -1;
-    return values(j) >= space_.upper()(j) - near ? 1 : 0;
-  }
-
-  void write_values(const Candidate& best, const Uncertainty& known, const Eigen::VectorXd& shift) {
-    const std::vector<double> values = space_.to_values(best.values);
-    Eigen::VectorXd slopes(space_.size());
-    for (Eigen::Index j = 0; j < space_.size(); ++j) slopes(j) = space_.slope(j, best.values(j));
-    result_.covariance = slopes.asDiagonal() * known.covariance * slopes.asDiagonal();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto j = static_cast<Eigen::Index>(i);
-      FittedValue& value = result_.values[i];
-      const FreeValue& free = task_.definition.free[i];
-      value.value = values[i];
-      value.at_lower_bound = bound_side(best.values, j) < 0;
-      value.at_upper_bound = bound_side(best.values, j) > 0;
-      value.identified = known.determined[i];
-      if (value.at_lower_bound || value.at_upper_bound) continue;
-      if (!value.identified) {
-        value.standard_error = kInfinity;
-        value.lower_95 = free.lower;
-        value.upper_95 = free.upper;
-        continue;
-      }
-      const double deviation = std::sqrt(known.covariance(j, j));
-      value.standard_error = deviation * slopes(j);
-      const double half = known.quantile * deviation;
-      const double down = half + std::max(0.0, -shift(j)), up = half + std::max(0.0, shift(j));
-      value.lower_95 = space_.logarithmic(j) ? value.value * std::exp(-down) : value.value - down;
-      value.upper_95 = space_.logarithmic(j) ? value.value * std::exp(up) : value.value + up;
-    }
   }
 
   void finish_problem() {

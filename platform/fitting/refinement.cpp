@@ -1,6 +1,7 @@
 #include "fitting/refinement.h"
 
 #include "fitting/residual_memory.h"
+#include "fitting/states_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,28 +47,6 @@ void summarise(const ShootingProblem& problem, const RobustLoss& loss, Candidate
   candidate.samples = problem.samples();
   candidate.residual = std::sqrt(squares / static_cast<double>(problem.samples()));
 }
-
-/// A problem of which only start states are left.
-class StatesProblem : public SegmentedProblem {
- public:
-  StatesProblem(ShootingProblem& problem, const Eigen::VectorXd& values) : problem_(problem), values_(values) {}
-
-  const Eigen::VectorXd& lower() const override { return none_; }
-  const Eigen::VectorXd& upper() const override { return none_; }
-  Eigen::Index robust_rows(std::size_t k) const override { return problem_.robust_rows(k); }
-  bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override {
-    return problem_.residuals({values_, point.states}, residuals);
-  }
-  void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                 std::vector<SegmentJacobian>& jacobians) override {
-    problem_.linearize_states({values_, point.states}, residuals, jacobians);
-  }
-
- private:
-  ShootingProblem& problem_;
-  const Eigen::VectorXd& values_;
-  const Eigen::VectorXd none_;
-};
 
 /// Searches in turn with the scales that the residuals of the search before tell. `searched`: the problem itself, or
 /// what is left of it.

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "fitting/covariance.h"
+#include "fitting/fit.h"
+
+#include <vector>
+
+namespace lacuna {
+
+/// −1 where a value, in coordinates of the space, is at its lower bound, 1 at its upper, else 0.
+int bound_side(const ParameterSpace& space, const Eigen::VectorXd& values, Eigen::Index j);
+
+/// What a search ended with. Everything referred to must outlive the use.
+struct FoundValues {
+  const ParameterSpace& space;
+  const std::vector<FreeValue>& free;
+  const Eigen::VectorXd& best;  ///< in coordinates of the space
+  const Uncertainty& known;
+  const Eigen::VectorXd& shift;  ///< by which shorter integration steps would move them (step_shift.h)
+};
+
+/// Enters values, 95 % intervals and covariance into a result, in SI units: Student's t on the coordinates of the
+/// space, wider by the shift. Of values at a bound there are none; those of values that the data do not determine are
+/// their bounds. Shifts that are not small beside an interval make a note.
+void enter_values(const FoundValues& found, FitResult& result);
+
+}  // namespace lacuna
