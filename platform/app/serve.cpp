@@ -7,6 +7,7 @@
 #include "report/page_server.h"
 #include "report/pages.h"
 #include "storage/log_left.h"
+#include "storage/stored_run.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ void serve(const ServeOptions& options) {
   require_pages();
   if (!wait_for(options.database)) return;
   const LogLeft log(options.database);
-  Database::open_read_only(options.database);  // says what is wrong with it before anything else
+  check_stored_texts(Database::open_read_only(options.database));  // says what is wrong before anything else
   const ScratchFolder scratch;
   PageDatabase pages(scratch / "pages.db");
   pages.add_about("database", options.database.filename().string());

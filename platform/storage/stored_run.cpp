@@ -8,9 +8,27 @@
 #include <lacuna/error.h>
 
 namespace lacuna {
+namespace {
+
+constexpr const char* kEdited =
+    " is not the text that was stored when the run began (its digest is another one): the file was edited or is "
+    "damaged; restore a copy";
+
+}  // namespace
 
 std::string digest_of_text(const std::string& text, const std::string& overrides) {
   return sha256(text + '\n' + overrides);
+}
+
+void check_stored_texts(const Database& database) {
+  ProblemList problems;
+  Statement texts(database,
+                  "SELECT experiment.name, text, overrides, digest FROM experiment_text"
+                  " JOIN experiment ON experiment.id = experiment_text.experiment ORDER BY experiment_text.id");
+  while (texts.step())
+    if (digest_of_text(texts.text(1), texts.text(2)) != texts.text(3))
+      problems.add({database.file().string()}, "a text of the experiment " + texts.text(0) + kEdited);
+  problems.throw_if_any();
 }
 
 StoredRun stored_run(const Database& database, RunId run) {
@@ -21,10 +39,7 @@ StoredRun stored_run(const Database& database, RunId run) {
   if (!row.with(run).step())
     throw Error(database.file().string() + ": has no run " + std::to_string(run.value) + "; lacuna runs lists them");
   if (digest_of_text(row.text(2), row.text(3)) != row.text(6))
-    throw_problem({database.file().string()},
-                  "the experiment of run " + std::to_string(run.value) +
-                      " is not the text that was stored when the run began (its digest is another one): the file was "
-                      "edited or is damaged; restore a copy");
+    throw_problem({database.file().string()}, "the experiment of run " + std::to_string(run.value) + kEdited);
   StoredRun stored;
   stored.experiment = {row.text(0), row.text(1), row.text(2), sentences_from(row.text(3))};
   stored.seed = static_cast<std::uint64_t>(row.integer(4));

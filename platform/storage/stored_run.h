@@ -20,6 +20,10 @@ struct StoredRun {
   std::vector<RobotFileRecord> robots;    ///< by file; none where an older version began the run
 };
 
+/// Throws `BadInput` where the text of an experiment is not the one whose digest was stored with it, for commands that
+/// show the whole database.
+void check_stored_texts(const Database& database);
+
 /// Throws `Error` where the database has no such run, `BadInput` where the experiment's text is not the one whose
 /// digest was stored with it. That shows accidents; who forges a text can forge its digest.
 StoredRun stored_run(const Database& database, RunId run);
