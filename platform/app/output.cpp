@@ -18,6 +18,17 @@ namespace fs = std::filesystem;
   throw_problem({place.string(), 0, 0}, message);
 }
 
+/// Of this command.
+std::vector<fs::path>& checked_outputs() {
+  static std::vector<fs::path> files;
+  return files;
+}
+
+bool are_one_file(const fs::path& a, const fs::path& b) {
+  std::error_code missing;
+  return fs::equivalent(a, b, missing) || fs::weakly_canonical(a, missing) == fs::weakly_canonical(b, missing);
+}
+
 void check_file(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) refuse(file, "is a folder; name a file for the results");
@@ -44,8 +55,20 @@ void check_output(const std::optional<std::string>& option, const std::optional<
   if (option && other && !option->empty() &&
       fs::path(*option).lexically_normal() == fs::path(*other).lexically_normal())
     refuse(*option, "is named by two options; give each its own file");
-  for (const std::optional<std::string>& file : {option, other})
-    if (file && !file->empty()) check_file(*file);
+  for (const std::optional<std::string>& file : {option, other}) {
+    if (!file || file->empty()) continue;
+    check_file(*file);
+    checked_outputs().emplace_back(*file);
+  }
+}
+
+void refuse_outputs_among(const std::vector<fs::path>& inputs) {
+  for (const fs::path& output : checked_outputs())
+    for (const fs::path& input : inputs)
+      if (are_one_file(output, input))
+        refuse(output, input == output
+                           ? "is read by this command; give the results another file"
+                           : "is " + input.string() + ", which this command reads; give the results another file");
 }
 
 void make_output_folder(const fs::path& folder) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
@@ -16,6 +17,11 @@ bool takes_standard_output(const std::optional<std::string>& option);
 /// Called before work that takes long: throws `BadInput` where the file of an output option could not
 /// be written at its end, or where both options name one file or standard output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
+
+/// Called by whoever opens what a command reads, before work that takes long: throws `BadInput` where a file that
+/// `check_output` has let pass is one of them, by whatever name, for then the results would take its place. Files that
+/// are not there yet count by their names.
+void refuse_outputs_among(const std::vector<std::filesystem::path>& inputs);
 
 /// The same for a folder, which is made where it is missing; an empty path is no folder.
 void make_output_folder(const std::filesystem::path& folder);

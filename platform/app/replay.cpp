@@ -87,6 +87,7 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
 
 void replay(const ReplayOptions& options) {
   check_output(options.csv);
+  refuse_outputs_among({options.database});
   Database database = Database::open_read_only(options.database);
   const EeaRunListing run = choose_run(database, options.run);
   const StoredBench stored = open_stored(database, run, options.plugin_paths);

@@ -5,6 +5,7 @@
 #include "report/pages.h"
 #include "storage/log_left.h"
 #include "storage/page_database.h"
+#include "storage/stored_run.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,9 +38,11 @@ void refuse_empty(const std::filesystem::path& database) {
 void make_report(const ReportOptions& options) {
   require_pages();
   check_output(options.out);
+  refuse_outputs_among({options.database});
   refuse_empty(options.database);
   const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
+  check_stored_texts(database);
   PageDatabase pages;
   pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));
   pages.add_about("database", options.database.filename().string());

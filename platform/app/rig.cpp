@@ -1,5 +1,6 @@
 #include "app/rig.h"
 
+#include "app/output.h"
 #include "app/trial_target.h"
 #include "config/experiment_reader.h"
 #include "config/result_setting.h"
@@ -18,6 +19,14 @@
 
 namespace lacuna {
 namespace {
+
+/// Everything that a command reads of an experiment.
+std::vector<std::filesystem::path> files_of(const Experiment& experiment, const CommonOptions& options) {
+  std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file, database_of(options, experiment)};
+  for (const MeasuredFile& file : experiment.target.recording.files) files.push_back(file.path);
+  std::erase(files, std::filesystem::path());
+  return files;
+}
 
 Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
   Rig rig;
@@ -115,14 +124,16 @@ std::vector<Trial> Rig::fit_trials() const {
 }
 
 Rig open_rig(const CommonOptions& options) {
+  Experiment experiment = read_experiment(options.experiment, options.overrides);
+  refuse_outputs_among(files_of(experiment, options));
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
-  return with_stored_trials(assemble(read_experiment(options.experiment, options.overrides), std::move(catalog)),
-                            options);
+  return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
 }
 
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog) {
-  return with_stored_trials(
-      assemble(read_experiment_text(text, options.experiment, options.overrides), std::move(catalog)), options);
+  Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
+  refuse_outputs_among(files_of(experiment, options));
+  return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
 }
 
 }  // namespace lacuna

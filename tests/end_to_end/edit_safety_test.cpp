@@ -123,5 +123,40 @@ TEST(Add, TakesItsEditBackWhereTheDatabaseCannotBeWritten) {
   expect_untouched(program, as_written);
 }
 
+/// Runs a command whose results would take the place of something that it reads.
+void expect_refused(const Program& program, const std::vector<std::string>& command, const std::string& victim) {
+  const std::string before = program.read(victim);
+  const Outcome outcome = program.run(command);
+  EXPECT_EQ(outcome.exit_code, 2) << command.back();
+  EXPECT_THAT(outcome.errors, HasSubstr("give the results another file")) << command.back();
+  EXPECT_EQ(program.read(victim), before) << command.back();
+}
+
+TEST(Outputs, AreNotWhatTheCommandReads) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.run({"compare", "first-steps.toml"}).exit_code, 0);
+  ASSERT_EQ(program.shell("ln first-steps.db second-name.db && ln -s first-steps.db link.db").exit_code, 0);
+  for (const std::string output : {"first-steps.db", "./first-steps.db", "second-name.db", "link.db"})
+    expect_refused(program, {"sql", "first-steps.db", "SELECT 1", "--json=" + output}, "first-steps.db");
+  expect_refused(program, {"report", "first-steps.db", "--out", "first-steps.db"}, "first-steps.db");
+  for (const std::string input : {"first-steps.toml", "robots/servo-pendulum.toml", "first-steps.db"})
+    expect_refused(program, {"compare", "first-steps.toml", "--csv=" + input}, input);
+  const std::string recording = "data/servo_pendulum/sine.csv";
+  for (const std::string command : {"compare", "fit", "diagnose"})
+    expect_refused(program, {command, "first-steps.toml", "--json=" + recording}, recording);
+}
+
+TEST(Report, OfAnEditedTextIsRefused) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.run({"compare", "first-steps.toml"}).exit_code, 0);
+  ASSERT_EQ(program.shell("sqlite3 first-steps.db \"UPDATE experiment_text SET text = text || ' '\"").exit_code, 0);
+  const Outcome outcome = program.run({"report", "first-steps.db", "--out", "report.html", "--no-robots"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_THAT(outcome.errors, HasSubstr("its digest is another one"));
+  EXPECT_FALSE(std::filesystem::exists(program.folder() / "report.html"));
+}
+
 }  // namespace
 }  // namespace lacuna
