@@ -1,6 +1,7 @@
 #include "app/commands.h"
 
 #include "app/options.h"
+#include "app/output.h"
 #include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
@@ -81,6 +82,7 @@ int run_program(int argc, char** argv) {
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);
+  forget_outputs();
   watch_for_interrupts();
   try {
     program.parse(argc, argv);

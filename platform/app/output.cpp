@@ -62,6 +62,8 @@ void check_output(const std::optional<std::string>& option, const std::optional<
   }
 }
 
+void forget_outputs() { checked_outputs().clear(); }
+
 void refuse_outputs_among(const std::vector<fs::path>& inputs) {
   for (const fs::path& output : checked_outputs())
     for (const fs::path& input : inputs)

@@ -18,6 +18,9 @@ bool takes_standard_output(const std::optional<std::string>& option);
 /// be written at its end, or where both options name one file or standard output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
 
+/// Called where a command begins: what `check_output` let pass of an earlier one in this process is forgotten.
+void forget_outputs();
+
 /// Called by whoever opens what a command reads, before work that takes long: throws `BadInput` where a file that
 /// `check_output` has let pass is one of them, by whatever name, for then the results would take its place. Files that
 /// are not there yet count by their names.

@@ -73,14 +73,14 @@ struct ModelScorer::Tally {
   /// The same of readings that are in the order of what was measured.
   bool add(Eigen::Index row, std::span<const double> ordered) {
     const TimeSeries::Samples& measured = scored.trial.measured.samples;
-    const PluginCall call(on_page(metric), "its accumulator");
+    const PluginCall call(on_page(metric), "add");
     try {
       const std::span<const double> of_row(measured.data() + row * measured.cols(), ordered.size());
       total.add(ordered, of_row);
       of_trial.add(ordered, of_row);
       abandoned = total.bound() > bar;
     } catch (...) {
-      fault = describe_current_exception(metric, "its accumulator");
+      fault = describe_current_exception(metric, "add");
     }
     return abandoned || !fault.empty();
   }

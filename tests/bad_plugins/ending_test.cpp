@@ -105,7 +105,7 @@ TEST_F(HostilePlugin, ThatEndsARunIsNamed) {
   EXPECT_THAT(search.errors, names("search \"hostile_search\"", "begin ended the program with exit code 0"));
   const Outcome metric = lacuna("add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2");
   EXPECT_EQ(metric.exit_code, 1);
-  EXPECT_THAT(metric.errors, names("metric \"hostile_metric\"", "its accumulator ended the program by signal 6"));
+  EXPECT_THAT(metric.errors, names("metric \"hostile_metric\"", "add ended the program by signal 6"));
 }
 
 TEST_F(HostilePlugin, ThatEndsItsDescriptionIsListedAndTheOthersWork) {
