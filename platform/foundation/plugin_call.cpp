@@ -1,11 +1,13 @@
 #include "foundation/plugin_call.h"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
@@ -65,6 +67,8 @@ struct SlotLease {
     slot.taken = false;
   }
 };
+
+bool is_watched = false;  ///< whether another process learns how this one ended
 
 void blame_this_thread() {
   CallSlot* nobody = nullptr;
@@ -139,6 +143,7 @@ void CallPage::clear() {
 
 void CallPage::watch_this_process() {
   page();
+  is_watched = true;
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGSYS}) {
     struct sigaction present {};
     if (sigaction(signal, nullptr, &present) != 0 || present.sa_handler != SIG_DFL) continue;
@@ -151,9 +156,16 @@ void CallPage::watch_this_process() {
 }
 
 void CallPage::watch_exits() {
-  std::atexit([] {
-    if (!is_closed()) blame_this_thread();
-  });
+  // Other threads go on: what they use must not be destroyed under them, or their crash would hide the exit.
+  on_exit(
+      [](int status, void*) {
+        if (is_closed()) return;
+        blame_this_thread();
+        if (!is_watched) return;
+        std::fflush(stdout);
+        _exit(status);
+      },
+      nullptr);
 }
 
 void CallPage::close(int exit_code) {
