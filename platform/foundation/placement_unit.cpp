@@ -72,7 +72,7 @@ bool is_unit_on(ElementKind kind, const std::string& declared) {
 }
 
 std::string unit_words_on(ElementKind kind) {
-  const std::string of_joint = "{position}, {force}, {inertia}";
+  std::string of_joint = "{position}, {force}, {inertia}";
   switch (kind) {
     case ElementKind::joint: return of_joint;
     case ElementKind::actuator: return of_joint + ", {command}";

@@ -82,7 +82,7 @@ struct PageServer::Impl {
       : options(std::move(with)),
         readable(options.database, options.pages.parent_path()),
         share(options.processor_share),
-        web({.host = options.host, .port = options.port, .handle = [this](WebRequest request, WebReply reply) {
+        web({.host = options.host, .port = options.port, .handle = [this](WebRequest request, const WebReply& reply) {
                route(std::move(request), reply);
              }}) {}
 

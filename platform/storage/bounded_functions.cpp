@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -84,11 +83,9 @@ std::vector<std::string_view> characters(std::string_view text) {
   return found;
 }
 
-enum Side : std::uintptr_t { kLeft = 1, kRight = 2 };
-
+template <bool Left, bool Right>
 void trim(sqlite3_context* context, int count, sqlite3_value** values) {
   if (any_null(count, values)) return;
-  const auto sides = reinterpret_cast<std::uintptr_t>(sqlite3_user_data(context));
   std::string_view text = text_of(values[0]);
   const std::string_view taken = count > 1 ? text_of(values[1]) : std::string_view(" ");
   constexpr std::size_t kMostBytes = std::size_t{4} * kMostTrimmed;
@@ -102,9 +99,9 @@ void trim(sqlite3_context* context, int count, sqlite3_value** values) {
       if (any) remove(found->size());
     }
   };
-  if ((sides & kLeft) != 0)
+  if constexpr (Left)
     strip([&](std::string_view c) { return text.starts_with(c); }, [&](std::size_t n) { text.remove_prefix(n); });
-  if ((sides & kRight) != 0)
+  if constexpr (Right)
     strip([&](std::string_view c) { return text.ends_with(c); }, [&](std::size_t n) { text.remove_suffix(n); });
   sqlite3_result_text64(context, text.empty() ? "" : text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
 }
@@ -141,8 +138,9 @@ void print(sqlite3_context* context, int count, sqlite3_value** values) {
   if (count == 0 || any_null(1, values)) return;
   if (repeats_too_often(text_of(values[0]), count, values, longest_text(context)))
     return sqlite3_result_error_toobig(context);
+  constexpr std::string_view kBegin = "SELECT printf(?";
   std::array<char, 512> question{};  // longer than with the 127 arguments that a function may have
-  char* end = std::strcpy(question.data(), "SELECT printf(?") + std::strlen(question.data());
+  char* end = std::copy(kBegin.begin(), kBegin.end(), question.begin());
   for (int i = 1; i < count; ++i) end = std::copy_n(",?", 2, end);
   *end = ')';
   sqlite3* const plain = static_cast<sqlite3*>(sqlite3_user_data(context));
@@ -169,9 +167,9 @@ void add_print(sqlite3* handle, const char* name) {
 
 using Function = void (*)(sqlite3_context*, int, sqlite3_value**);
 
-void add(sqlite3* handle, const char* name, int arguments, Function function, std::uintptr_t sides = 0) {
-  sqlite3_create_function_v2(handle, name, arguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS,
-                             reinterpret_cast<void*>(sides), function, nullptr, nullptr, nullptr);
+void add(sqlite3* handle, const char* name, int arguments, Function function) {
+  sqlite3_create_function_v2(handle, name, arguments, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS, nullptr,
+                             function, nullptr, nullptr, nullptr);
 }
 
 }  // namespace
@@ -180,9 +178,9 @@ void add_bounded_functions(sqlite3* handle) {
   add(handle, "instr", 2, &instr);
   add(handle, "replace", 3, &replace);
   for (const int arguments : {1, 2}) {
-    add(handle, "trim", arguments, &trim, kLeft | kRight);
-    add(handle, "ltrim", arguments, &trim, kLeft);
-    add(handle, "rtrim", arguments, &trim, kRight);
+    add(handle, "trim", arguments, &trim<true, true>);
+    add(handle, "ltrim", arguments, &trim<true, false>);
+    add(handle, "rtrim", arguments, &trim<false, true>);
   }
   add_print(handle, "printf");
   add_print(handle, "format");
