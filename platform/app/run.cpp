@@ -84,8 +84,7 @@ void run(const RunOptions& options) {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
-  const auto has_failed = [](const ReplicateEnd& end) { return end.ending == RunEnding::failed; };
-  if (std::none_of(ends.begin(), ends.end(), has_failed)) database.check_not_moved();  // since the last commit
+  database.check_in_place();  // also since the last commit
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
   judge(ends, options.resume);
   lines.throw_if_failed();

@@ -3,6 +3,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "storage/connection.h"
+#include "storage/content_watch.h"
 #include "storage/foreign_log.h"
 #include "storage/log_content.h"
 #include "storage/migrate.h"
@@ -18,6 +19,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <thread>
 
@@ -67,10 +69,14 @@ constexpr const char* kMarkOfNow = "SELECT 1 FROM schema_text WHERE name = 'log'
 /// See log_content.h.
 std::string next_mark() {
   constexpr std::size_t kNow = kMarkWord.size() + kNoMark.size() + 2;  // counted from 1
-  return fmt::format(
-      "UPDATE schema_text SET sha256 = '{}' || substr(sha256, {}) || ' ' || lower(hex(randomblob(16))) WHERE name = "
-      "'log'",
-      kMarkWord, kNow);
+  return fmt::format("UPDATE schema_text SET sha256 = '{}' || substr(sha256, {}) || ' ' || ? WHERE name = 'log'",
+                     kMarkWord, kNow);
+}
+
+std::string new_mark() {
+  std::array<unsigned char, kNoMark.size() / 2> bytes{};
+  sqlite3_randomness(static_cast<int>(bytes.size()), bytes.data());
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
 std::string first_mark() {
@@ -92,16 +98,18 @@ Database& Database::operator=(Database&& other) noexcept {
   file_ = std::move(other.file_);
   connection_ = std::move(other.connection_);
   place_ = std::move(other.place_);
-  marks_commits_ = other.marks_commits_;
+  watch_ = std::move(other.watch_);
   lost_ = std::move(other.lost_);
   return *this;
 }
 
 Database::~Database() {
-  if (!connection_ || !place_ || !lost_.empty() || !has_moved()) return;
+  if (!connection_ || !place_ || !lost_.empty() || is_in_place()) return;
+  roll_back();
   try {
-    if (in_transaction()) execute("ROLLBACK");
-    fmt::print(stderr, "{}\n", keep_what_was_committed(file_, handle(), *place_));
+    check_in_place();
+  } catch (const Error& lost) {
+    fmt::print(stderr, "{}\n", lost.what());
   } catch (const std::exception&) {
     // SQLite keeps the log where it is, and whoever opens the file next looks at it.
   }
@@ -138,7 +146,7 @@ void Database::begin_marks() {
     sqlite3_wal_checkpoint_v2(handle(), "main", SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
     wait_for_writers(std::chrono::milliseconds(kBusyTimeoutMs));
   }
-  marks_commits_ = true;
+  watch_ = std::make_unique<ContentWatch>(file_, handle());
 }
 
 void Database::read_copy_of_this_version() {
@@ -223,9 +231,17 @@ void Database::execute(const std::string& statements) try {
   throw_storage_error(file_, error);
 }
 
-void Database::mark_commit() {
+void Database::commit() {
   static const std::string kNextMark = next_mark();
-  if (marks_commits_) execute(kNextMark);
+  const std::string mark = new_mark();
+  if (watch_) Statement(*this, kNextMark.c_str()).run_with(mark);
+  execute("COMMIT");
+  if (watch_) watch_->committed(mark);
+}
+
+void Database::roll_back() {
+  // Where it fails SQLite does it by itself, when the connection is closed or the file is opened next.
+  if (in_transaction()) sqlite3_exec(handle(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
 bool Database::has_moved() const {
@@ -234,26 +250,24 @@ bool Database::has_moved() const {
   return moved != 0;
 }
 
-void Database::check_not_moved() {
-  if (lost_.empty() && has_moved()) {
-    lost_ = keep_what_was_committed(file_, handle(), place_.value_or(OpenPlace{}));
+bool Database::is_in_place() const { return !has_moved() && (!watch_ || watch_->is_own()); }
+
+void Database::check_in_place() {
+  if (lost_.empty() && !is_in_place()) {
+    const auto keep = has_moved() ? &keep_what_was_committed : &leave_what_was_copied_over;
+    lost_ = keep(file_, handle(), place_.value_or(OpenPlace{}));
   }
   if (!lost_.empty()) throw Error(lost_);
 }
 
 Transaction::Transaction(Database& database) : database_(database), outermost_(!database.in_transaction()) {
   if (!outermost_) return;
-  database_.check_not_moved();
+  database_.check_in_place();
   database_.execute("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
-  if (!open_ || !outermost_ || !database_.in_transaction()) return;
-  try {
-    database_.execute("ROLLBACK");
-  } catch (const Error&) {
-    // SQLite rolls back by itself when the connection is closed or the file is opened next.
-  }
+  if (open_ && outermost_) database_.roll_back();
 }
 
 void Transaction::commit() {
@@ -261,12 +275,11 @@ void Transaction::commit() {
     open_ = false;
     return;
   }
-  if (database_.has_moved()) {
-    database_.execute("ROLLBACK");
-    database_.check_not_moved();
+  if (!database_.is_in_place()) {
+    database_.roll_back();
+    database_.check_in_place();
   }
-  database_.mark_commit();
-  database_.execute("COMMIT");
+  database_.commit();
   open_ = false;
 }
 

@@ -16,6 +16,8 @@ class Database;
 
 namespace lacuna {
 
+class ContentWatch;
+
 /// One numbered step of the schema.
 struct Migration {
   int number = 0;  ///< the `user_version` after it
@@ -36,8 +38,8 @@ inline constexpr int kApplicationId = 0x4C61636E;
 /// this program, damaged, locked by another writer, read-only, disk full, moved or deleted while
 /// open; `BadInput` where the wrong file was named: none, a folder, no database, not ours. A log beside the file that
 /// is not the file's is set aside first (foreign_log.h). Where the file was replaced while it was open for writing,
-/// what was committed is kept (moved_file.h), at the end of the object at the latest, which then says so on standard
-/// error.
+/// what was committed is kept (moved_file.h); where another was copied over it, that one stays as it is
+/// (content_watch.h): at the end of the object at the latest, which then says so on standard error.
 class Database {
  public:
   /// Opens for writing; creates the file or brings it up to date, keeping a copy
@@ -66,22 +68,26 @@ class Database {
   void wait_for_writers(std::chrono::milliseconds longest);
   bool in_transaction() const;
   void execute(const std::string& statements);
-  /// Throws `Error` if the file is no longer where it was opened: what is written would be lost. What was committed
-  /// is kept as moved_file.h says. To be called outside of a transaction, which `has_moved` need not be.
-  void check_not_moved();
-  bool has_moved() const;
-  /// Part of each commit (log_content.h). For `Transaction` alone.
-  void mark_commit();
+  /// Throws `Error` if the file is no longer where it was opened or no longer what it was: what is written would be
+  /// lost, or destroy another file. What can be kept is kept, as moved_file.h says. To be called outside of a
+  /// transaction, which `is_in_place` need not be.
+  void check_in_place();
+  bool is_in_place() const;
+  /// With the mark of log_content.h. For `Transaction` alone.
+  void commit();
+  /// Does nothing outside of a transaction.
+  void roll_back();
 
  private:
   explicit Database(std::filesystem::path file);
   void read_copy_of_this_version();
   void begin_marks();
+  bool has_moved() const;
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
-  std::optional<OpenPlace> place_;  ///< of a file that was opened for writing
-  bool marks_commits_ = false;
-  std::string lost_;  ///< why nothing can be written any more
+  std::optional<OpenPlace> place_;       ///< of a file that was opened for writing
+  std::unique_ptr<ContentWatch> watch_;  ///< of one whose commits are marked
+  std::string lost_;                     ///< why nothing can be written any more
 };
 
 /// Whether a database that is there, or could be made there, may be written. A write-ahead log needs the folder as

@@ -1,7 +1,9 @@
 #include "storage/foreign_log.h"
 
 #include "storage/connection.h"
+#include "storage/file_marks.h"
 #include "storage/log_content.h"
+#include "storage/raw_file.h"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
@@ -12,63 +14,12 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <set>
 #include <thread>
 
 namespace lacuna {
 namespace {
 
 constexpr std::chrono::milliseconds kPause{5}, kLongestWait{1000};  // for another process that looks at the same log
-
-/// A database file read as bytes. By SQLite's own handle: to close another one would drop the locks of this process.
-class RawFile {
- public:
-  explicit RawFile(const std::string& name) : connection_(open_connection(name, SQLITE_OPEN_READWRITE)) {
-    sqlite3_file_control(connection_->getHandle(), "main", SQLITE_FCNTL_FILE_POINTER, &file_);
-  }
-  std::string read(std::uint64_t from, std::size_t size) const {
-    std::string bytes(size, '\0');  // beyond the end of the file SQLite gives zeros
-    const int result =
-        file_->pMethods->xRead(file_, bytes.data(), static_cast<int>(size), static_cast<sqlite3_int64>(from));
-    return result == SQLITE_OK || result == SQLITE_IOERR_SHORT_READ ? bytes : std::string();
-  }
-  std::uint64_t size() const {
-    sqlite3_int64 size = 0;
-    return file_->pMethods->xFileSize(file_, &size) == SQLITE_OK ? static_cast<std::uint64_t>(size) : 0;
-  }
-  bool is_read_only() const { return sqlite3_db_readonly(connection_->getHandle(), "main") == 1; }
-  /// Succeeds only while nobody else, here or in another process, has the database in use.
-  bool lock() {
-    const bool locked = file_->pMethods->xLock(file_, SQLITE_LOCK_SHARED) == SQLITE_OK &&
-                        file_->pMethods->xLock(file_, SQLITE_LOCK_EXCLUSIVE) == SQLITE_OK;
-    if (!locked) unlock();
-    return locked;
-  }
-  void unlock() { file_->pMethods->xUnlock(file_, SQLITE_LOCK_NONE); }
-
- private:
-  std::unique_ptr<SQLite::Database> connection_;
-  sqlite3_file* file_ = nullptr;
-};
-
-using Marks = std::set<std::string, std::less<>>;
-
-void add_marks(std::string_view bytes, Marks& marks) {
-  for (const LogMark& mark : marks_in(bytes)) marks.insert(mark.now);
-}
-
-Marks marks_of_page(const RawFile& file, std::uint32_t page, std::uint32_t page_size) {
-  Marks marks;
-  add_marks(file.read(std::uint64_t{page - 1} * page_size, page_size), marks);
-  return marks;
-}
-
-Marks all_marks(const RawFile& file) {
-  constexpr std::size_t kStretch = 1U << 20U, kOverlap = 128;
-  Marks marks;
-  for (std::uint64_t at = 0; at < file.size(); at += kStretch - kOverlap) add_marks(file.read(at, kStretch), marks);
-  return marks;
-}
 
 /// What a log says of the database that it is of.
 struct LogEvidence {
@@ -204,7 +155,8 @@ std::string put_foreign_log_aside(const std::filesystem::path& database) {
                          {beside(database, "-journal"), &journal_is_foreign}};
   if (!has_content(kinds[0].file) && !has_content(kinds[1].file)) return {};
   try {
-    RawFile file(database.string());
+    const auto connection = open_connection(database.string(), SQLITE_OPEN_READWRITE);
+    RawFile file(connection->getHandle());
     for (const Found& found : kinds)
       if (std::string problem = examine(found, file, database); !problem.empty()) return problem;
   } catch (const SQLite::Exception&) {

@@ -101,4 +101,18 @@ std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* 
          (replaced ? log : ". Put it back, with its -wal file beside it, or run again");
 }
 
+std::string leave_what_was_copied_over(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened) {
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  std::string log;
+  if (has_content(opened.log)) {
+    log = set_log_aside(opened);
+  } else {
+    remove_log(opened);
+  }
+  return file.string() +
+         ": was written over by another program while it was open; it stays as it is now, and nothing more is written. "
+         "What was stored there before is lost" +
+         log + ". Run again with --db and another file";
+}
+
 }  // namespace lacuna

@@ -31,4 +31,8 @@ struct OpenPlace {
 /// kept.
 std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened);
 
+/// For a database whose file was written over by another program, outside of a transaction: the file stays as it is,
+/// also when the connection is closed, and the log, whose pages would destroy it, is set aside. Says so in a sentence.
+std::string leave_what_was_copied_over(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened);
+
 }  // namespace lacuna

@@ -115,6 +115,22 @@ TEST_F(Resume, RefusesATextThatWasEdited) {
   EXPECT_THAT(program_.run({"run", "small.toml", "--resume"}).errors, HasSubstr("its digest is another one"));
 }
 
+TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
+  const auto copy = [&] {
+    if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
+    return program_.shell("cp theirs.db small.db").exit_code == 0;
+  };
+  program_.write("lines", "");
+  const Outcome noticed = program_.run_and_signal({"run", "small.toml", "--json=lines"}, copy, SIGCONT);
+  EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
+  EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was written over by another program while it was open"),
+                                    Not(HasSubstr("nothing is lost"))));
+  EXPECT_EQ(program_.read("small.db"), program_.read("theirs.db"));
+  EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db-wal"));
+  EXPECT_EQ(hash("small.db"), hash("theirs.db"));
+}
+
 /// Another database is moved over one that is being written, and the writer goes on, or is killed.
 TEST_F(Resume, AReplacedDatabaseHarmsNobody) {
   ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);

@@ -1,0 +1,34 @@
+#include "storage/raw_file.h"
+
+#include <sqlite3.h>
+
+namespace lacuna {
+
+RawFile::RawFile(sqlite3* handle) : handle_(handle) {
+  sqlite3_file_control(handle, "main", SQLITE_FCNTL_FILE_POINTER, &file_);
+}
+
+std::string RawFile::read(std::uint64_t from, std::size_t size) const {
+  std::string bytes(size, '\0');
+  const int result =
+      file_->pMethods->xRead(file_, bytes.data(), static_cast<int>(size), static_cast<sqlite3_int64>(from));
+  return result == SQLITE_OK || result == SQLITE_IOERR_SHORT_READ ? bytes : std::string();
+}
+
+std::uint64_t RawFile::size() const {
+  sqlite3_int64 size = 0;
+  return file_->pMethods->xFileSize(file_, &size) == SQLITE_OK ? static_cast<std::uint64_t>(size) : 0;
+}
+
+bool RawFile::is_read_only() const { return sqlite3_db_readonly(handle_, "main") == 1; }
+
+bool RawFile::lock() {
+  const bool locked = file_->pMethods->xLock(file_, SQLITE_LOCK_SHARED) == SQLITE_OK &&
+                      file_->pMethods->xLock(file_, SQLITE_LOCK_EXCLUSIVE) == SQLITE_OK;
+  if (!locked) unlock();
+  return locked;
+}
+
+void RawFile::unlock() { file_->pMethods->xUnlock(file_, SQLITE_LOCK_NONE); }
+
+}  // namespace lacuna

@@ -1,0 +1,220 @@
+#include "storage/asked.h"
+#include "storage/child_process.h"
+#include "storage/small_database.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+namespace lacuna {
+namespace {
+
+using test::ask;
+using test::ChildProcess;
+using test::is_intact;
+using test::sentence_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class WrittenOver : public testing::Test {
+ protected:
+  static void store(Database& database, int first, int count, std::size_t size = 5000) {
+    ResultStore store(database);
+    store.begin_run({.command = "test", .seed = 1, .threads = 1}, {});
+    for (int i = first; i < first + count; ++i)
+      store.record_experiment({"experiment " + std::to_string(i), "rig.toml", std::string(size, 'x'), {}});
+  }
+  static std::string content(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  /// As `cp` does it: into the same file. In another process, since to close a file drops the locks of its process.
+  void write_over(const std::string& bytes) const {
+    ChildProcess child([&](int to_parent) {
+      std::ofstream(file_, std::ios::binary | std::ios::trunc) << bytes;
+      ChildProcess::say(to_parent, "w");
+    });
+    ASSERT_EQ(child.all(), "w");
+  }
+  /// What another program does with SQLite.
+  void execute_elsewhere(const char* sql) const {
+    ChildProcess child([&](int to_parent) {
+      sqlite3* handle = nullptr;
+      sqlite3_open(file_.c_str(), &handle);
+      const int result = sqlite3_exec(handle, sql, nullptr, nullptr, nullptr);
+      ChildProcess::say(to_parent, result == SQLITE_OK ? "w" : sqlite3_errmsg(handle));
+    });
+    ASSERT_EQ(child.all(), "w");
+  }
+  /// Another database's bytes.
+  std::string another(int experiments = 2) const {
+    const std::filesystem::path other = folder_ / "other.db";
+    {
+      Database database = Database::open(other);
+      store(database, 0, experiments);
+    }
+    return content(other);
+  }
+  void expect_left_as(const std::string& bytes) const {
+    EXPECT_TRUE(content(file_) == bytes) << "the file is not the one that was copied there";
+    EXPECT_FALSE(std::filesystem::exists(log_));
+    EXPECT_FALSE(std::filesystem::exists(file_.string() + "-shm"));
+  }
+
+  TestFolder folder_;
+  std::filesystem::path file_ = folder_ / "rig.db", log_ = folder_ / "rig.db-wal";
+};
+
+constexpr const char* kNoticed = "rig.db: was written over by another program while it was open; it stays as it is now";
+
+TEST_F(WrittenOver, ByAnotherDatabaseIsNoticedAtTheNextCommit) {
+  const std::string theirs = another();
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 40);
+    write_over(theirs);
+    EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }),
+                AllOf(HasSubstr(kNoticed), HasSubstr("its log was set aside as " + log_.string() + ".set-aside")));
+    EXPECT_THAT(sentence_of([&] { store(database, 41, 1); }), HasSubstr(kNoticed));
+    expect_left_as(theirs);
+  }
+  expect_left_as(theirs);
+}
+
+TEST_F(WrittenOver, AfterTheLastCommitIsNoticedAtTheEnd) {
+  const std::string theirs = another();
+  testing::internal::CaptureStderr();
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 40);
+    write_over(theirs);
+  }
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(kNoticed));
+  expect_left_as(theirs);
+}
+
+TEST_F(WrittenOver, BeforeTheFirstCommitIsNoticed) {
+  const std::string theirs = another();
+  {
+    Database database = Database::open(file_);
+    write_over(theirs);
+    EXPECT_THAT(sentence_of([&] { store(database, 0, 1); }), HasSubstr(kNoticed));
+  }
+  expect_left_as(theirs);
+}
+
+TEST_F(WrittenOver, InATransactionIsNoticedBeforeItsCommit) {
+  const std::string theirs = another();
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 40);
+    Transaction transaction(database);
+    database.execute("INSERT INTO schema_text (name, sha256) VALUES ('other', 'x')");
+    write_over(theirs);
+    EXPECT_THAT(sentence_of([&] { transaction.commit(); }), HasSubstr(kNoticed));
+  }
+  expect_left_as(theirs);
+}
+
+TEST_F(WrittenOver, IsNoticedBeforeTheLogIsBroughtIntoTheFile) {
+  const std::string theirs = another();
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 1);
+    database.execute("BEGIN; UPDATE experiment_text SET text = text || hex(zeroblob(4000000))");
+    write_over(theirs);
+    database.execute("COMMIT");
+    ASSERT_GT(std::filesystem::file_size(log_), 1000U * 4096U) << "the test would show nothing";
+    EXPECT_TRUE(content(file_) == theirs);
+    EXPECT_THAT(sentence_of([&] { database.check_in_place(); }), HasSubstr(kNoticed));
+  }
+  expect_left_as(theirs);
+}
+
+TEST_F(WrittenOver, ByWhatIsNoDatabaseIsNoticed) {
+  for (const std::string& bytes : {std::string(), std::string("text\n"), std::string(300'000, '\0')}) {
+    std::filesystem::remove(file_);
+    {
+      Database database = Database::open(file_);
+      store(database, 0, 40);
+      write_over(bytes);
+      EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), HasSubstr(kNoticed));
+    }
+    expect_left_as(bytes);
+  }
+}
+
+TEST_F(WrittenOver, IsAlsoAFileThatWasCut) {
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 40);
+    std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 4096 / 2 * 4096);
+    EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), HasSubstr(kNoticed));
+  }
+  EXPECT_FALSE(std::filesystem::exists(log_));
+}
+
+TEST_F(WrittenOver, ByAnOlderCopyOfItselfIsNoticed) {
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 3);
+  }
+  const std::string before = content(file_);
+  {
+    Database database = Database::open(file_);
+    store(database, 3, 100, 60'000);
+    ASSERT_FALSE(content(file_) == before) << "the test would show nothing";
+    write_over(before);
+    EXPECT_THAT(sentence_of([&] { store(database, 103, 1); }), HasSubstr(kNoticed));
+  }
+  expect_left_as(before);
+}
+
+TEST_F(WrittenOver, IsNotAFileThatItsOwnCommitsChange) {
+  Database database = Database::open(file_);
+  int changes = 0;
+  std::string before = content(file_);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(sentence_of([&] { store(database, 20 * i, 20, 40'000); }), "no error");
+    if (std::string now = content(file_); now != before) {
+      before = std::move(now);
+      ++changes;
+    }
+  }
+  EXPECT_GE(changes, 3) << "the test would show nothing";
+  EXPECT_LT(std::filesystem::file_size(log_), 2000U * 4096U) << "the log is brought into the file";
+}
+
+TEST_F(WrittenOver, IsNotAFileThatAnotherWriterChanges) {
+  Database database = Database::open(file_);
+  for (int i = 0; i < 10; ++i) {
+    ChildProcess child([&](int to_parent) {
+      Database theirs = Database::open(file_);
+      store(theirs, 10'000 + 50 * i, 50, 50'000);
+      ChildProcess::say(to_parent, "w");
+    });
+    EXPECT_EQ(sentence_of([&] { store(database, 50 * i, 50, 50'000); }), "no error");
+    ASSERT_EQ(child.all(), "w");
+    execute_elsewhere(i % 2 == 0 ? "PRAGMA wal_checkpoint(TRUNCATE)" : "VACUUM; PRAGMA wal_checkpoint(TRUNCATE)");
+  }
+  EXPECT_EQ(sentence_of([&] { store(database, 500, 1); }), "no error");
+  EXPECT_TRUE(is_intact(database));
+  EXPECT_EQ(ask(database, "SELECT count(*) FROM experiment"), 1001);
+}
+
+TEST_F(WrittenOver, IsNotAFileWhoseTimeAloneChanged) {
+  Database database = Database::open(file_);
+  store(database, 0, 3);
+  std::filesystem::permissions(file_, std::filesystem::perms::owner_all);
+  EXPECT_EQ(sentence_of([&] { store(database, 3, 1); }), "no error");
+}
+
+}  // namespace
+}  // namespace lacuna
