@@ -29,10 +29,13 @@ namespace {
 constexpr int kPauseMs = 5;
 constexpr int kOperationsBetweenLooks = 10000;  ///< of SQLite's machine, well under a millisecond
 
+/// SQLite would wait for who writes to a pipe, and take a device for a database.
 void check_place(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) {
-    throw_problem({file.string()}, "is a folder; name a database file");
-  }
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(file, unknown);
+  if (std::filesystem::is_directory(status)) throw_problem({file.string()}, "is a folder; name a database file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw_problem({file.string()}, "is a pipe, a socket or a device, not a regular file; name a database file");
   if (const std::filesystem::path folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder))
     throw_problem({file.string()}, "cannot be opened: there is no folder " + folder.string());
 }
@@ -167,6 +170,7 @@ Database Database::open_read_only(const std::filesystem::path& file) {
     throw_problem({file.string()},
                   "no such database; `lacuna compare` and `lacuna run` make one from an experiment file");
   }
+  check_place(file);
   Database database(file);
   const std::string foreign_log = put_foreign_log_aside(file);
   if (!foreign_log.empty()) {

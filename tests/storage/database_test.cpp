@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <array>
 #include <atomic>
 #include <fstream>
@@ -111,6 +113,16 @@ TEST_F(DatabaseTest, AFolderAndAMissingFolderGetASentence) {
   EXPECT_THAT(open_sentence(), HasSubstr("is a folder"));
   EXPECT_THAT(sentence_of([&] { Database::open(folder_ / "no/such/rig.db"); }), HasSubstr("cannot be opened"));
   EXPECT_THAT(sentence_of([&] { Database::open_read_only(folder_ / "none.db"); }), HasSubstr("no such database"));
+}
+
+TEST_F(DatabaseTest, WhatIsNoRegularFileGetsASentence) {
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  const auto sentence = HasSubstr("is a pipe, a socket or a device, not a regular file; name a database file");
+  EXPECT_THAT(open_sentence(), sentence);
+  EXPECT_THAT(read_sentence(), sentence);
+  file_ = "/dev/null";
+  EXPECT_THAT(open_sentence(), sentence);
+  EXPECT_THAT(read_sentence(), sentence);
 }
 
 TEST_F(DatabaseTest, ReadingNeverMakesAFile) {
