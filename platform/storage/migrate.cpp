@@ -96,6 +96,10 @@ void check_header(const Database& database, const std::vector<Migration>& migrat
     throw Error(database.file().string() + ": was written by a newer Lacuna (schema " + std::to_string(version) +
                 ", this program knows " + std::to_string(migrations.back().number) + "); use that one");
   }
+  if (version > 0 && is_empty(database))  // now: the other process has made its tables
+    throw Error(database.file().string() + ": has the header of schema " + std::to_string(version) +
+                " but no tables; it is damaged, and was left as it is. Restore a copy, or name "
+                "another file");
 }
 
 bool is_of_version(const Database& database, const std::vector<Migration>& migrations) {

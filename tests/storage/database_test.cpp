@@ -108,6 +108,17 @@ TEST_F(DatabaseTest, AWrongVersionGetsASentenceAndLeavesTheFileAsItIs) {
   }
 }
 
+TEST_F(DatabaseTest, AHeaderWithoutTablesGetsASentence) {
+  for (const int version : {1, schema_migrations().back().number}) {
+    Database::open_blank(file_).execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
+                                        "; PRAGMA user_version = " + std::to_string(version));
+    const std::string before = content_of(file_);
+    for (const std::string& sentence : {open_sentence(), read_sentence()})
+      EXPECT_THAT(sentence, HasSubstr("has the header of schema " + std::to_string(version) + " but no tables"));
+    EXPECT_EQ(content_of(file_), before);
+  }
+}
+
 TEST_F(DatabaseTest, AFolderAndAMissingFolderGetASentence) {
   std::filesystem::create_directory(file_);
   EXPECT_THAT(open_sentence(), HasSubstr("is a folder"));
