@@ -2,6 +2,7 @@
 
 #include "storage/page_candidates.h"
 #include "storage/statement.h"
+#include "storage/stored_run.h"
 #include "storage/storage_error.h"
 #include "storage/without_folders.h"
 
@@ -15,6 +16,8 @@
 #include <memory>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -221,6 +224,16 @@ std::vector<std::string> copy_what_fits(const Database& from, Database& to, std:
   return {};
 }
 
+/// Of texts whose file's name is without its folder now.
+void renew_digests(const Database& to) {
+  std::vector<std::pair<std::int64_t, std::string>> digests;
+  Statement texts(to, "SELECT id, file, text, overrides FROM experiment_text");
+  while (texts.step())
+    digests.emplace_back(texts.integer(0), digest_of_text(texts.text(1), texts.text(2), texts.text(3)));
+  Statement renew(to, "UPDATE OR IGNORE experiment_text SET digest = ? WHERE id = ?");
+  for (const auto& [id, digest] : digests) renew.run_with(digest, id);
+}
+
 }  // namespace
 
 std::vector<std::string> copy_for_pages(const Database& from, Database& to, std::size_t most_bytes) {
@@ -228,6 +241,7 @@ std::vector<std::string> copy_for_pages(const Database& from, Database& to, std:
   Transaction writing(to);
   Statement(from, "BEGIN").run();  // one state of the file, whoever writes to it meanwhile
   std::vector<std::string> notes = copy_what_fits(from, to, static_cast<std::int64_t>(most_bytes));
+  renew_digests(to);
   for (const SchemaItem& view : items(from, "view")) make(to, view);
   for (const char* header : {"application_id", "user_version"})
     to.execute(fmt::format("PRAGMA {} = {}", header, number_of(from, fmt::format("PRAGMA {}", header))));

@@ -125,7 +125,7 @@ ExperimentId ResultStore::record_experiment(const ExperimentRecord& record) {
     Statement(database_, "INSERT INTO experiment (id, name) VALUES (?, ?)").run_with(*experiment, record.name);
   }
   const std::string overrides = sentences_text(record.overrides);
-  const std::string digest = digest_of_text(record.text, overrides);
+  const std::string digest = digest_of_text(record.file, record.text, overrides);
   Statement(database_,
             "INSERT INTO experiment_text (id, experiment, digest, file, text, overrides) VALUES (?, ?, ?, ?, ?, ?)"
             " ON CONFLICT (experiment, digest) DO NOTHING")

@@ -10,40 +10,62 @@
 namespace lacuna {
 namespace {
 
+struct ExperimentRow {
+  std::string name, file, text, overrides, digest;
+};
+
+/// Of a statement whose first columns are these.
+ExperimentRow experiment_row(Statement& row) {
+  return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4)};
+}
+
 constexpr const char* kEdited =
-    " is not the text that was stored when the run began (its digest is another one): the file was edited or is "
-    "damaged; restore a copy";
+    " is not the text that was stored when the run began, or has another file name (its digest is another one): the "
+    "file was edited or is damaged; restore a copy";
+
+/// Earlier versions of the program left the file's name out.
+std::string earlier_digest(const std::string& text, const std::string& overrides) {
+  return sha256(text + '\n' + overrides);
+}
+
+bool is_as_stored(const ExperimentRow& row) {
+  return row.digest == digest_of_text(row.file, row.text, row.overrides) ||
+         row.digest == earlier_digest(row.text, row.overrides);
+}
 
 }  // namespace
 
-std::string digest_of_text(const std::string& text, const std::string& overrides) {
-  return sha256(text + '\n' + overrides);
+std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides) {
+  return sha256(text + '\n' + overrides + '\n' + file);
 }
 
 void check_stored_texts(const Database& database) {
   ProblemList problems;
   Statement texts(database,
-                  "SELECT experiment.name, text, overrides, digest FROM experiment_text"
+                  "SELECT experiment.name, file, text, overrides, digest FROM experiment_text"
                   " JOIN experiment ON experiment.id = experiment_text.experiment ORDER BY experiment_text.id");
-  while (texts.step())
-    if (digest_of_text(texts.text(1), texts.text(2)) != texts.text(3))
-      problems.add({database.file().string()}, "a text of the experiment " + texts.text(0) + kEdited);
+  while (texts.step()) {
+    const ExperimentRow text = experiment_row(texts);
+    if (!is_as_stored(text))
+      problems.add({database.file().string()}, "a text of the experiment " + text.name + kEdited);
+  }
   problems.throw_if_any();
 }
 
 StoredRun stored_run(const Database& database, RunId run) {
   Statement row(database,
-                "SELECT experiment.name, file, text, overrides, seed, threads, digest FROM run"
+                "SELECT experiment.name, file, text, overrides, digest, seed, threads FROM run"
                 " JOIN experiment_text ON experiment_text.id = run.experiment_text"
                 " JOIN experiment ON experiment.id = experiment_text.experiment WHERE run.number = ?");
   if (!row.with(run).step())
     throw Error(database.file().string() + ": has no run " + std::to_string(run.value) + "; lacuna runs lists them");
-  if (digest_of_text(row.text(2), row.text(3)) != row.text(6))
+  const ExperimentRow text = experiment_row(row);
+  if (!is_as_stored(text))
     throw_problem({database.file().string()}, "the experiment of run " + std::to_string(run.value) + kEdited);
   StoredRun stored;
-  stored.experiment = {row.text(0), row.text(1), row.text(2), sentences_from(row.text(3))};
-  stored.seed = static_cast<std::uint64_t>(row.integer(4));
-  stored.threads = row.number(5);
+  stored.experiment = {text.name, text.file, text.text, sentences_from(text.overrides)};
+  stored.seed = static_cast<std::uint64_t>(row.integer(5));
+  stored.threads = row.number(6);
   Statement plugin(database, "SELECT file, sha256, build_id FROM plugin_file WHERE run = ? ORDER BY file");
   plugin.with(run);
   while (plugin.step()) stored.plugins.push_back({plugin.text(0), plugin.text(1), plugin.text(2)});

@@ -9,7 +9,7 @@
 namespace lacuna {
 
 /// What is stored with the text of an experiment. `overrides`: as they stand in the database.
-std::string digest_of_text(const std::string& text, const std::string& overrides);
+std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides);
 
 /// What a run was started from: enough to run it again.
 struct StoredRun {
@@ -20,8 +20,8 @@ struct StoredRun {
   std::vector<RobotFileRecord> robots;    ///< by file; none where an older version began the run
 };
 
-/// Throws `BadInput` where the text of an experiment is not the one whose digest was stored with it, for commands that
-/// show the whole database.
+/// Throws `BadInput` where the text of an experiment, or its file's name, is not the one whose digest was stored with
+/// it, for commands that show the whole database.
 void check_stored_texts(const Database& database);
 
 /// Throws `Error` where the database has no such run, `BadInput` where the experiment's text is not the one whose

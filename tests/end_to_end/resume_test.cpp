@@ -115,6 +115,23 @@ TEST_F(Resume, RefusesATextThatWasEdited) {
   EXPECT_THAT(program_.run({"run", "small.toml", "--resume"}).errors, HasSubstr("its digest is another one"));
 }
 
+TEST_F(Resume, RefusesAFileNameThatWasEditedAndTakesADigestOfAnEarlierVersion) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  program_.write("old.py",
+                 "import hashlib, sqlite3\n"
+                 "d = sqlite3.connect('small.db')\n"
+                 "text, overrides = d.execute('SELECT text, overrides FROM experiment_text').fetchone()\n"
+                 "digest = hashlib.sha256((text + '\\n' + overrides).encode()).hexdigest()\n"
+                 "d.execute('UPDATE experiment_text SET digest = ?', (digest,))\n"
+                 "d.commit()\n");
+  ASSERT_EQ(program_.shell("cp small.db edited.db && python3 old.py").exit_code, 0);
+  EXPECT_EQ(program_.run({"reproduce", "small.db"}).exit_code, kDone);
+  ASSERT_EQ(program_.shell("sqlite3 edited.db \"UPDATE experiment_text SET file = 'other.toml'\"").exit_code, 0);
+  const Outcome edited = program_.run({"reproduce", "edited.db"});
+  EXPECT_EQ(edited.exit_code, kBadInput);
+  EXPECT_THAT(edited.errors, HasSubstr("or has another file name (its digest is another one)"));
+}
+
 TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
   ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
   const auto copy = [&] {

@@ -6,6 +6,7 @@
 #include "storage/made_up_run.h"
 #include "storage/page_query.h"
 #include "storage/readable_database.h"
+#include "storage/stored_run.h"
 #include "storage/without_folders.h"
 
 #include <fmt/format.h>
@@ -118,6 +119,7 @@ TEST_F(PageDatabaseTest, TellsNoFolders) {
   EXPECT_EQ(text.find("/usr/lib"), std::string::npos);
   EXPECT_EQ(ask(kept(pages), "SELECT count(*) FROM run WHERE command = 'lacuna run ''walk.toml'' --db x.db'"),
             ask(database_, "SELECT count(*) FROM run"));
+  EXPECT_NO_THROW(check_stored_texts(kept(pages))) << "a name without its folder is no edit";
 }
 
 TEST(WithoutFolders, KeepsNamesAndWhatIsNoPath) {
