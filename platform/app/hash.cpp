@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "foundation/problem.h"
 #include "storage/eea_store.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ struct HashOptions {
 };
 
 void print_hashes(const HashOptions& options) {
+  const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   std::vector<EeaRunListing> runs = eea_runs(database);
   if (options.run) std::erase_if(runs, [&](const EeaRunListing& run) { return run.run.value != *options.run; });

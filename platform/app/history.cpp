@@ -5,6 +5,7 @@
 #include "app/rig.h"
 #include "foundation/shell_word.h"
 #include "report/history_text.h"
+#include "storage/log_left.h"
 #include "storage/result_store.h"
 
 #include <CLI/CLI.hpp>
@@ -43,6 +44,7 @@ std::string missing_of(const ResultStore& store, const std::optional<StoredRevis
 /// Reads, and changes nothing: no fit, no look at held-out files, no revision.
 StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) {
   if (!std::filesystem::exists(file)) return {{}, 0, "nothing is stored yet"};
+  const LogLeft log(file);
   Database database = Database::open_read_only(file);
   const ResultStore store(database);
   const std::optional<ExperimentId> experiment = store.find_experiment(rig.experiment.name);

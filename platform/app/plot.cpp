@@ -4,6 +4,7 @@
 #include "app/stored_bench.h"
 #include "report/file_name.h"
 #include "report/run_pictures.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -41,6 +42,7 @@ std::vector<EeaRunListing> runs_to_draw(const Database& database, const PlotOpti
 }
 
 void plot(const PlotOptions& options) {
+  const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const std::vector<EeaRunListing> listings = runs_to_draw(database, options);
   make_output_folder(options.folder);

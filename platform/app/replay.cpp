@@ -6,6 +6,7 @@
 #include "evaluation/test_predictor.h"
 #include "foundation/unit.h"
 #include "report/text_table.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -88,6 +89,7 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
 void replay(const ReplayOptions& options) {
   check_output(options.csv);
   refuse_outputs_among({options.database});
+  const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const EeaRunListing run = choose_run(database, options.run);
   const StoredBench stored = open_stored(database, run, options.plugin_paths);

@@ -6,6 +6,7 @@
 #include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -59,6 +60,7 @@ void check_program(const ReproduceOptions& options, const StoredBench& stored) {
 }
 
 void reproduce(const ReproduceOptions& options) {
+  const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const EeaRunListing listing = choose_run(database, options.run);
   if (listing.ending != "done")

@@ -2,6 +2,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "report/run_text.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@ struct RunsOptions {
 };
 
 void list_runs(const RunsOptions& options) {
+  const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   const std::vector<EeaRunListing> runs = eea_runs(database);
   if (!takes_standard_output(options.json)) std::fputs(runs_text(runs).c_str(), stdout);

@@ -5,6 +5,7 @@
 #include "app/shape_reading.h"
 #include "foundation/counted.h"
 #include "foundation/problem.h"
+#include "storage/log_left.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -90,6 +91,7 @@ std::vector<ShapeStudy> read_studies(Database& database, const ShapesOptions& op
 }
 
 void shapes(const ShapesOptions& options) {
+  const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const std::vector<ShapeStudy> studies = read_studies(database, options);
   make_output_folder(options.folder);

@@ -2,6 +2,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "foundation/whole_file.h"
+#include "storage/log_left.h"
 #include "storage/query.h"
 #include "storage/query_output.h"
 
@@ -34,6 +35,7 @@ void print_views() {
 void query(const SqlOptions& options) {
   check_output(options.json);
   refuse_outputs_among({options.database});
+  const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   const bool to_file = options.json && !options.json->empty();
   const QueryFormat format = options.json ? QueryFormat::json : options.csv ? QueryFormat::csv : QueryFormat::table;

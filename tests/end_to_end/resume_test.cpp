@@ -102,6 +102,16 @@ TEST_F(Resume, BeginsWhereThereIsNothingToGoOnWith) {
   EXPECT_THAT(program_.run({"runs", "small.db"}).output, Not(HasSubstr("\n3 "))) << "no second run of what is done";
 }
 
+TEST_F(Resume, CommandsThatOnlyReadLeaveNoLogBehind) {
+  ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
+  for (const char* command : {"runs small.db", "hash small.db", "sql small.db 'SELECT 1'", "replay small.db",
+                              "reproduce small.db --quiet", "plot small.db --out pictures"}) {
+    EXPECT_EQ(program_.shell(std::string("lacuna ") + command).exit_code, kDone) << command;
+    for (const char* file : {"small.db-wal", "small.db-shm"})
+      EXPECT_FALSE(std::filesystem::exists(program_.folder() / file)) << command << " left " << file;
+  }
+}
+
 TEST_F(Resume, RefusesATextThatWasEdited) {
   ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
   ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE experiment_text SET text = text || '# '\"").exit_code, 0);
