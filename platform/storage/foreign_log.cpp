@@ -118,7 +118,7 @@ std::string examine(const Found& found, RawFile& file, const std::filesystem::pa
     if (file.is_read_only()) return what_it_is(found.file, database) + ", and cannot be set aside";
     if (file.lock()) {
       const bool foreign = has_content(found.file) && found.is_foreign(found.file, file);
-      const std::string problem = foreign ? put_aside(found.file, database) : std::string();
+      std::string problem = foreign ? put_aside(found.file, database) : std::string();
       file.unlock();
       return problem;
     }

@@ -46,7 +46,7 @@ bool copy_to(const std::filesystem::path& copy, sqlite3* handle) {
 
 bool log_is_there(const OpenPlace& opened) { return opened.log_itself && identity_of(opened.log) == opened.log_itself; }
 
-std::filesystem::path index_of(std::filesystem::path log) {
+std::filesystem::path index_of(const std::filesystem::path& log) {
   std::string name = log.string();
   return name.replace(name.size() - std::string_view("-wal").size(), std::string::npos, "-shm");
 }

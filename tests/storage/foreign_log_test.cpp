@@ -81,7 +81,7 @@ class ForeignLog : public testing::Test {
   /// Opens it in this way, and says what that printed; the file itself must be what it was before.
   std::string opened(const std::function<void(const fs::path&)>& open) const {
     const std::string before = bytes_in(file_), log = bytes_in(log_);
-    const std::string said = said_by([&] { open(file_); });
+    std::string said = said_by([&] { open(file_); });
     EXPECT_EQ(bytes_in(file_.string() + "-wal.set-aside"), log) << "nothing of the log is lost";
     if (experiments_in(file_) != 2) ADD_FAILURE() << "the file has other content";
     EXPECT_EQ(bytes_in(file_).substr(0, 18), before.substr(0, 18));
