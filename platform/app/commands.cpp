@@ -2,6 +2,7 @@
 
 #include "app/options.h"
 #include "app/output.h"
+#include "app/plain_streams.h"
 #include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
@@ -22,7 +23,10 @@ constexpr int kBadInput = 2;
 constexpr int kInterrupted = 75;
 
 /// Whether what was printed has arrived.
-bool output_has_arrived() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good(); }
+bool output_has_arrived() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good() &&
+         exact_output().flush().good();
+}
 
 int say(const char* sentence, int code) {
   std::fprintf(stderr, "%s\n", sentence);

@@ -2,6 +2,7 @@
 #include "app/newest_setting.h"
 #include "app/output.h"
 #include "foundation/counted.h"
+#include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "report/learning_curves.h"
 
@@ -90,7 +91,8 @@ void check_name(const std::string& option, const std::string& name, const std::v
 void say_what_is_left_out(const NamedRuns& runs) {
   const auto say = [&](std::size_t count, const std::string& why) {
     if (count > 0)
-      std::fprintf(stderr, "%s\n", fmt::format("{}: {} {}", runs.experiment, counted(count, "run"), why).c_str());
+      std::fprintf(stderr, "%s\n",
+                   fmt::format("{}: {} {}", plain_text(runs.experiment), counted(count, "run"), why).c_str());
   };
   say(runs.unfinished, "left out, not ended; lacuna run FILE --resume goes on with what was interrupted");
   say(runs.others, "left out, begun with other settings than the newest, or run again since");

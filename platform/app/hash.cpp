@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "storage/eea_store.h"
 #include "storage/log_left.h"
@@ -29,8 +30,8 @@ void print_hashes(const HashOptions& options) {
                                                    ? fmt::format("has no run {}; lacuna runs lists them", *options.run)
                                                    : std::string("has no run of the algorithm"));
   for (const EeaRunListing& run : runs)
-    fmt::print("{}  run {} {} replicate {}\n", content_hash(database, run.run), run.run.value, run.experiment,
-               run.replicate);
+    fmt::print("{}  run {} {} replicate {}\n", content_hash(database, run.run), run.run.value,
+               plain_text(run.experiment), run.replicate);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "app/output.h"
 
+#include "app/plain_streams.h"
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
 
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 namespace lacuna {
@@ -41,7 +41,7 @@ void check_file(const fs::path& file) {
 
 void write_output(const std::string& to, const std::string& text) {
   if (to.empty()) {
-    std::fputs(text.c_str(), stdout);
+    exact_output() << text << std::flush;
     return;
   }
   write_whole(to, text, Link::followed);

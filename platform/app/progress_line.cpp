@@ -1,19 +1,33 @@
 #include "app/progress_line.h"
 
+#include "app/plain_streams.h"
+#include "foundation/plain_text.h"
+
 #include <fmt/format.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace lacuna {
+namespace {
+
+constexpr const char* kWiped = "\r\033[K";
+
+/// As many characters as the terminal is wide, so that they can be wiped; all of them where that is not known.
+std::string fitted_to_terminal(const std::string& line) {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return line;
+  return first_characters(line, size.ws_col - 1U);  // the cursor needs the last column
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(bool quiet) : live_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) wipe_live_line();
 }
 
 void ProgressLine::show(const Progress& progress) {
@@ -22,8 +36,7 @@ void ProgressLine::show(const Progress& progress) {
   if (!live_ || now - last_ < 100ms) return;
   last_ = now;
   shown_ = true;
-  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(progress_text(progress)));
-  std::fflush(stderr);
+  show_live_line(progress_text(progress));
 }
 
 ProgressCallback ProgressLine::callback() {
@@ -44,11 +57,11 @@ std::string first_characters(const std::string& text, std::size_t width) {
   return text;
 }
 
-std::string fitted_to_terminal(const std::string& line) {
-  winsize size{};
-  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return line;
-  return first_characters(line, size.ws_col - 1U);  // the cursor needs the last column
+void show_live_line(const std::string& line) {
+  exact_errors() << kWiped << fitted_to_terminal(plain_text(line)) << std::flush;
 }
+
+void wipe_live_line() { exact_errors() << kWiped << std::flush; }
 
 std::string format_duration(double seconds) {
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);

@@ -28,9 +28,9 @@ class ProgressLine {
 
 /// "segments of 0.5 s · 40 % · 1.2 s left"; without a time while none is known.
 std::string progress_text(const Progress& progress);
-/// As many characters of a line as the terminal of standard error is wide, so that it can be wiped; all of them where
-/// that is not known.
-std::string fitted_to_terminal(const std::string& line);
+/// Shows a line on the terminal of standard error, as much of it as fits, in the place of the last one.
+void show_live_line(const std::string& line);
+void wipe_live_line();
 /// The first `width` characters of a text, which may take several bytes each.
 std::string first_characters(const std::string& text, std::size_t width);
 

@@ -41,7 +41,7 @@ RunDisplay::RunDisplay(const std::vector<PlannedReplicate>& replicates, bool qui
 }
 
 RunDisplay::~RunDisplay() {
-  if (live_) std::fputs("\r\033[K", stderr);
+  if (live_) wipe_live_line();
 }
 
 double RunDisplay::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -104,8 +104,7 @@ void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
       fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose(own),
                   progress.pass, progress.passes, to_string(progress.phase), progress.generation, progress.generations,
                   progress.best, std::isfinite(all.left) ? format_duration(all.left) : "?", all.rate, all.invalid);
-  fmt::print(stderr, "\r\033[K{}", fitted_to_terminal(line));
-  std::fflush(stderr);
+  show_live_line(line);
 }
 
 void RunDisplay::end_trial(std::size_t replicate, const TargetTrialRow& trial) {
@@ -128,7 +127,7 @@ void RunDisplay::end_pass(std::size_t replicate, const PassRow& pass) {
 void RunDisplay::note(std::size_t replicate, const std::string& note) {
   const std::scoped_lock lock(telling_);
   if (lines_) lines_->note(replicates_[replicate].planned, note);
-  if (live_) std::fputs("\r\033[K", stderr);
+  if (live_) wipe_live_line();
   if (live_ || lines_of_text_) fmt::print(stderr, "{}{}\n", whose(replicates_[replicate]), note);
 }
 

@@ -1,5 +1,6 @@
 #include "app/run_lines.h"
 
+#include "app/plain_streams.h"
 #include "report/run_text.h"
 #include "storage/names.h"
 
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 namespace lacuna {
 namespace {
@@ -93,7 +93,7 @@ void RunLines::write(const Json& line) {
   if (!to_ || failed_) return;
   const std::string text = line.dump() + '\n';
   if (to_->empty())
-    failed_ = std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0;
+    failed_ = !(exact_output() << text << std::flush);
   else
     failed_ = !(file_ << text) || !file_.flush();
 }

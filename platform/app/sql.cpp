@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output.h"
+#include "app/plain_streams.h"
 #include "foundation/whole_file.h"
 #include "storage/log_left.h"
 #include "storage/query.h"
@@ -42,7 +43,7 @@ void query(const SqlOptions& options) {
   const auto write_to = [&](std::ostream& stream) {
     run_queries(database, options.sql, *make_query_output(format, stream));
   };
-  if (!to_file) return write_to(std::cout);
+  if (!to_file) return write_to(format == QueryFormat::table ? std::cout : exact_output());
   WholeFile file(*options.json, Link::followed);
   write_to(file.stream());
   file.publish();

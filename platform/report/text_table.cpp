@@ -1,5 +1,7 @@
 #include "report/text_table.h"
 
+#include "foundation/plain_text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,9 @@ std::size_t characters(const std::string& text) {
 
 }  // namespace
 
-std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+std::string text_table(std::vector<std::vector<std::string>> rows, std::size_t left) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = plain_text(cell);
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));

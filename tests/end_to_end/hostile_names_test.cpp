@@ -89,6 +89,33 @@ TEST_F(HostileNames, InADatabaseAreDrawnAsTheyAre) {
       << "nothing lies outside of the folders";
 }
 
+/// Nor do they steer the terminal: neither by what is printed, nor by lines that seem to be the program's.
+TEST_F(HostileNames, InADatabaseArePrintedOnOneLineWithoutControlCharacters) {
+  program_.write("small.toml", kSmallRun);
+  ASSERT_EQ(program_.run({"run", "small.toml", "--quiet"}).exit_code, 0);
+  program_.write(
+      "hostile.sql",
+      "CREATE TABLE hostile AS SELECT char(27) || '[31m' || char(10) || 'forged' AS name;\n"
+      "UPDATE experiment SET name = name || (SELECT name FROM hostile);\n"
+      "UPDATE free_value SET address = address || (SELECT name FROM hostile), unit = (SELECT name FROM hostile);\n"
+      "UPDATE objective_score SET name = name || '*' || (SELECT name FROM hostile) WHERE position = 0;\n"
+      "DROP TABLE hostile;\n");
+  ASSERT_EQ(program_.shell("sqlite3 small.db < hostile.sql").exit_code, 0);
+  for (const std::string command :
+       {"runs small.db", "curves small.db --out c", "curves small.db --against no --out c", "hash small.db",
+        "plot small.db --out p", "sql small.db 'SELECT name FROM experiment'", "replay small.db --trial 1",
+        "reproduce small.db", "shapes small.db --out s", "report small.db --out r.html"}) {
+    const Outcome outcome = program_.shell("lacuna " + command);
+    EXPECT_THAT(outcome.output + outcome.errors, Not(HasSubstr("\x1b"))) << command;
+    EXPECT_THAT("\n" + outcome.output, Not(HasSubstr("\nforged"))) << command;
+  }
+  EXPECT_THAT(program_.run({"runs", "small.db"}).output, HasSubstr("small [31m forged"));
+  EXPECT_THAT(program_.run({"runs", "small.db", "--json"}).output, HasSubstr("small\\u001b[31m\\nforged"));
+  EXPECT_THAT(program_.run({"sql", "small.db", "SELECT name FROM experiment", "--csv"}).output,
+              HasSubstr("\"small\x1b[31m\nforged\""))
+      << "data are exact";
+}
+
 /// SQLite reads the first statement of what a table was made by; a report is made with the same text.
 TEST_F(HostileNames, OfStatementsInASchemaAreNotCarriedOut) {
   program_.write("small.toml", kSmallRun);
