@@ -26,7 +26,7 @@ struct CompareOptions : CommonOptions {
 
 void run_compare(const CompareOptions& options) {
   check_output(options.json, options.csv);
-  make_output_folder(options.out);
+  check_output_folder(options.out);
   Workbench bench(options);
   const Workbench::Fitted fitted =
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
@@ -46,6 +46,7 @@ void run_compare(const CompareOptions& options) {
   if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result, where));
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));
   if (!options.out.empty()) {
+    make_output_folder(options.out);
     const std::string title = fmt::format("{} · revision {}", heading.experiment, bench.revision().number);
     draw_comparison(compared.result, title, options.out);
     draw_where(where, title, options.out);

@@ -53,7 +53,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
 
 void run_diagnose(DiagnoseOptions options) {
   check_output(options.json);
-  make_output_folder(options.out);
+  check_output_folder(options.out);
   Workbench bench(options);
   options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
   check_segment(bench.rig().experiment.diagnosis.segment, bench.rig().trials);
@@ -65,6 +65,7 @@ void run_diagnose(DiagnoseOptions options) {
     fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string()), known ? "(from the database)\n" : "");
   if (options.json) write_output(*options.json, diagnosis_json(diagnosis));
   if (!options.out.empty()) {
+    make_output_folder(options.out);
     const std::string title = fmt::format("{} · revision {}", bench.rig().experiment.name, bench.revision().number);
     draw_diagnosis(diagnosis, title, options.out);
     if (!options.quiet) fmt::print(stderr, "pictures are in {}\n", options.out.string());

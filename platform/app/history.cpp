@@ -58,7 +58,7 @@ StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) 
 
 void run_history(const HistoryOptions& options) {
   check_output(options.json, options.csv);
-  make_output_folder(options.out);
+  check_output_folder(options.out);
   const Rig rig = open_rig(options);
   const std::filesystem::path file = database_of(options, rig.experiment);
   const StoredHistory history = stored_history(file, rig);
@@ -70,8 +70,10 @@ void run_history(const HistoryOptions& options) {
   }
   if (options.json) write_output(*options.json, history_json(history.rows, history.looks, history.missing, next));
   if (options.csv) write_output(*options.csv, history_csv(history.rows));
-  if (!options.out.empty() && !history.rows.empty())
+  if (!options.out.empty() && !history.rows.empty()) {
+    make_output_folder(options.out);
     draw_history(history.rows, rig.experiment.name + " · error by revision", options.out);
+  }
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ void check_file(const fs::path& file) {
   if (const auto why = why_not_writable(file)) refuse(file, "cannot be written: " + *why);
 }
 
+/// The folder itself, or else the one in which it, or what it lies in, would be made.
+fs::path first_there(fs::path folder) {
+  std::error_code ignored;
+  while (!folder.empty() && !fs::exists(fs::symlink_status(folder, ignored))) folder = folder.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
 }  // namespace
 
 void write_output(const std::string& to, const std::string& text) {
@@ -73,13 +80,22 @@ void refuse_outputs_among(const std::vector<fs::path>& inputs) {
                            : "is " + input.string() + ", which this command reads; give the results another file");
 }
 
+void check_output_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  const fs::path place = first_there(folder);
+  std::error_code failure;
+  if (!fs::is_directory(place, failure))
+    refuse(folder, "cannot be a folder for results: " + std::string(std::strerror(ENOTDIR)));
+  if (::access(place.c_str(), W_OK) != 0)
+    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
+}
+
 void make_output_folder(const fs::path& folder) {
   if (folder.empty()) return;
+  check_output_folder(folder);
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) refuse(folder, "cannot be a folder for results: " + failure.message());
-  if (::access(folder.c_str(), W_OK) != 0)
-    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
 }
 
 }  // namespace lacuna

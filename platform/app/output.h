@@ -26,7 +26,10 @@ void forget_outputs();
 /// are not there yet count by their names.
 void refuse_outputs_among(const std::vector<std::filesystem::path>& inputs);
 
-/// The same for a folder, which is made where it is missing; an empty path is no folder.
+/// The same as `check_output` for a folder, which may be missing; an empty path is no folder.
+void check_output_folder(const std::filesystem::path& folder);
+
+/// Called when there are results for it: makes it where it is missing.
 void make_output_folder(const std::filesystem::path& folder);
 
 }  // namespace lacuna

@@ -53,6 +53,7 @@ TEST_P(BadInputTest, IsSaidInOneVoiceAndChangesNothing) {
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(program_.read("first-steps.toml"), as_written);
   EXPECT_EQ(program_.read("shopping.db"), "This was a shopping list and is kept.\n");
+  EXPECT_FALSE(fs::exists(program_.folder() / "not")) << "a folder for results that there are none of";
   EXPECT_FALSE(fs::exists(program_.folder() / "first-steps.db")) << "it was refused before the database was made";
 }
 
@@ -133,6 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
                      "nowhere.toml: no such file"},
         BadInputCase{"PicturesIntoAFile", "compare first-steps.toml --out one.csv", 2,
                      "one.csv: cannot be a folder for results"},
+        BadInputCase{"PicturesBelowAFile", "compare first-steps.toml --out one.csv/pictures", 2,
+                     "one.csv/pictures: cannot be a folder for results"},
+        BadInputCase{"PicturesOfNothing", "compare nowhere.toml --out not/made", 2, "nowhere.toml: "},
+        BadInputCase{"PicturesOfABadValue", "compare first-steps.toml --set engine.step=-1 --out not/made", 2,
+                     "engine"},
+        BadInputCase{"PicturesOfNoDiagnosis", "diagnose nowhere.toml --out not/made", 2, "nowhere.toml: "},
+        BadInputCase{"PicturesOfNoHistory", "history nowhere.toml --out not/made", 2, "nowhere.toml: "},
         BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json=nowhere/result.json", 2,
                      "nowhere/result.json: cannot be written: there is no folder nowhere"},
         BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv=folder", 2, "folder: is a folder; name a file"},
