@@ -65,6 +65,13 @@ void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, 
     fmt::print("→ lacuna {} {}\n", drawing_command(ends, bench), shell_word(database.file().string()));
 }
 
+/// A supervisor types the same line again, whatever became of the run.
+void say_finished(const RunOptions& options, const std::string& experiment, RunId run, const std::string& database) {
+  if (takes_standard_output(options.json)) return;
+  fmt::print("{} is finished: run {} in {} is done. Without --resume a new run begins\n→ lacuna runs {}\n", experiment,
+             run.value, database, shell_word(database));
+}
+
 void run(const RunOptions& options) {
   check_output(options.json);
   const EeaBench bench(open_rig(options));
@@ -77,6 +84,7 @@ void run(const RunOptions& options) {
     fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
   if (!options.quiet)
     for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
+  if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
   std::vector<ReplicateEnd> ends;

@@ -37,39 +37,58 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
   return fmt::format("{}", fmt::join(other, ", with "));
 }
 
-/// Takes the run into the plan, or says why not.
-void consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, const Database& database,
+/// Takes the run into the plan, or says why not. Whether it was begun with what there is now.
+bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, const Database& database,
               RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);
   const std::string other = difference(stored, options, bench);
   if (!other.empty()) {
     plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
-    return;
+    return false;
   }
   RunClaim claim(database, run.run);
   if (!claim.held()) {
     plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
-    return;
+    return true;
   }
   plan.replicates.push_back({run.run, run.replicate, stored.seed});
   plan.claims.push_back(std::move(claim));
+  return true;
+}
+
+/// The newest run that is done and was begun with what there is now. Where it is the settings that keep the newest one
+/// from being it, that is said.
+std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOptions& options, const EeaBench& bench,
+                                  const Database& database, RunPlan& plan) {
+  std::erase_if(runs, [](const EeaRunListing& run) { return run.ending != "done"; });
+  std::string of_newest;
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    const std::string other = difference(stored_run(database, run->run), options, bench);
+    if (other.empty()) return run->run;
+    if (of_newest.empty()) of_newest = fmt::format("run {} is done, but was begun with {}", run->run.value, other);
+  }
+  if (!of_newest.empty()) plan.left.push_back(of_newest);
+  return std::nullopt;
 }
 
 [[noreturn]] void refuse(const Database& database, const std::string& name, const RunPlan& plan) {
   const SourceLocation file{database.file().string()};
   std::vector<Problem> problems;
   for (const std::string& reason : plan.left) problems.push_back({file, reason});
-  const char* const why = plan.left.empty() ? "; every one of them is done" : "; without --resume a new one begins";
-  problems.push_back({file, "has no run of " + name + " to go on with" + why});
+  problems.push_back({file, "has no run of " + name + " to go on with; without --resume a new one begins"});
   throw BadInput(std::move(problems));
+}
+
+std::vector<EeaRunListing> runs_of(const Database& database, const std::string& experiment) {
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::erase_if(runs, [&](const EeaRunListing& run) { return run.experiment != experiment; });
+  return runs;
 }
 
 }  // namespace
 
 bool has_run(const Database& database, const EeaBench& bench) {
-  const std::vector<EeaRunListing> runs = eea_runs(database);
-  return std::any_of(runs.begin(), runs.end(),
-                     [&](const EeaRunListing& run) { return run.experiment == bench.rig().experiment.name; });
+  return !runs_of(database, bench.rig().experiment.name).empty();
 }
 
 RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
@@ -97,11 +116,15 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   RunPlan plan;
   plan.threads = options.threads > 0 ? options.threads : default_threads();
   const std::string& name = bench.rig().experiment.name;
-  for (const EeaRunListing& run : eea_runs(database)) {
-    if (run.experiment != name) continue;
-    if (run.ending != "done") consider(run, options, bench, database, plan);
+  const std::vector<EeaRunListing> runs = runs_of(database, name);
+  bool unfinished = false;
+  for (const EeaRunListing& run : runs)
+    if (run.ending != "done" && consider(run, options, bench, database, plan)) unfinished = true;
+  if (plan.replicates.empty()) {
+    if (!unfinished) plan.finished = finished_run(runs, options, bench, database, plan);
+    if (!plan.finished) refuse(database, name, plan);
+    return plan;
   }
-  if (plan.replicates.empty()) refuse(database, name, plan);
   ResultStore store(database);
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);

@@ -64,9 +64,14 @@ TEST_F(Resume, GoesOnWithTheRunsOfTheSameSettingsAndLeavesTheOthers) {
   EXPECT_THAT(plain.errors, HasSubstr("run 2 was begun with --set target.hidden_seed=3"));
   EXPECT_THAT(program_.run({"runs", "small.db"}).output,
               AllOf(ContainsRegex("1 +small +1 +done"), ContainsRegex("2 +small +1 +interrupted")));
-  const Outcome none = program_.run({"run", "small.toml", "--resume"});
+  const Outcome finished = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(finished.exit_code, kDone) << finished.errors;
+  EXPECT_THAT(finished.errors, HasSubstr("run 2 was begun with --set target.hidden_seed=3"));
+  EXPECT_THAT(finished.output, HasSubstr("small is finished: run 1 in small.db is done"));
+  const Outcome none = program_.run({"run", "small.toml", "--set", "target.hidden_seed=4", "--resume"});
   EXPECT_EQ(none.exit_code, kBadInput);
-  EXPECT_THAT(none.errors, AllOf(HasSubstr("run 2 was begun with --set target.hidden_seed=3"),
+  EXPECT_THAT(none.errors, AllOf(HasSubstr("run 1 is done, but was begun with no --set"),
+                                 HasSubstr("run 2 was begun with --set target.hidden_seed=3"),
                                  HasSubstr("has no run of small to go on with")));
   EXPECT_EQ(program_.run({"run", "small.toml", "--set", "target.hidden_seed=3", "--resume"}).exit_code, kDone);
 }
@@ -97,8 +102,8 @@ TEST_F(Resume, BeginsWhereThereIsNothingToGoOnWith) {
   ASSERT_EQ(other.exit_code, kDone) << other.errors;
   EXPECT_THAT(other.errors, HasSubstr("small.db has no run of other yet"));
   const Outcome done = program_.run({"run", "small.toml", "--resume"});
-  EXPECT_EQ(done.exit_code, kBadInput);
-  EXPECT_THAT(done.errors, HasSubstr("has no run of small to go on with; every one of them is done"));
+  EXPECT_EQ(done.exit_code, kDone) << done.errors;
+  EXPECT_THAT(done.output, HasSubstr("small is finished: run 1 in small.db is done"));
   EXPECT_THAT(program_.run({"runs", "small.db"}).output, Not(HasSubstr("\n3 "))) << "no second run of what is done";
 }
 

@@ -143,11 +143,15 @@ TEST_F(Run, InterruptedGoesOnToTheSameRows) {
   }
 }
 
-TEST_F(Run, ResumeSaysWhereThereIsNothingToGoOnWith) {
+TEST_F(Run, ResumeOfAFinishedRunSucceedsAndSaysWhereItIs) {
   ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
   const Outcome again = program_.run({"run", "small.toml", "--resume"});
-  EXPECT_EQ(again.exit_code, kBadInput);
-  EXPECT_THAT(again.errors, HasSubstr("every one of them is done"));
+  EXPECT_EQ(again.exit_code, kDone) << again.errors;
+  EXPECT_THAT(again.output, HasSubstr("small is finished: run 1 in small.db is done"));
+  program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
+  const Outcome changed = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(changed.exit_code, kBadInput) << "what the file says now has not been run";
+  EXPECT_THAT(changed.errors, HasSubstr("run 1 is done, but was begun with another text of this experiment"));
 }
 
 TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
