@@ -32,14 +32,32 @@ std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& 
                      format_duration(end.seconds), evaluations, 100.0 * end.storage_seconds / end.process_seconds);
 }
 
+/// Where the content of a database is now that was moved or replaced meanwhile; nothing: where it was.
+std::string why_lost(Database& database) {
+  try {
+    database.check_not_moved();
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+[[noreturn]] void throw_lost(const std::string& failures, const std::string& why, const std::filesystem::path& file) {
+  const bool said = failures.find(why) != std::string::npos;
+  throw Error(failures + (said ? "" : why + "\n") + file.string() +
+              " is no longer this run's database. To go on with the run, type the same command with --resume and --db "
+              "FILE, where FILE is the file that holds what was stored");
+}
+
 /// Throws where a replicate did not reach its end.
-void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
+void judge(const std::vector<ReplicateEnd>& ends, bool resumed, Database& database) {
   std::string failures;
   bool interrupted = false;
   for (const ReplicateEnd& end : ends) {
     interrupted = interrupted || end.ending == RunEnding::interrupted;
     if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
   }
+  if (const std::string why = why_lost(database); !why.empty()) throw_lost(failures, why, database.file());
   const std::string again = command_line() + (resumed ? "" : " --resume") + " goes on from here";
   if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
   if (interrupted) throw Interrupted("interrupted; " + again);
@@ -94,7 +112,7 @@ void run(const RunOptions& options) {
   }
   database.check_in_place();  // also since the last commit
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
-  judge(ends, options.resume);
+  judge(ends, options.resume, database);
   lines.throw_if_failed();
 }
 

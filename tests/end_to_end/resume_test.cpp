@@ -178,10 +178,14 @@ TEST_F(Resume, AReplacedDatabaseHarmsNobody) {
   const Outcome noticed = program_.run_and_signal(run, replace, SIGCONT);
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
   EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was replaced by another file while it was open"),
-                                    HasSubstr("small.db.rescued")));
+                                    HasSubstr("small.db.rescued"), HasSubstr("--resume and --db FILE"),
+                                    Not(HasSubstr("lacuna run small.toml"))))
+      << "that would go on with the other database";
   EXPECT_EQ(program_.read("small.db"), theirs);
   EXPECT_FALSE(std::filesystem::exists(program_.folder() / "small.db-wal"));
   EXPECT_THAT(program_.run({"runs", "small.db.rescued"}).output, ContainsRegex("1 +small +1"));
+  EXPECT_EQ(program_.run({"run", "small.toml", "--resume", "--db", "small.db.rescued"}).exit_code, kDone);
+  EXPECT_EQ(hash("small.db.rescued"), their_hash) << "it goes on to the same rows";
 
   for (const std::string command :
        {"lacuna sql small.db 'SELECT count(*) FROM runs'", "lacuna hash small.db",
