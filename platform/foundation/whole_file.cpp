@@ -34,7 +34,7 @@ bool names_descriptor(const fs::path& file) {
   return folder == "/dev" || folder.starts_with("/proc/");
 }
 
-/// The file that a name stands for.
+/// The file that a name stands for. It is a link itself only where links lead in a circle.
 fs::path end_of_links(fs::path file) {
   constexpr int kMostLinks = 40;  // as many as Linux follows
   std::error_code none;
@@ -42,6 +42,14 @@ fs::path end_of_links(fs::path file) {
     file = folder_of(file) / fs::read_symlink(file, none);
   return file;
 }
+
+/// Such a link leads to no file: it is damaged, or another one was meant, and is not replaced.
+bool is_circle(const fs::path& target) {
+  std::error_code none;
+  return fs::is_symlink(target, none) && !names_descriptor(target);
+}
+
+constexpr const char* kCircle = "its symbolic links lead in a circle; remove the link, or name another file";
 
 bool is_written_directly(const fs::path& target) {
   std::error_code none;
@@ -88,6 +96,7 @@ WholeFile::WholeFile(const fs::path& file, Link link)
       target_(link == Link::followed ? end_of_links(file) : file),
       direct_(link == Link::followed && is_written_directly(target_)),
       stream_(nullptr) {
+  if (link == Link::followed && is_circle(target_)) throw Error(file_.string() + ": cannot be written: " + kCircle);
   struct stat old {};
   const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
@@ -166,6 +175,7 @@ void write_whole(const fs::path& file, std::string_view text, Link link) {
 
 std::optional<std::string> why_not_writable(const fs::path& file) {
   const fs::path target = end_of_links(file), folder = folder_of(target);
+  if (is_circle(target)) return kCircle;
   std::error_code none;
   if (fs::exists(target, none) && ::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
   if (is_written_directly(target)) return std::nullopt;

@@ -41,6 +41,7 @@ class BadInputTest : public testing::TestWithParam<BadInputCase> {
     program_.write("one.csv", "t_s,angle_deg,torque_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
     program_.write("shopping.db", "This was a shopping list and is kept.\n");
     fs::create_directory(program_.folder() / "folder");
+    fs::create_symlink("circle.json", program_.folder() / "circle.json");
   }
   Program program_;
 };
@@ -143,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{"PicturesOfNoHistory", "history nowhere.toml --out not/made", 2, "nowhere.toml: "},
         BadInputCase{"JsonIntoNowhere", "compare first-steps.toml --json=nowhere/result.json", 2,
                      "nowhere/result.json: cannot be written: there is no folder nowhere"},
+        BadInputCase{"JsonIntoACircleOfLinks", "compare first-steps.toml --json=circle.json", 2,
+                     "circle.json: cannot be written: its symbolic links lead in a circle"},
         BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv=folder", 2, "folder: is a folder; name a file"},
         BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 2,
                      "shopping.db: is not a database; name another file, or move this one away"},

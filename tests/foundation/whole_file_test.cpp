@@ -134,6 +134,15 @@ TEST_F(WholeFileTest, FollowsALinkThatTheUserNamed) {
   EXPECT_EQ(read_bytes(folder_ / "later.json"), "new\n");
 }
 
+TEST_F(WholeFileTest, RefusesLinksThatLeadInACircle) {
+  fs::create_symlink("b.json", folder_ / "a.json");
+  fs::create_symlink("a.json", folder_ / "b.json");
+  EXPECT_THAT(why_not_writable(folder_ / "a.json"), testing::Optional(HasSubstr("links lead in a circle")));
+  EXPECT_THAT([&] { write_whole(folder_ / "a.json", "new\n", Link::followed); },
+              testing::ThrowsMessage<Error>(HasSubstr("a.json: cannot be written: its symbolic links")));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "a.json") && fs::is_symlink(folder_ / "b.json"));
+}
+
 TEST_F(WholeFileTest, ReplacesALinkThatHasANameOfOurs) {
   fs::create_symlink(file_, folder_ / "angle.svg");
   write_whole(folder_ / "angle.svg", "new\n", Link::replaced);
