@@ -201,9 +201,9 @@ std::vector<NamedElement> named_elements(const RobotSpec& robot) {
 std::string nothing_matches(const std::string& pattern, const std::vector<NamedElement>& elements) {
   std::vector<std::string> addresses;
   for (const NamedElement& element : elements) addresses.push_back(element.address);
-  std::string known;
-  for (const std::string& address : addresses) known += (known.empty() ? "" : ", ") + address;
-  return "\"" + pattern + "\" matches nothing of the robot" + did_you_mean(pattern, addresses) + "; it has " + known;
+  return "\"" + pattern + "\" matches nothing of the robot" + did_you_mean(pattern, addresses) + "; it has " +
+         nearest_names(pattern, addresses) +
+         (addresses.size() > kMostNearest ? "; lacuna check FILE lists its joints, actuators and sensors" : "");
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+/// "joint" of "joint.hinge"; empty of a name without a point.
+std::string kind_of(const std::string& name) {
+  const std::size_t point = name.find('.');
+  return point == std::string::npos ? std::string() : name.substr(0, point);
+}
+
 constexpr std::size_t kShortestPart = 3;  // letters; shorter words are part of too much
 
 /// Whether `word` is the beginning or the end of `candidate`, set off by a point or an underscore.
@@ -91,6 +97,21 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   for (const std::string& candidate : candidates)
     if (nearest == nullptr && is_part(word, candidate)) nearest = &candidate;
   return nearest ? " (did you mean \"" + *nearest + "\"?)" : "";
+}
+
+std::string nearest_names(const std::string& word, std::vector<std::string> names) {
+  const std::size_t all = names.size();
+  if (all > kMostNearest) {
+    std::vector<std::tuple<bool, std::size_t, std::string>> ranked;
+    for (std::string& name : names)
+      ranked.emplace_back(kind_of(name) != kind_of(word), edit_distance(word, name), std::move(name));
+    std::sort(ranked.begin(), ranked.end());
+    names.clear();
+    for (std::size_t i = 0; i < kMostNearest; ++i) names.push_back(std::get<2>(ranked[i]));
+  }
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return all > kMostNearest ? text + " and " + std::to_string(all - kMostNearest) + " more" : text;
 }
 
 }  // namespace lacuna

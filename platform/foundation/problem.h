@@ -54,4 +54,10 @@ class ProblemList {
 /// `word` is a part of, up to a point or an underscore: "hinge" of "joint.hinge", "coulomb" of "coulomb_friction".
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
+constexpr std::size_t kMostNearest = 5;
+
+/// The nearest of `names` and how many more there are: "a, b, c, d, e and 43 more". Of addresses, those of the same
+/// kind come first. Up to `kMostNearest` names stand as they are.
+std::string nearest_names(const std::string& word, std::vector<std::string> names);
+
 }  // namespace lacuna

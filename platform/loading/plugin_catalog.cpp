@@ -2,6 +2,7 @@
 
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
+#include "foundation/shell_word.h"
 #include "loading/conformance.h"
 
 #include <sys/stat.h>
@@ -166,14 +167,11 @@ ComponentOrigin PluginCatalog::origin(std::string_view kind, const std::string& 
 std::string PluginCatalog::missing(std::string_view kind, const std::string& name) const {
   const std::string noun = component_noun(kind);
   std::vector<std::string> names;
-  std::string known;
-  for (const auto& entry : entries_) {
-    if (entry->kind != kind) continue;
-    names.push_back(entry->origin.name);
-    known += (known.empty() ? "" : ", ") + entry->origin.name;
-  }
+  for (const auto& entry : entries_)
+    if (entry->kind == kind) names.push_back(entry->origin.name);
   std::string text = "there is no " + noun + " \"" + name + "\"" + did_you_mean(name, names);
-  text += known.empty() ? "; there is no plugin with a " + noun : "; there is " + known;
+  text += names.empty() ? "; there is no plugin with a " + noun : "; there is " + nearest_names(name, names);
+  if (names.size() > kMostNearest) text += "; lacuna plugins list --kind " + shell_word(noun) + " names all";
   text += "; searched in";
   for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();
   if (folders_.empty()) text += " no folder (name one with --plugin-path)";

@@ -163,6 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
                      "there is no effect \"coulomb\" (did you mean \"coulomb_friction\"?)"},
         BadInputCase{"ARobotIsNoEffect", "add first-steps.toml declared --where joint.hinge", 2,
                      "there is no effect \"declared\""},
+        BadInputCase{"NothingIsNearOfMany", "add first-steps.toml declared --where joint.hinge", 2,
+                     "more; lacuna plugins list --kind effect names all; searched in"},
         BadInputCase{"PlacedOnTheWorld", "add first-steps.toml coulomb_friction --where world", 2,
                      "coulomb_friction cannot be placed on the world; place it on a joint"},
         BadInputCase{"PlacedNowhereOfSeveralPlaces", "add smoke/quadruped-parametric.toml coulomb_friction", 2,

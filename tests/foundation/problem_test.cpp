@@ -36,6 +36,22 @@ TEST(DidYouMean, KnowsACandidateByItsPart) {
 
 TEST(DidYouMean, SaysNothingWhenNothingIsNear) { EXPECT_EQ(did_you_mean("banana", {"coulomb_friction"}), ""); }
 
+TEST(NearestNames, AreAllOfAFew) {
+  EXPECT_EQ(nearest_names("x", {"cma_es", "truncation"}), "cma_es, truncation");
+  EXPECT_EQ(nearest_names("x", {}), "");
+}
+
+TEST(NearestNames, AreFiveOfManyTheNearestFirst) {
+  EXPECT_EQ(nearest_names("slop", {"armature", "backlash", "slope", "stop", "shop", "slow", "wheel_slip"}),
+            "shop, slope, slow, stop, backlash and 2 more");
+}
+
+TEST(NearestNames, BeginWithThoseOfTheSameKind) {
+  EXPECT_EQ(nearest_names("joint.foo", {"body.foot", "body.fox", "joint.left_hip", "joint.left_knee", "joint.right_hip",
+                                        "joint.right_knee", "world"}),
+            "joint.left_hip, joint.left_knee, joint.right_hip, joint.right_knee, body.foot and 2 more");
+}
+
 TEST(ProblemList, SaysNothingTwice) {
   ProblemList problems;
   problems.add({"a.toml", 3, 1}, "is in deg");
