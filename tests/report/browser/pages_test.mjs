@@ -509,6 +509,26 @@ describe('a report', () => {
     await page.close();
   });
 
+  it('tells a model that was not analysed from one whose error shows no pattern', async () => {
+    for (const [name, change, said] of [
+      ['not-analysed', 'DELETE FROM where_it_fails', /Not analysed for this revision/],
+      [
+        'no-pattern',
+        `UPDATE where_it_fails SET document = json('{"findings": [], "where": {"views": []}}')`,
+        /no significant dependence/,
+      ],
+    ]) {
+      await edit('rig.db', `${name}.db`, (database) => database.run(change));
+      lacuna('report', `${name}.db`, '--out', `${name}.html`, '--quiet');
+      const page = await newPage(browser);
+      await go(page, url(`${name}.html`), '#/compare?experiment=damped-flap');
+      await page.waitForSelector('aside.side .empty');
+      assert.match(await page.textContent('aside.side .empty'), said);
+      noFaults(page);
+      await page.close();
+    }
+  });
+
   it('survives a query without an end', async () => {
     const page = await newPage(browser);
     const endless = 'WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n';

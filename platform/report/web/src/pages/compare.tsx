@@ -108,6 +108,20 @@ function Summary({ worst }: { worst: Score | null }) {
   );
 }
 
+function NoFinding({ analysed }: { analysed: boolean }) {
+  return (
+    <Empty>
+      {analysed ? (
+        'The error on the fit trials shows no significant dependence on input or state.'
+      ) : (
+        <>
+          Not analysed for this revision. <code>lacuna compare FILE</code> fits the model and analyses the fit trials.
+        </>
+      )}
+    </Empty>
+  );
+}
+
 function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: string }) {
   const own = scores.filter((one) => one.trial === trial);
   const comparison = own[0].comparison;
@@ -147,11 +161,7 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
         <aside class="side">
           <h2>Where it fails</h2>
           {where.error && <p class="error">{where.error}</p>}
-          {where.value && findings.length === 0 && (
-            <Empty>
-              Nowhere in particular, or never asked: <code>lacuna compare</code> looks on the fit trials.
-            </Empty>
-          )}
+          {where.value && findings.length === 0 && <NoFinding analysed={where.value.where !== null} />}
           <ol class="findings">
             {findings.map((one, i) => (
               <li key={i} class={one === chosen ? 'chosen' : ''}>
