@@ -39,7 +39,7 @@ void run_compare(const CompareOptions& options) {
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     fmt::print("{}", fit_text(fitted.result));
-    for (const std::string& fault : bench.faults(fitted.result)) fmt::print("in doubt: {}\n", fault);
+    fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
     fmt::print("{}", where_text(where));
     fmt::print("{}", advice_text(compared.result, options.experiment.string()));
   }

@@ -25,7 +25,7 @@ void run_fit(const CommonOptions& options) {
                counted(bench.rig().count(false), "fit trial"),
                fitted.known ? "known" : format_duration(fitted.result.seconds));
     fmt::print("{}", fit_text(fitted.result));
-    for (const std::string& fault : bench.faults(fitted.result)) fmt::print("in doubt: {}\n", fault);
+    fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
     fmt::print("→ lacuna compare {}\n", shell_word(options.experiment.string()));
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));

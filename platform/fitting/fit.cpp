@@ -102,16 +102,16 @@ class Fitter {
     }
   }
 
-  /// As long as a start stays certain that was estimated over the longest segments so far.
+  /// As long as the uncertainty of an initial state stays small that was estimated over the longest segments so far.
   void find_horizon(PlannedStage& stage, double head) {
     const double horizon = std::max(head, automatic_horizon(predictor_, *states_, current_values(), head));
     stage.length = std::isfinite(horizon) ? horizon : 0.0;
     stage.name = stage.length > 0.0 ? fmt::format("segments of {:.3g} s (automatic horizon)", horizon) : "free run";
     if (stage.length > 0.0)
-      result_.notes.push_back(
-          fmt::format("a start estimated over {:.3g} s stays certain to twice the noise for {:.3g} s: the last stage's "
-                      "segments are that long",
-                      head, horizon));
+      result_.notes.push_back(fmt::format(
+          "the last stage uses segments of {:.3g} s: up to this length, the uncertainty of an initial state "
+          "estimated over {:.3g} s stays below twice the noise",
+          horizon, head));
   }
 
   /// The coarser model scouts where it can be simulated at all.
@@ -306,9 +306,10 @@ class Fitter {
     result_.correlation_time = known.correlation_time;
     result_.samples = problem_->samples();
     if (known.few_blocks)
-      result_.notes.push_back(
-          fmt::format("residuals are correlated over {:.2g} s; the intervals rest on {} blocks of the recording only",
-                      known.correlation_time, known.blocks));
+      result_.notes.push_back(fmt::format(
+          "the 95 % intervals are rough: residuals are correlated over {:.2g} s, so that the trials give only "
+          "{} nearly independent blocks of data; longer trials help",
+          known.correlation_time, known.blocks));
     if (!best.search.converged)
       result_.notes.push_back(
           fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",

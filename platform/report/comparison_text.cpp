@@ -86,7 +86,8 @@ std::string horizons_line(const Comparison& comparison, const std::string& chann
   }
   if (line.empty()) return "";
   if (std::isfinite(comparison.start_horizon))
-    line += fmt::format(" · a start stays certain for {:.2g} s", comparison.start_horizon);
+    line +=
+        fmt::format(" · initial-state uncertainty stays below twice the noise for {:.2g} s", comparison.start_horizon);
   return "restarted " + line + "\n";
 }
 
@@ -143,6 +144,14 @@ std::string fit_text(const FitResult& fit) {
   std::string text = text_table(rows, 1) + bound_text(fit);
   for (const std::string& sentence : fit.cannot_tell) text += sentence + "\n";
   for (const std::string& note : fit.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+std::string failed_checks_text(const std::vector<std::string>& faults) {
+  std::string text;
+  for (const std::string& fault : faults) text += "data check failed: " + fault + "\n";
+  if (!text.empty())
+    text += "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on it\n";
   return text;
 }
 

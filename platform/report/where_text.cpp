@@ -136,7 +136,7 @@ std::string finding_text(const Finding& finding, const FeatureTable& table) {
 std::string where_text(const WhereItFails& where) {
   if (where.views.empty()) return "";
   if (where.findings.empty())
-    return fmt::format("where  nowhere in particular: no dependence on input or state shows ({}, 99 %)\n",
+    return fmt::format("where  no significant dependence on input or state (99 % level, {} tested)\n",
                        counted(where.table.features.size(), "feature"));
   std::string text;
   for (std::size_t i = 0; i < std::min(kShown, where.findings.size()); ++i)

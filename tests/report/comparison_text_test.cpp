@@ -85,5 +85,13 @@ TEST(ComparisonCsv, HasAsManyValuesAsNames) {
   EXPECT_THAT(text, HasSubstr(",0.125,"));
 }
 
+TEST(FailedChecksText, NamesEachFaultAndWhatItMeans) {
+  EXPECT_EQ(failed_checks_text({}), "");
+  EXPECT_EQ(failed_checks_text({"sine.csv: angle does not move", "steps.csv: angle does not move"}),
+            "data check failed: sine.csv: angle does not move\n"
+            "data check failed: steps.csv: angle does not move\n"
+            "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on it\n");
+}
+
 }  // namespace
 }  // namespace lacuna
