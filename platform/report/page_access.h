@@ -9,7 +9,8 @@ namespace lacuna {
 /// 128 bits from the system, as hexadecimal digits.
 std::string random_token();
 
-/// Who may ask a page server: whoever has its token, by a name of this machine, from its own pages.
+/// Who may ask a page server: whoever has its token, by a name of this machine, from its own pages. The port that they
+/// ask for may be another one than the server's: that of an SSH tunnel.
 class PageAccess {
  public:
   /// `host`: the address that the server listens at.

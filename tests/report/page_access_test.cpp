@@ -51,6 +51,14 @@ TEST(PageAccessTest, AnswersToNamesOfThisMachine) {
   EXPECT_THAT(PageAccess(kToken, "Rig.example").refusal(get("rig.example:80")), IsEmpty());
 }
 
+TEST(PageAccessTest, IsReachedThroughATunnel) {
+  const PageAccess access(kToken, "127.0.0.1");
+  const char* const here = "127.0.0.1:8080";  // ssh -L 8080:127.0.0.1:PORT
+  EXPECT_THAT(access.refusal(get(here)), IsEmpty());
+  EXPECT_THAT(access.refusal(post(here, {{"origin", "http://127.0.0.1:8080"}})), IsEmpty());
+  EXPECT_THAT(access.refusal(post(here, {{"origin", "http://127.0.0.1:8081"}})), HasSubstr("another site"));
+}
+
 TEST(PageAccessTest, RefusesOtherSitesPages) {
   const PageAccess access(kToken, "127.0.0.1");
   EXPECT_THAT(access.refusal(post("127.0.0.1:80", {{"origin", "http://127.0.0.1:80"}})), IsEmpty());
