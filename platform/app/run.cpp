@@ -35,29 +35,42 @@ std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& 
 /// Where the content of a database is now that was moved or replaced meanwhile; nothing: where it was.
 std::string why_lost(Database& database) {
   try {
-    database.check_not_moved();
+    database.check_in_place();
     return "";
   } catch (const Error& error) {
     return error.what();
   }
 }
 
-[[noreturn]] void throw_lost(const std::string& failures, const std::string& why, const std::filesystem::path& file) {
+[[noreturn]] void throw_lost(const std::string& failures, const std::string& why, const Database& database) {
   const bool said = failures.find(why) != std::string::npos;
-  throw Error(failures + (said ? "" : why + "\n") + file.string() +
-              " is no longer this run's database. To go on with the run, type the same command with --resume and --db "
-              "FILE, where FILE is the file that holds what was stored");
+  std::string message =
+      failures + (said ? "" : why + "\n") + database.file().string() + " is no longer this run's database";
+  if (database.has_moved())
+    message +=
+        ". To go on with the run, type the same command with --resume and --db FILE, where FILE is the file that holds "
+        "what was stored";
+  throw Error(message);
+}
+
+/// A line for each replicate that failed.
+std::string failures_of(const std::vector<ReplicateEnd>& ends) {
+  std::string failures;
+  for (const ReplicateEnd& end : ends)
+    if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
+  return failures;
+}
+
+/// Throws where the database is not where it was opened any more, since the last commit included.
+void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) {
+  if (const std::string why = why_lost(database); !why.empty()) throw_lost(failures_of(ends), why, database);
 }
 
 /// Throws where a replicate did not reach its end.
-void judge(const std::vector<ReplicateEnd>& ends, bool resumed, Database& database) {
-  std::string failures;
-  bool interrupted = false;
-  for (const ReplicateEnd& end : ends) {
-    interrupted = interrupted || end.ending == RunEnding::interrupted;
-    if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
-  }
-  if (const std::string why = why_lost(database); !why.empty()) throw_lost(failures, why, database.file());
+void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
+  const std::string failures = failures_of(ends);
+  const bool interrupted = std::any_of(ends.begin(), ends.end(),
+                                       [](const ReplicateEnd& end) { return end.ending == RunEnding::interrupted; });
   const std::string again = command_line() + (resumed ? "" : " --resume") + " goes on from here";
   if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
   if (interrupted) throw Interrupted("interrupted; " + again);
@@ -110,9 +123,9 @@ void run(const RunOptions& options) {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
-  database.check_in_place();  // also since the last commit
+  check_kept(ends, database);
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
-  judge(ends, options.resume, database);
+  judge(ends, options.resume);
   lines.throw_if_failed();
 }
 

@@ -73,6 +73,8 @@ class Database {
   /// transaction, which `is_in_place` need not be.
   void check_in_place();
   bool is_in_place() const;
+  /// Whether the file was moved, deleted or replaced by another, so that what was stored is kept elsewhere.
+  bool has_moved() const;
   /// With the mark of log_content.h. For `Transaction` alone.
   void commit();
   /// Does nothing outside of a transaction.
@@ -82,7 +84,6 @@ class Database {
   explicit Database(std::filesystem::path file);
   void read_copy_of_this_version();
   void begin_marks();
-  bool has_moved() const;
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
   std::optional<OpenPlace> place_;       ///< of a file that was opened for writing
