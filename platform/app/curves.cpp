@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/newest_setting.h"
+#include "app/options.h"
 #include "app/output.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
@@ -144,9 +145,7 @@ void curves(const CurvesOptions& options) {
   fmt::print("{}", learning_table(all, against == all.end() ? nullptr : &*against));
   for (const auto& [name, figure] :
        {std::pair{"error_by_trials.svg", error_by_trials(all)}, std::pair{"error_by_steps.svg", error_by_steps(all)}}) {
-    const std::filesystem::path file = options.folder / name;
-    if (std::filesystem::is_directory(file))
-      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
+    const std::filesystem::path file = file_for_picture(options.folder, name);
     write_svg(figure, file);
     fmt::print("{}\n", file.string());
   }
@@ -158,7 +157,7 @@ void add_curves_command(CLI::App& program) {
   auto options = std::make_shared<CurvesOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand(
       "curves", "How fast experiments learn: error by trials of the target and by simulated steps");
-  command->add_option("databases", options->databases, "Database files")->required()->option_text("DB...");
+  add_databases_argument(*command, options->databases);
   command->add_option("--experiment", options->experiments, "Only this one (default: all); may be given several times")
       ->allow_extra_args(false)
       ->option_text("NAME");

@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/options.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "storage/eea_store.h"
@@ -39,7 +40,7 @@ void print_hashes(const HashOptions& options) {
 void add_hash_command(CLI::App& program) {
   auto options = std::make_shared<HashOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("hash", "Print a hash of each run's content; equal runs have equal ones");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "This run only")->option_text("N");
   command->callback([options] { print_hashes(*options); });
 }

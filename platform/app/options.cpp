@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include "app/output.h"
 #include "command_line/whole_number.h"
 #include "foundation/shell_word.h"
 
@@ -22,6 +23,8 @@ CLI::Validator folder() {
       "");
 }
 
+void note_database(const std::string& file) { refuse_outputs_among({file}); }
+
 }  // namespace
 
 void set_command_line(int argc, char** argv) {
@@ -34,6 +37,14 @@ const std::string& command_line() { return typed_command; }
 void add_result_option(CLI::App& command, const std::string& name, std::optional<std::string>& file,
                        const std::string& description) {
   command.add_flag("--" + name + "{}", file, description)->option_text("[=FILE]");
+}
+
+void add_database_argument(CLI::App& command, std::filesystem::path& database) {
+  command.add_option("database", database, "Database file")->required()->option_text("DB")->each(note_database);
+}
+
+void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases) {
+  command.add_option("databases", databases, "Database files")->required()->option_text("DB...")->each(note_database);
 }
 
 void add_plugin_path_option(CLI::App& command, CommonOptions& options) {

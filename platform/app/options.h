@@ -34,6 +34,9 @@ const std::string& command_line();
 /// Adds the experiment argument, --set and --plugin-path.
 void add_experiment_options(CLI::App& command, CommonOptions& options);
 void add_plugin_path_option(CLI::App& command, CommonOptions& options);
+/// Adds the argument DB, a database that the command reads: no output of it may take its place.
+void add_database_argument(CLI::App& command, std::filesystem::path& database);
+void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases);
 /// Adds an option such as --json[=FILE]; without a file, "", which is standard output. The file stands behind an equals
 /// sign, so that the option never takes the word after it.
 void add_result_option(CLI::App& command, const std::string& name, std::optional<std::string>& file,

@@ -4,6 +4,7 @@
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,15 +19,43 @@ namespace fs = std::filesystem;
   throw_problem({place.string(), 0, 0}, message);
 }
 
+struct CommandFiles {
+  std::vector<fs::path> outputs, inputs;
+};
+
 /// Of this command.
-std::vector<fs::path>& checked_outputs() {
-  static std::vector<fs::path> files;
+CommandFiles& files() {
+  static CommandFiles files;
   return files;
 }
 
-bool are_one_file(const fs::path& a, const fs::path& b) {
-  std::error_code missing;
-  return fs::equivalent(a, b, missing) || fs::weakly_canonical(a, missing) == fs::weakly_canonical(b, missing);
+constexpr const char* kWhatToDo = "give the results another file";
+
+/// SQLite keeps these beside a database while it is open, and replays what it finds in them.
+bool is_log_of(const fs::path& output, const fs::path& input) {
+  const std::string place = place_of(input).string();
+  const auto is_one = [&](const char* tail) { return are_one_file(output, place + tail); };
+  return is_one("-wal") || is_one("-shm") || is_one("-journal");
+}
+
+void refuse_one_of(const fs::path& output, const fs::path& input) {
+  if (output == input) refuse(output, fmt::format("is read by this command; {}", kWhatToDo));
+  if (are_one_file(output, input))
+    refuse(output, fmt::format("is {}, which this command reads; {}", input.string(), kWhatToDo));
+  if (is_log_of(output, input))
+    refuse(output, fmt::format("has the name of a log of {}, which this command reads; {}", input.string(), kWhatToDo));
+}
+
+void refuse_input(const fs::path& output) {
+  for (const fs::path& input : files().inputs) refuse_one_of(output, input);
+}
+
+/// Of files and folders alike.
+void note_output(const fs::path& output) {
+  for (const fs::path& other : files().outputs)
+    if (are_one_file(output, other)) refuse(output, "is named by two options; give each its own file");
+  refuse_input(output);
+  files().outputs.push_back(output);
 }
 
 void check_file(const fs::path& file) {
@@ -44,6 +73,16 @@ fs::path first_there(fs::path folder) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+void check_folder(const fs::path& folder) {
+  const fs::path place = first_there(folder);
+  std::error_code failure;
+  if (!fs::is_directory(place, failure))
+    refuse(folder, "cannot be a folder for results: " + std::string(std::strerror(ENOTDIR)));
+  if (::access(place.c_str(), W_OK) != 0)
+    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
+  refuse_input(folder);
+}
+
 }  // namespace
 
 void write_output(const std::string& to, const std::string& text) {
@@ -51,6 +90,7 @@ void write_output(const std::string& to, const std::string& text) {
     exact_output() << text << std::flush;
     return;
   }
+  refuse_input(to);
   write_whole(to, text, Link::followed);
 }
 
@@ -59,40 +99,39 @@ bool takes_standard_output(const std::optional<std::string>& option) { return op
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other) {
   if (takes_standard_output(option) && takes_standard_output(other))
     throw_problem({}, "--json and --csv cannot both go to standard output; give one of them a file");
-  if (option && other && !option->empty() &&
-      fs::path(*option).lexically_normal() == fs::path(*other).lexically_normal())
-    refuse(*option, "is named by two options; give each its own file");
   for (const std::optional<std::string>& file : {option, other}) {
     if (!file || file->empty()) continue;
     check_file(*file);
-    checked_outputs().emplace_back(*file);
+    note_output(*file);
   }
 }
 
-void forget_outputs() { checked_outputs().clear(); }
+void forget_outputs() { files() = {}; }
 
 void refuse_outputs_among(const std::vector<fs::path>& inputs) {
-  for (const fs::path& output : checked_outputs())
-    for (const fs::path& input : inputs)
-      if (are_one_file(output, input))
-        refuse(output, input == output
-                           ? "is read by this command; give the results another file"
-                           : "is " + input.string() + ", which this command reads; give the results another file");
+  for (const fs::path& input : inputs) {
+    for (const fs::path& output : files().outputs) refuse_one_of(output, input);
+    files().inputs.push_back(input);
+  }
 }
 
 void check_output_folder(const fs::path& folder) {
   if (folder.empty()) return;
-  const fs::path place = first_there(folder);
-  std::error_code failure;
-  if (!fs::is_directory(place, failure))
-    refuse(folder, "cannot be a folder for results: " + std::string(std::strerror(ENOTDIR)));
-  if (::access(place.c_str(), W_OK) != 0)
-    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
+  check_folder(folder);
+  note_output(folder);
+}
+
+fs::path file_for_picture(const fs::path& folder, const std::string& name) {
+  const fs::path file = folder / name;
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) refuse(file, "is a folder; --out FOLDER puts the pictures somewhere else");
+  refuse_input(file);
+  return file;
 }
 
 void make_output_folder(const fs::path& folder) {
   if (folder.empty()) return;
-  check_output_folder(folder);
+  check_folder(folder);
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) refuse(folder, "cannot be a folder for results: " + failure.message());

@@ -14,20 +14,25 @@ void write_output(const std::string& to, const std::string& text);
 /// Whether an optional output option takes standard output, so that nothing else is printed there.
 bool takes_standard_output(const std::optional<std::string>& option);
 
-/// Called before work that takes long: throws `BadInput` where the file of an output option could not
-/// be written at its end, or where both options name one file or standard output.
+/// Called before work that takes long: throws `BadInput` where the file of an output option could not be written at its
+/// end, is one that the command reads, or is named by another output option, or where both options name standard
+/// output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
 
-/// Called where a command begins: what `check_output` let pass of an earlier one in this process is forgotten.
+/// Called where a command begins: the outputs and inputs of an earlier one in this process are forgotten.
 void forget_outputs();
 
-/// Called by whoever opens what a command reads, before work that takes long: throws `BadInput` where a file that
-/// `check_output` has let pass is one of them, by whatever name, for then the results would take its place. Files that
-/// are not there yet count by their names.
+/// Called by whoever names or opens what a command reads, before work that takes long: throws `BadInput` where an
+/// output is one of them or a log that SQLite keeps beside it, by whatever name, for then the results would take its
+/// place. Files that are not there yet count by their names. Outputs that are named or written later are refused
+/// likewise.
 void refuse_outputs_among(const std::vector<std::filesystem::path>& inputs);
 
 /// The same as `check_output` for a folder, which may be missing; an empty path is no folder.
 void check_output_folder(const std::filesystem::path& folder);
+
+/// A picture's place in the folder. Throws `BadInput` where a folder or a file that the command reads has its name.
+std::filesystem::path file_for_picture(const std::filesystem::path& folder, const std::string& name);
 
 /// Called when there are results for it: makes it where it is missing.
 void make_output_folder(const std::filesystem::path& folder);

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/newest_setting.h"
+#include "app/options.h"
 #include "app/output.h"
 #include "app/stored_bench.h"
 #include "report/file_name.h"
@@ -53,9 +54,7 @@ void plot(const PlotOptions& options) {
       fmt::format("{}, {}", listings.front().experiment,
                   listings.size() > 4 ? fmt::format("{} runs", listings.size()) : numbers(listings));
   for (const NamedFigure& named : run_figures(runs, title)) {
-    const std::filesystem::path file = options.folder / file_name(named.name + ".svg");
-    if (std::filesystem::is_directory(file))
-      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
+    const std::filesystem::path file = file_for_picture(options.folder, file_name(named.name + ".svg"));
     write_svg(named.figure, file);
     fmt::print("{}\n", file.string());
   }
@@ -66,7 +65,7 @@ void plot(const PlotOptions& options) {
 void add_plot_command(CLI::App& program) {
   auto options = std::make_shared<PlotOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("plot", "Draw the runs of a database as SVG pictures");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "This run only (default: the newest with its replicates)")
       ->option_text("N");
   command->add_option("--out", options->folder, "Folder for the pictures (default: this one)")->option_text("FOLDER");

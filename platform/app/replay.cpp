@@ -88,7 +88,6 @@ void write_series(const StoredModel& model, const ReplayOptions& options) {
 
 void replay(const ReplayOptions& options) {
   check_output(options.csv);
-  refuse_outputs_among({options.database});
   const LogLeft log(options.database);
   Database database = Database::open_read_only(options.database);
   const EeaRunListing run = choose_run(database, options.run);
@@ -117,7 +116,7 @@ void replay(const ReplayOptions& options) {
 void add_replay_command(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("replay", "Simulate a stored model again and compare its scores");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
   command->add_option("--model", options->model, "The model's number in its run (default: the best of the last pass)")
       ->option_text("N");

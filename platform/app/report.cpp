@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/options.h"
 #include "app/output.h"
 #include "app/replays.h"
 #include "foundation/problem.h"
@@ -38,7 +39,6 @@ void refuse_empty(const std::filesystem::path& database) {
 void make_report(const ReportOptions& options) {
   require_pages();
   check_output(options.out);
-  refuse_outputs_among({options.database});
   refuse_empty(options.database);
   const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
@@ -60,7 +60,7 @@ void make_report(const ReportOptions& options) {
 void add_report_command(CLI::App& program) {
   auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("report", "Write a database as a page that any browser opens");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--out", options->out, "The page, one HTML file (default: standard output)")->option_text("FILE");
   command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
       ->option_text("MB")

@@ -108,7 +108,7 @@ void reproduce(const ReproduceOptions& options) {
 void add_reproduce_command(CLI::App& program) {
   auto options = std::make_shared<ReproduceOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("reproduce", "Run a stored run again and compare every row");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--run", options->run, "The run, where there are several")->option_text("N");
   command->add_option("--threads", options->threads, "Threads (default: one a processor)")
       ->option_text("N")

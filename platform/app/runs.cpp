@@ -19,6 +19,7 @@ struct RunsOptions {
 };
 
 void list_runs(const RunsOptions& options) {
+  check_output(options.json);
   const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   const std::vector<EeaRunListing> runs = eea_runs(database);
@@ -31,7 +32,7 @@ void list_runs(const RunsOptions& options) {
 void add_runs_command(CLI::App& program) {
   auto options = std::make_shared<RunsOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("runs", "List the runs of a database");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
   command->callback([options] { list_runs(*options); });
 }

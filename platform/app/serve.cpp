@@ -107,7 +107,7 @@ void serve(const ServeOptions& options) {
 void add_serve_command(CLI::App& program) {
   auto options = std::make_shared<ServeOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("serve", "Show a database as live pages in a browser on this machine");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command->add_option("--port", options->port, "Port (default: a free one)")
       ->option_text("N")
       ->check(whole_number(0, 65535));

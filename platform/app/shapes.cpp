@@ -96,12 +96,7 @@ void shapes(const ShapesOptions& options) {
   const std::vector<ShapeStudy> studies = read_studies(database, options);
   make_output_folder(options.folder);
   fmt::print("{}", shape_table(studies));
-  const auto place = [&](const char* name) {
-    std::filesystem::path file = options.folder / name;
-    if (std::filesystem::is_directory(file))
-      throw_problem({file.string()}, "is a folder; --out FOLDER puts the pictures somewhere else");
-    return file;
-  };
+  const auto place = [&](const char* name) { return file_for_picture(options.folder, name); };
   const std::filesystem::path errors = place("shape_errors.svg"), progress = place("shape_progress.svg"),
                               models = place("shape_models.svg");
   write_svg(shape_errors(studies), errors);
@@ -117,7 +112,7 @@ void shapes(const ShapesOptions& options) {
 void add_shapes_command(CLI::App& program) {
   auto options = std::make_shared<ShapesOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("shapes", "Table and SVG pictures of what runs found of a robot's shape");
-  command->add_option("database", options->database, "Database file")->required()->option_text("DB");
+  add_database_argument(*command, options->database);
   command
       ->add_option("--experiment", options->experiments,
                    "Experiments to put side by side (default: all of the database); may be given "

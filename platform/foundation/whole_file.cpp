@@ -173,6 +173,18 @@ void write_whole(const fs::path& file, std::string_view text, Link link) {
   whole.publish();
 }
 
+fs::path place_of(const fs::path& file) {
+  std::error_code failure;
+  const fs::path name = fs::absolute(end_of_links(file), failure);
+  const fs::path place = fs::weakly_canonical(name, failure);
+  return failure ? name.lexically_normal() : place;
+}
+
+bool are_one_file(const fs::path& a, const fs::path& b) {
+  std::error_code missing;
+  return fs::equivalent(a, b, missing) || place_of(a) == place_of(b);
+}
+
 std::optional<std::string> why_not_writable(const fs::path& file) {
   const fs::path target = end_of_links(file), folder = folder_of(target);
   if (is_circle(target)) return kCircle;

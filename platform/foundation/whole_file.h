@@ -56,6 +56,12 @@ class WholeFile {
 /// Writes a whole text so.
 void write_whole(const std::filesystem::path& file, std::string_view text, Link link);
 
+/// The absolute name of the file that a name leads to, which need not be there yet: without links, `.` and `..`.
+std::filesystem::path place_of(const std::filesystem::path& file);
+
+/// Whether two names lead to one file, which need not be there yet.
+bool are_one_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Why a file that the user named could not be written, for a check before long work; nothing if it can.
 std::optional<std::string> why_not_writable(const std::filesystem::path& file);
 

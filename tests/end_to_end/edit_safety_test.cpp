@@ -147,6 +147,32 @@ TEST(Outputs, AreNotWhatTheCommandReads) {
     expect_refused(program, {command, "first-steps.toml", "--json=" + recording}, recording);
 }
 
+TEST(Outputs, AreNotTheDatabaseOfAnyCommandThatWrites) {
+  const Program program;
+  program.copy_first_steps();
+  ASSERT_EQ(program.run({"compare", "first-steps.toml"}).exit_code, 0);
+  ASSERT_EQ(program.shell("ln -s first-steps.db link.db").exit_code, 0);
+  for (const std::string output : {"first-steps.db", "link.db", "first-steps.db-wal"}) {
+    const std::string json = "--json=" + output;
+    expect_refused(program, {"runs", "first-steps.db", json}, "first-steps.db");
+    expect_refused(program, {"sql", "first-steps.db", "SELECT 1", json}, "first-steps.db");
+    expect_refused(program, {"replay", "first-steps.db", "--csv=" + output}, "first-steps.db");
+    expect_refused(program, {"report", "first-steps.db", "--out", output}, "first-steps.db");
+    expect_refused(program, {"compare", "first-steps.toml", json}, "first-steps.db");
+  }
+}
+
+TEST(Outputs, AreNotADatabaseThatIsYetToBeMade) {
+  const Program program;
+  program.copy_first_steps();
+  for (const std::string output : {"./new.db", "data/../new.db", "new.db-wal", "new.db-shm"}) {
+    const Outcome outcome = program.run({"compare", "first-steps.toml", "--db", "new.db", "--json=" + output});
+    EXPECT_EQ(outcome.exit_code, 2) << output;
+    EXPECT_THAT(outcome.errors, HasSubstr("give the results another file")) << output;
+    EXPECT_FALSE(std::filesystem::exists(program.folder() / "new.db")) << output;
+  }
+}
+
 TEST(Report, OfAnEditedTextIsRefused) {
   const Program program;
   program.copy_first_steps();
