@@ -4,6 +4,7 @@
 #include "app/stored_bench.h"
 #include "app/stored_model.h"
 #include "evaluation/test_predictor.h"
+#include "foundation/csv_cell.h"
 #include "foundation/unit.h"
 #include "report/text_table.h"
 #include "storage/log_left.h"
@@ -56,7 +57,7 @@ std::string csv_of(const ScoredTrial& scored, const TimeSeries& predicted) {
   const TimeSeries& measured = scored.trial.measured;
   std::string text = "t_s";
   for (const Channel& channel : measured.channels)
-    text += "," + channel.name + "_measured," + channel.name + "_predicted";
+    text += "," + csv_cell(channel.name + "_measured") + "," + csv_cell(channel.name + "_predicted");
   text += '\n';
   for (Eigen::Index row = 0; row < measured.times.size(); ++row) {
     text += fmt::format("{:.9g}", measured.times(row));

@@ -1,5 +1,6 @@
 #include "measurement/command_file.h"
 
+#include "foundation/csv_cell.h"
 #include "foundation/unit.h"
 #include "measurement/column_name.h"
 #include "measurement/csv_table.h"
@@ -107,7 +108,8 @@ void throw_if_any(FileReport& report) {
 std::string command_csv(const CommandSeries& commands) {
   const TimeSeries& series = commands.series;
   std::string text = "t [s]";
-  for (const Channel& channel : series.channels) text += fmt::format(",{} [{}]", channel.name, channel.unit);
+  for (const Channel& channel : series.channels)
+    text += "," + csv_cell(fmt::format("{} [{}]", channel.name, channel.unit));
   text += '\n';
   for (Eigen::Index row = 0; row < series.times.size(); ++row) {
     text += fmt::format("{}", series.times(row));

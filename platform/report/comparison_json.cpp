@@ -1,5 +1,6 @@
 #include "report/comparison_json.h"
 
+#include "foundation/csv_cell.h"
 #include "report/where_json.h"
 
 #include <fmt/format.h>
@@ -112,11 +113,11 @@ std::string comparison_csv(const Comparison& comparison) {
       "theil_u,bias_share,magnitude_share,form_share,sprague_geers_magnitude,sprague_geers_phase\n";
   for (const TrialComparison& trial : comparison.trials)
     for (const ChannelScore& s : trial.channels)
-      text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", trial.trial, trial.held_out ? 1 : 0,
-                      s.channel, s.unit, s.samples, s.rmse, s.floor, s.times_floor, s.bias, s.max_error,
-                      s.max_error_time, s.normalised_rmse, s.parts.theil_u, s.parts.bias_share, s.parts.magnitude_share,
-                      s.parts.form_share, s.parts.sprague_geers_magnitude, s.parts.sprague_geers_phase);
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(trial.trial),
+                          trial.held_out ? 1 : 0, csv_cell(s.channel), csv_cell(s.unit), s.samples, s.rmse, s.floor,
+                          s.times_floor, s.bias, s.max_error, s.max_error_time, s.normalised_rmse, s.parts.theil_u,
+                          s.parts.bias_share, s.parts.magnitude_share, s.parts.form_share,
+                          s.parts.sprague_geers_magnitude, s.parts.sprague_geers_phase);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "report/comparison_pictures.h"
 
+#include "foundation/csv_cell.h"
 #include "foundation/whole_file.h"
 #include "report/figure.h"
 #include "report/file_name.h"
@@ -68,7 +69,7 @@ std::vector<std::filesystem::path> write_predictions(const Comparison& compariso
     stream << "time_s";
     for (const ChannelScore& score : trial.channels)
       for (const char* what : {"measured", "predicted", "residual"})
-        stream << fmt::format(",{} {} [{}]", score.channel, what, score.unit);
+        stream << ',' << csv_cell(fmt::format("{} {} [{}]", score.channel, what, score.unit));
     stream << '\n';
     for (Eigen::Index i = 0; i < trial.times.size(); ++i) {
       stream << fmt::format("{}", trial.times[i]);

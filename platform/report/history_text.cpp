@@ -1,6 +1,7 @@
 #include "report/history_text.h"
 
 #include "foundation/counted.h"
+#include "foundation/csv_cell.h"
 #include "foundation/unit.h"
 #include "report/figure.h"
 #include "report/file_name.h"
@@ -138,8 +139,8 @@ std::string history_csv(const std::vector<HistoryRow>& rows) {
       "revision,parent,change,current,channel,unit,fit_rmse,held_out_rmse,floor,times_floor,failed_trials\n";
   for (const HistoryRow& row : rows)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.number, row.parent ? std::to_string(*row.parent) : "",
-                        row.change, row.current ? 1 : 0, row.channel, row.unit, row.fit_rmse, row.held_out_rmse,
-                        row.floor, row.times_floor, row.failed_trials);
+                        csv_cell(row.change), row.current ? 1 : 0, csv_cell(row.channel), csv_cell(row.unit),
+                        row.fit_rmse, row.held_out_rmse, row.floor, row.times_floor, row.failed_trials);
   return text;
 }
 

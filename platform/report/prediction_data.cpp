@@ -1,5 +1,7 @@
 #include "report/prediction_data.h"
 
+#include "foundation/csv_cell.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -82,7 +84,7 @@ std::string prediction_csv(const EnsemblePrediction& prediction) {
   std::string text = "t [s]";
   for (const Channel& channel : prediction.channels)
     for (const char* what : {"mean", "lower", "upper"})
-      text += fmt::format(",{} {} [{}]", channel.name, what, channel.unit);
+      text += "," + csv_cell(fmt::format("{} {} [{}]", channel.name, what, channel.unit));
   text += '\n';
   for (Eigen::Index row = 0; row < prediction.times.size(); ++row) {
     text += fmt::format("{:.9g}", prediction.times(row));

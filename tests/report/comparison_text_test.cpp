@@ -85,6 +85,12 @@ TEST(ComparisonCsv, HasAsManyValuesAsNames) {
   EXPECT_THAT(text, HasSubstr(",0.125,"));
 }
 
+TEST(ComparisonCsv, QuotesNamesThatWouldBreakTheTable) {
+  Comparison comparison = one_trial(0.0);
+  comparison.trials[0].trial = "one, \"two\".csv";
+  EXPECT_THAT(comparison_csv(comparison), HasSubstr("\n\"one, \"\"two\"\".csv\",0,"));
+}
+
 TEST(FailedChecksText, NamesEachFaultAndWhatItMeans) {
   EXPECT_EQ(failed_checks_text({}), "");
   EXPECT_EQ(failed_checks_text({"sine.csv: angle does not move", "steps.csv: angle does not move"}),

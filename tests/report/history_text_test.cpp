@@ -58,5 +58,10 @@ TEST(HistoryText, SaysWhereTheFloorIsNotKnown) {
   EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, kNotKnown)}, 0), HasSubstr("floor not known"));
 }
 
+TEST(HistoryCsv, QuotesTextsThatWouldBreakTheTable) {
+  EXPECT_THAT(history_csv({row(2, "friction, \"dry\"", 1e-3, 1e-3, 1.0)}),
+              HasSubstr("\n2,,\"friction, \"\"dry\"\"\",0,angle,rad,"));
+}
+
 }  // namespace
 }  // namespace lacuna
