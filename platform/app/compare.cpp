@@ -48,9 +48,10 @@ void run_compare(const CompareOptions& options) {
   if (!options.out.empty()) {
     make_output_folder(options.out);
     const std::string title = fmt::format("{} · revision {}", heading.experiment, bench.revision().number);
-    draw_comparison(compared.result, title, options.out);
-    draw_where(where, title, options.out);
-    write_predictions(compared.result, options.out);
+    FileNames names;
+    draw_comparison(compared.result, title, options.out, names);
+    draw_where(where, title, options.out, names);
+    write_predictions(compared.result, options.out, names);
     if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", options.out.string());
   }
   bench.ledger().done();

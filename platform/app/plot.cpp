@@ -53,8 +53,9 @@ void plot(const PlotOptions& options) {
   const std::string title =
       fmt::format("{}, {}", listings.front().experiment,
                   listings.size() > 4 ? fmt::format("{} runs", listings.size()) : numbers(listings));
+  FileNames names;
   for (const NamedFigure& named : run_figures(runs, title)) {
-    const std::filesystem::path file = file_for_picture(options.folder, file_name(named.name + ".svg"));
+    const std::filesystem::path file = file_for_picture(options.folder, names.next(named.name + ".svg"));
     write_svg(named.figure, file);
     fmt::print("{}\n", file.string());
   }

@@ -3,7 +3,6 @@
 #include "foundation/csv_cell.h"
 #include "foundation/whole_file.h"
 #include "report/figure.h"
-#include "report/file_name.h"
 #include "report/times_floor_text.h"
 
 #include <fmt/format.h>
@@ -48,22 +47,22 @@ Figure figure_of(const TrialComparison& trial, std::size_t channel, const std::s
 }  // namespace
 
 std::vector<std::filesystem::path> draw_comparison(const Comparison& comparison, const std::string& title,
-                                                   const std::filesystem::path& folder) {
+                                                   const std::filesystem::path& folder, FileNames& names) {
   std::vector<std::filesystem::path> files;
   for (const TrialComparison& trial : comparison.trials)
     for (std::size_t channel = 0; channel < trial.channels.size(); ++channel) {
-      files.push_back(folder / file_name(trial.trial + "-" + trial.channels[channel].channel + ".svg"));
+      files.push_back(folder / names.next(trial.trial + "-" + trial.channels[channel].channel + ".svg"));
       write_svg(figure_of(trial, channel, title), files.back());
     }
   return files;
 }
 
-std::vector<std::filesystem::path> write_predictions(const Comparison& comparison,
-                                                     const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> write_predictions(const Comparison& comparison, const std::filesystem::path& folder,
+                                                     FileNames& names) {
   std::filesystem::create_directories(folder);
   std::vector<std::filesystem::path> files;
   for (const TrialComparison& trial : comparison.trials) {
-    files.push_back(folder / file_name(trial.trial + "-predictions.csv"));
+    files.push_back(folder / names.next(trial.trial + "-predictions.csv"));
     WholeFile file(files.back(), Link::replaced);
     std::ostream& stream = file.stream();
     stream << "time_s";

@@ -117,8 +117,9 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
 std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, const std::string& title,
                                                   const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
+  FileNames names;
   const auto draw = [&](const Figure& figure, const std::string& name) {
-    files.push_back(folder / file_name(name));
+    files.push_back(folder / names.next(name));
     write_svg(figure, files.back());
   };
   if (!diagnosis.ranking.empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");

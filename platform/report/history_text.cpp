@@ -147,8 +147,9 @@ std::string history_csv(const std::vector<HistoryRow>& rows) {
 std::vector<std::filesystem::path> draw_history(const std::vector<HistoryRow>& rows, const std::string& title,
                                                 const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
+  FileNames names;
   for (const std::string& channel : channels_of(rows)) {
-    files.push_back(folder / file_name("history-" + channel + ".svg"));
+    files.push_back(folder / names.next("history-" + channel + ".svg"));
     write_svg(figure_of(rows_of(rows, channel), channel, title), files.back());
   }
   return files;

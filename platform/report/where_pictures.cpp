@@ -1,7 +1,6 @@
 #include "report/where_pictures.h"
 
 #include "report/figure.h"
-#include "report/file_name.h"
 #include "report/where_text.h"
 
 #include <fmt/format.h>
@@ -158,10 +157,10 @@ Figure autocorrelation_figure(const ChannelWhiteness& whiteness, const std::stri
 }  // namespace
 
 std::vector<std::filesystem::path> draw_where(const WhereItFails& where, const std::string& title,
-                                              const std::filesystem::path& folder) {
+                                              const std::filesystem::path& folder, FileNames& names) {
   std::vector<std::filesystem::path> files;
   const auto draw = [&](const Figure& figure, const std::string& name) {
-    files.push_back(folder / file_name(name));
+    files.push_back(folder / names.next(name));
     write_svg(figure, files.back());
   };
   for (const ResidualView& view : where.views) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/where_it_fails.h"
+#include "report/file_name.h"
 
 #include <filesystem>
 #include <string>
@@ -12,8 +13,9 @@ namespace lacuna {
 /// regime; for each channel `where-CHANNEL.svg`, the residual against each feature with binned means and their 99 %
 /// bands, and `autocorrelation-CHANNEL.svg`. Regimes and features are drawn of each view; those of
 /// unexplained accelerations end in `-acceleration.svg`. At most `kDrawnChannels` channels, those with most error.
+/// `names`: of all that the command puts into the folder.
 std::vector<std::filesystem::path> draw_where(const WhereItFails& where, const std::string& title,
-                                              const std::filesystem::path& folder);
+                                              const std::filesystem::path& folder, FileNames& names);
 
 inline constexpr std::size_t kDrawnChannels = 6;
 

@@ -70,6 +70,21 @@ TEST_F(HostileRecording, DoesNotReachThroughALinkInTheFolder) {
   EXPECT_THAT(picture("pictures/x-touch-P-.csv-predictions.csv"), HasSubstr("time_s"));
 }
 
+TEST_F(HostileNames, ThatLookAlikeInAShellHaveTheirOwnFiles) {
+  program_.copy_first_steps();
+  const fs::path data = program_.folder() / "data/servo_pendulum";
+  fs::rename(data / "sine.csv", data / "a b.csv");
+  fs::rename(data / "steps.csv", data / "a,b.csv");
+  const Outcome outcome = program_.run(
+      {"compare", "first-steps.toml", "--as-is", "--set",
+       R"(target.files=["data/servo_pendulum/a b.csv", "data/servo_pendulum/a,b.csv"])", "--out", "pictures", "--csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("\n\"a,b.csv\",0,angle"));
+  EXPECT_THAT(picture("pictures/a-b.csv-angle.svg"), HasSubstr("a b.csv"));
+  EXPECT_THAT(picture("pictures/a-b.csv-angle-2.svg"), HasSubstr("a,b.csv"));
+  EXPECT_NE(picture("pictures/a-b.csv-predictions.csv"), picture("pictures/a-b.csv-predictions-2.csv"));
+}
+
 TEST_F(HostileNames, InADatabaseAreDrawnAsTheyAre) {
   program_.write("small.toml", kSmallRun);
   ASSERT_EQ(program_.run({"run", "small.toml", "--quiet"}).exit_code, 0);
