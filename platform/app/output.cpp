@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstring>
 
 namespace lacuna {
@@ -74,12 +75,14 @@ fs::path first_there(fs::path folder) {
 }
 
 void check_folder(const fs::path& folder) {
+  for (const fs::path& part : folder)
+    if (part.native().size() > NAME_MAX)
+      refuse(folder, "cannot be a folder for results: " + std::string(std::strerror(ENAMETOOLONG)));
   const fs::path place = first_there(folder);
   std::error_code failure;
   if (!fs::is_directory(place, failure))
     refuse(folder, "cannot be a folder for results: " + std::string(std::strerror(ENOTDIR)));
-  if (::access(place.c_str(), W_OK) != 0)
-    refuse(folder, std::string("cannot be written into: ") + std::strerror(errno));
+  if (const auto why = why_not_writable_into(place)) refuse(folder, "cannot be written into: " + *why);
   refuse_input(folder);
 }
 

@@ -89,6 +89,25 @@ void keep_owner_and_permissions(int descriptor, const struct stat& old) {
   ::fchmod(descriptor, old.st_mode & kPermissions);
 }
 
+struct Draft {
+  int descriptor = -1;  ///< below 0: `errno` says why there is none
+  fs::path name;        ///< empty: it has none
+};
+
+Draft open_draft(const fs::path& folder, mode_t mode) {
+  remove_stale_drafts(folder);
+  if (::access("/proc/self/fd", X_OK) == 0) {  // through which a file without a name gets one
+    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+    if (unnamed >= 0 && lock(unnamed)) return {unnamed, {}};
+    if (unnamed >= 0) ::close(unnamed);
+  }
+  const fs::path name = unused_name(folder);
+  const int named = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
+  if (named < 0) return {};
+  lock(named);  // in vain only where another process took it for stale just now: then `publish` says that it is gone
+  return {named, name};
+}
+
 }  // namespace
 
 WholeFile::WholeFile(const fs::path& file, Link link)
@@ -100,32 +119,17 @@ WholeFile::WholeFile(const fs::path& file, Link link)
   struct stat old {};
   const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
-  const int descriptor = direct_ ? ::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY)
-                                 : open_draft(replaces ? old.st_mode & kPermissions : kNewFile);
-  if (descriptor < 0) fail(file_);
-  if (replaces) keep_owner_and_permissions(descriptor, old);
-  buffer_.emplace(descriptor, std::ios::out | std::ios::binary);
+  const Draft draft = direct_ ? Draft{::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY), {}}
+                              : open_draft(folder_of(target_), replaces ? old.st_mode & kPermissions : kNewFile);
+  if (draft.descriptor < 0) fail(file_);
+  draft_ = draft.name;
+  if (replaces) keep_owner_and_permissions(draft.descriptor, old);
+  buffer_.emplace(draft.descriptor, std::ios::out | std::ios::binary);
   stream_.rdbuf(&*buffer_);
 }
 
 WholeFile::~WholeFile() {
   if (!draft_.empty()) ::unlink(draft_.c_str());
-}
-
-int WholeFile::open_draft(mode_t mode) {
-  const fs::path folder = folder_of(target_);
-  remove_stale_drafts(folder);
-  if (::access("/proc/self/fd", X_OK) == 0) {  // through which a file without a name gets one
-    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-    if (unnamed >= 0 && lock(unnamed)) return unnamed;
-    if (unnamed >= 0) ::close(unnamed);
-  }
-  const fs::path draft = unused_name(folder);
-  const int named = ::open(draft.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
-  if (named < 0) return named;
-  draft_ = draft;
-  lock(named);  // in vain only where another process took it for stale just now: then `publish` says that it is gone
-  return named;
 }
 
 void WholeFile::finish() {
@@ -186,12 +190,22 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
 }
 
 std::optional<std::string> why_not_writable(const fs::path& file) {
-  const fs::path target = end_of_links(file), folder = folder_of(target);
+  const fs::path target = end_of_links(file);
   if (is_circle(target)) return kCircle;
-  std::error_code none;
-  if (fs::exists(target, none) && ::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
-  if (is_written_directly(target)) return std::nullopt;
+  struct stat old {};
+  const bool is_new = ::lstat(target.c_str(), &old) != 0 && errno == ENOENT;
+  if (is_new && !is_written_directly(target)) return why_not_writable_into(folder_of(target));
+  if (::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
+  return is_written_directly(target) ? std::nullopt : why_not_writable_into(folder_of(target));
+}
+
+std::optional<std::string> why_not_writable_into(const fs::path& folder) {
   if (::access(folder.c_str(), W_OK) != 0) return fmt::format("folder {}: {}", folder.string(), std::strerror(errno));
+  const Draft probe = open_draft(folder, kNewFile);
+  if (probe.descriptor < 0)
+    return fmt::format("folder {} takes no new files: {}", folder.string(), std::strerror(errno));
+  if (!probe.name.empty()) ::unlink(probe.name.c_str());
+  ::close(probe.descriptor);
   return std::nullopt;
 }
 

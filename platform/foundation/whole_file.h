@@ -41,7 +41,6 @@ class WholeFile {
   void publish_as_new();
 
  private:
-  int open_draft(mode_t mode);
   bool give_name(const std::filesystem::path& name);
   bool rename_draft(const std::filesystem::path& name);
 
@@ -64,5 +63,7 @@ bool are_one_file(const std::filesystem::path& a, const std::filesystem::path& b
 
 /// Why a file that the user named could not be written, for a check before long work; nothing if it can.
 std::optional<std::string> why_not_writable(const std::filesystem::path& file);
+/// The same for new files in a folder that is there.
+std::optional<std::string> why_not_writable_into(const std::filesystem::path& folder);
 
 }  // namespace lacuna

@@ -58,6 +58,9 @@ TEST_P(BadInputTest, IsSaidInOneVoiceAndChangesNothing) {
   EXPECT_FALSE(fs::exists(program_.folder() / "first-steps.db")) << "it was refused before the database was made";
 }
 
+const std::string kLongName(300, 'x'), kLongJson = "compare first-steps.toml --json=" + kLongName,
+                                       kLongOut = "compare first-steps.toml --out not/" + kLongName + "/there";
+
 constexpr const char* kAdd = "add first-steps.toml coulomb_friction --where joint.hinge";
 const std::string kAddWith = std::string(kAdd) + " ";
 const std::string kBadId = kAddWith + "--id a.b", kBadStart = kAddWith + "--start torque",
@@ -146,6 +149,12 @@ INSTANTIATE_TEST_SUITE_P(
                      "nowhere/result.json: cannot be written: there is no folder nowhere"},
         BadInputCase{"JsonIntoACircleOfLinks", "compare first-steps.toml --json=circle.json", 2,
                      "circle.json: cannot be written: its symbolic links lead in a circle"},
+        BadInputCase{"JsonOfALongName", kLongJson.c_str(), 2, "cannot be written: File name too long"},
+        BadInputCase{"CsvIntoProc", "compare first-steps.toml --csv=/proc/x", 2, "/proc/x: cannot be written: folder"},
+        BadInputCase{"PicturesIntoProc", "compare first-steps.toml --out=/proc/x", 2,
+                     "/proc/x: cannot be written into: folder /proc takes no new files"},
+        BadInputCase{"PicturesIntoALongName", kLongOut.c_str(), 2,
+                     "cannot be a folder for results: File name too long"},
         BadInputCase{"CsvIntoAFolder", "history first-steps.toml --csv=folder", 2, "folder: is a folder; name a file"},
         BadInputCase{"DatabaseIsNone", "compare first-steps.toml --db shopping.db", 2,
                      "shopping.db: is not a database; name another file, or move this one away"},

@@ -143,6 +143,18 @@ TEST_F(WholeFileTest, RefusesLinksThatLeadInACircle) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "a.json") && fs::is_symlink(folder_ / "b.json"));
 }
 
+TEST_F(WholeFileTest, TellsBeforehandWhatCannotBeWritten) {
+  const auto says = [](const char* reason) { return testing::Optional(HasSubstr(reason)); };
+  EXPECT_THAT(why_not_writable(folder_ / std::string(300, 'x')), says("File name too long"));
+  EXPECT_THAT(why_not_writable("/proc/x"), says("folder /proc takes no new files: "));
+  EXPECT_THAT(why_not_writable("/proc/self/x"), says("No such file"));
+  EXPECT_THAT(why_not_writable_into("/proc"), says("takes no new files"));
+  EXPECT_EQ(why_not_writable(file_), std::nullopt);
+  EXPECT_EQ(why_not_writable(folder_ / "fresh.json"), std::nullopt);
+  EXPECT_EQ(why_not_writable("/dev/null"), std::nullopt);
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+}
+
 TEST_F(WholeFileTest, ReplacesALinkThatHasANameOfOurs) {
   fs::create_symlink(file_, folder_ / "angle.svg");
   write_whole(folder_ / "angle.svg", "new\n", Link::replaced);
