@@ -41,7 +41,7 @@ void run_compare(const CompareOptions& options) {
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
     fmt::print("{}", where_text(where));
-    fmt::print("{}", advice_text(compared.result, options.experiment.string()));
+    fmt::print("{}", advice_text(compared.result, command_to_type("diagnose", options)));
   }
   if (options.json) write_output(*options.json, comparison_json(heading, compared.result, fitted.result, where));
   if (options.csv) write_output(*options.csv, comparison_csv(compared.result));

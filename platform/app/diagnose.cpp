@@ -62,7 +62,8 @@ void run_diagnose(DiagnoseOptions options) {
   const Diagnosis diagnosis = known ? read_diagnosis(*known) : make_diagnosis(options, bench, fit);
   if (!known) bench.ledger().keep(bench.revision(), bench.rig(), options.among, diagnosis);
   if (!takes_standard_output(options.json))
-    fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string()), known ? "(from the database)\n" : "");
+    fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options)),
+               known ? "(from the database)\n" : "");
   if (options.json) write_output(*options.json, diagnosis_json(diagnosis));
   if (!options.out.empty()) {
     make_output_folder(options.out);

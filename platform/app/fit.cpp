@@ -4,7 +4,6 @@
 #include "app/progress_line.h"
 #include "app/workbench.h"
 #include "foundation/counted.h"
-#include "foundation/shell_word.h"
 #include "report/comparison_json.h"
 #include "report/comparison_text.h"
 
@@ -26,7 +25,7 @@ void run_fit(const CommonOptions& options) {
                fitted.known ? "known" : format_duration(fitted.result.seconds));
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
-    fmt::print("→ lacuna compare {}\n", shell_word(options.experiment.string()));
+    fmt::print("→ {}\n", command_to_type("compare", options));
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
   bench.ledger().done();

@@ -77,13 +77,17 @@ void add_work_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--quiet", options.quiet, "Print results only");
 }
 
-std::string command_to_type(const std::string& name, const CommonOptions& options) {
-  std::string command = "lacuna " + name + " " + shell_word(options.experiment.string());
-  for (const std::string& one : options.overrides) command += " --set " + shell_word(one);
+std::string options_to_type(const CommonOptions& options) {
+  std::string typed;
+  for (const std::string& one : options.overrides) typed += " --set " + shell_word(one);
   for (const std::filesystem::path& folder : options.plugin_paths)
-    command += " --plugin-path " + shell_word(folder.string());
-  if (!options.database.empty()) command += " --db " + shell_word(options.database.string());
-  return command;
+    typed += " --plugin-path " + shell_word(folder.string());
+  if (!options.database.empty()) typed += " --db " + shell_word(options.database.string());
+  return typed;
+}
+
+std::string command_to_type(const std::string& name, const CommonOptions& options) {
+  return "lacuna " + name + " " + shell_word(options.experiment.string()) + options_to_type(options);
 }
 
 }  // namespace lacuna

@@ -24,6 +24,9 @@ struct CommonOptions {
   bool quiet = false;
 };
 
+/// The settings, plugin folders and database of these options, to be typed behind another command; each with a space
+/// before it.
+std::string options_to_type(const CommonOptions& options);
 /// "lacuna NAME EXPERIMENT" to be typed as it is, with the settings, plugin folders and database of these options.
 std::string command_to_type(const std::string& name, const CommonOptions& options);
 

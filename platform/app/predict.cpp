@@ -45,7 +45,7 @@ struct WantedTest {
 /// The run that was asked for, or the newest one, of the experiment, with a pass that has ended.
 EeaRunListing run_to_ask(const Database& database, const PredictOptions& options, const std::string& experiment) {
   const SourceLocation file{database.file().string()};
-  const std::string again = "lacuna run " + shell_word(options.experiment.string());
+  const std::string again = command_to_type("run", options);
   if (options.run) {
     EeaRunListing run = choose_run(database, options.run);
     if (run.experiment != experiment)
@@ -241,9 +241,9 @@ void predict(const PredictOptions& options) {
   const StoredEnsembles ensembles(store, stored.bench->definition(), trials);
   if (ensembles.empty())
     throw_problem({database.file().string()},
-                  fmt::format("run {} did not keep the models of its passes, for an older version made it; lacuna run "
-                              "{} makes one that does",
-                              listing.run.value, shell_word(options.experiment.string())));
+                  fmt::format("run {} did not keep the models of its passes, for an older version made it; {} makes "
+                              "one that does",
+                              listing.run.value, command_to_type("run", options)));
   const AskedRun run{stored, store, trials, ensembles};
   write_report(options, run, report_of(run, options));
 }

@@ -116,7 +116,7 @@ void report(const TrialOptions& options, const Rig& rig, const Trial& trial, dou
     fmt::print("{}{} · {} · {:.4g} s, {} of {}\n", trial.name, options.held_out ? " (held out)" : "",
                options.asked.test, duration, counted(static_cast<std::size_t>(samples), "sample"),
                counted(trial.measured.channels.size(), "channel"));
-    fmt::print("→ lacuna fit {}\n", shell_word(options.experiment.string()));
+    fmt::print("→ {}\n", command_to_type("fit", options));
   }
   if (options.json)
     write_output(*options.json, nlohmann::json{{"trial", trial.name},
@@ -135,7 +135,8 @@ std::string advice(const TrialOptions& options, bool takes_tests) {
   const std::string experiment = shell_word(options.experiment.string());
   if (takes_tests)
     return options.csv->empty() ? ""
-                                : fmt::format("→ lacuna trial {} --test {}\n", experiment, shell_word(*options.csv));
+                                : fmt::format("→ lacuna trial {} --test {}{}\n", experiment, shell_word(*options.csv),
+                                              options_to_type(options));
   return fmt::format(
       "give these commands to the rig, record it, and add the measured file to target.{0} in {1}, as in {0} = "
       "[\"...\", "

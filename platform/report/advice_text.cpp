@@ -1,7 +1,6 @@
 #include "report/advice_text.h"
 
 #include "foundation/counted.h"
-#include "foundation/shell_word.h"
 #include "report/times_floor_text.h"
 
 #include <fmt/format.h>
@@ -63,7 +62,7 @@ const PooledScore* furthest(const Comparison& comparison) {
 
 }  // namespace
 
-std::string advice_text(const Comparison& comparison, const std::string& file) {
+std::string advice_text(const Comparison& comparison, const std::string& diagnose) {
   if (std::string failed = failed_text(comparison); !failed.empty()) return failed;
   if (const PooledScore* score = without_floor(comparison); score != nullptr)
     return fmt::format("the floor of {} is not known: {}\n", score->channel, score->floor_origin);
@@ -74,7 +73,7 @@ std::string advice_text(const Comparison& comparison, const std::string& file) {
   if (times_explained(comparison, *worst) <= kAtTheFloor)
     return fmt::format("model is at the floor as far as can be told: {} ×, which the uncertain start can explain\n",
                        times);
-  return fmt::format("model is above the floor ({} ×) → lacuna diagnose {}\n", times, shell_word(file));
+  return fmt::format("model is above the floor ({} ×) → {}\n", times, diagnose);
 }
 
 }  // namespace lacuna

@@ -9,7 +9,7 @@ namespace lacuna {
 /// One line of what a comparison says about the model and what to do next: that trials cannot be simulated, that a
 /// floor is not known, that the model is at the floor, or that it is above it and an effect may be missing. What
 /// uncertain start states do is no missing effect: the error is compared with the root of floor² + (k · start)², where
-/// k, between 2 for one trial and 1 for many, allows for chance. `file`: the experiment's, for the command to type.
-std::string advice_text(const Comparison& comparison, const std::string& file);
+/// k, between 2 for one trial and 1 for many, allows for chance. `diagnose`: the command to type then.
+std::string advice_text(const Comparison& comparison, const std::string& diagnose);
 
 }  // namespace lacuna

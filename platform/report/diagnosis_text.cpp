@@ -137,7 +137,7 @@ std::string verdict_text(const Diagnosis& diagnosis) {
                      diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
 }
 
-std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) {
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.base.empty())  // nothing was searched
     return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                        fmt::join(diagnosis.findings, "\n"));
@@ -158,8 +158,8 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file) 
         fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
   if (diagnosis.verdict == Verdict::effect_found || (outside && most))
     for (const FoundEffect& effect : diagnosis.ranking.front().effects)
-      text += fmt::format("→ lacuna add {} {}{}\n", shell_word(file), shell_word(effect.effect),
-                          effect.where == "world" ? "" : " --where " + shell_word(effect.where));
+      text += fmt::format("→ lacuna add {} {}{}{}\n", shell_word(file), shell_word(effect.effect),
+                          effect.where == "world" ? "" : " --where " + shell_word(effect.where), options);
   return text;
 }
 

@@ -14,8 +14,8 @@ std::string verdict_text(const Diagnosis& diagnosis);
 std::string threshold_text(const AtThreshold& near);
 
 /// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
-/// command to go on with.
-std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file);
+/// command to go on with; `options`: what to type behind it, as in " --db rig.db".
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options = "");
 
 /// One JSON document; schema in docs/reference/commands.md. SI units; NaN is null.
 std::string diagnosis_json(const Diagnosis& diagnosis);

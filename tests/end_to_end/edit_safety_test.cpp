@@ -173,6 +173,18 @@ TEST(Outputs, AreNotADatabaseThatIsYetToBeMade) {
   }
 }
 
+TEST(NextCommand, HasTheDatabaseThatWasNamed) {
+  const Program program;
+  program.copy_first_steps();
+  const std::vector<std::string> options = {"first-steps.toml", "--db", "other.db"};
+  const auto output = [&](std::vector<std::string> words) {
+    words.insert(words.end(), options.begin(), options.end());
+    return program.run(words).output;
+  };
+  EXPECT_THAT(output({"fit"}), HasSubstr("→ lacuna compare first-steps.toml --db other.db\n"));
+  EXPECT_THAT(output({"compare"}), HasSubstr("→ lacuna diagnose first-steps.toml --db other.db\n"));
+}
+
 TEST(Report, OfAnEditedTextIsRefused) {
   const Program program;
   program.copy_first_steps();

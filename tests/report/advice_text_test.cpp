@@ -34,7 +34,7 @@ Comparison comparison_of(const PooledScore& score) {
   return comparison;
 }
 
-std::string advice_on(const PooledScore& score) { return advice_text(comparison_of(score), "rig.toml"); }
+std::string advice_on(const PooledScore& score) { return advice_text(comparison_of(score), "lacuna diagnose rig.toml"); }
 
 TEST(AdviceText, AnErrorOfTheFloorsSizeIsAtTheFloor) {
   EXPECT_EQ(advice_on(fit_score(1.1e-3, 0.0)), "model is at the floor (1.1 ×)\n");
@@ -54,26 +54,26 @@ TEST(AdviceText, WhatTheStartDoesNotExplainMayBeAnEffect) {
 TEST(AdviceText, ManyTrialsLeaveLessToTheChanceOfTheirStarts) {
   // 16 starts: √(1² + (1.25 · 2)²) mrad = 2.7 mrad, not √(1² + 4²) mrad = 4.1 mrad as after one.
   Comparison comparison = comparison_of(fit_score(4.5e-3, 2e-3));
-  EXPECT_THAT(advice_text(comparison, "rig.toml"), HasSubstr("uncertain start"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("uncertain start"));
   ChannelScore score;
   score.channel = "angle";
   score.samples = 100;
   comparison.trials.resize(16);
   for (TrialComparison& trial : comparison.trials) trial.channels = {score};
-  EXPECT_THAT(advice_text(comparison, "rig.toml"), HasSubstr("above the floor (4.5 ×)"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("above the floor (4.5 ×)"));
 }
 
 TEST(AdviceText, TheChannelWithTheMostUnexplainedErrorCounts) {
   Comparison comparison = comparison_of(fit_score(4e-3, 4e-3));
   comparison.pooled.push_back(fit_score(3e-3, 0.0));
-  EXPECT_THAT(advice_text(comparison, "rig.toml"), HasSubstr("above the floor (3.0 ×)"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("above the floor (3.0 ×)"));
 }
 
 TEST(AdviceText, HeldOutTrialsAreNotSearchedForEffects) {
   Comparison comparison = comparison_of(fit_score(1e-3, 0.0));
   comparison.pooled.push_back(fit_score(9e-3, 0.0));
   comparison.pooled.back().held_out = true;
-  EXPECT_EQ(advice_text(comparison, "rig.toml"), "model is at the floor (1.0 ×)\n");
+  EXPECT_EQ(advice_text(comparison, "lacuna diagnose rig.toml"), "model is at the floor (1.0 ×)\n");
 }
 
 TEST(AdviceText, ATrialThatCannotBeSimulatedIsNeverAtTheFloor) {
@@ -81,7 +81,7 @@ TEST(AdviceText, ATrialThatCannotBeSimulatedIsNeverAtTheFloor) {
   comparison.pooled[0].failed_trials = 1;
   comparison.trials[1].valid = false;
   comparison.trials[1].reason = "the hinge turns too fast";
-  EXPECT_THAT(advice_text(comparison, "rig.toml"),
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"),
               AllOf(HasSubstr("1 of 2 trials cannot be simulated"), HasSubstr("chirp: the hinge turns too fast"),
                     Not(HasSubstr("at the floor"))));
 }
@@ -96,7 +96,7 @@ TEST(AdviceText, AFloorThatIsNotKnownIsNotReached) {
 TEST(AdviceText, NothingScoredIsNoAgreement) {
   Comparison comparison = comparison_of(fit_score(1e-3, 0.0));
   comparison.pooled[0].held_out = true;
-  EXPECT_THAT(advice_text(comparison, "rig.toml"), HasSubstr("no fit trial was scored"));
+  EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("no fit trial was scored"));
 }
 
 }  // namespace

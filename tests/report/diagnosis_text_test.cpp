@@ -68,6 +68,11 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
+TEST(DiagnosisText, SaysWhatToAddWithTheOptionsOfTheCommand) {
+  EXPECT_THAT(diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml", " --db other.db"),
+              HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge --db other.db\n"));
+}
+
 TEST(DiagnosisText, SaysOfAnErrorWhenItIsAboutStretchesOfAnotherLength) {
   Diagnosis mixed = diagnosis(Verdict::effect_found);
   mixed.base_segment = mixed.ranking.front().segment = 5.0;
