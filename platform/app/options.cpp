@@ -2,9 +2,12 @@
 
 #include "app/output.h"
 #include "command_line/whole_number.h"
+#include "foundation/problem.h"
 #include "foundation/shell_word.h"
 
 #include <CLI/CLI.hpp>
+
+#include <tuple>
 
 namespace lacuna {
 namespace {
@@ -23,9 +26,18 @@ CLI::Validator folder() {
       "");
 }
 
-void note_database(const std::string& file) { refuse_outputs_among({file}); }
-
 }  // namespace
+
+void note_database(const std::filesystem::path& database) {
+  if (database.empty()) throw_problem({}, "the name of the database is empty; name a file");
+  std::error_code failure;
+  std::ignore = std::filesystem::status(database, failure);
+  if (failure == std::errc::too_many_symbolic_link_levels)
+    throw_problem({database.string()}, "its symbolic links lead in a circle; remove the link, or name another file");
+  if (failure == std::errc::filename_too_long)
+    throw_problem({database.string()}, "cannot be opened: " + failure.message());
+  refuse_outputs_among({database});
+}
 
 void set_command_line(int argc, char** argv) {
   typed_command = "lacuna";
@@ -68,7 +80,8 @@ void add_experiment_options(CLI::App& command, CommonOptions& options) {
 void add_work_options(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--db", options.database, "Database file (default: the experiment's name with .db, in this folder)")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->each(note_database);
   command.add_option("--threads", options.threads, "Threads (default: one a processor)")
       ->option_text("N")
       ->check(whole_number(1, kMostThreads));

@@ -37,6 +37,9 @@ const std::string& command_line();
 /// Adds the experiment argument, --set and --plugin-path.
 void add_experiment_options(CLI::App& command, CommonOptions& options);
 void add_plugin_path_option(CLI::App& command, CommonOptions& options);
+/// Called for each database that a command names, before it is looked for: no output may take its place. Throws
+/// `BadInput` for a name that leads nowhere.
+void note_database(const std::filesystem::path& database);
 /// Adds the argument DB, a database that the command reads: no output of it may take its place.
 void add_database_argument(CLI::App& command, std::filesystem::path& database);
 void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases);

@@ -227,6 +227,7 @@ void predict(const PredictOptions& options) {
   const CommonOptions& given = options;
   CommonOptions common = given;
   common.database = database_of(options, experiment);
+  note_database(common.database);
   Database database = Database::open_read_only(common.database);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);
   const StoredBench stored = open_stored(database, listing, common);

@@ -20,12 +20,17 @@
 namespace lacuna {
 namespace {
 
-/// Everything that a command reads of an experiment.
-std::vector<std::filesystem::path> files_of(const Experiment& experiment, const CommonOptions& options) {
-  std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file, database_of(options, experiment)};
+/// Everything that a command reads of an experiment, except for its database.
+std::vector<std::filesystem::path> files_of(const Experiment& experiment) {
+  std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file};
   for (const MeasuredFile& file : experiment.target.recording.files) files.push_back(file.path);
   std::erase(files, std::filesystem::path());
   return files;
+}
+
+void note_inputs(const Experiment& experiment, const CommonOptions& options) {
+  refuse_outputs_among(files_of(experiment));
+  note_database(database_of(options, experiment));
 }
 
 Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
@@ -125,14 +130,14 @@ std::vector<Trial> Rig::fit_trials() const {
 
 Rig open_rig(const CommonOptions& options) {
   Experiment experiment = read_experiment(options.experiment, options.overrides);
-  refuse_outputs_among(files_of(experiment, options));
+  note_inputs(experiment, options);
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
   return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
 }
 
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog) {
   Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
-  refuse_outputs_among(files_of(experiment, options));
+  note_inputs(experiment, options);
   return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
 }
 

@@ -29,8 +29,11 @@ namespace {
 constexpr int kPauseMs = 5;
 constexpr int kOperationsBetweenLooks = 10000;  ///< of SQLite's machine, well under a millisecond
 
-/// SQLite would wait for who writes to a pipe, and take a device for a database.
+/// SQLite would wait for who writes to a pipe, take a device for a database, and some names for no files.
 void check_place(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  if (name.starts_with("file:") || name == ":memory:")
+    throw_problem({name}, "SQLite does not take this for the name of a file; write ./" + name);
   std::error_code unknown;
   const std::filesystem::file_status status = std::filesystem::status(file, unknown);
   if (std::filesystem::is_directory(status)) throw_problem({file.string()}, "is a folder; name a database file");

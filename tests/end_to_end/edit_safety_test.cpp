@@ -173,6 +173,18 @@ TEST(Outputs, AreNotADatabaseThatIsYetToBeMade) {
   }
 }
 
+TEST(DatabaseName, IsNotEmpty) {
+  const Program program;
+  program.copy_first_steps();
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"compare", "first-steps.toml", "--db", ""}, {"runs", ""}}) {
+    const Outcome outcome = program.run(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command.front();
+    EXPECT_THAT(outcome.errors, HasSubstr("the name of the database is empty; name a file")) << command.front();
+  }
+  EXPECT_FALSE(std::filesystem::exists(program.folder() / "first-steps.db"));
+}
+
 TEST(NextCommand, HasTheDatabaseThatWasNamed) {
   const Program program;
   program.copy_first_steps();
