@@ -15,10 +15,12 @@ std::string file_name(const std::string& text) {
 }
 
 std::string FileNames::next(const std::string& text) {
+  constexpr std::size_t kLongest = 240;  // of the 255 characters that a name may have; a number fits behind it
   const std::filesystem::path wanted = file_name(text);
-  std::string name = wanted.string();
-  for (int number = 2; !taken_.insert(name).second; ++number)
-    name = fmt::format("{}-{}{}", wanted.stem().string(), number, wanted.extension().string());
+  const std::string ending = wanted.extension().string();
+  const std::string stem = wanted.stem().string().substr(0, kLongest - ending.size());
+  std::string name = stem + ending;
+  for (int number = 2; !taken_.insert(name).second; ++number) name = fmt::format("{}-{}{}", stem, number, ending);
   return name;
 }
 

@@ -9,7 +9,8 @@ namespace lacuna {
 std::string file_name(const std::string& text);
 
 /// Names of the files that one command puts into one folder. No two are equal: where `file_name` maps a text to a name
-/// that another has, the second gets a number before its ending, as in `a-b-2.svg`.
+/// that another has, the second gets a number before its ending, as in `a-b-2.svg`. Names that are too
+/// long for a file system are cut before their ending.
 class FileNames {
  public:
   std::string next(const std::string& text);

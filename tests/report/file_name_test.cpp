@@ -16,5 +16,14 @@ TEST(FileNames, DifferWhereTextsDiffer) {
   EXPECT_EQ(names.next("a b.csv-predictions.csv"), "a-b.csv-predictions.csv");
 }
 
+TEST(FileNames, FitIntoAFileSystem) {
+  const std::string recording(250, 'x');
+  FileNames names;
+  const std::string first = names.next(recording + ".csv-angle.svg"), second = names.next(recording + ".csv-rate.svg");
+  EXPECT_LE(second.size(), 255U);
+  EXPECT_NE(first, second);
+  EXPECT_TRUE(first.ends_with("x.svg") && second.ends_with("x-2.svg")) << second;
+}
+
 }  // namespace
 }  // namespace lacuna
