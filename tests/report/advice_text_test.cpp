@@ -34,7 +34,9 @@ Comparison comparison_of(const PooledScore& score) {
   return comparison;
 }
 
-std::string advice_on(const PooledScore& score) { return advice_text(comparison_of(score), "lacuna diagnose rig.toml"); }
+std::string advice_on(const PooledScore& score) {
+  return advice_text(comparison_of(score), "lacuna diagnose rig.toml");
+}
 
 TEST(AdviceText, AnErrorOfTheFloorsSizeIsAtTheFloor) {
   EXPECT_EQ(advice_on(fit_score(1.1e-3, 0.0)), "model is at the floor (1.1 ×)\n");
