@@ -1,6 +1,7 @@
 #pragma once
 
 #include "storage/file_marks.h"
+#include "storage/log_content.h"
 
 #include <sys/stat.h>
 
@@ -27,8 +28,11 @@ class ContentWatch {
 
   /// Once it is not, it never is again.
   bool is_own();
+  /// Whether what SQLite reads now comes from what it read last by commits of ours, here or in other processes, and not
+  /// from another program that brought other content in by SQLite itself (`.restore`).
+  bool is_continued();
   /// This connection has committed with this mark.
-  void committed(std::string mark) { last_commit_ = std::move(mark); }
+  void committed(std::string mark) { go_on_to(std::move(mark)); }
 
  private:
   /// What the system says of a file without reading it.
@@ -38,17 +42,21 @@ class ContentWatch {
   };
   Stamp stamp() const;
   Marks marks_there() const;
-  bool marks_follow(const Marks& marks) const;
+  bool marks_follow(const Marks& marks, std::uint32_t frames_in_file) const;
+  bool marks_fit_without_log(const Marks& marks) const;
   bool others_committed() const;
   bool looks_own();
+  bool comes_after_latest(const LogMark& now) const;
+  void go_on_to(std::string mark);
 
   std::filesystem::path file_, log_;
   sqlite3* handle_;
   std::uint32_t page_size_, page_of_mark_;
-  Stamp stamp_;      ///< when the file was last found to be its own
-  Marks seen_;       ///< then
-  int version_ = 0;  ///< then: a number that another connection's commit changes
-  std::string last_commit_;
+  Stamp stamp_;         ///< when the file was last found to be its own
+  Marks seen_;          ///< then
+  int version_ = 0;     ///< then: a number that another connection's commit changes
+  std::string latest_;  ///< mark that was read or committed
+  Marks earlier_;       ///< than that one
   bool own_ = true;
 };
 

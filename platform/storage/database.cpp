@@ -238,6 +238,16 @@ void Database::execute(const std::string& statements) try {
   throw_storage_error(file_, error);
 }
 
+void Database::begin() {
+  execute("BEGIN IMMEDIATE");
+  try {
+    check_continued();
+  } catch (...) {
+    roll_back();
+    throw;
+  }
+}
+
 void Database::commit() {
   static const std::string kNextMark = next_mark();
   const std::string mark = new_mark();
@@ -265,12 +275,19 @@ void Database::check_in_place() {
     lost_ = keep(file_, handle(), place_.value_or(OpenPlace{}));
   }
   if (!lost_.empty()) throw Error(lost_);
+  check_continued();
+}
+
+void Database::check_continued() {
+  if (!watch_ || watch_->is_continued()) return;
+  lost_ = leave_what_was_restored_over(file_);
+  throw Error(lost_);
 }
 
 Transaction::Transaction(Database& database) : database_(database), outermost_(!database.in_transaction()) {
   if (!outermost_) return;
   database_.check_in_place();
-  database_.execute("BEGIN IMMEDIATE");
+  database_.begin();
 }
 
 Transaction::~Transaction() {

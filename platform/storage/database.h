@@ -75,6 +75,8 @@ class Database {
   bool is_in_place() const;
   /// Whether the file was moved, deleted or replaced by another, so that what was stored is kept elsewhere.
   bool has_moved() const;
+  /// Of a transaction that writes, after `check_in_place`. For `Transaction` alone.
+  void begin();
   /// With the mark of log_content.h. For `Transaction` alone.
   void commit();
   /// Does nothing outside of a transaction.
@@ -84,6 +86,7 @@ class Database {
   explicit Database(std::filesystem::path file);
   void read_copy_of_this_version();
   void begin_marks();
+  void check_continued();
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> connection_;
   std::optional<OpenPlace> place_;       ///< of a file that was opened for writing

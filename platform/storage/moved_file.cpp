@@ -70,6 +70,13 @@ std::string set_log_aside(const OpenPlace& opened) {
   }
 }
 
+std::string written_over(const std::filesystem::path& file, const std::string& log) {
+  return file.string() +
+         ": was written over by another program while it was open; it stays as it is now, and nothing more is written. "
+         "What was stored there before is lost" +
+         log + ". Run again with --db and another file";
+}
+
 }  // namespace
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& file) {
@@ -103,16 +110,11 @@ std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* 
 
 std::string leave_what_was_copied_over(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-  std::string log;
-  if (has_content(opened.log)) {
-    log = set_log_aside(opened);
-  } else {
-    remove_log(opened);
-  }
-  return file.string() +
-         ": was written over by another program while it was open; it stays as it is now, and nothing more is written. "
-         "What was stored there before is lost" +
-         log + ". Run again with --db and another file";
+  if (has_content(opened.log)) return written_over(file, set_log_aside(opened));
+  remove_log(opened);
+  return written_over(file, "");
 }
+
+std::string leave_what_was_restored_over(const std::filesystem::path& file) { return written_over(file, ""); }
 
 }  // namespace lacuna

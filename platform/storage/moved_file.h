@@ -35,4 +35,7 @@ std::string keep_what_was_committed(const std::filesystem::path& file, sqlite3* 
 /// also when the connection is closed, and the log, whose pages would destroy it, is set aside. Says so in a sentence.
 std::string leave_what_was_copied_over(const std::filesystem::path& file, sqlite3* handle, const OpenPlace& opened);
 
+/// The sentence for a database into which another program has brought other content by SQLite itself: the log holds it.
+std::string leave_what_was_restored_over(const std::filesystem::path& file);
+
 }  // namespace lacuna

@@ -2,7 +2,16 @@
 
 #include <sqlite3.h>
 
+#include <cstring>
+
 namespace lacuna {
+namespace {
+
+// The index of a write-ahead log: https://sqlite.org/walformat.html
+constexpr int kIndexRegion = 32768;
+constexpr std::size_t kBackfill = 96;
+
+}  // namespace
 
 RawFile::RawFile(sqlite3* handle) : handle_(handle) {
   sqlite3_file_control(handle, "main", SQLITE_FCNTL_FILE_POINTER, &file_);
@@ -21,6 +30,16 @@ std::uint64_t RawFile::size() const {
 }
 
 bool RawFile::is_read_only() const { return sqlite3_db_readonly(handle_, "main") == 1; }
+
+std::uint32_t RawFile::frames_in_file() const {
+  const sqlite3_io_methods& methods = *file_->pMethods;
+  void volatile* index = nullptr;
+  if (methods.iVersion < 2 || methods.xShmMap(file_, 0, kIndexRegion, 0, &index) != SQLITE_OK || index == nullptr)
+    return 0;
+  std::uint32_t frames = 0;
+  std::memcpy(&frames, const_cast<const char*>(static_cast<char volatile*>(index)) + kBackfill, sizeof frames);
+  return frames;
+}
 
 bool RawFile::lock() {
   const bool locked = file_->pMethods->xLock(file_, SQLITE_LOCK_SHARED) == SQLITE_OK &&

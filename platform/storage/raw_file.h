@@ -18,6 +18,8 @@ class RawFile {
   std::string read(std::uint64_t from, std::size_t size) const;
   std::uint64_t size() const;
   bool is_read_only() const;
+  /// How many frames of the write-ahead log as it is now are known to have been brought into the file.
+  std::uint32_t frames_in_file() const;
   /// Succeeds only while nobody else, here or in another process, has the database in use.
   bool lock();
   void unlock();

@@ -22,6 +22,7 @@ using test::is_intact;
 using test::sentence_of;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class WrittenOver : public testing::Test {
  protected:
@@ -175,6 +176,73 @@ TEST_F(WrittenOver, ByAnOlderCopyOfItselfIsNoticed) {
     EXPECT_THAT(sentence_of([&] { store(database, 103, 1); }), HasSubstr(kNoticed));
   }
   expect_left_as(before);
+}
+
+/// As it was at the last look, before what another program's checkpoint brought into it.
+TEST_F(WrittenOver, ByItsOwnStateBeforeACheckpointIsNoticed) {
+  for (const char* mode : {"PASSIVE", "RESTART", "TRUNCATE"}) {
+    std::filesystem::remove(file_);
+    std::filesystem::remove(log_.string() + ".set-aside");
+    Database database = Database::open(file_);
+    store(database, 0, 3);
+    const std::string before = content(file_);
+    store(database, 3, 5);
+    execute_elsewhere((std::string("PRAGMA wal_checkpoint(") + mode + ")").c_str());
+    ASSERT_FALSE(content(file_) == before) << "the test would show nothing";
+    write_over(before);
+    EXPECT_THAT(sentence_of([&] { store(database, 8, 1); }), HasSubstr(kNoticed)) << mode;
+    expect_left_as(before);
+  }
+}
+
+class RestoredOver : public WrittenOver {
+ protected:
+  /// The sqlite3 program's `.restore`, in another process.
+  void restore(const std::filesystem::path& source, bool checkpoint = false) const {
+    ChildProcess child([&](int to_parent) {
+      sqlite3 *from = nullptr, *to = nullptr;
+      sqlite3_open(source.c_str(), &from);
+      sqlite3_open(file_.c_str(), &to);
+      sqlite3_backup* backup = sqlite3_backup_init(to, "main", from, "main");
+      const bool done = backup != nullptr && sqlite3_backup_step(backup, -1) == SQLITE_DONE;
+      sqlite3_backup_finish(backup);
+      if (checkpoint) sqlite3_wal_checkpoint_v2(to, "main", SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+      ChildProcess::say(to_parent, done ? "w" : sqlite3_errmsg(to));
+    });
+    ASSERT_EQ(child.all(), "w");
+  }
+  void expect_restored(std::int64_t experiments) const {
+    EXPECT_FALSE(std::filesystem::exists(log_));
+    EXPECT_EQ(ask(Database::open_read_only(file_), "SELECT count(*) FROM experiment"), experiments);
+  }
+};
+
+TEST_F(RestoredOver, ByAnotherDatabaseIsNoticedBeforeAnythingIsWritten) {
+  another(7);
+  for (const bool checkpoint : {false, true}) {
+    std::filesystem::remove(file_);
+    {
+      Database database = Database::open(file_);
+      store(database, 0, 40);
+      restore(folder_ / "other.db", checkpoint);
+      EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), AllOf(HasSubstr(kNoticed), Not(HasSubstr("aside"))));
+      EXPECT_THAT(sentence_of([&] { store(database, 41, 1); }), HasSubstr(kNoticed));
+    }
+    expect_restored(7);
+  }
+}
+
+TEST_F(RestoredOver, ByAnEarlierStateOfItselfIsNoticed) {
+  const std::filesystem::path earlier = folder_ / "earlier.db";
+  {
+    Database database = Database::open(file_);
+    store(database, 0, 3);
+    execute_elsewhere(("VACUUM INTO '" + earlier.string() + "'").c_str());
+    store(database, 3, 5);
+    restore(earlier);
+    EXPECT_THAT(sentence_of([&] { database.check_in_place(); }), HasSubstr(kNoticed));
+  }
+  expect_restored(3);
 }
 
 TEST_F(WrittenOver, IsNotAFileThatItsOwnCommitsChange) {
