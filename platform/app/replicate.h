@@ -20,6 +20,7 @@ struct ReplicateEnd {
   PlannedReplicate planned;
   RunEnding ending = RunEnding::done;
   std::string problem;           ///< why it failed or was interrupted
+  bool damaged = false;          ///< the database, so that what it has stored of the run may be lost
   double seconds = 0.0;          ///< of work, stretches before an interruption included
   double process_seconds = 0.0;  ///< of this process
   double storage_seconds = 0.0;  ///< of these, in commits

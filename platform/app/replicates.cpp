@@ -3,6 +3,7 @@
 #include "app/store_journal.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "storage/storage_error.h"
 
 #include <algorithm>
 #include <chrono>
@@ -48,14 +49,19 @@ int most_side_by_side(const EeaBench& bench) {
   return target.kind == "process" ? target.process.copies : std::numeric_limits<int>::max();
 }
 
+void fail(ReplicateEnd& end, const std::exception& error) {
+  end.ending = RunEnding::failed;
+  end.damaged = end.damaged || dynamic_cast<const DamagedDatabase*>(&error) != nullptr;
+  if (end.problem.empty()) end.problem = error.what();
+}
+
 /// What was committed stays, whatever cannot be written any more.
 void close(EeaStore& store, ReplicateEnd& end) {
   try {
     if (end.ending != RunEnding::done) store.end(end.ending);
     end.passes = store.passes();
   } catch (const std::exception& error) {
-    end.ending = RunEnding::failed;
-    if (end.problem.empty()) end.problem = error.what();
+    fail(end, error);
   }
 }
 
@@ -119,8 +125,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     end.ending = RunEnding::interrupted;
     end.problem = interruption.what();
   } catch (const std::exception& error) {
-    end.ending = RunEnding::failed;
-    end.problem = error.what();
+    fail(end, error);
   }
   close(store, end);
   end.storage_seconds = store.seconds();

@@ -12,11 +12,16 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -53,11 +58,21 @@ std::string why_lost(Database& database) {
   throw Error(message);
 }
 
-/// A line for each replicate that failed.
+std::string runs_named(const std::vector<std::int64_t>& runs) {
+  return fmt::format("{} {}", runs.size() == 1 ? "run" : "runs", fmt::join(runs, ", "));
+}
+
+/// A line for each reason for which replicates failed.
 std::string failures_of(const std::vector<ReplicateEnd>& ends) {
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> reasons;
+  for (const ReplicateEnd& end : ends) {
+    if (end.ending != RunEnding::failed) continue;
+    auto reason = std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == end.problem; });
+    if (reason == reasons.end()) reason = reasons.insert(reason, {end.problem, {}});
+    reason->second.push_back(end.planned.run.value);
+  }
   std::string failures;
-  for (const ReplicateEnd& end : ends)
-    if (end.ending == RunEnding::failed) failures += fmt::format("run {}: {}\n", end.planned.run.value, end.problem);
+  for (const auto& [problem, runs] : reasons) failures += runs_named(runs) + ": " + problem + "\n";
   return failures;
 }
 
@@ -71,6 +86,8 @@ void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
   const std::string failures = failures_of(ends);
   const bool interrupted = std::any_of(ends.begin(), ends.end(),
                                        [](const ReplicateEnd& end) { return end.ending == RunEnding::interrupted; });
+  if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.damaged; }))
+    throw Error(failures + "results that were stored before may be lost; run again with --db and another file");
   const std::string again = command_line() + (resumed ? "" : " --resume") + " goes on from here";
   if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
   if (interrupted) throw Interrupted("interrupted; " + again);

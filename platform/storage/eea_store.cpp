@@ -3,6 +3,7 @@
 #include "foundation/digest.h"
 #include "storage/eea_writer.h"
 #include "storage/number_blob.h"
+#include "storage/storage_error.h"
 
 #include <lacuna/error.h>
 
@@ -161,8 +162,8 @@ std::optional<CheckpointRow> EeaStore::checkpoint() const {
   if (!there) return std::nullopt;
   CheckpointRow checkpoint{numbers_in(row.bytes(0))};
   if (digest_of(checkpoint) != row.text(1)) {
-    throw Error(database_.file().string() + ": the checkpoint of run " + std::to_string(run_.value) +
-                " is damaged: it is not what its digest says; run again without --resume");
+    throw DamagedDatabase(database_.file().string() + ": the checkpoint of run " + std::to_string(run_.value) +
+                          " is damaged: it is not what its digest says; run again without --resume");
   }
   return checkpoint;
 }

@@ -10,16 +10,19 @@
 namespace lacuna {
 namespace {
 
+/// Also where a part of the file or of its log is not there any more.
+bool is_damage(int code) { return (code & 0xff) == SQLITE_CORRUPT || code == SQLITE_IOERR_SHORT_READ; }
+
 /// What the primary code means and what to do, without the file's name in front.
 std::string sentence(int code, const std::string& message) {
   if (code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     return "cannot grow: the disk or the quota is full, or files may not grow this large (ulimit -f); make room and "
            "run "
            "again (lacuna run: with --resume), what was finished is kept";
+  if (is_damage(code))
+    return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
   switch (code & 0xff) {
     case SQLITE_NOTADB: return "is not a database; name another file, or move this one away";
-    case SQLITE_CORRUPT:
-      return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
     case SQLITE_BUSY:
     case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
     case SQLITE_FULL:
@@ -55,7 +58,9 @@ void throw_storage_error(const std::filesystem::path& file, int extended_code, c
     throw Error(file.string() + ": cannot be written: its folder is read-only; --db FILE puts the database elsewhere");
   if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted while it was read");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
-  throw Error(file.string() + ": " + sentence(extended_code, message));
+  const std::string text = file.string() + ": " + sentence(extended_code, message);
+  if (is_damage(extended_code)) throw DamagedDatabase(text);
+  throw Error(text);
 }
 
 void throw_storage_error(const std::filesystem::path& file, const SQLite::Exception& error) {

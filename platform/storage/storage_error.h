@@ -1,5 +1,7 @@
 #pragma once
 
+#include <lacuna/error.h>
+
 #include <filesystem>
 #include <string>
 
@@ -9,6 +11,12 @@ class Exception;
 }
 
 namespace lacuna {
+
+/// What was stored cannot be relied on any more.
+class DamagedDatabase : public Error {
+ public:
+  using Error::Error;
+};
 
 /// Throws the `Error` whose sentence says what an error code of SQLite means for this file and
 /// what to do about it.

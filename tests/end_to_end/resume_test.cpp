@@ -163,6 +163,32 @@ TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
   EXPECT_EQ(hash("small.db"), hash("theirs.db"));
 }
 
+TEST_F(Resume, SaysOnceForAllReplicatesThatTheDatabaseWasWrittenOver) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
+  const auto copy = [&] {
+    if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
+    return program_.shell("cp theirs.db small.db").exit_code == 0;
+  };
+  program_.write("lines", "");
+  const Outcome noticed =
+      program_.run_and_signal({"run", "small.toml", "--replicates", "3", "--json=lines", "--quiet"}, copy, SIGCONT);
+  EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
+  const std::size_t first = noticed.errors.find("was written over by another program");
+  ASSERT_NE(first, std::string::npos) << noticed.errors;
+  EXPECT_EQ(noticed.errors.find("was written over by another program", first + 1), std::string::npos) << noticed.errors;
+  EXPECT_THAT(noticed.errors, HasSubstr("runs 1, 2, 3: small.db: was written over"));
+}
+
+TEST_F(Resume, DoesNotSayThatNothingIsLostOfADamagedDatabase) {
+  interrupt({});
+  ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE checkpoint SET digest = lower(hex(zeroblob(32)))\"").exit_code, 0);
+  const Outcome damaged = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_THAT(damaged.errors,
+              AllOf(HasSubstr("run 1: small.db: the checkpoint of run 1 is damaged"),
+                    HasSubstr("results that were stored before may be lost"), Not(HasSubstr("nothing is lost"))));
+}
+
 /// Another database is moved over one that is being written, and the writer goes on, or is killed.
 TEST_F(Resume, AReplacedDatabaseHarmsNobody) {
   ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
