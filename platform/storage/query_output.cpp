@@ -1,5 +1,7 @@
 #include "storage/query_output.h"
 
+#include "foundation/problem.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -43,13 +45,14 @@ std::string on_one_line(std::string text) {
 
 class TableOutput : public QueryOutput {
  public:
-  explicit TableOutput(std::ostream& stream) : stream_(stream) {}
+  TableOutput(std::ostream& stream, std::size_t most_bytes) : stream_(stream), most_bytes_(most_bytes) {}
 
   void begin(const std::vector<std::string>& columns) override {
     if (any_) stream_ << '\n';
     any_ = true;
     columns_ = columns;
     rows_.clear();
+    bytes_ = 0;
     right_.assign(columns.size(), true);
   }
 
@@ -61,7 +64,7 @@ class TableOutput : public QueryOutput {
       texts.push_back(on_one_line(text_of(cells[i], kDigits)));
       if (!is_number(cells[i]) && !std::holds_alternative<std::monostate>(cells[i])) right_[i] = false;
     }
-    rows_.push_back(std::move(texts));
+    keep(std::move(texts));
   }
 
   void end() override {
@@ -81,6 +84,16 @@ class TableOutput : public QueryOutput {
   }
 
  private:
+  void keep(std::vector<std::string> row) {
+    bytes_ += sizeof row;
+    for (const std::string& text : row) bytes_ += sizeof text + text.size();
+    if (bytes_ > most_bytes_)
+      throw_problem({}, fmt::format("the table needs more than {} MB of memory and was not printed; ask for fewer rows "
+                                    "(LIMIT 1000), or use --csv or --json, which print row by row",
+                                    most_bytes_ / 1'000'000));
+    rows_.push_back(std::move(row));
+  }
+
   void write(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
     std::string line;
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -92,6 +105,8 @@ class TableOutput : public QueryOutput {
   }
 
   std::ostream& stream_;
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0;  ///< of the rows that are kept
   bool any_ = false;
   std::vector<std::string> columns_;
   std::vector<std::vector<std::string>> rows_;
@@ -164,9 +179,9 @@ class JsonOutput : public QueryOutput {
 
 }  // namespace
 
-std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream) {
+std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream, std::size_t most_bytes) {
   switch (format) {
-    case QueryFormat::table: return std::make_unique<TableOutput>(stream);
+    case QueryFormat::table: return std::make_unique<TableOutput>(stream, most_bytes);
     case QueryFormat::csv: return std::make_unique<CsvOutput>(stream);
     case QueryFormat::json: return std::make_unique<JsonOutput>(stream);
   }

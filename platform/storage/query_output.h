@@ -1,7 +1,9 @@
 #pragma once
 
 #include "storage/query.h"
+#include "storage/reading_only.h"
 
+#include <cstddef>
 #include <memory>
 #include <ostream>
 
@@ -13,7 +15,9 @@ enum class QueryFormat {
   json    ///< a list of objects for each statement; every digit; what is not finite is null
 };
 
-/// Writes to `stream`, which outlives it. CSV and JSON are written as rows come.
-std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream);
+/// Writes to `stream`, which outlives it. CSV and JSON are written as rows come. A table is kept until its columns'
+/// widths are known: one that takes more than `most_bytes` is refused with `BadInput`.
+std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream,
+                                               std::size_t most_bytes = ReadingOnly::kMostQueryMemory);
 
 }  // namespace lacuna

@@ -58,6 +58,24 @@ TEST_F(QueryTest, ALineBreakInACellDoesNotBreakTheTable) {
   EXPECT_EQ(ask("SELECT 'a' || char(10) || 'b' AS c"), "c\n---\na b\n");
 }
 
+TEST_F(QueryTest, ATableThatDoesNotFitIntoMemoryIsRefused) {
+  const auto print = [&](const std::string& rows, QueryFormat format) {
+    std::ostringstream text;
+    const std::string sql =
+        "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < " + rows + ") SELECT i FROM n";
+    run_queries(Database::open_read_only(file_), sql, *make_query_output(format, text, 2'000'000));
+    return text.str();
+  };
+  EXPECT_THAT(print("10000", QueryFormat::table), HasSubstr("\n10000\n"));
+  EXPECT_THAT(print("100000", QueryFormat::csv), HasSubstr("\n100000\n"));
+  try {
+    print("100000", QueryFormat::table);
+    FAIL() << "no complaint";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the table needs more than 2 MB of memory and was not printed"));
+  }
+}
+
 TEST_F(QueryTest, CsvQuotesWhatNeedsItAndKeepsEveryDigit) {
   EXPECT_EQ(ask("SELECT 'a,\"b\"' AS text, 0.1 AS x, NULL AS n", QueryFormat::csv), "text,x,n\n\"a,\"\"b\"\"\",0.1,\n");
   EXPECT_EQ(ask("SELECT 1.0/3 AS x", QueryFormat::csv), "x\n0.3333333333333333\n");
