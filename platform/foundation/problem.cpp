@@ -1,5 +1,7 @@
 #include "foundation/problem.h"
 
+#include "foundation/plain_text.h"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -13,7 +15,8 @@ std::string one_line_each(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) {
     if (!text.empty()) text += '\n';
     const std::string where = to_string(problem.location);
-    text += where.empty() ? problem.message : where + ": " + problem.message;
+    const std::string message = plain_text(problem.message);
+    text += where.empty() ? message : where + ": " + message;
   }
   return text;
 }
@@ -53,7 +56,7 @@ bool is_part(const std::string& word, const std::string& candidate) {
 }  // namespace
 
 std::string to_string(const SourceLocation& location) {
-  std::string text = location.file;
+  std::string text = plain_text(location.file);
   if (location.line > 0) text += ":" + std::to_string(location.line);
   if (location.line > 0 && location.column > 0) text += ":" + std::to_string(location.column);
   return text;

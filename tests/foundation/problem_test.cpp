@@ -60,5 +60,10 @@ TEST(ProblemList, SaysNothingTwice) {
   EXPECT_EQ(problems.all().size(), 2U);
 }
 
+TEST(BadInput, HasOneLineForEachProblemWhateverAFileIsNamed) {
+  EXPECT_STREQ(BadInput({{{"sine\nY.csv", 3, 1}, "no such file: a\x1B\nb"}, {{"x.toml"}, "is in deg"}}).what(),
+               "sine Y.csv:3:1: no such file: a  b\nx.toml: is in deg");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -28,5 +28,7 @@ TEST(ShellWord, ComesBackFromAShell) {
     EXPECT_EQ(as_a_shell_takes_it(shell_word(word)), word);
 }
 
+TEST(ShellWord, StaysOnOneLine) { EXPECT_EQ(shell_word("it's\na\\b\x1B\x7F.db"), R"($'it\'s\012a\\b\033\177.db')"); }
+
 }  // namespace
 }  // namespace lacuna
