@@ -1,6 +1,7 @@
 #include "app/check_summary.h"
 
 #include "foundation/counted.h"
+#include "foundation/plain_text.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ std::string names(const std::vector<Spec>& specs) {
 }
 
 std::string summary_line(const std::string& head, const std::string& text) {
-  return fmt::format("{:<10}{}\n", head, text);
+  return fmt::format("{:<10}{}\n", head, plain_text(text));
 }
 
 std::string effect_lines(const EffectList& effects) {

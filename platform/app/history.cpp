@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/records.h"
 #include "app/rig.h"
+#include "foundation/plain_text.h"
 #include "foundation/shell_word.h"
 #include "report/history_text.h"
 #include "storage/log_left.h"
@@ -64,7 +65,7 @@ void run_history(const HistoryOptions& options) {
   const StoredHistory history = stored_history(file, rig);
   const std::string next = history.missing.empty() ? "" : command_to_type("compare", options);
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
-    fmt::print("{} · {}\n", rig.experiment.name, file.string());
+    fmt::print("{} · {}\n", plain_text(rig.experiment.name), plain_text(file.string()));
     if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks));
     if (!next.empty()) fmt::print("{}. Next: {}\n", history.missing, next);
   }

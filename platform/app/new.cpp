@@ -5,6 +5,7 @@
 #include "config/text_file.h"
 #include "config/toml_parser.h"
 #include "foundation/counted.h"
+#include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "foundation/unit.h"
@@ -148,7 +149,7 @@ void print_blanks(const std::filesystem::path& file, const std::string& text) {
   for (int number = 1; std::getline(lines, line); ++number) {
     if (line.starts_with('#') || line.find('"' + std::string(kBlank)) == line.npos) continue;
     const std::size_t comment = line.find("  # ");
-    std::printf("  %s:%d  %s\n", file.c_str(), number,
+    std::printf("  %s  %s\n", to_string(SourceLocation{file.string(), number, 0}).c_str(),
                 line.substr(0, std::min(comment, line.find_last_not_of(' ', comment) + 1)).c_str());
   }
 }
@@ -167,8 +168,8 @@ void make_new(const NewOptions& options) {
   files.add(draft.experiment, experiment);
   files.publish();
 
-  std::printf("%s%s written from %s\n", draft.experiment.c_str(),
-              writes_robot ? (" and " + draft.robot.string()).c_str() : "",
+  std::printf("%s%s written from %s\n", plain_text(draft.experiment.string()).c_str(),
+              writes_robot ? (" and " + plain_text(draft.robot.string())).c_str() : "",
               counted(draft.files.size(), "recording").c_str());
   print_guesses(draft);
   if (draft.recording)

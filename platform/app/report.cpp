@@ -2,6 +2,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/replays.h"
+#include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "report/pages.h"
 #include "storage/log_left.h"
@@ -51,7 +52,7 @@ void make_report(const ReportOptions& options) {
   const std::string page = report_page(pages.bytes());
   write_output(options.out, page);
   if (!options.quiet && !options.out.empty())
-    fmt::print("{}: {:.1f} MB; opens in a browser, without a network\n", options.out,
+    fmt::print("{}: {:.1f} MB; opens in a browser, without a network\n", plain_text(options.out),
                static_cast<double>(page.size()) / kMegabyte);
 }
 

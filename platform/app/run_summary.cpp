@@ -1,6 +1,7 @@
 #include "app/run_summary.h"
 
 #include "foundation/counted.h"
+#include "foundation/plain_text.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@ namespace lacuna {
 namespace {
 
 std::string fact_line(const std::string& head, const std::string& text) {
-  return fmt::format("{:<10}{}\n", head, text);
+  return fmt::format("{:<10}{}\n", head, plain_text(text));
 }
 
 std::string target_line(const EeaBench& bench) {

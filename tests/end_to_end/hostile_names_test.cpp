@@ -6,11 +6,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -58,6 +60,27 @@ TEST_F(HostileRecording, DoesNotMakeACommandOfItsExperimentsName) {
   const Outcome outcome = program_.run({"fit", "x`touch P`.toml"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("→ lacuna compare 'x`touch P`.toml'"));
+}
+
+TEST_F(HostileNames, DoNotBeginLines) {
+  program_.copy_first_steps();
+  const fs::path data = program_.folder() / "data/servo_pendulum";
+  fs::rename(data / "sine.csv", data / "sine\nforged.csv");
+  std::string text = program_.read("first-steps.toml");
+  text.replace(text.find("sine.csv"), 8, "sine\\nforged.csv");
+  program_.write("first-steps.toml", text);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"check", "first-steps.toml"},
+        {"check", "no\nforged.toml"},
+        {"new", "a\nforged.toml", "--from", "no\nforged.csv"},
+        {"new", "a\nforged.toml", "--from", "data/servo_pendulum/steps.csv"},
+        {"compare", "first-steps.toml", "--db", "x\nforged.db"},
+        {"history", "first-steps.toml", "--db", "x\nforged.db"},
+        {"report", "x\nforged.db", "--out", "r\nforged.html"}}) {
+    const Outcome outcome = program_.run(arguments);
+    EXPECT_THAT(outcome.output + outcome.errors, AllOf(HasSubstr("forged"), Not(HasSubstr("\nforged"))))
+        << arguments[0];
+  }
 }
 
 TEST_F(HostileRecording, DoesNotReachThroughALinkInTheFolder) {
