@@ -181,7 +181,8 @@ TEST_F(Resume, SaysOnceForAllReplicatesThatTheDatabaseWasWrittenOver) {
 
 TEST_F(Resume, DoesNotSayThatNothingIsLostOfADamagedDatabase) {
   interrupt({});
-  ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE checkpoint SET digest = lower(hex(zeroblob(32)))\"").exit_code, 0);
+  ASSERT_EQ(program_.shell("sqlite3 small.db \"UPDATE checkpoint SET digest = lower(hex(zeroblob(32)))\"").exit_code,
+            0);
   const Outcome damaged = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(damaged.exit_code, 1);
   EXPECT_THAT(damaged.errors,
