@@ -2,6 +2,7 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/workbench.h"
+#include "foundation/plain_text.h"
 #include "report/advice_text.h"
 #include "report/comparison_json.h"
 #include "report/comparison_pictures.h"
@@ -52,7 +53,7 @@ void run_compare(const CompareOptions& options) {
     draw_comparison(compared.result, title, options.out, names);
     draw_where(where, title, options.out, names);
     write_predictions(compared.result, options.out, names);
-    if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", options.out.string());
+    if (!options.quiet) fmt::print(stderr, "pictures and predictions are in {}\n", plain_text(options.out.string()));
   }
   bench.ledger().done();
 }

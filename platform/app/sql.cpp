@@ -35,7 +35,7 @@ void print_views() {
 
 void query(const SqlOptions& options) {
   check_output(options.json);
-  refuse_outputs_among({options.database});
+  note_database(options.database);
   const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   const bool to_file = options.json && !options.json->empty();
