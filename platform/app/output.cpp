@@ -125,7 +125,7 @@ void check_output_folder(const fs::path& folder) {
 }
 
 fs::path file_for_picture(const fs::path& folder, const std::string& name) {
-  const fs::path file = folder / name;
+  fs::path file = folder / name;
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) refuse(file, "is a folder; --out FOLDER puts the pictures somewhere else");
   refuse_input(file);

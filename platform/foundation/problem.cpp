@@ -16,7 +16,8 @@ std::string one_line_each(const std::vector<Problem>& problems) {
     if (!text.empty()) text += '\n';
     const std::string where = to_string(problem.location);
     const std::string message = plain_text(problem.message);
-    text += where.empty() ? message : where + ": " + message;
+    if (!where.empty()) text.append(where).append(": ");
+    text += message;
   }
   return text;
 }

@@ -24,7 +24,7 @@ struct KnownColumn {
 bool is_time(const std::string& name) { return name == "t" || name == "time"; }
 
 std::string unit_of(const CsvFormat& format, std::size_t column) {
-  const std::string named = unit_in_name(format.names[column]);
+  std::string named = unit_in_name(format.names[column]);
   if (!named.empty() || column >= format.units.size()) return named;
   return unit_of_cell(format.units[column]);
 }

@@ -85,8 +85,8 @@ class TableOutput : public QueryOutput {
 
  private:
   void keep(std::vector<std::string> row) {
-    bytes_ += sizeof row;
-    for (const std::string& text : row) bytes_ += sizeof text + text.size();
+    bytes_ += sizeof(std::vector<std::string>);
+    for (const std::string& text : row) bytes_ += sizeof(std::string) + text.size();
     if (bytes_ > most_bytes_)
       throw_problem({}, fmt::format("the table needs more than {} MB of memory and was not printed; ask for fewer rows "
                                     "(LIMIT 1000), or use --csv or --json, which print row by row",

@@ -18,9 +18,10 @@ using testing::Not;
 
 /// Names in which some interpreter would find a command that makes the file P.
 class HostileNames : public testing::Test {
- protected:
+ public:
   ~HostileNames() override { EXPECT_FALSE(fs::exists(program_.folder() / "P")) << "a name was carried out"; }
 
+ protected:
   std::string picture(const fs::path& file) const {
     EXPECT_TRUE(fs::exists(program_.folder() / file)) << file;
     return program_.read(file);
