@@ -86,7 +86,7 @@ int run_program(int argc, char** argv) {
 
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);
-  forget_outputs();
+  forget_command_files();
   watch_for_interrupts();
   try {
     program.parse(argc, argv);

@@ -4,6 +4,7 @@
 #include "command_line/whole_number.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
+#include "foundation/whole_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,8 +33,7 @@ void note_database(const std::filesystem::path& database) {
   if (database.empty()) throw_problem({}, "the name of the database is empty; name a file");
   std::error_code failure;
   std::ignore = std::filesystem::status(database, failure);
-  if (failure == std::errc::too_many_symbolic_link_levels)
-    throw_problem({database.string()}, "its symbolic links lead in a circle; remove the link, or name another file");
+  if (failure == std::errc::too_many_symbolic_link_levels) throw_problem({database.string()}, kCircleOfLinks);
   if (failure == std::errc::filename_too_long)
     throw_problem({database.string()}, "cannot be opened: " + failure.message());
   refuse_outputs_among({database});

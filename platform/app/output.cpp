@@ -109,7 +109,7 @@ void check_output(const std::optional<std::string>& option, const std::optional<
   }
 }
 
-void forget_outputs() { files() = {}; }
+void forget_command_files() { files() = {}; }
 
 void refuse_outputs_among(const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {

@@ -19,8 +19,8 @@ bool takes_standard_output(const std::optional<std::string>& option);
 /// output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
 
-/// Called where a command begins: the outputs and inputs of an earlier one in this process are forgotten.
-void forget_outputs();
+/// Called where a command begins: those of an earlier one in this process are forgotten.
+void forget_command_files();
 
 /// Called by whoever names or opens what a command reads, before work that takes long: throws `BadInput` where an
 /// output is one of them or a log that SQLite keeps beside it, by whatever name, for then the results would take its

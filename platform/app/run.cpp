@@ -37,27 +37,6 @@ std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& 
                      format_duration(end.seconds), evaluations, 100.0 * end.storage_seconds / end.process_seconds);
 }
 
-/// Where the content of a database is now that was moved or replaced meanwhile; nothing: where it was.
-std::string why_lost(Database& database) {
-  try {
-    database.check_in_place();
-    return "";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
-[[noreturn]] void throw_lost(const std::string& failures, const std::string& why, const Database& database) {
-  const bool said = failures.find(why) != std::string::npos;
-  std::string message =
-      failures + (said ? "" : why + "\n") + database.file().string() + " is no longer this run's database";
-  if (database.has_moved())
-    message +=
-        ". To go on with the run, type the same command with --resume and --db FILE, where FILE is the file that holds "
-        "what was stored";
-  throw Error(message);
-}
-
 std::string runs_named(const std::vector<std::int64_t>& runs) {
   return fmt::format("{} {}", runs.size() == 1 ? "run" : "runs", fmt::join(runs, ", "));
 }
@@ -77,8 +56,18 @@ std::string failures_of(const std::vector<ReplicateEnd>& ends) {
 }
 
 /// Throws where the database is not where it was opened any more, since the last commit included.
-void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) {
-  if (const std::string why = why_lost(database); !why.empty()) throw_lost(failures_of(ends), why, database);
+void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) try {
+  database.check_in_place();
+} catch (const Error& lost) {
+  const std::string failures = failures_of(ends), why = lost.what();
+  std::string message = failures;
+  if (failures.find(why) == std::string::npos) message += why + "\n";
+  message += database.file().string() + " is no longer this run's database";
+  if (database.has_moved())
+    message +=
+        ". To go on with the run, type the same command with --resume and --db FILE, where FILE is the file that holds "
+        "what was stored";
+  throw Error(message);
 }
 
 /// Throws where a replicate did not reach its end.

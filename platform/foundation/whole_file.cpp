@@ -49,8 +49,6 @@ bool is_circle(const fs::path& target) {
   return fs::is_symlink(target, none) && !names_descriptor(target);
 }
 
-constexpr const char* kCircle = "its symbolic links lead in a circle; remove the link, or name another file";
-
 bool is_written_directly(const fs::path& target) {
   std::error_code none;
   return names_descriptor(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none));
@@ -115,7 +113,8 @@ WholeFile::WholeFile(const fs::path& file, Link link)
       target_(link == Link::followed ? end_of_links(file) : file),
       direct_(link == Link::followed && is_written_directly(target_)),
       stream_(nullptr) {
-  if (link == Link::followed && is_circle(target_)) throw Error(file_.string() + ": cannot be written: " + kCircle);
+  if (link == Link::followed && is_circle(target_))
+    throw Error(file_.string() + ": cannot be written: " + kCircleOfLinks);
   struct stat old {};
   const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
@@ -191,7 +190,7 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
 
 std::optional<std::string> why_not_writable(const fs::path& file) {
   const fs::path target = end_of_links(file);
-  if (is_circle(target)) return kCircle;
+  if (is_circle(target)) return kCircleOfLinks;
   struct stat old {};
   const bool is_new = ::lstat(target.c_str(), &old) != 0 && errno == ENOENT;
   if (is_new && !is_written_directly(target)) return why_not_writable_into(folder_of(target));

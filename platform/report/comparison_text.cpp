@@ -151,7 +151,7 @@ std::string failed_checks_text(const std::vector<std::string>& faults) {
   std::string text;
   for (const std::string& fault : faults) text += "data check failed: " + fault + "\n";
   if (!text.empty())
-    text += "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on it\n";
+    text += "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on such data\n";
   return text;
 }
 

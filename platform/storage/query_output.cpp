@@ -1,5 +1,6 @@
 #include "storage/query_output.h"
 
+#include "foundation/csv_cell.h"
 #include "foundation/problem.h"
 
 #include <fmt/format.h>
@@ -121,25 +122,18 @@ class CsvOutput : public QueryOutput {
     if (any_) stream_ << '\n';
     any_ = true;
     std::string line;
-    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + quoted(name);
+    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + csv_cell(name);
     stream_ << line << '\n';
   }
 
   void row(const std::vector<Cell>& cells) override {
-    for (std::size_t i = 0; i < cells.size(); ++i) stream_ << (i == 0 ? "" : ",") << quoted(text_of(cells[i], 0));
+    for (std::size_t i = 0; i < cells.size(); ++i) stream_ << (i == 0 ? "" : ",") << csv_cell(text_of(cells[i], 0));
     stream_ << '\n';
   }
 
   void end() override {}
 
  private:
-  static std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-  }
-
   std::ostream& stream_;
   bool any_ = false;
 };

@@ -17,16 +17,16 @@ class OutputTest : public testing::Test {
  protected:
   OutputTest() {
     fs::current_path(folder_.path());
-    forget_outputs();
+    forget_command_files();
   }
   ~OutputTest() override {
-    forget_outputs();
+    forget_command_files();
     fs::current_path(before_);
   }
 
   /// What is said where results would go to `output` and `input` is read; empty: nothing.
   static std::string sentence(const std::string& output, const fs::path& input) {
-    forget_outputs();
+    forget_command_files();
     try {
       check_output(output);
       refuse_outputs_among({input});
@@ -77,7 +77,7 @@ TEST_F(OutputTest, IsNoInputThatWasNamedBefore) {
 
 TEST_F(OutputTest, IsNamedByOneOptionOnly) {
   EXPECT_THROW(check_output("a.json", "./a.json"), BadInput);
-  forget_outputs();
+  forget_command_files();
   check_output("a.json", "b.csv");
   EXPECT_THROW(check_output("./b.csv"), BadInput);
   EXPECT_THROW(check_output_folder("b.csv"), BadInput);

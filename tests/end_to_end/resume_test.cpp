@@ -35,6 +35,18 @@ class Resume : public testing::Test {
     };
     ASSERT_EQ(program_.run_and_signal(arguments, ready, SIGINT).exit_code, kInterrupted);
   }
+  /// Another database is copied over small.db while it runs.
+  Outcome run_and_copy_over(const std::vector<std::string>& options) const {
+    EXPECT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
+    std::vector<std::string> arguments = {"run", "small.toml", "--json=lines"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    program_.write("lines", "");
+    const auto copy = [&] {
+      if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
+      return program_.shell("cp theirs.db small.db").exit_code == 0;
+    };
+    return program_.run_and_signal(arguments, copy, SIGCONT);
+  }
   std::string ask(const std::string& database, const std::string& sql) const {
     return program_.run({"sql", database, sql, "--csv"}).output;
   }
@@ -148,13 +160,7 @@ TEST_F(Resume, RefusesAFileNameThatWasEditedAndTakesADigestOfAnEarlierVersion) {
 }
 
 TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
-  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
-  const auto copy = [&] {
-    if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
-    return program_.shell("cp theirs.db small.db").exit_code == 0;
-  };
-  program_.write("lines", "");
-  const Outcome noticed = program_.run_and_signal({"run", "small.toml", "--json=lines"}, copy, SIGCONT);
+  const Outcome noticed = run_and_copy_over({});
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
   EXPECT_THAT(noticed.errors, AllOf(HasSubstr("small.db: was written over by another program while it was open"),
                                     Not(HasSubstr("nothing is lost"))));
@@ -164,14 +170,7 @@ TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
 }
 
 TEST_F(Resume, SaysOnceForAllReplicatesThatTheDatabaseWasWrittenOver) {
-  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "theirs.db"}).exit_code, kDone);
-  const auto copy = [&] {
-    if (program_.read("lines").find("\"trial\"") == std::string::npos) return false;
-    return program_.shell("cp theirs.db small.db").exit_code == 0;
-  };
-  program_.write("lines", "");
-  const Outcome noticed =
-      program_.run_and_signal({"run", "small.toml", "--replicates", "3", "--json=lines", "--quiet"}, copy, SIGCONT);
+  const Outcome noticed = run_and_copy_over({"--replicates", "3", "--quiet"});
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;
   const std::size_t first = noticed.errors.find("was written over by another program");
   ASSERT_NE(first, std::string::npos) << noticed.errors;

@@ -11,11 +11,11 @@
 
 #include <fstream>
 #include <functional>
-#include <iterator>
 
 namespace lacuna {
 namespace {
 
+using test::add_experiments;
 using test::ask;
 using test::ChildProcess;
 using test::is_intact;
@@ -26,16 +26,6 @@ using testing::Not;
 
 class WrittenOver : public testing::Test {
  protected:
-  static void store(Database& database, int first, int count, std::size_t size = 5000) {
-    ResultStore store(database);
-    store.begin_run({.command = "test", .seed = 1, .threads = 1}, {});
-    for (int i = first; i < first + count; ++i)
-      store.record_experiment({"experiment " + std::to_string(i), "rig.toml", std::string(size, 'x'), {}});
-  }
-  static std::string content(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   /// As `cp` does it: into the same file. In another process, since to close a file drops the locks of its process.
   void write_over(const std::string& bytes) const {
     ChildProcess child([&](int to_parent) {
@@ -59,12 +49,12 @@ class WrittenOver : public testing::Test {
     const std::filesystem::path other = folder_ / "other.db";
     {
       Database database = Database::open(other);
-      store(database, 0, experiments);
+      add_experiments(database, 0, experiments);
     }
-    return content(other);
+    return read_bytes(other);
   }
   void expect_left_as(const std::string& bytes) const {
-    EXPECT_TRUE(content(file_) == bytes) << "the file is not the one that was copied there";
+    EXPECT_TRUE(read_bytes(file_) == bytes) << "the file is not the one that was copied there";
     EXPECT_FALSE(std::filesystem::exists(log_));
     EXPECT_FALSE(std::filesystem::exists(file_.string() + "-shm"));
   }
@@ -79,11 +69,11 @@ TEST_F(WrittenOver, ByAnotherDatabaseIsNoticedAtTheNextCommit) {
   const std::string theirs = another();
   {
     Database database = Database::open(file_);
-    store(database, 0, 40);
+    add_experiments(database, 0, 40);
     write_over(theirs);
-    EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }),
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }),
                 AllOf(HasSubstr(kNoticed), HasSubstr("its log was set aside as " + log_.string() + ".set-aside")));
-    EXPECT_THAT(sentence_of([&] { store(database, 41, 1); }), HasSubstr(kNoticed));
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 41, 1); }), HasSubstr(kNoticed));
     expect_left_as(theirs);
   }
   expect_left_as(theirs);
@@ -94,7 +84,7 @@ TEST_F(WrittenOver, AfterTheLastCommitIsNoticedAtTheEnd) {
   testing::internal::CaptureStderr();
   {
     Database database = Database::open(file_);
-    store(database, 0, 40);
+    add_experiments(database, 0, 40);
     write_over(theirs);
   }
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(kNoticed));
@@ -106,7 +96,7 @@ TEST_F(WrittenOver, BeforeTheFirstCommitIsNoticed) {
   {
     Database database = Database::open(file_);
     write_over(theirs);
-    EXPECT_THAT(sentence_of([&] { store(database, 0, 1); }), HasSubstr(kNoticed));
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 0, 1); }), HasSubstr(kNoticed));
   }
   expect_left_as(theirs);
 }
@@ -115,7 +105,7 @@ TEST_F(WrittenOver, InATransactionIsNoticedBeforeItsCommit) {
   const std::string theirs = another();
   {
     Database database = Database::open(file_);
-    store(database, 0, 40);
+    add_experiments(database, 0, 40);
     Transaction transaction(database);
     database.execute("INSERT INTO schema_text (name, sha256) VALUES ('other', 'x')");
     write_over(theirs);
@@ -128,12 +118,12 @@ TEST_F(WrittenOver, IsNoticedBeforeTheLogIsBroughtIntoTheFile) {
   const std::string theirs = another();
   {
     Database database = Database::open(file_);
-    store(database, 0, 1);
+    add_experiments(database, 0, 1);
     database.execute("BEGIN; UPDATE experiment_text SET text = text || hex(zeroblob(4000000))");
     write_over(theirs);
     database.execute("COMMIT");
     ASSERT_GT(std::filesystem::file_size(log_), 1000U * 4096U) << "the test would show nothing";
-    EXPECT_TRUE(content(file_) == theirs);
+    EXPECT_TRUE(read_bytes(file_) == theirs);
     EXPECT_THAT(sentence_of([&] { database.check_in_place(); }), HasSubstr(kNoticed));
   }
   expect_left_as(theirs);
@@ -144,9 +134,9 @@ TEST_F(WrittenOver, ByWhatIsNoDatabaseIsNoticed) {
     std::filesystem::remove(file_);
     {
       Database database = Database::open(file_);
-      store(database, 0, 40);
+      add_experiments(database, 0, 40);
       write_over(bytes);
-      EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), HasSubstr(kNoticed));
+      EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }), HasSubstr(kNoticed));
     }
     expect_left_as(bytes);
   }
@@ -155,9 +145,9 @@ TEST_F(WrittenOver, ByWhatIsNoDatabaseIsNoticed) {
 TEST_F(WrittenOver, IsAlsoAFileThatWasCut) {
   {
     Database database = Database::open(file_);
-    store(database, 0, 40);
+    add_experiments(database, 0, 40);
     std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 4096 / 2 * 4096);
-    EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), HasSubstr(kNoticed));
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }), HasSubstr(kNoticed));
   }
   EXPECT_FALSE(std::filesystem::exists(log_));
 }
@@ -165,15 +155,15 @@ TEST_F(WrittenOver, IsAlsoAFileThatWasCut) {
 TEST_F(WrittenOver, ByAnOlderCopyOfItselfIsNoticed) {
   {
     Database database = Database::open(file_);
-    store(database, 0, 3);
+    add_experiments(database, 0, 3);
   }
-  const std::string before = content(file_);
+  const std::string before = read_bytes(file_);
   {
     Database database = Database::open(file_);
-    store(database, 3, 100, 60'000);
-    ASSERT_FALSE(content(file_) == before) << "the test would show nothing";
+    add_experiments(database, 3, 100, 60'000);
+    ASSERT_FALSE(read_bytes(file_) == before) << "the test would show nothing";
     write_over(before);
-    EXPECT_THAT(sentence_of([&] { store(database, 103, 1); }), HasSubstr(kNoticed));
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 103, 1); }), HasSubstr(kNoticed));
   }
   expect_left_as(before);
 }
@@ -184,13 +174,13 @@ TEST_F(WrittenOver, ByItsOwnStateBeforeACheckpointIsNoticed) {
     std::filesystem::remove(file_);
     std::filesystem::remove(log_.string() + ".set-aside");
     Database database = Database::open(file_);
-    store(database, 0, 3);
-    const std::string before = content(file_);
-    store(database, 3, 5);
+    add_experiments(database, 0, 3);
+    const std::string before = read_bytes(file_);
+    add_experiments(database, 3, 5);
     execute_elsewhere((std::string("PRAGMA wal_checkpoint(") + mode + ")").c_str());
-    ASSERT_FALSE(content(file_) == before) << "the test would show nothing";
+    ASSERT_FALSE(read_bytes(file_) == before) << "the test would show nothing";
     write_over(before);
-    EXPECT_THAT(sentence_of([&] { store(database, 8, 1); }), HasSubstr(kNoticed)) << mode;
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 8, 1); }), HasSubstr(kNoticed)) << mode;
     expect_left_as(before);
   }
 }
@@ -223,10 +213,11 @@ TEST_F(RestoredOver, ByAnotherDatabaseIsNoticedBeforeAnythingIsWritten) {
     std::filesystem::remove(file_);
     {
       Database database = Database::open(file_);
-      store(database, 0, 40);
+      add_experiments(database, 0, 40);
       restore(folder_ / "other.db", checkpoint);
-      EXPECT_THAT(sentence_of([&] { store(database, 40, 1); }), AllOf(HasSubstr(kNoticed), Not(HasSubstr("aside"))));
-      EXPECT_THAT(sentence_of([&] { store(database, 41, 1); }), HasSubstr(kNoticed));
+      EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }),
+                  AllOf(HasSubstr(kNoticed), Not(HasSubstr("aside"))));
+      EXPECT_THAT(sentence_of([&] { add_experiments(database, 41, 1); }), HasSubstr(kNoticed));
     }
     expect_restored(7);
   }
@@ -236,9 +227,9 @@ TEST_F(RestoredOver, ByAnEarlierStateOfItselfIsNoticed) {
   const std::filesystem::path earlier = folder_ / "earlier.db";
   {
     Database database = Database::open(file_);
-    store(database, 0, 3);
+    add_experiments(database, 0, 3);
     execute_elsewhere(("VACUUM INTO '" + earlier.string() + "'").c_str());
-    store(database, 3, 5);
+    add_experiments(database, 3, 5);
     restore(earlier);
     EXPECT_THAT(sentence_of([&] { database.check_in_place(); }), HasSubstr(kNoticed));
   }
@@ -248,10 +239,10 @@ TEST_F(RestoredOver, ByAnEarlierStateOfItselfIsNoticed) {
 TEST_F(WrittenOver, IsNotAFileThatItsOwnCommitsChange) {
   Database database = Database::open(file_);
   int changes = 0;
-  std::string before = content(file_);
+  std::string before = read_bytes(file_);
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(sentence_of([&] { store(database, 20 * i, 20, 40'000); }), "no error");
-    if (std::string now = content(file_); now != before) {
+    EXPECT_EQ(sentence_of([&] { add_experiments(database, 20 * i, 20, 40'000); }), "no error");
+    if (std::string now = read_bytes(file_); now != before) {
       before = std::move(now);
       ++changes;
     }
@@ -265,23 +256,23 @@ TEST_F(WrittenOver, IsNotAFileThatAnotherWriterChanges) {
   for (int i = 0; i < 10; ++i) {
     ChildProcess child([&](int to_parent) {
       Database theirs = Database::open(file_);
-      store(theirs, 10'000 + 50 * i, 50, 50'000);
+      add_experiments(theirs, 10'000 + 50 * i, 50, 50'000);
       ChildProcess::say(to_parent, "w");
     });
-    EXPECT_EQ(sentence_of([&] { store(database, 50 * i, 50, 50'000); }), "no error");
+    EXPECT_EQ(sentence_of([&] { add_experiments(database, 50 * i, 50, 50'000); }), "no error");
     ASSERT_EQ(child.all(), "w");
     execute_elsewhere(i % 2 == 0 ? "PRAGMA wal_checkpoint(TRUNCATE)" : "VACUUM; PRAGMA wal_checkpoint(TRUNCATE)");
   }
-  EXPECT_EQ(sentence_of([&] { store(database, 500, 1); }), "no error");
+  EXPECT_EQ(sentence_of([&] { add_experiments(database, 500, 1); }), "no error");
   EXPECT_TRUE(is_intact(database));
   EXPECT_EQ(ask(database, "SELECT count(*) FROM experiment"), 1001);
 }
 
 TEST_F(WrittenOver, IsNotAFileWhoseTimeAloneChanged) {
   Database database = Database::open(file_);
-  store(database, 0, 3);
+  add_experiments(database, 0, 3);
   std::filesystem::permissions(file_, std::filesystem::perms::owner_all);
-  EXPECT_EQ(sentence_of([&] { store(database, 3, 1); }), "no error");
+  EXPECT_EQ(sentence_of([&] { add_experiments(database, 3, 1); }), "no error");
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 namespace lacuna {
@@ -20,11 +19,6 @@ namespace {
 using test::ask;
 using test::sentence_of;
 using testing::HasSubstr;
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The sentence with which `action` fails.
 class DatabaseTest : public testing::Test {
@@ -70,10 +64,10 @@ TEST_F(DatabaseTest, ReferencesAreEnforced) {
 
 TEST_F(DatabaseTest, ATextFileIsNotADatabaseAndStaysAsItIs) {
   std::ofstream(file_) << "t,position\n0,1\n0.1,2 and more than a header's worth of text to make SQLite look at it\n";
-  const std::string before = content_of(file_);
+  const std::string before = read_bytes(file_);
   EXPECT_THAT(open_sentence(), HasSubstr("rig.db: is not a database"));
   EXPECT_THAT(read_sentence(), HasSubstr("is not a database"));
-  EXPECT_EQ(content_of(file_), before);
+  EXPECT_EQ(read_bytes(file_), before);
 }
 
 TEST_F(DatabaseTest, ADatabaseOfAnotherProgramIsRefusedAndStaysAsItIs) {
@@ -81,10 +75,10 @@ TEST_F(DatabaseTest, ADatabaseOfAnotherProgramIsRefusedAndStaysAsItIs) {
     Database foreign = Database::open(file_, {{1, "CREATE TABLE theirs (a); PRAGMA journal_mode = DELETE"}});
     foreign.execute("PRAGMA application_id = 7; PRAGMA journal_mode = DELETE");
   }
-  const std::string before = content_of(file_);
+  const std::string before = read_bytes(file_);
   EXPECT_THAT(open_sentence(), HasSubstr("is a database of another program"));
   EXPECT_THAT(read_sentence(), HasSubstr("is a database of another program"));
-  EXPECT_EQ(content_of(file_), before);
+  EXPECT_EQ(read_bytes(file_), before);
 }
 
 TEST_F(DatabaseTest, ANewerVersionIsRefused) {
@@ -98,11 +92,11 @@ TEST_F(DatabaseTest, AWrongVersionGetsASentenceAndLeavesTheFileAsItIs) {
   const int newest = schema_migrations().back().number;
   for (const int wrong : {0, 1, newest - 1, -1, -2147483647, 2147483647}) {
     { Database::open(file_).execute("PRAGMA user_version = " + std::to_string(wrong)); }
-    const std::string before = content_of(file_);
+    const std::string before = read_bytes(file_);
     for (const std::string& sentence : {open_sentence(), read_sentence()})
       EXPECT_THAT(sentence, testing::AllOf(HasSubstr("rig.db: says that it has schema " + std::to_string(wrong)),
                                            HasSubstr("PRAGMA user_version = N")));
-    EXPECT_EQ(content_of(file_), before) << wrong;
+    EXPECT_EQ(read_bytes(file_), before) << wrong;
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".before-version-" + std::to_string(newest)));
     std::filesystem::remove(file_);
   }
@@ -112,10 +106,10 @@ TEST_F(DatabaseTest, AHeaderWithoutTablesGetsASentence) {
   for (const int version : {1, schema_migrations().back().number}) {
     Database::open_blank(file_).execute("PRAGMA application_id = " + std::to_string(kApplicationId) +
                                         "; PRAGMA user_version = " + std::to_string(version));
-    const std::string before = content_of(file_);
+    const std::string before = read_bytes(file_);
     for (const std::string& sentence : {open_sentence(), read_sentence()})
       EXPECT_THAT(sentence, HasSubstr("has the header of schema " + std::to_string(version) + " but no tables"));
-    EXPECT_EQ(content_of(file_), before);
+    EXPECT_EQ(read_bytes(file_), before);
   }
 }
 
@@ -161,9 +155,9 @@ TEST_F(DatabaseTest, AnOlderFileIsBroughtUpToDateAndKeptBesideIt) {
 TEST_F(DatabaseTest, AnOlderFileIsReadAsIfItWereUpToDateAndStaysAsItIs) {
   const std::vector<Migration>& all = schema_migrations();
   { Database::open(file_, {all.front()}).execute("INSERT INTO schema_text (name, sha256) VALUES ('other', 'x')"); }
-  const std::string before = content_of(file_);
+  const std::string before = read_bytes(file_);
   EXPECT_EQ(ask(Database::open_read_only(file_), "SELECT count(*) FROM eea_runs"), 0);
-  EXPECT_EQ(content_of(file_), before);
+  EXPECT_EQ(read_bytes(file_), before);
 }
 
 TEST_F(DatabaseTest, AMigrationThatFailsLeavesTheOldVersion) {

@@ -11,11 +11,11 @@
 
 #include <fstream>
 #include <functional>
-#include <iterator>
 
 namespace lacuna {
 namespace {
 
+using test::add_experiments;
 using test::ask;
 using test::ChildProcess;
 using test::is_intact;
@@ -23,11 +23,6 @@ using test::sentence_of;
 using testing::AllOf;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-
-std::string bytes_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// What `action` prints to standard error.
 std::string said_by(const std::function<void()>& action) {
@@ -38,22 +33,16 @@ std::string said_by(const std::function<void()>& action) {
 
 class ForeignLog : public testing::Test {
  protected:
-  static void add(Database& database, int first, int count) {
-    ResultStore store(database);
-    store.begin_run({.command = "test", .seed = 1, .threads = 1}, {});
-    for (int i = first; i < first + count; ++i)
-      store.record_experiment({"experiment " + std::to_string(i), "rig.toml", std::string(5000, 'x'), {}});
-  }
   /// A closed database with so many experiments.
   static void make(const fs::path& file, int experiments) {
     Database database = Database::open(file);
-    add(database, 0, experiments);
+    add_experiments(database, 0, experiments);
   }
   /// Adds experiments in a process that is killed while the log holds them.
   static void add_and_be_killed(const fs::path& file, int first, int count) {
     ChildProcess child([&](int to_parent) {
       Database database = Database::open(file);
-      add(database, first, count);
+      add_experiments(database, first, count);
       ChildProcess::say(to_parent, "w");
       pause();
     });
@@ -80,11 +69,11 @@ class ForeignLog : public testing::Test {
   }
   /// Opens it in this way, and says what that printed; the file itself must be what it was before.
   std::string opened(const std::function<void(const fs::path&)>& open) const {
-    const std::string before = bytes_in(file_), log = bytes_in(log_);
+    const std::string before = read_bytes(file_), log = read_bytes(log_);
     std::string said = said_by([&] { open(file_); });
-    EXPECT_EQ(bytes_in(file_.string() + "-wal.set-aside"), log) << "nothing of the log is lost";
+    EXPECT_EQ(read_bytes(file_.string() + "-wal.set-aside"), log) << "nothing of the log is lost";
     if (experiments_in(file_) != 2) ADD_FAILURE() << "the file has other content";
-    EXPECT_EQ(bytes_in(file_).substr(0, 18), before.substr(0, 18));
+    EXPECT_EQ(read_bytes(file_).substr(0, 18), before.substr(0, 18));
     return said;
   }
 
@@ -111,9 +100,9 @@ TEST_F(ForeignLog, OfAKilledWriterIsSetAsideBeforeTheFileThatTookItsPlaceIsRead)
   make(other_, 2);
   add_and_be_killed(file_, 3, 40);
   fs::rename(other_, file_);
-  const std::string before = bytes_in(file_);
+  const std::string before = read_bytes(file_);
   EXPECT_THAT(opened(read_from), HasSubstr("set aside"));
-  EXPECT_EQ(bytes_in(file_), before);
+  EXPECT_EQ(read_bytes(file_), before);
 }
 
 TEST_F(ForeignLog, OfANewDatabaseThatWasNeverClosedIsSetAsideToo) {
@@ -128,7 +117,7 @@ TEST_F(ForeignLog, OfALaterStateIsSetAsideWhereAnOldCopyIsPutBack) {
   fs::copy_file(file_, other_);
   {
     Database later = Database::open(file_);
-    add(later, 2, 5);
+    add_experiments(later, 2, 5);
   }
   add_and_be_killed(file_, 7, 40);
   fs::rename(other_, file_);
@@ -139,7 +128,7 @@ TEST_F(ForeignLog, IsSetAsideWhereThereWasNoFileAnyMore) {
   make(file_, 3);
   add_and_be_killed(file_, 3, 40);
   fs::rename(file_, other_);
-  const std::string log = bytes_in(log_);
+  const std::string log = read_bytes(log_);
   EXPECT_THAT(said_by([&] { make(file_, 2); }), HasSubstr("set aside"));
   EXPECT_EQ(experiments_in(file_), 2);
   fs::rename(log_.string() + ".set-aside", other_.string() + "-wal");
@@ -162,7 +151,7 @@ TEST_F(ForeignLog, LeavesATextFileAsItIs) {
   std::string sentence;
   said_by([&] { sentence = sentence_of([&] { Database::open(file_); }); });
   EXPECT_THAT(sentence, HasSubstr("is not a database"));
-  EXPECT_EQ(bytes_in(file_), text);
+  EXPECT_EQ(read_bytes(file_), text);
   EXPECT_TRUE(fs::exists(log_.string() + ".set-aside"));
 }
 
@@ -218,7 +207,7 @@ TEST_F(ForeignLog, OfALiveWriterIsLeftToIt) {
     Database database = Database::open(file_);
     database.execute("PRAGMA wal_autocheckpoint = 20");
     for (int i = 0; i < 300; ++i) {
-      add(database, 1 + i, 1);
+      add_experiments(database, 1 + i, 1);
       if (i == 0) ChildProcess::say(to_parent, "w");
     }
     ChildProcess::say(to_parent, "e");
@@ -240,45 +229,45 @@ TEST_F(ForeignLog, OfALiveWriterIsLeftToIt) {
 
 TEST_F(ForeignLog, OfAReplacedFileIsTakenAwayByItsWriterWhichKeepsWhatWasCommitted) {
   make(other_, 2);
-  const std::string theirs = bytes_in(other_);
+  const std::string theirs = read_bytes(other_);
   {
     Database database = Database::open(file_);
-    add(database, 0, 40);
+    add_experiments(database, 0, 40);
     fs::rename(other_, file_);
-    EXPECT_THAT(sentence_of([&] { add(database, 40, 1); }),
+    EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }),
                 AllOf(HasSubstr("rig.db: was replaced by another file while it was open"),
                       HasSubstr("What was stored until then is in " + file_.string() + ".rescued")));
     EXPECT_FALSE(fs::exists(log_));
     EXPECT_FALSE(fs::exists(file_.string() + "-shm"));
     EXPECT_EQ(experiments_in(file_), 2) << "while the other is still open";
   }
-  EXPECT_EQ(bytes_in(file_), theirs);
+  EXPECT_EQ(read_bytes(file_), theirs);
   EXPECT_EQ(experiments_in(file_.string() + ".rescued"), 40);
 }
 
 TEST_F(ForeignLog, OfAFileThatWasReplacedAfterTheLastCommitIsTakenAwayAtTheEnd) {
   make(other_, 2);
-  const std::string theirs = bytes_in(other_);
+  const std::string theirs = read_bytes(other_);
   const std::string said = said_by([&] {
     Database database = Database::open(file_);
-    add(database, 0, 40);
+    add_experiments(database, 0, 40);
     fs::rename(other_, file_);
   });
   EXPECT_THAT(said, AllOf(HasSubstr("was replaced by another file"), HasSubstr("rig.db.rescued")));
   EXPECT_FALSE(fs::exists(log_));
-  EXPECT_EQ(bytes_in(file_), theirs);
+  EXPECT_EQ(read_bytes(file_), theirs);
   EXPECT_EQ(experiments_in(file_.string() + ".rescued"), 40);
 }
 
 TEST_F(ForeignLog, IsNotTheOneThatTheNewFileHasMeanwhile) {
   make(other_, 2);
   Database database = Database::open(file_);
-  add(database, 0, 40);
+  add_experiments(database, 0, 40);
   fs::rename(other_, file_);
   Database theirs = Database::open(file_);
   EXPECT_TRUE(fs::exists(log_.string() + ".set-aside"));
-  add(theirs, 2, 3);
-  EXPECT_THAT(sentence_of([&] { add(database, 40, 1); }), HasSubstr("rig.db.rescued"));
+  add_experiments(theirs, 2, 3);
+  EXPECT_THAT(sentence_of([&] { add_experiments(database, 40, 1); }), HasSubstr("rig.db.rescued"));
   EXPECT_TRUE(fs::exists(log_)) << "it is the other one's";
   EXPECT_EQ(experiments_in(file_.string() + ".rescued"), 40);
   EXPECT_EQ(ask(theirs, "SELECT count(*) FROM experiment"), 5);

@@ -31,6 +31,14 @@ inline RevisionRecord revision_with(const EffectList& effects) {
           .fit_data_digest = kSomeDigest};
 }
 
+/// A run that stores experiments with a text of `size` bytes each.
+inline void add_experiments(Database& database, int first, int count, std::size_t size = 5000) {
+  ResultStore store(database);
+  store.begin_run({.command = "test", .seed = 1, .threads = 1}, {});
+  for (int i = first; i < first + count; ++i)
+    store.record_experiment({"experiment " + std::to_string(i), "rig.toml", std::string(size, 'x'), {}});
+}
+
 inline EffectEntry friction(const std::string& name) {
   return {.id = name, .effect = name, .where = {"joint.hinge"}, .start = {}, .fixed = {}};
 }
