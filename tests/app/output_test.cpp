@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 /// Works in a folder of its own, as a command that begins there.
 class OutputTest : public testing::Test {
- protected:
+ public:
   OutputTest() {
     fs::current_path(folder_.path());
     forget_command_files();
@@ -24,6 +24,7 @@ class OutputTest : public testing::Test {
     fs::current_path(before_);
   }
 
+ protected:
   /// What is said where results would go to `output` and `input` is read; empty: nothing.
   static std::string sentence(const std::string& output, const fs::path& input) {
     forget_command_files();

@@ -66,13 +66,14 @@ Figure columns_with(const std::string& text) {
 
 /// A folder in which the program works, and in which a command of a text would make the file P.
 class HostileText : public testing::TestWithParam<std::string> {
- protected:
+ public:
   HostileText() { std::filesystem::current_path(folder_.path()); }
   ~HostileText() override {
     EXPECT_FALSE(std::filesystem::exists("P")) << "a text was carried out";
     std::filesystem::current_path(before_);
   }
 
+ protected:
   const std::filesystem::path before_ = std::filesystem::current_path();
   const TestFolder folder_;
 };
@@ -120,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Characters, HostileText,
 TEST(HostileFigure, IsNotTouchedByTheUsersSettings) {
   const TestFolder home;
   home.write(".gnuplot", "system('touch " + (home / "P").string() + "')\nset title 'mine'\n");
-  const std::string before = std::getenv("HOME") ? std::getenv("HOME") : "";
+  const char* const own = std::getenv("HOME");
+  const std::string before = own == nullptr ? "" : own;
   setenv("HOME", home.path().c_str(), 1);
   setenv("GNUTERM", "postscript", 1);
   const std::string svg = svg_of(panels_with("a"));
