@@ -78,7 +78,8 @@ WhereItFails one_view() {
 }
 
 TEST(WhereText, NothingFoundIsSaid) {
-  EXPECT_THAT(where_text(one_view()), HasSubstr("no significant dependence on input or state (99 % level, 7 features tested)"));
+  EXPECT_THAT(where_text(one_view()),
+              HasSubstr("no significant dependence on input or state (99 % level, 7 features tested)"));
   EXPECT_EQ(where_text({}), "");
 }
 
