@@ -103,15 +103,10 @@ struct JointLoad {
   double friction_upper = 0.0;  ///< ... and at most this (≥ 0), whatever holds the velocity at zero
   double damping = 0.0;         ///< ≥ 0
   double stiffness = 0.0;       ///< ≥ 0
-  double spring_force = 0.0;    ///< what the springs exert at position zero: Σ k·rest
 
   void add_friction(double limit) {
     friction_lower -= limit;
     friction_upper += limit;
-  }
-  void add_spring(double k, double rest) {
-    stiffness += k;
-    spring_force += k * rest;
   }
 };
 

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "simulation/articulated/spatial.h"
+#include "simulation/articulated/tree.h"
+
+#include <span>
+#include <vector>
+
+namespace lacuna::articulated {
+
+/// Where a body is that was at its zero pose: its point p is at turn·p + shift.
+struct Displacement {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift{0.0, 0.0, 0.0};
+  Eigen::Vector3d moved(const Eigen::Vector3d& point) const { return turn * point + shift; }
+};
+
+/// Force on a body's centre of mass and torque, world axes.
+struct BodyForce {
+  Eigen::Vector3d force{0.0, 0.0, 0.0}, torque{0.0, 0.0, 0.0};
+};
+
+/// The equations of motion of a tree at one configuration, M(q)·dv/dt + bias(q, v) = forces, with the velocities as the
+/// tree counts them: the inertia M by composite bodies, the bias by the recursive Newton–Euler algorithm (Featherstone
+/// 2008, chapters 5 and 6). Allocates nothing after construction.
+class Dynamics {
+ public:
+  explicit Dynamics(const Tree& tree);
+
+  void place(std::span<const double> configuration);
+
+  /// Of the bodies where they were placed; by link.
+  const Displacement& displacement(std::size_t link) const { return displacements_[link]; }
+  const Eigen::Vector3d& centre(std::size_t link) const { return centres_[link]; }
+  /// Of each link, for these velocities.
+  void move(std::span<const double> velocities);
+  Eigen::Vector3d centre_velocity(std::size_t link) const;
+  const Eigen::Vector3d& angular_velocity(std::size_t link) const { return velocities_[link].angular; }
+
+  /// dofs × dofs, row after row; both triangles.
+  void inertia(std::span<double> out);
+  /// What holds the bodies at these velocities (of the last `move`) without acceleration: the forces of inertia, less
+  /// gravity and less `forces` on the bodies, one a link.
+  void bias(const Eigen::Vector3d& gravity, std::span<const BodyForce> forces, std::span<double> out);
+  /// Adds what a force −damping·velocity at each body's centre of mass (and a torque −angular·velocity) resists.
+  void add_drag(std::size_t link, double damping, double angular, std::span<double> inertia_like) const;
+
+ private:
+  void place_link(std::size_t index, const double* q);
+  void set_axis(int dof, const Eigen::Vector3d& axis, const Eigen::Vector3d& from_reference);
+  Eigen::Vector3d from_reference(std::size_t link, const Eigen::Vector3d& point) const {
+    return point - references_[static_cast<std::size_t>(tree_.links()[link].root)];
+  }
+  /// Twist that the axis of the link's dof `i` moves along with.
+  Twist carrier(const Link& link, int i, std::span<const double> velocities) const;
+
+  const Tree& tree_;
+  std::vector<Displacement> displacements_;  // per link
+  std::vector<Eigen::Vector3d> centres_, references_;
+  std::vector<SpatialInertia> inertias_, composites_;
+  std::vector<Twist> axes_;                       // per dof
+  std::vector<Twist> velocities_, accelerations_;  // per link; accelerations at rest of the dofs
+  std::vector<Wrench> forces_;
+};
+
+}  // namespace lacuna::articulated

@@ -1,0 +1,84 @@
+#include "simulation/articulated/event_search.h"
+
+#include <cmath>
+
+namespace lacuna::articulated {
+namespace {
+
+constexpr int kMostTrials = 60;
+constexpr double kLocated = 4e-16;  ///< of the step, or of the distance at its start
+
+}  // namespace
+
+void EventSearch::take(const Setting& setting, double length) {
+  step_.take(setting.from, setting.begin, length, setting.commanded, setting.stopped, false, setting.gravity);
+}
+
+double EventSearch::distance(const Event& event, const Motion& from, const Motion& now) const {
+  const CoordinateNumbers& c = machine_.coordinates()[event.coordinate];
+  switch (event.kind) {
+    case EventKind::rests: return from.velocities[c.dof] > 0.0 ? now.velocities[c.dof] : -now.velocities[c.dof];
+    case EventKind::meets_lower: return now.configuration[c.position] - c.lower;
+    case EventKind::meets_upper: return c.upper - now.configuration[c.position];
+  }
+  return 0.0;
+}
+
+/// The event that comes first if everything goes on evenly.
+std::optional<Event> EventSearch::earliest(const Setting& setting) const {
+  std::optional<Event> found;
+  double first = 2.0;
+  const auto consider = [&](const Event& event) {
+    const double before = distance(event, setting.from, setting.from);
+    const double after = distance(event, setting.from, step_.after());
+    if (!(before > 0.0 && after < 0.0)) return;
+    const double share = before / (before - after);
+    if (share >= first) return;
+    first = share;
+    found = event;
+  };
+  for (std::size_t c = 0; c < machine_.coordinates().size(); ++c) {
+    if (setting.stopped[c] != Contact::free) continue;
+    if (step_.rubs(c)) consider({c, EventKind::rests});
+    if (machine_.coordinates()[c].ball) continue;
+    consider({c, EventKind::meets_lower});
+    consider({c, EventKind::meets_upper});
+  }
+  return found;
+}
+
+/// By regula falsi in the Illinois variant (M. Dowell, P. Jarratt, BIT 11 (1971) 168-174).
+double EventSearch::locate(const Event& event, const Setting& setting, double length) {
+  double low = 0.0, high = length, length_now = length;
+  double at_low = distance(event, setting.from, setting.from), at_high = distance(event, setting.from, step_.after());
+  const double small = kLocated * at_low;
+  for (int trial = 0; trial < kMostTrials && high - low > kLocated * length; ++trial) {
+    length_now = high - at_high * (high - low) / (at_high - at_low);
+    take(setting, length_now);
+    const double now = distance(event, setting.from, step_.after());
+    if (std::abs(now) <= small) break;
+    if (now < 0.0) {
+      high = length_now;
+      at_high = now;
+      at_low *= 0.5;
+    } else {
+      low = length_now;
+      at_low = now;
+      at_high *= 0.5;
+    }
+  }
+  return length_now;
+}
+
+std::optional<EventSearch::Found> EventSearch::first(const Setting& setting, double length) {
+  std::optional<Found> found;
+  // Until nothing else happens before; each time it is something earlier.
+  for (std::optional<Event> event = earliest(setting); event; event = earliest(setting)) {
+    if (found && found->event.coordinate == event->coordinate && found->event.kind == event->kind) break;
+    const double shorter = locate(*event, setting, found ? found->length : length);
+    found = Found{*event, shorter};
+  }
+  return found;
+}
+
+}  // namespace lacuna::articulated

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "simulation/articulated/event_search.h"
+#include "simulation/articulated/step.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace lacuna::articulated {
+
+/// Moves a machine through whole steps, each cut where a coordinate comes to rest or meets a stop.
+class Integrator {
+ public:
+  Integrator(const Machine& machine, const std::vector<int>& first_coordinates,
+             const std::vector<int>& actuator_coordinates);
+
+  Step& step() { return step_; }
+  Motion& motion() { return motion_; }
+  const Motion& motion() const { return motion_; }
+
+  void advance(double begin, double length, const Commanded& commanded, const Eigen::Vector3d& gravity);
+
+  /// Mean over the last whole step.
+  double coordinate_force(std::size_t coordinate) const { return coordinate_forces_[coordinate]; }
+
+ private:
+  void look_at_stops();
+  void keep(double length, double whole, const Commanded& commanded);
+  void carry_out(const Event& event);
+
+  const Machine& machine_;
+  Step step_;
+  EventSearch search_;
+  Motion motion_;
+  std::vector<Contact> stopped_;
+  std::vector<double> coordinate_forces_;
+};
+
+}  // namespace lacuna::articulated

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <lacuna/robot_spec.h>
+
+#include "simulation/articulated/tree.h"
+
+#include <span>
+#include <vector>
+
+namespace lacuna::articulated {
+
+/// A joint coordinate with its own laws.
+struct CoordinateNumbers {
+  std::size_t dof = 0;
+  std::size_t position = 0;  ///< in a configuration; not of ball joints
+  bool ball = false;         ///< the position is part of a rotation vector
+  double force = 0.0, damping = 0.0, stiffness = 0.0, rest = 0.0, dry_friction = 0.0, armature = 0.0;
+  double lower = -kInfinity, upper = kInfinity;
+};
+
+/// An actuator and what it turns: its joint's coordinate, or a rotor of its own behind an elastic transmission.
+struct ActuatorNumbers {
+  ActuatorKind kind = ActuatorKind::force;
+  std::size_t coordinate = 0;
+  std::size_t dof = 0, position = 0;  ///< of what it turns
+  double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
+  bool compliant = false;  ///< it turns a rotor; then
+  double rotor_inertia = 0.0, stiffness = 0.0, damping = 0.0, gap = 0.0;  ///< at the joint
+};
+
+/// A robot's numbers as the integrator reads them: the tree, then the rotors that have velocities of their own, counted
+/// behind the tree's.
+class Machine {
+ public:
+  Machine(const RobotSpec& robot, const simulation::JointTree& joints);
+
+  /// Takes over the numbers of a robot of the same structure.
+  void set(const RobotSpec& robot);
+
+  const Tree& tree() const { return tree_; }
+  const std::vector<CoordinateNumbers>& coordinates() const { return coordinates_; }
+  const std::vector<ActuatorNumbers>& actuators() const { return actuators_; }
+  /// With rotors. Every actuator has a place for one; those without a rotor stand still.
+  std::size_t dofs() const { return tree_.dofs() + actuators_.size(); }
+  std::size_t positions() const { return tree_.positions() + actuators_.size(); }
+  /// Whether forces of inertia depend on the velocities.
+  bool has_coriolis_forces() const { return has_coriolis_forces_; }
+
+ private:
+  Tree tree_;
+  std::vector<std::size_t> first_coordinate_;  ///< per joint
+  std::vector<CoordinateNumbers> coordinates_;
+  std::vector<ActuatorNumbers> actuators_;
+  bool has_coriolis_forces_ = false;
+};
+
+}  // namespace lacuna::articulated

@@ -1,0 +1,351 @@
+#include "simulation/articulated/step.h"
+
+#include "simulation/articulated/step_weights.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::articulated {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr int kPasses = 2;      ///< in which effects are asked: at the velocities before, then at the mean
+constexpr int kMostPasses = 10;  ///< for the forces of inertia
+constexpr double kSettled = 1e-13;
+/// Of the joint's inertia, for a rotor that has none: it follows what acts on it within a step.
+constexpr double kLeastRotor = 1e-9;
+
+double beyond_gap(double twist, double gap) {
+  const double half = 0.5 * gap;
+  if (twist > half) return twist - half;
+  return twist < -half ? twist + half : 0.0;
+}
+
+}  // namespace
+
+Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
+           const std::vector<int>& actuator_coordinates)
+    : machine_(machine),
+      tree_(machine.tree()),
+      dynamics_(tree_),
+      system_(machine.dofs(), machine.coordinates().size() + machine.actuators().size()),
+      dofs_(machine.dofs()),
+      middle_(machine.positions()),
+      mean_(dofs_),
+      asked_(dofs_),
+      after_velocities_(dofs_),
+      inertia_(dofs_ * dofs_),
+      factor_(dofs_ * dofs_),
+      memory_(dofs_),
+      bias_(dofs_),
+      mobility_(dofs_),
+      weights_(dofs_),
+      damping_of_dof_(dofs_),
+      stiffness_of_dof_(dofs_),
+      friction_law_(machine.coordinates().size()),
+      servo_law_(machine.actuators().size()),
+      loads_(machine.coordinates().size()),
+      body_loads_(tree_.links().size()),
+      link_forces_(tree_.links().size()),
+      actuator_forces_(machine.actuators().size()),
+      coordinate_forces_(machine.coordinates().size()),
+      positions_(machine.coordinates().size()),
+      velocities_(machine.coordinates().size()),
+      body_positions_(tree_.links().size()),
+      body_velocities_(tree_.links().size()),
+      body_angular_velocities_(tree_.links().size()),
+      body_orientations_(tree_.links().size(), Eigen::Quaterniond::Identity()) {
+  laws_.reserve(machine.coordinates().size() + machine.actuators().size());
+  view_ = {.time = 0.0,
+           .positions = positions_,
+           .velocities = velocities_,
+           .actuator_forces = actuator_forces_,
+           .first_coordinate = first_coordinates,
+           .actuator_coordinate = actuator_coordinates,
+           .body_positions = body_positions_,
+           .body_velocities = body_velocities_,
+           .body_orientations = body_orientations_,
+           .body_angular_velocities = body_angular_velocities_};
+  after_.configuration.resize(machine.positions());
+  after_.velocities.resize(dofs_);
+  after_.integrals.resize(machine.actuators().size());
+}
+
+void Step::place_in_middle(const Motion& from, double length) {
+  std::copy(from.configuration.begin(), from.configuration.end(), middle_.begin());
+  drift(from.velocities, 0.5 * length, middle_);
+  find_inertia(middle_);
+  for (std::size_t i = 0; i < dofs_; ++i) mobility_[i] = inverse_diagonal(factor_, dofs_, i, memory_);
+}
+
+void Step::drift(std::span<const double> velocities, double time, std::span<double> configuration) const {
+  tree_.drift(velocities, time, configuration);
+  for (std::size_t r = 0; r < machine_.actuators().size(); ++r)
+    configuration[tree_.positions() + r] += time * velocities[tree_.dofs() + r];
+}
+
+/// And its factor.
+void Step::find_inertia(std::span<const double> configuration) {
+  dynamics_.place(configuration);
+  const std::size_t n = tree_.dofs();
+  std::fill(inertia_.begin(), inertia_.end(), 0.0);
+  std::span<double> own(factor_.data(), n * n);
+  dynamics_.inertia(own);
+  for (std::size_t i = 0; i < n; ++i) std::copy_n(&own[i * n], n, &inertia_[i * dofs_]);
+  for (const CoordinateNumbers& c : machine_.coordinates()) inertia_[c.dof * (dofs_ + 1)] += c.armature;
+  for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
+    const ActuatorNumbers& actuator = machine_.actuators()[a];
+    const double joint = inertia_[machine_.coordinates()[actuator.coordinate].dof * (dofs_ + 1)];
+    inertia_[(n + a) * (dofs_ + 1)] =
+        actuator.compliant ? std::max(actuator.rotor_inertia, kLeastRotor * joint) : 1.0;
+  }
+  std::copy(inertia_.begin(), inertia_.end(), factor_.begin());
+  if (!factor_in_place(factor_, dofs_)) throw Error("the robot's inertia is not positive");
+}
+
+void Step::find_weights(double length) {
+  std::fill(damping_of_dof_.begin(), damping_of_dof_.end(), 0.0);
+  std::fill(stiffness_of_dof_.begin(), stiffness_of_dof_.end(), 0.0);
+  for (std::size_t c = 0; c < loads_.size(); ++c) {
+    damping_of_dof_[machine_.coordinates()[c].dof] += loads_[c].damping;
+    stiffness_of_dof_[machine_.coordinates()[c].dof] += loads_[c].stiffness;
+  }
+  for (const ActuatorNumbers& a : machine_.actuators()) {
+    const bool position = a.kind == ActuatorKind::position_servo || a.kind == ActuatorKind::pid;
+    if (a.kind != ActuatorKind::force) damping_of_dof_[a.dof] += a.kd;
+    if (position) stiffness_of_dof_[a.dof] += a.kp + 0.5 * length * a.ki;
+  }
+  for (std::size_t i = 0; i < dofs_; ++i) {
+    const SpringWeights spring = spring_weights(length * length * stiffness_of_dof_[i] * mobility_[i]);
+    weights_[i] = {.late = late_damping(length * damping_of_dof_[i] * mobility_[i]),
+                   .before = spring.before,
+                   .after = spring.after};
+  }
+}
+
+/// A force that is `force` where nothing has moved from the middle of the step and nothing else moves than before, and
+/// falls with position and velocity.
+void Step::add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from,
+                      double length) {
+  const Weights& w = weights_[dof];
+  const double before = from.velocities[dof];
+  system_.right()[dof] +=
+      length * (force - (damping * (1.0 - w.late) + stiffness * w.before * length) * before);
+  system_.matrix()[dof * (dofs_ + 1)] += length * (damping * w.late + stiffness * w.after * length);
+}
+
+void Step::add_coordinate(std::size_t c, const Motion& from, double length, Contact stopped, bool reversals) {
+  const CoordinateNumbers& numbers = machine_.coordinates()[c];
+  const JointLoad& load = loads_[c];
+  const double before = from.velocities[numbers.dof];
+  add_linear(numbers.dof, load.force + load.damping * asked_[numbers.dof], load.damping, load.stiffness, from, length);
+  friction_law_[c] = kNone;
+  double lower = length * load.friction_lower, upper = length * load.friction_upper;
+  if (before != 0.0 && !reversals && stopped == Contact::free) {
+    system_.right()[numbers.dof] += before > 0.0 ? lower : upper;
+    return;
+  }
+  if (stopped == Contact::at_upper) lower = -kInfinity;
+  if (stopped == Contact::at_lower) upper = kInfinity;
+  if (lower == 0.0 && upper == 0.0) return;
+  friction_law_[c] = laws_.size();
+  laws_.push_back({.dof = numbers.dof, .resistance = kInfinity, .lower = lower, .upper = upper});
+}
+
+void Step::add_actuator(std::size_t a, const Motion& from, double length, const Commanded& commanded) {
+  const ActuatorNumbers& actuator = machine_.actuators()[a];
+  const double command = commanded.values[a];
+  servo_law_[a] = kNone;
+  if (actuator.kind == ActuatorKind::force) {
+    actuator_forces_[a] = std::clamp(command, -actuator.limit, actuator.limit);
+    system_.right()[actuator.dof] += length * actuator_forces_[a];
+    return;
+  }
+  double force = actuator.kd * command, stiffness = 0.0;
+  if (actuator.kind != ActuatorKind::velocity_servo) {
+    const double error = command - middle_[actuator.position];
+    force = actuator.kp * error;
+    stiffness = actuator.kp;
+    if (actuator.kind == ActuatorKind::pid) {
+      force += actuator.ki * (from.integrals[a] + 0.5 * length * error) + actuator.kd * commanded.rates[a];
+      stiffness += 0.5 * length * actuator.ki;
+    }
+  }
+  const Weights& w = weights_[actuator.dof];
+  const double before = from.velocities[actuator.dof];
+  servo_law_[a] = laws_.size();
+  laws_.push_back(
+      {.dof = actuator.dof,
+       .push = length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
+       .resistance = length * (actuator.kd * w.late + stiffness * w.after * length),
+       .lower = -length * actuator.limit,
+       .upper = length * actuator.limit});
+}
+
+void Step::add_transmission(std::size_t a, const Motion& from, double length) {
+  const ActuatorNumbers& actuator = machine_.actuators()[a];
+  if (!actuator.compliant) return;
+  const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
+  const double stretch = beyond_gap(middle_[actuator.position] - middle_[joint.position], actuator.gap);
+  if (stretch == 0.0 && actuator.gap > 0.0) return;
+  const double mobility = mobility_[actuator.dof] + mobility_[joint.dof];
+  const SpringWeights spring = spring_weights(length * length * actuator.stiffness * mobility);
+  const double late = late_damping(length * actuator.damping * mobility);
+  const double twisting = from.velocities[actuator.dof] - from.velocities[joint.dof];
+  const double force =
+      actuator.stiffness * stretch +
+      (actuator.damping * (1.0 - late) + actuator.stiffness * spring.before * length) * twisting;
+  const double resistance = length * (actuator.damping * late + actuator.stiffness * spring.after * length);
+  const std::span<double> right = system_.right(), matrix = system_.matrix();
+  right[joint.dof] += length * force;
+  right[actuator.dof] -= length * force;
+  matrix[joint.dof * (dofs_ + 1)] += resistance;
+  matrix[actuator.dof * (dofs_ + 1)] += resistance;
+  matrix[joint.dof * dofs_ + actuator.dof] -= resistance;
+  matrix[actuator.dof * dofs_ + joint.dof] -= resistance;
+}
+
+void Step::gather(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
+                  bool reversals, const Eigen::Vector3d& gravity) {
+  for (std::size_t c = 0; c < loads_.size(); ++c) {
+    const CoordinateNumbers& own = machine_.coordinates()[c];
+    const double position = own.ball ? positions_[c] : middle_[own.position];
+    loads_[c] = {.force = own.force - own.damping * mean_[own.dof] - own.stiffness * (position - own.rest),
+                 .friction_lower = -own.dry_friction,
+                 .friction_upper = own.dry_friction,
+                 .damping = own.damping,
+                 .stiffness = own.stiffness};
+  }
+  gravity_ = gravity;
+  if (source_ != nullptr) {
+    std::fill(body_loads_.begin(), body_loads_.end(), BodyLoad{});
+    ContactSpec contact;
+    StepLoads loads{.joints = loads_, .bodies = body_loads_, .contact = contact, .gravity = gravity_};
+    source_->add_loads(view_, length, loads);
+    for (std::size_t i = 0; i < link_forces_.size(); ++i) {
+      const BodyLoad& load = body_loads_[static_cast<std::size_t>(tree_.links()[i].body)];
+      link_forces_[i] = {.force = load.force, .torque = load.torque};
+    }
+  }
+}
+
+void Step::take(const Motion& from, double begin, double length, const Commanded& commanded,
+                std::span<const Contact> stopped, bool reversals, const Eigen::Vector3d& gravity) {
+  length_ = length;
+  middle_time_ = begin + 0.5 * length;
+  place_in_middle(from, length);
+  std::copy(from.velocities.begin(), from.velocities.end(), mean_.begin());
+  std::copy(from.velocities.begin(), from.velocities.end(), after_velocities_.begin());
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    dynamics_.move(mean_);
+    if (pass < kPasses) {
+      std::copy(mean_.begin(), mean_.end(), asked_.begin());
+      if (source_ != nullptr) fill_view(middle_, mean_, middle_time_);
+      gather(from, length, commanded, stopped, reversals, gravity);
+      find_weights(length);
+    }
+    dynamics_.bias(gravity_, link_forces_, bias_);
+    const std::span<double> right = system_.right(), matrix = system_.matrix();
+    std::copy(inertia_.begin(), inertia_.end(), matrix.begin());
+    for (std::size_t i = 0; i < dofs_; ++i) {
+      double momentum = 0.0;
+      for (std::size_t j = 0; j < dofs_; ++j) momentum += inertia_[i * dofs_ + j] * from.velocities[j];
+      right[i] = momentum - (i < tree_.dofs() ? length * bias_[i] : 0.0);
+    }
+    laws_.clear();
+    for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
+    for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
+      add_actuator(a, from, length, commanded);
+      add_transmission(a, from, length);
+    }
+    system_.solve(laws_, after_velocities_);
+    double change = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < dofs_; ++i) {
+      const double mean = 0.5 * (from.velocities[i] + after_velocities_[i]);
+      change = std::max(change, std::abs(mean - mean_[i]));
+      size = std::max(size, std::abs(mean));
+      mean_[i] = mean;
+    }
+    const bool asked = source_ == nullptr || pass + 1 >= kPasses;
+    if (asked && (!machine_.has_coriolis_forces() || change <= kSettled * size)) break;
+  }
+  measure(from, length);
+  std::copy(after_velocities_.begin(), after_velocities_.end(), after_.velocities.begin());
+  std::copy(middle_.begin(), middle_.end(), after_.configuration.begin());
+  drift(after_.velocities, 0.5 * length, after_.configuration);
+}
+
+double Step::integral_rate(std::size_t a, double command) const {
+  const ActuatorNumbers& actuator = machine_.actuators()[a];
+  if (actuator.kind != ActuatorKind::pid) return 0.0;
+  const double error = command - middle_[actuator.position];
+  const bool saturated = std::abs(actuator_forces_[a]) >= actuator.limit && actuator_forces_[a] * error > 0.0;
+  return saturated ? 0.0 : error;
+}
+
+/// What acted, from what the laws gave for the velocities after the step.
+void Step::measure(const Motion& from, double length) {
+  for (std::size_t c = 0; c < loads_.size(); ++c) {
+    const std::size_t dof = machine_.coordinates()[c].dof;
+    const JointLoad& load = loads_[c];
+    const Weights& w = weights_[dof];
+    const double before = from.velocities[dof], after = after_velocities_[dof];
+    const double way = length * (w.before * before + w.after * after);
+    const double late = (1.0 - w.late) * before + w.late * after;
+    coordinate_forces_[c] = load.force - load.damping * (late - asked_[dof]) - load.stiffness * way;
+    if (friction_law_[c] != kNone)
+      coordinate_forces_[c] += system_.impulse(friction_law_[c]) / length;
+    else if (rubs(c))
+      coordinate_forces_[c] += before > 0.0 ? load.friction_lower : load.friction_upper;
+  }
+  for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
+    const ActuatorNumbers& actuator = machine_.actuators()[a];
+    if (servo_law_[a] != kNone) actuator_forces_[a] = system_.impulse(servo_law_[a]) / length;
+    coordinate_forces_[actuator.coordinate] += actuator_forces_[a];
+  }
+}
+
+void Step::keep() {
+  if (source_ == nullptr) return;
+  dynamics_.move(mean_);
+  fill_view(middle_, mean_, middle_time_);
+  source_->advance(view_, length_);
+}
+
+void Step::stop(std::size_t coordinate, Motion& motion) {
+  const std::size_t dof = machine_.coordinates()[coordinate].dof;
+  find_inertia(motion.configuration);
+  std::fill(memory_.begin(), memory_.end(), 0.0);
+  memory_[dof] = 1.0;
+  solve_in_place(factor_, dofs_, memory_);
+  const double impulse = motion.velocities[dof] / memory_[dof];
+  for (std::size_t i = 0; i < dofs_; ++i) motion.velocities[i] -= impulse * memory_[i];
+  motion.velocities[dof] = 0.0;
+}
+
+const StepView& Step::look(const Motion& motion, double time) {
+  if (look_at_bodies_) {
+    dynamics_.place(motion.configuration);
+    dynamics_.move(motion.velocities);
+  }
+  fill_view(motion.configuration, motion.velocities, time);
+  return view_;
+}
+
+void Step::fill_view(std::span<const double> configuration, std::span<const double> velocities, double time) {
+  view_.time = time;
+  tree_.coordinates(configuration, positions_);
+  for (std::size_t c = 0; c < velocities_.size(); ++c) velocities_[c] = velocities[machine_.coordinates()[c].dof];
+  if (!look_at_bodies_) return;
+  for (std::size_t i = 0; i < tree_.links().size(); ++i) {
+    const auto body = static_cast<std::size_t>(tree_.links()[i].body);
+    body_positions_[body] = dynamics_.centre(i);
+    body_velocities_[body] = dynamics_.centre_velocity(i);
+    body_angular_velocities_[body] = dynamics_.angular_velocity(i);
+    body_orientations_[body] = Eigen::Quaterniond(dynamics_.displacement(i).turn);
+  }
+}
+
+}  // namespace lacuna::articulated

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <lacuna/physical_effect.h>
+
+#include "simulation/articulated/bounded_system.h"
+#include "simulation/articulated/dynamics.h"
+#include "simulation/articulated/load_source.h"
+#include "simulation/articulated/machine.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lacuna::articulated {
+
+/// How a machine moves at one time. Rotors stand behind the tree.
+struct Motion {
+  std::vector<double> configuration, velocities;
+  std::vector<double> integrals;  ///< per actuator, of a PID's error
+};
+
+/// How a coordinate meets its stops and its dry friction in a step.
+enum class Contact : unsigned char { free, at_lower, at_upper };
+
+/// What commands do in a step; constant within it.
+struct Commanded {
+  std::span<const double> values;  ///< per actuator
+  std::span<const double> rates;   ///< per actuator, its change over time; of a PID
+};
+
+/// One step of a machine, tried from a motion. In the middle of the step, where half of it at the velocities before has
+/// led, the equation of motion is solved for the velocities after it, with forces at the mean of both velocities; the
+/// other half of the way is gone at those. That is symmetric in time, of second order, and drifts off no energy
+/// (position Verlet, with the forces that depend on velocities at the mean: the implicit midpoint rule). Springs and
+/// dampers enter implicitly (step_weights.h), dry friction as an impulse.
+class Step {
+ public:
+  Step(const Machine& machine, const std::vector<int>& first_coordinates, const std::vector<int>& actuator_coordinates);
+
+  /// Has the views show bodies; otherwise they are not computed.
+  void look_at_bodies(bool look) { look_at_bodies_ = look; }
+  /// Whether there is anything to ask a source for.
+  void ask(LoadSource* source) { source_ = source; }
+
+  /// `stopped`: per coordinate. `reversals`: whether dry friction may turn round within the step; otherwise it keeps the
+  /// direction that it has at the start of the step, where there is motion, whatever the motion does.
+  void take(const Motion& from, double begin, double length, const Commanded& commanded, std::span<const Contact> stopped,
+            bool reversals, const Eigen::Vector3d& gravity);
+
+  const Motion& after() const { return after_; }
+  /// Tells the source that the step was taken.
+  void keep();
+  /// Removes the velocity of a coordinate at a motion, by an impulse on it.
+  void stop(std::size_t coordinate, Motion& motion);
+
+  /// Whether dry friction acts on a coordinate.
+  bool rubs(std::size_t coordinate) const {
+    return loads_[coordinate].friction_lower < 0.0 || loads_[coordinate].friction_upper > 0.0;
+  }
+  /// Of a PID's integral over the step; 0 where the force is at its limit and would be driven further into it.
+  double integral_rate(std::size_t actuator, double command) const;
+
+  /// Mean over the step; joint side, per actuator.
+  double actuator_force(std::size_t actuator) const { return actuator_forces_[actuator]; }
+  /// Mean of what a coordinate's laws and actuators exerted on it.
+  double coordinate_force(std::size_t coordinate) const { return coordinate_forces_[coordinate]; }
+
+  /// Fills the view with a motion.
+  const StepView& look(const Motion& motion, double time);
+
+ private:
+  struct Weights {
+    double late = 0.5;
+    double before = -0.25, after = 0.25;
+  };
+
+  void place_in_middle(const Motion& from, double length);
+  void drift(std::span<const double> velocities, double time, std::span<double> configuration) const;
+  void find_inertia(std::span<const double> configuration);
+  void find_weights(double length);
+  void gather(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
+              bool reversals, const Eigen::Vector3d& gravity);
+  void add_coordinate(std::size_t coordinate, const Motion& from, double length, Contact stopped, bool reversals);
+  void add_actuator(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
+  void add_transmission(std::size_t actuator, const Motion& from, double length);
+  void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
+  void measure(const Motion& from, double length);
+  void fill_view(std::span<const double> configuration, std::span<const double> velocities, double time);
+
+  const Machine& machine_;
+  const Tree& tree_;
+  Dynamics dynamics_;
+  BoundedSystem system_;
+  LoadSource* source_ = nullptr;
+  bool look_at_bodies_ = false;
+  std::size_t dofs_;
+  // of the step
+  double middle_time_ = 0.0, length_ = 0.0;
+  Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
+  std::vector<double> middle_, mean_, asked_, after_velocities_;  // asked_: velocities of the loads
+  std::vector<double> inertia_, factor_, memory_, bias_, mobility_;
+  std::vector<Weights> weights_;  ///< per dof
+  std::vector<double> damping_of_dof_, stiffness_of_dof_;
+  std::vector<VelocityLaw> laws_;
+  std::vector<std::size_t> friction_law_, servo_law_;  ///< per coordinate and actuator: index into laws_
+  std::vector<JointLoad> loads_;                       ///< per coordinate
+  std::vector<BodyLoad> body_loads_;                   ///< per body
+  std::vector<BodyForce> link_forces_;
+  std::vector<double> actuator_forces_, coordinate_forces_;
+  Motion after_;
+  // the view
+  StepView view_;
+  std::vector<double> positions_, velocities_;
+  std::vector<Eigen::Vector3d> body_positions_, body_velocities_, body_angular_velocities_;
+  std::vector<Eigen::Quaterniond> body_orientations_;
+};
+
+}  // namespace lacuna::articulated
