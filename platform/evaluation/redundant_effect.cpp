@@ -67,7 +67,7 @@ std::string redundancy_of(const ModelDefinition& model, const std::string& id) {
       std::find_if(effects.begin(), effects.end(), [&](const PlacedEffect& one) { return one.id == id; });
   if (placed == effects.end()) return "";
   const EffectHooks hooks = guarded_call(origin_of(*placed), "stages", [&] { return placed->effect->hooks(); });
-  if (!hooks.amends_robot || hooks.before_step || hooks.after_step || hooks.command != CommandStage::none ||
+  if (!hooks.amends_robot || hooks.add_loads || hooks.advance || hooks.command != CommandStage::none ||
       hooks.sensor != SensorStage::none)
     return "";
   const std::vector<double> values = values_somewhere(model, *placed);

@@ -28,7 +28,7 @@ enum Parameter : std::size_t { @ENUMERATORS@ };
 class @CLASS@ : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-@HOOKS@  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+@HOOKS@  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
                    StepLoads& loads) const override;
 };
 
@@ -81,7 +81,7 @@ constexpr const char* kActuatorHooks =
 )";
 
 constexpr const char* kJointStep =
-    R"(void @CLASS@::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+    R"(void @CLASS@::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
 @INDENT@StepLoads& loads) const {
   const std::span<const double> p = context.parameters;
   for (const int joint : context.elements) {
@@ -93,7 +93,7 @@ constexpr const char* kJointStep =
 )";
 
 constexpr const char* kActuatorStep =
-    R"(void @CLASS@::before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+    R"(void @CLASS@::add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
 @INDENT@StepLoads& loads) const {
   const std::span<const double> p = context.parameters;
   for (std::size_t i = 0; i < context.elements.size(); ++i) {

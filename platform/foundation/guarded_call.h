@@ -26,7 +26,7 @@ std::string to_string(const ComponentOrigin& origin);
 const char* on_page(const ComponentOrigin& origin);
 
 /// A sentence about the exception that is being handled, whatever its type, as thrown by `origin`
-/// while it did `what` ("before_step"). Only inside a `catch` block. For callers that must not throw,
+/// while it did `what` ("add_loads"). Only inside a `catch` block. For callers that must not throw,
 /// such as an engine in the middle of a run.
 std::string describe_current_exception(const ComponentOrigin& origin, std::string_view what);
 

@@ -10,7 +10,7 @@ namespace lacuna {
 /// one can tell in which call the other ended, whatever ended it.
 struct alignas(64) CallSlot {
   std::atomic<const char*> component = nullptr;  ///< as `component_on_page` gave it; null: no plugin is called
-  std::atomic<const char*> call = nullptr;       ///< a literal, as in "before_step"
+  std::atomic<const char*> call = nullptr;       ///< a literal, as in "add_loads"
   std::atomic<bool> taken = false;
 };
 

@@ -112,7 +112,7 @@ int exit_in_one_of_two_calls(int, char**) {
   }).detach();
   std::this_thread::sleep_for(kAWhile);
   const PluginCall outer(component_on_page("target \"outer\""), "carrying a test out");
-  { const PluginCall inner(component_on_page("effect \"inner\""), "before_step"); }
+  { const PluginCall inner(component_on_page("effect \"inner\""), "add_loads"); }
   std::exit(0);
 }
 
@@ -146,7 +146,7 @@ int end_at_once_during_two_calls(int, char**) {
     std::this_thread::sleep_for(10 * kAWhile);
   }).detach();
   std::this_thread::sleep_for(kAWhile);
-  const PluginCall call(component_on_page("effect \"two\""), "before_step");
+  const PluginCall call(component_on_page("effect \"two\""), "add_loads");
   const HostCall service;
   const PluginCall inner(component_on_page("effect \"three\""), "command");
   _exit(0);
@@ -161,12 +161,12 @@ TEST(RunSupervised, NamesAllCallsWhereNobodyKnowsWhoseItWas) {
 
 TEST(RunSupervised, AKillIsNotCalledThePluginsFault) {
   const Supervisor supervisor([](int, char**) {
-    const PluginCall call(component_on_page("effect \"slow\""), "before_step");
+    const PluginCall call(component_on_page("effect \"slow\""), "add_loads");
     return until_interrupted(0, nullptr);
   });
   kill(supervisor.worker(), SIGKILL);
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
-  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"slow\": before_step: the program was ended by signal 9"),
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"slow\": add_loads: the program was ended by signal 9"),
                                          HasSubstr("another program ended it"), Not(HasSubstr("fault of the plugin"))));
 }
 

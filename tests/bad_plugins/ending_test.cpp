@@ -51,10 +51,10 @@ TEST_F(HostilePlugin, ThatEndsTheProgramInAStepIsNamed) {
   };
   const std::string before = error();
   ASSERT_THAT(before, testing::EndsWith("mrad"));
-  for (const auto& [order, what] : {std::pair{"before_step exit", "before_step ended the program with exit code 0"},
-                                    std::pair{"before_step _exit", "before_step ended the program with exit code 0"},
-                                    std::pair{"before_step abort", "before_step ended the program by signal 6"},
-                                    std::pair{"before_step terminate 20", "before_step ended the program by signal 6"},
+  for (const auto& [order, what] : {std::pair{"add_loads exit", "add_loads ended the program with exit code 0"},
+                                    std::pair{"add_loads _exit", "add_loads ended the program with exit code 0"},
+                                    std::pair{"add_loads abort", "add_loads ended the program by signal 6"},
+                                    std::pair{"add_loads terminate 20", "add_loads ended the program by signal 6"},
                                     std::pair{"describe exit 2", "describe ended the program with exit code 0"},
                                     std::pair{"stages _exit 2", "stages ended the program with exit code 0"}}) {
     const Outcome outcome = lacuna(order, compare("hostile"));
@@ -67,34 +67,34 @@ TEST_F(HostilePlugin, ThatEndsTheProgramInAStepIsNamed) {
 
 TEST_F(HostilePlugin, ThatCrashesInAStepIsNamed) {
   if (LACUNA_WATCHED) GTEST_SKIP() << "the sanitizer makes an exit code of its own of a crash";
-  const Outcome crash = lacuna("before_step segfault", compare("hostile"));
+  const Outcome crash = lacuna("add_loads segfault", compare("hostile"));
   EXPECT_EQ(crash.exit_code, 1);
-  EXPECT_THAT(crash.errors, names("effect \"hostile\"", "before_step ended the program by signal 11"));
+  EXPECT_THAT(crash.errors, names("effect \"hostile\"", "add_loads ended the program by signal 11"));
 }
 
 TEST_F(HostilePlugin, ThatIsKilledIsNamedAndNotBlamed) {
-  const Outcome outcome = lacuna("before_step kill", compare("hostile"));
+  const Outcome outcome = lacuna("add_loads kill", compare("hostile"));
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("hostile.so): before_step"), HasSubstr("was ended by signal 9"),
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("hostile.so): add_loads"), HasSubstr("was ended by signal 9"),
                                     HasSubstr("memory"), Not(HasSubstr("fault of the plugin"))));
 }
 
 TEST_F(HostilePlugin, ThatTakesAllMemoryOrThrowsIsNamed) {
-  const Outcome foreign = lacuna("before_step throw", compare("hostile"));
+  const Outcome foreign = lacuna("add_loads throw", compare("hostile"));
   EXPECT_EQ(foreign.exit_code, 1);
-  EXPECT_THAT(foreign.errors, HasSubstr("before_step threw an object of type"));
+  EXPECT_THAT(foreign.errors, HasSubstr("add_loads threw an object of type"));
   if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer needs more address space than this leaves";
-  const Outcome hog = program_.shell("ulimit -v 2000000; export HOSTILE='before_step hog'; lacuna " +
+  const Outcome hog = program_.shell("ulimit -v 2000000; export HOSTILE='add_loads hog'; lacuna " +
                                      compare("hostile") + " --plugin-path " + folder_.path().string());
   EXPECT_EQ(hog.exit_code, 1);
-  EXPECT_THAT(hog.errors, AllOf(HasSubstr("hostile.so"), HasSubstr("before_step threw std::bad_alloc")));
+  EXPECT_THAT(hog.errors, AllOf(HasSubstr("hostile.so"), HasSubstr("add_loads threw std::bad_alloc")));
 }
 
 TEST_F(HostilePlugin, ThatEndsADiagnosisIsNamed) {
   program_.copy_first_steps();
-  const Outcome outcome = lacuna("before_step exit", "diagnose first-steps.toml --among hostile");
+  const Outcome outcome = lacuna("add_loads exit", "diagnose first-steps.toml --among hostile");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
-  EXPECT_THAT(outcome.errors, names("effect \"hostile\"", "before_step ended the program with exit code 0"));
+  EXPECT_THAT(outcome.errors, names("effect \"hostile\"", "add_loads ended the program with exit code 0"));
 }
 
 TEST_F(HostilePlugin, ThatEndsARunIsNamed) {

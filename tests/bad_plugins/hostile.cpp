@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// Components that do in one of their calls what the variable HOSTILE says, as in "before_step exit" or
+/// Components that do in one of their calls what the variable HOSTILE says, as in "add_loads exit" or
 /// "describe segfault 3", from the third time on that it is called in a process.
 namespace {
 
@@ -54,9 +54,9 @@ class Effect : public bad::Effect {
     misbehave("stages");
     return {};
   }
-  void before_step(const lacuna::StepView&, const lacuna::EffectContext&, std::span<double>,
+  void add_loads(const lacuna::StepView&, const lacuna::EffectContext&, std::span<const double>,
                    lacuna::StepLoads&) const override {
-    misbehave("before_step");
+    misbehave("add_loads");
   }
 };
 

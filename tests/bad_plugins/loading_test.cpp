@@ -138,7 +138,7 @@ TEST(BadPlugin, ThatSaysOfItselfWhatCannotBeIsRefusedByName) {
   for (const PluginListing& listing : catalog.list())
     EXPECT_EQ(listing.problem.empty(), listing.name == "undeclared_hook") << listing.problem;
   EXPECT_THAT(catalog.problems(), IsEmpty());
-  EXPECT_TRUE(catalog.get<PhysicalEffect>("undeclared_hook").hooks().before_step);
+  EXPECT_TRUE(catalog.get<PhysicalEffect>("undeclared_hook").hooks().add_loads);
 }
 
 TEST(BadPlugin, ThatEndsTheProgramWhereItIsMadeOrDescribedTakesOnlyAChildProcessWithIt) {

@@ -9,7 +9,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class Load : public bad::Effect {
  public:
-  void before_step(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<double>,
+  void add_loads(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<const double>,
                    lacuna::StepLoads& loads) const override {
     const int coordinate = view.first_coordinate[static_cast<std::size_t>(context.elements[0])];
     if (view.time >= bad::kOnset) loads.joints[static_cast<std::size_t>(coordinate)].force = kNan;

@@ -25,7 +25,7 @@ class Declared : public bad::Effect {
     description.parameters = {{"size", unit, 0.0, lower, upper, lacuna::Scale::linear, "Of the push"}};
     return description;
   }
-  void before_step(const lacuna::StepView&, const lacuna::EffectContext& context, std::span<double>,
+  void add_loads(const lacuna::StepView&, const lacuna::EffectContext& context, std::span<const double>,
                    lacuna::StepLoads& loads) const override {
     loads.joints[0].force += context.parameters[0];
   }

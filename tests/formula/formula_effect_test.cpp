@@ -40,10 +40,10 @@ double force_of(const PhysicalEffect& effect, double q, double v, double u) {
   ContactSpec contact;
   Eigen::Vector3d gravity(0.0, 0.0, 0.0);
   StepLoads loads{joints, {}, contact, gravity};
-  effect.before_step(view, context, state, loads);
+  effect.add_loads(view, context, state, loads);
   const JointLoad& load = joints[0];
   const double friction = v > 0.0 ? load.friction_lower : v < 0.0 ? load.friction_upper : 0.0;
-  return load.force - load.damping * v - load.stiffness * q + load.spring_force + friction;
+  return load.force + friction;
 }
 
 template <class Formula>

@@ -41,11 +41,6 @@ TEST(Dual, AtKinksAndInfiniteSlopesTheDerivativeIsZero) {
   EXPECT_EQ(pow(v, 1.0).by_velocity, 1.0);
 }
 
-/// What a load exerts at this moment, whatever it does within the step.
-double force_now(const JointLoad& load, double q, double v) {
-  return load.force - load.damping * v - load.stiffness * q + load.spring_force;
-}
-
 TEST(ForceLawHelper, TheForceAtThisMomentIsTheLaws) {
   for (const Function law : laws())
     for (const double q : {-1.3, 0.0, 2.0})

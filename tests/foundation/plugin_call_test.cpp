@@ -23,8 +23,8 @@ TEST(PluginCall, IsActiveWhileItLivesAndRestoresTheOneBefore) {
     {
       const HostCall service;
       EXPECT_THAT(CallPage::active(), IsEmpty());
-      const PluginCall inner(drag, "before_step");
-      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "before_step"}));
+      const PluginCall inner(drag, "add_loads");
+      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "add_loads"}));
     }
     EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"target \"rig\"", "carrying a test out"}));
     outer.enter(rig, "recorded");
@@ -49,8 +49,8 @@ TEST(PluginCall, EachThreadHasASlotAndGivesItBack) {
   const char* const drag = component_on_page("effect \"drag\"");
   for (std::size_t round = 0; round < kMoreThanThereAreSlots / 2; ++round)
     parallel_for(2, 2, [&](std::size_t, int) {
-      const PluginCall call(drag, "before_step");
-      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "before_step"}));
+      const PluginCall call(drag, "add_loads");
+      EXPECT_THAT(CallPage::active(), ElementsAre(ActiveCall{"effect \"drag\"", "add_loads"}));
     });
   EXPECT_THAT(CallPage::active(), IsEmpty());
 }

@@ -8,20 +8,18 @@
 
 namespace lacuna {
 
-/// Adds a force that is a smooth function of a joint's position and velocity to its load, such that the force at this
-/// moment is law(q, v) and its change within the step is followed implicitly where that keeps the integration stable:
-/// as stiffness where it falls with position, as damping where it falls with velocity. Where it grows, it is explicit.
-/// The damping is half the slope, which is of second order (linearised trapezoidal rule), or the slope of the chord to
-/// v = 0 where that is more: one step then brings a joint at most to rest, down a law as steep and short as
-/// tanh(v/0.001), too. `law` takes and returns `Dual`; for sgn(v) as a factor there is `add_force_along_motion`.
+/// Adds a force that is a smooth function of a joint's position and velocity, law(q, v), with its slopes where it falls.
+/// Down a law as steep and short as tanh(v/0.001) the slope of the chord to v = 0 is taken where that is more, so that
+/// a step brings a joint at most to rest. `law` takes and returns `Dual`; for sgn(v) as a factor there is
+/// `add_force_along_motion`.
 template <class Law>
 void add_force_law(JointLoad& load, double q, double v, const Law& law) {
   const Dual force = law(Dual::position(q), Dual::velocity(v));
-  double damping = std::max(0.0, -0.5 * force.by_velocity);
+  double damping = std::max(0.0, -force.by_velocity);
   if (v != 0.0) damping = std::max(damping, (law(Dual::position(q), Dual(0.0)).value - force.value) / v);
-  load.force += force.value + damping * v;
+  load.force += force.value;
   load.damping += damping;
-  load.add_spring(std::max(0.0, -force.by_position), q);
+  load.stiffness += std::max(0.0, -force.by_position);
 }
 
 /// Adds the force `along`·sgn(v) to a joint's load: as dry friction, which sticks without chatter, where it is against

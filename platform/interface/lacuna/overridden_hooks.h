@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-/// Whether a class overrides a hook, told by the class that its member belongs to: `&Effect::before_step` is a member
+/// Whether a class overrides a hook, told by the class that its member belongs to: `&Effect::add_loads` is a member
 /// of `PhysicalEffect` unless the class, or one between the two, has its own.
 template <class Effect, class Own, class Result, class... Arguments>
 consteval bool overrides(Own, Result (PhysicalEffect::*)(Arguments...) const) {
@@ -20,8 +20,8 @@ consteval bool overrides(Own, Result (PhysicalEffect::*)(Arguments...) const) {
 template <class Effect>
 concept HooksVisible = requires {
   &Effect::amend;
-  &Effect::before_step;
-  &Effect::after_step;
+  &Effect::add_loads;
+  &Effect::advance;
   &Effect::command;
   &Effect::sense;
 };
@@ -30,12 +30,12 @@ concept HooksVisible = requires {
 template <class Effect>
 consteval OverriddenHooks overridden_hooks() {
   static_assert(HooksVisible<Effect>,
-                "the hooks amend, before_step, after_step, command and sense of an effect must be public and not "
+                "the hooks amend, add_loads, advance, command and sense of an effect must be public and not "
                 "overloaded, so that Lacuna sees which of them it overrides");
   if constexpr (HooksVisible<Effect>)
     return {.amend = overrides<Effect>(&Effect::amend, &PhysicalEffect::amend),
-            .before_step = overrides<Effect>(&Effect::before_step, &PhysicalEffect::before_step),
-            .after_step = overrides<Effect>(&Effect::after_step, &PhysicalEffect::after_step),
+            .add_loads = overrides<Effect>(&Effect::add_loads, &PhysicalEffect::add_loads),
+            .advance = overrides<Effect>(&Effect::advance, &PhysicalEffect::advance),
             .command = overrides<Effect>(&Effect::command, &PhysicalEffect::command),
             .sense = overrides<Effect>(&Effect::sense, &PhysicalEffect::sense)};
   else

@@ -57,8 +57,8 @@ struct EffectStages {
 /// Which hooks a class overrides (lacuna/overridden_hooks.h finds out); the others cost nothing in a step.
 struct OverriddenHooks {
   bool amend = true;
-  bool before_step = true;
-  bool after_step = true;
+  bool add_loads = true;
+  bool advance = true;
   bool command = true;
   bool sense = true;
 };
@@ -66,8 +66,8 @@ struct OverriddenHooks {
 /// What the engine calls of an effect.
 struct EffectHooks {
   bool amends_robot = false;
-  bool before_step = false;
-  bool after_step = false;
+  bool add_loads = false;
+  bool advance = false;
   CommandStage command = CommandStage::none;
   SensorStage sensor = SensorStage::none;
 };
@@ -77,16 +77,16 @@ struct EffectContext {
   std::span<const double> parameters;  ///< in the order of `EffectDescription::parameters`, SI
   std::span<const int> elements;       ///< indices into the spec's list of the placement's kind; empty for the world
   ElementKind kind = ElementKind::world;
-  double step = 0.0;  ///< integration step, s
+  double step = 0.0;  ///< length of the step that the call is about, s; in `state_size` of a whole one
 };
 
-/// The mechanical state at one integration step. Coordinates are counted over joints in
-/// their order (hinge, slider 1; universal 2; ball 3; fixed 0): `first_coordinate[joint]`.
+/// The mechanical state at one moment. Coordinates are counted over joints in their order (hinge, slider 1; universal 2;
+/// ball 3; fixed 0): `first_coordinate[joint]`.
 struct StepView {
-  double time = 0.0;                        ///< s, at the start of the step
+  double time = 0.0;                        ///< s
   std::span<const double> positions;        ///< joint coordinates, rad or m
   std::span<const double> velocities;       ///< rad/s or m/s
-  std::span<const double> actuator_forces;  ///< per actuator, joint side, N·m or N; of a servo, that of the step before
+  std::span<const double> actuator_forces;  ///< per actuator, joint side, N·m or N; of a servo, an estimate
   std::span<const int> first_coordinate;    ///< per joint
   std::span<const int> actuator_coordinate;                  ///< per actuator, the coordinate that it drives
   std::span<const Eigen::Vector3d> body_positions;           ///< centres of mass, world, m
@@ -95,25 +95,40 @@ struct StepView {
   std::span<const Eigen::Vector3d> body_angular_velocities;  ///< world, rad/s
 };
 
-/// Laws on one joint coordinate for the coming step. The engine integrates dry friction,
-/// damping and stiffness implicitly; add to them, never overwrite.
+/// Laws on one joint coordinate for the coming step; add to them, never overwrite. `force` is the force at the view's
+/// position and velocity. The slopes say by how much less it becomes per unit of velocity and of position beyond the
+/// view's; the engine follows the force with them to the velocities that the step has, implicitly, so that steep laws
+/// stay stable. A law whose slope is left out, or estimated, keeps the engine's order.
 struct JointLoad {
   double force = 0.0;           ///< N·m or N
   double friction_lower = 0.0;  ///< dry friction may exert at least this ... (≤ 0)
   double friction_upper = 0.0;  ///< ... and at most this (≥ 0), whatever holds the velocity at zero
-  double damping = 0.0;         ///< ≥ 0
-  double stiffness = 0.0;       ///< ≥ 0
+  double damping = 0.0;         ///< −∂force/∂velocity, ≥ 0
+  double stiffness = 0.0;       ///< −∂force/∂position, ≥ 0
 
   void add_friction(double limit) {
     friction_lower -= limit;
     friction_upper += limit;
   }
+  /// The force −b·v.
+  void add_damping(double b, double v) {
+    force -= b * v;
+    damping += b;
+  }
+  /// The force −k·stretch.
+  void add_spring(double k, double stretch) {
+    force -= k * stretch;
+    stiffness += k;
+  }
 };
 
-/// Force on a body's centre of mass and torque for the coming step, world frame.
+/// Force on a body's centre of mass and torque for the coming step, world frame, at the view's velocities; and slopes as
+/// those of a joint, alike in all directions.
 struct BodyLoad {
   Eigen::Vector3d force{0.0, 0.0, 0.0};   ///< N
   Eigen::Vector3d torque{0.0, 0.0, 0.0};  ///< N·m
+  double damping = 0.0;                   ///< of the force, by the velocity of the centre of mass, N·s/m, ≥ 0
+  double angular_damping = 0.0;           ///< of the torque, by the angular velocity, N·m·s/rad, ≥ 0
 };
 
 struct StepLoads {
@@ -128,8 +143,14 @@ struct StepLoads {
 /// same arguments give the same results. An effect must not allocate in a hook that is called
 /// in a step. Hooks may throw `Error`; the evaluation is then invalid.
 ///
-/// The hooks are `amend`, `before_step`, `after_step`, `command` and `sense`. An effect overrides those that it needs,
+/// The hooks are `amend`, `add_loads`, `advance`, `command` and `sense`. An effect overrides those that it needs,
 /// in public; the host calls what is overridden.
+///
+/// `command` and `sense` are called once a step of whole length, at its start and at its end. `add_loads` and `advance`
+/// are about a step of length `context.step`, which may be a part of such a one: the engine cuts a step where a joint
+/// comes to rest or meets a stop. `engine = "articulated"` asks for loads in the middle of the step, several times, the
+/// last time at the step's mean velocities, and needs them there to second order: with a memory, its mean over the step.
+/// `engine = "ode"` asks once, at the start of the step, and uses the slopes up to its end.
 class PhysicalEffect {
  public:
   virtual ~PhysicalEffect() = default;
@@ -146,9 +167,11 @@ class PhysicalEffect {
   /// Changes the robot before it is compiled, for the given parameters. It may change values,
   /// not add or remove elements.
   virtual void amend(RobotSpec&, const EffectContext&) const {}
-  virtual void before_step(const StepView&, const EffectContext&, std::span<double> /*state*/, StepLoads&) const {}
-  /// `view` holds the state that the step has led to.
-  virtual void after_step(const StepView&, const EffectContext&, std::span<double> /*state*/) const {}
+  /// Adds what acts in the step. `state` is that at its start.
+  virtual void add_loads(const StepView&, const EffectContext&, std::span<const double> /*state*/, StepLoads&) const {}
+  /// Moves the state through a step that was taken. `view` has the configuration at which loads were asked for, and the
+  /// joints' mean velocities over the step.
+  virtual void advance(const StepView&, const EffectContext&, std::span<double> /*state*/) const {}
   /// A command on its way to the actuator `context.elements[which]`: gets its mean over the
   /// step (command unit) and returns what goes on. Recorded commands: called once before the first step with what was
   /// commanded before, so that a memory in `state` begins with that.
@@ -163,7 +186,7 @@ class PhysicalEffect {
   /// What the host calls of it.
   EffectHooks hooks() const {
     const EffectStages stages_of = stages();
-    return {overridden_.amend, overridden_.before_step, overridden_.after_step, stages_of.command, stages_of.sensor};
+    return {overridden_.amend, overridden_.add_loads, overridden_.advance, stages_of.command, stages_of.sensor};
   }
   const OverriddenHooks& overridden() const { return overridden_; }
   /// The factory that `component` makes says what it found out; of an object that was made otherwise, as in a test, all

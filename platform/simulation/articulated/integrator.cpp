@@ -21,6 +21,11 @@ Integrator::Integrator(const Machine& machine, const std::vector<int>& first_coo
   motion_.integrals.resize(machine.actuators().size());
 }
 
+void Integrator::forget() {
+  std::fill(coordinate_forces_.begin(), coordinate_forces_.end(), 0.0);
+  std::fill(step_.actuator_forces().begin(), step_.actuator_forces().end(), 0.0);
+}
+
 void Integrator::look_at_stops() {
   for (std::size_t c = 0; c < stopped_.size(); ++c) {
     const CoordinateNumbers& numbers = machine_.coordinates()[c];

@@ -3,7 +3,6 @@
 #include "simulation/articulated/event_search.h"
 #include "simulation/articulated/step.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,7 +21,9 @@ class Integrator {
   void advance(double begin, double length, const Commanded& commanded, const Eigen::Vector3d& gravity);
 
   /// Mean over the last whole step.
-  double coordinate_force(std::size_t coordinate) const { return coordinate_forces_[coordinate]; }
+  std::span<const double> coordinate_forces() const { return coordinate_forces_; }
+  /// What the steps before have left, but for the motion.
+  void forget();
 
  private:
   void look_at_stops();

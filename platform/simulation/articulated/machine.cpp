@@ -20,6 +20,7 @@ Machine::Machine(const RobotSpec& robot, const simulation::JointTree& joints)
   for (const Link& link : tree_.links()) {
     const bool alone = link.parent < 0 && (link.kind == LinkKind::hinge || link.kind == LinkKind::slider);
     if (link.dofs > 0 && !alone) has_coriolis_forces_ = true;
+    has_balls_ = has_balls_ || link.kind == LinkKind::ball;
   }
   for (std::size_t a = 0; a < actuators_.size(); ++a) {
     const int joint = simulation::index_of(robot.joints, robot.actuators[a].joint);

@@ -45,13 +45,14 @@ class Machine {
   std::size_t positions() const { return tree_.positions() + actuators_.size(); }
   /// Whether forces of inertia depend on the velocities.
   bool has_coriolis_forces() const { return has_coriolis_forces_; }
+  bool has_balls() const { return has_balls_; }
 
  private:
   Tree tree_;
   std::vector<std::size_t> first_coordinate_;  ///< per joint
   std::vector<CoordinateNumbers> coordinates_;
   std::vector<ActuatorNumbers> actuators_;
-  bool has_coriolis_forces_ = false;
+  bool has_coriolis_forces_ = false, has_balls_ = false;
 };
 
 }  // namespace lacuna::articulated

@@ -49,6 +49,7 @@ Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
       loads_(machine.coordinates().size()),
       body_loads_(tree_.links().size()),
       link_forces_(tree_.links().size()),
+      drag_(tree_.dofs() * tree_.dofs()),
       actuator_forces_(machine.actuators().size()),
       coordinate_forces_(machine.coordinates().size()),
       positions_(machine.coordinates().size()),
@@ -219,6 +220,7 @@ void Step::gather(const Motion& from, double length, const Commanded& commanded,
                  .stiffness = own.stiffness};
   }
   gravity_ = gravity;
+  has_drag_ = false;
   if (source_ != nullptr) {
     std::fill(body_loads_.begin(), body_loads_.end(), BodyLoad{});
     ContactSpec contact;
@@ -227,8 +229,33 @@ void Step::gather(const Motion& from, double length, const Commanded& commanded,
     for (std::size_t i = 0; i < link_forces_.size(); ++i) {
       const BodyLoad& load = body_loads_[static_cast<std::size_t>(tree_.links()[i].body)];
       link_forces_[i] = {.force = load.force, .torque = load.torque};
+      has_drag_ = has_drag_ || load.damping > 0.0 || load.angular_damping > 0.0;
     }
   }
+  if (has_drag_) find_drag();
+}
+
+void Step::find_drag() {
+  std::fill(drag_.begin(), drag_.end(), 0.0);
+  for (std::size_t i = 0; i < tree_.links().size(); ++i) {
+    const BodyLoad& load = body_loads_[static_cast<std::size_t>(tree_.links()[i].body)];
+    if (load.damping > 0.0 || load.angular_damping > 0.0)
+      dynamics_.add_drag(i, load.damping, load.angular_damping, drag_);
+  }
+}
+
+/// What drag on bodies becomes less beyond the velocities at which it was asked for.
+void Step::add_drag(const Motion& from, double length) {
+  const std::size_t n = tree_.dofs();
+  double rate = 0.0;
+  for (std::size_t i = 0; i < n; ++i) rate = std::max(rate, drag_[i * (n + 1)] * mobility_[i]);
+  const double late = late_damping(length * rate);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double drag = length * drag_[i * n + j];
+      system_.right()[i] += drag * (asked_[j] - (1.0 - late) * from.velocities[j]);
+      system_.matrix()[i * dofs_ + j] += late * drag;
+    }
 }
 
 void Step::take(const Motion& from, double begin, double length, const Commanded& commanded,
@@ -242,7 +269,7 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
     dynamics_.move(mean_);
     if (pass < kPasses) {
       std::copy(mean_.begin(), mean_.end(), asked_.begin());
-      if (source_ != nullptr) fill_view(middle_, mean_, middle_time_);
+      if (source_ != nullptr || machine_.has_balls()) fill_view(middle_, mean_, middle_time_, look_at_bodies_);
       gather(from, length, commanded, stopped, reversals, gravity);
       find_weights(length);
     }
@@ -254,6 +281,7 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
       for (std::size_t j = 0; j < dofs_; ++j) momentum += inertia_[i * dofs_ + j] * from.velocities[j];
       right[i] = momentum - (i < tree_.dofs() ? length * bias_[i] : 0.0);
     }
+    if (has_drag_) add_drag(from, length);
     laws_.clear();
     for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
     for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
@@ -261,6 +289,7 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
       add_transmission(a, from, length);
     }
     system_.solve(laws_, after_velocities_);
+    measure(from, length);
     double change = 0.0, size = 0.0;
     for (std::size_t i = 0; i < dofs_; ++i) {
       const double mean = 0.5 * (from.velocities[i] + after_velocities_[i]);
@@ -271,7 +300,6 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
     const bool asked = source_ == nullptr || pass + 1 >= kPasses;
     if (asked && (!machine_.has_coriolis_forces() || change <= kSettled * size)) break;
   }
-  measure(from, length);
   std::copy(after_velocities_.begin(), after_velocities_.end(), after_.velocities.begin());
   std::copy(middle_.begin(), middle_.end(), after_.configuration.begin());
   drift(after_.velocities, 0.5 * length, after_.configuration);
@@ -310,7 +338,7 @@ void Step::measure(const Motion& from, double length) {
 void Step::keep() {
   if (source_ == nullptr) return;
   dynamics_.move(mean_);
-  fill_view(middle_, mean_, middle_time_);
+  fill_view(middle_, mean_, middle_time_, look_at_bodies_);
   source_->advance(view_, length_);
 }
 
@@ -325,26 +353,39 @@ void Step::stop(std::size_t coordinate, Motion& motion) {
   motion.velocities[dof] = 0.0;
 }
 
-const StepView& Step::look(const Motion& motion, double time) {
-  if (look_at_bodies_) {
+const StepView& Step::look(const Motion& motion, double time, bool at_bodies) {
+  if (at_bodies) {
     dynamics_.place(motion.configuration);
     dynamics_.move(motion.velocities);
   }
-  fill_view(motion.configuration, motion.velocities, time);
+  fill_view(motion.configuration, motion.velocities, time, at_bodies);
   return view_;
 }
 
-void Step::fill_view(std::span<const double> configuration, std::span<const double> velocities, double time) {
+Eigen::Vector3d Step::centre_of_mass(const Motion& motion) {
+  dynamics_.place(motion.configuration);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  for (std::size_t i = 0; i < tree_.links().size(); ++i) {
+    moment += tree_.links()[i].mass * dynamics_.centre(i);
+    mass += tree_.links()[i].mass;
+  }
+  return moment / mass;
+}
+
+void Step::fill_view(std::span<const double> configuration, std::span<const double> velocities, double time,
+                     bool with_bodies) {
   view_.time = time;
   tree_.coordinates(configuration, positions_);
   for (std::size_t c = 0; c < velocities_.size(); ++c) velocities_[c] = velocities[machine_.coordinates()[c].dof];
-  if (!look_at_bodies_) return;
+  if (!with_bodies) return;
   for (std::size_t i = 0; i < tree_.links().size(); ++i) {
-    const auto body = static_cast<std::size_t>(tree_.links()[i].body);
+    const Link& link = tree_.links()[i];
+    const auto body = static_cast<std::size_t>(link.body);
     body_positions_[body] = dynamics_.centre(i);
     body_velocities_[body] = dynamics_.centre_velocity(i);
     body_angular_velocities_[body] = dynamics_.angular_velocity(i);
-    body_orientations_[body] = Eigen::Quaterniond(dynamics_.displacement(i).turn);
+    body_orientations_[body] = Eigen::Quaterniond(dynamics_.displacement(i).turn) * link.orientation;
   }
 }
 

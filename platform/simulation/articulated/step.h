@@ -4,8 +4,8 @@
 
 #include "simulation/articulated/bounded_system.h"
 #include "simulation/articulated/dynamics.h"
-#include "simulation/articulated/load_source.h"
 #include "simulation/articulated/machine.h"
+#include "simulation/shared/load_source.h"
 
 #include <cstdint>
 #include <span>
@@ -37,10 +37,10 @@ class Step {
  public:
   Step(const Machine& machine, const std::vector<int>& first_coordinates, const std::vector<int>& actuator_coordinates);
 
-  /// Has the views show bodies; otherwise they are not computed.
+  /// Has the views of a source show bodies; otherwise they are not computed.
   void look_at_bodies(bool look) { look_at_bodies_ = look; }
   /// Whether there is anything to ask a source for.
-  void ask(LoadSource* source) { source_ = source; }
+  void ask(simulation::LoadSource* source) { source_ = source; }
 
   /// `stopped`: per coordinate. `reversals`: whether dry friction may turn round within the step; otherwise it keeps the
   /// direction that it has at the start of the step, where there is motion, whatever the motion does.
@@ -60,13 +60,13 @@ class Step {
   /// Of a PID's integral over the step; 0 where the force is at its limit and would be driven further into it.
   double integral_rate(std::size_t actuator, double command) const;
 
-  /// Mean over the step; joint side, per actuator.
-  double actuator_force(std::size_t actuator) const { return actuator_forces_[actuator]; }
   /// Mean of what a coordinate's laws and actuators exerted on it.
   double coordinate_force(std::size_t coordinate) const { return coordinate_forces_[coordinate]; }
 
   /// Fills the view with a motion.
-  const StepView& look(const Motion& motion, double time);
+  const StepView& look(const Motion& motion, double time, bool at_bodies);
+  Eigen::Vector3d centre_of_mass(const Motion& motion);
+  std::span<double> actuator_forces() { return actuator_forces_; }
 
  private:
   struct Weights {
@@ -84,14 +84,17 @@ class Step {
   void add_actuator(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
   void add_transmission(std::size_t actuator, const Motion& from, double length);
   void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
+  void find_drag();
+  void add_drag(const Motion& from, double length);
   void measure(const Motion& from, double length);
-  void fill_view(std::span<const double> configuration, std::span<const double> velocities, double time);
+  void fill_view(std::span<const double> configuration, std::span<const double> velocities, double time,
+                 bool with_bodies);
 
   const Machine& machine_;
   const Tree& tree_;
   Dynamics dynamics_;
   BoundedSystem system_;
-  LoadSource* source_ = nullptr;
+  simulation::LoadSource* source_ = nullptr;
   bool look_at_bodies_ = false;
   std::size_t dofs_;
   // of the step
@@ -106,6 +109,8 @@ class Step {
   std::vector<JointLoad> loads_;                       ///< per coordinate
   std::vector<BodyLoad> body_loads_;                   ///< per body
   std::vector<BodyForce> link_forces_;
+  std::vector<double> drag_;  ///< of the tree's velocities
+  bool has_drag_ = false;
   std::vector<double> actuator_forces_, coordinate_forces_;
   Motion after_;
   // the view

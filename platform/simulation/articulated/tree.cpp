@@ -106,7 +106,8 @@ void Tree::set(const RobotSpec& robot) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];
     const BodySpec& body = robot.bodies[static_cast<std::size_t>(link.body)];
-    const Eigen::Matrix3d frame = body.orientation.normalized().toRotationMatrix();
+    link.orientation = body.orientation.normalized();
+    const Eigen::Matrix3d frame = link.orientation.toRotationMatrix();
     const InertiaSpec& I = body.inertia;
     Eigen::Matrix3d own;
     own << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;

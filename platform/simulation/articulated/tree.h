@@ -5,6 +5,7 @@
 #include "simulation/shared/joint_tree.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <span>
@@ -27,6 +28,7 @@ struct Link {
   Eigen::Vector3d anchor{0.0, 0.0, 0.0};
   std::array<Eigen::Vector3d, 2> axes;
   Eigen::Matrix3d parent_frame = Eigen::Matrix3d::Identity();  ///< parent to world
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of the body's frame
   double mass = 0.0;
   Eigen::Vector3d com{0.0, 0.0, 0.0};
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass

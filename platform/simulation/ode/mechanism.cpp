@@ -11,22 +11,13 @@ namespace {
 // N or N·m; far larger ones overflow inside ODE, which costs its world.
 constexpr double kLargestForce = 1e15;
 
-JointLoad base_load(const JointSpec& joint) {
-  return {.force = joint.force,
-          .friction_lower = -joint.dry_friction,
-          .friction_upper = joint.dry_friction,
-          .damping = joint.damping,
-          .stiffness = joint.stiffness,
-          .spring_force = joint.stiffness * joint.rest};
-}
-
 }  // namespace
 
 Mechanism::Mechanism(const simulation::JointTree& tree, const EngineSettings& settings)
     : tree_(tree), h_(settings.step / settings.substeps), joint_erp_(settings.joint_erp), joints_(tree) {
   dWorldSetERP(world_.id(), joint_erp_);
   const auto coordinates = static_cast<std::size_t>(tree.coordinates);
-  base_loads_.resize(coordinates);
+  own_laws_.resize(coordinates);
   rows_.resize(coordinates);
   row_velocities_.assign(coordinates, 0.0);
   law_forces_.assign(coordinates, 0.0);
@@ -86,7 +77,11 @@ void Mechanism::create_rows(const RobotSpec& robot, std::span<const ActuatorPlac
 
 void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant,
                                   double reflected_inertia) {
-  base_loads_[coordinate] = base_load(joint);
+  own_laws_[coordinate] = {.force = joint.force,
+                           .dry_friction = joint.dry_friction,
+                           .damping = joint.damping,
+                           .stiffness = joint.stiffness,
+                           .rest = joint.rest};
   CoordinateRows& rows = rows_[coordinate];
   rows = {};
   rows.armature = joint.armature + reflected_inertia;
@@ -116,6 +111,16 @@ void Mechanism::create_row(MotorRow& row, std::size_t coordinate) {
 std::size_t Mechanism::most_rows() const {
   const std::size_t rows_of_contact = robot_->contact.rolling_lever > 0.0 ? 6 : 3;
   return 6 * tree_.child.size() + 4 * rows_.size() + servos_.size() + rows_of_contact * ground_.most_contacts();
+}
+
+void Mechanism::add_own_loads(std::span<JointLoad> loads) const {
+  for (std::size_t i = 0; i < own_laws_.size(); ++i) {
+    const OwnLaws& laws = own_laws_[i];
+    loads[i].force += laws.force;
+    loads[i].add_friction(laws.dry_friction);
+    loads[i].add_damping(laws.damping, joints_.velocities()[i]);
+    loads[i].add_spring(laws.stiffness, joints_.positions()[i] - laws.rest);
+  }
 }
 
 void Mechanism::set_servo(std::size_t actuator, const simulation::ImplicitForce& law) {
@@ -201,7 +206,7 @@ void Mechanism::set_laws(std::span<const JointLoad> loads) {
     const JointLoad& load = loads[i];
     const double position = joints_.positions()[i];
     rows.force = load.force;
-    if (rows.impedance.exists()) set_impedance(rows, load, position, joints_.velocities()[i]);
+    if (rows.impedance.exists()) set_impedance(rows, load, joints_.velocities()[i]);
     if (rows.friction.exists()) {
       rows.friction_limit = 0.5 * (load.friction_upper - load.friction_lower);
       rows.force += 0.5 * (load.friction_upper + load.friction_lower);
@@ -215,15 +220,17 @@ void Mechanism::set_laws(std::span<const JointLoad> loads) {
   }
 }
 
-void Mechanism::set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const {
-  // λ = −b·v' − (k·(q + h·v') − k·rest) − I·(v' − v)/h with v' the velocity after the step.
-  rows.resistance = load.damping + h_ * load.stiffness + rows.armature / h_;
+/// The loads' force is that at the velocity v before the step; the row adds what it is less of at v' after it:
+/// λ = −b·(v' − v) − k·h·v' − I·(v' − v)/h, written as (target − v')/compliance, is zero at v' = v but for the spring.
+void Mechanism::set_impedance(CoordinateRows& rows, const JointLoad& load, double velocity) const {
+  const double inert = load.damping + rows.armature / h_;
+  rows.resistance = inert + h_ * load.stiffness;
   if (rows.resistance <= 0.0) {
     rows.target = 0.0;
     rows.impedance.set_law(0.0, 0.0);
     return;
   }
-  rows.target = (rows.armature / h_ * velocity - load.stiffness * position + load.spring_force) / rows.resistance;
+  rows.target = inert * velocity / rows.resistance;
   rows.impedance.set_target(rows.target);
   rows.impedance.set_law(1.0 / rows.resistance, dInfinity);
 }

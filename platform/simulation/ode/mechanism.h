@@ -50,8 +50,8 @@ class Mechanism {
   const Joints& joints() const { return joints_; }
   Ground& ground() { return ground_; }
 
-  /// The robot's own laws per coordinate: what each step starts from.
-  std::span<const JointLoad> base_loads() const { return base_loads_; }
+  /// What the robot's own laws exert where it is: what each step starts from. Per coordinate.
+  void add_own_loads(std::span<JointLoad> loads) const;
 
   void set_servo(std::size_t actuator, const simulation::ImplicitForce& law);
   void set_gravity(const Eigen::Vector3d& gravity);
@@ -81,13 +81,18 @@ class Mechanism {
     double force = 0.0;
   };
 
+  /// Of a joint, on each of its coordinates.
+  struct OwnLaws {
+    double force = 0.0, dry_friction = 0.0, damping = 0.0, stiffness = 0.0, rest = 0.0;
+  };
+
   void create_rows(const RobotSpec& robot, std::span<const ActuatorPlace> actuators);
   void create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant, double reflected_inertia);
   void take_down();
   void create_row(MotorRow& row, std::size_t coordinate);
   void create_stop(const JointSpec& joint, std::size_t coordinate);
   void set_laws(std::span<const JointLoad> loads);
-  void set_impedance(CoordinateRows& rows, const JointLoad& load, double position, double velocity) const;
+  void set_impedance(CoordinateRows& rows, const JointLoad& load, double velocity) const;
   void step_world(const ContactSpec& contact);
   bool solve_world(const ContactSpec& contact);
   void step_robot();
@@ -103,7 +108,7 @@ class Mechanism {
   Joints joints_;
   Ground ground_;
   std::unique_ptr<RobotStep> robot_step_;  ///< in the place of the world's, where there is one
-  std::vector<JointLoad> base_loads_;
+  std::vector<OwnLaws> own_laws_;  // per coordinate
   std::vector<CoordinateRows> rows_;
   std::vector<MotorRow> servos_;     // per actuator
   std::vector<CoordinateLaw> laws_;  // of the coming step, for `robot_step_`

@@ -1,5 +1,7 @@
 #include "simulation/ode/session.h"
 
+#include "simulation/shared/robot_motion.h"
+
 #include <ode/ode.h>
 
 #include <array>
@@ -17,7 +19,7 @@ void write_message(std::array<char, 256>& text, const char* format, va_list argu
 [[noreturn]] void fail(int /*number*/, const char* format, va_list arguments) {
   std::array<char, 256> text{};
   write_message(text, format, arguments);
-  throw EngineFailure(std::string("ODE failed: ") + text.data());
+  throw simulation::EngineFailure(std::string("ODE failed: ") + text.data());
 }
 
 void complain(int /*number*/, const char* format, va_list arguments) {

@@ -1,17 +1,6 @@
 #pragma once
 
-#include <lacuna/error.h>
-
-#include <string>
-
 namespace lacuna::ode {
-
-/// What ODE's own error and debug handlers throw out of a step. The world it happened in has
-/// stale jobs and must be dropped together with its threading.
-class EngineFailure : public Error {
- public:
-  using Error::Error;
-};
 
 /// Makes ODE ready for the calling thread: initialises the library once a process, installs
 /// handlers that throw instead of ending the process, and gives the thread its own data, which

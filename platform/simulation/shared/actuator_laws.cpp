@@ -14,11 +14,11 @@ double beyond_gap(double twist, double gap) {
   return 0.0;
 }
 
-ImplicitForce pid_law(const ActuatorSpec& actuator, double command, double position, const ActuatorMemory& memory,
-                      double step) {
+ImplicitForce pid_law(const ActuatorSpec& actuator, double command, double rate, double position,
+                      const ActuatorMemory& memory, double step) {
   const double error = command - position;
   return {.force = actuator.kp * error + actuator.ki * (memory.integral + step * error) +
-                   actuator.kd * (command - memory.last_command) / step,
+                   actuator.kd * rate,
           .slope = actuator.kp * step + actuator.ki * step * step + actuator.kd,
           .limit = actuator.force_limit};
 }
@@ -27,8 +27,8 @@ ImplicitForce pid_law(const ActuatorSpec& actuator, double command, double posit
 
 double ImplicitForce::at(double velocity) const { return std::clamp(force - slope * velocity, -limit, limit); }
 
-ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double position, const ActuatorMemory& memory,
-                           double step) {
+ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double rate, double position,
+                           const ActuatorMemory& memory, double step) {
   switch (actuator.kind) {
     case ActuatorKind::force:
       return {.force = std::clamp(command, -actuator.force_limit, actuator.force_limit),
@@ -40,7 +40,7 @@ ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double 
       return {.force = actuator.kp * (command - position),
               .slope = actuator.kd + step * actuator.kp,
               .limit = actuator.force_limit};
-    case ActuatorKind::pid: return pid_law(actuator, command, position, memory, step);
+    case ActuatorKind::pid: return pid_law(actuator, command, rate, position, memory, step);
   }
   return {};
 }
@@ -50,7 +50,6 @@ void remember_pid(const ActuatorSpec& actuator, double command, double position,
   const double error = command - position;
   const bool saturated = std::abs(force) >= actuator.force_limit && force * error > 0.0;
   if (!saturated) memory.integral += step * error;
-  memory.last_command = command;
 }
 
 CompliantTransmission::CompliantTransmission(const TransmissionSpec& spec, const ActuatorMemory& rotor,

@@ -8,7 +8,6 @@ namespace lacuna::simulation {
 struct ActuatorMemory {
   double force = 0.0;           ///< exerted in the last step, joint side
   double integral = 0.0;        ///< of a PID's error, rad·s or m·s
-  double last_command = 0.0;    ///< of a PID
   double rotor_position = 0.0;  ///< joint side, rad or m; of a compliant transmission
   double rotor_velocity = 0.0;
 };
@@ -22,10 +21,10 @@ struct ImplicitForce {
   double at(double velocity) const;
 };
 
-/// The actuator's law for the coming step of length h, at the position of what it drives. For a
-/// PID the command's change counts over the step.
-ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double position, const ActuatorMemory& memory,
-                           double step);
+/// The actuator's law for the coming step of length h, at the position of what it drives. `rate`: by how much the
+/// command changes in a second.
+ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double rate, double position,
+                           const ActuatorMemory& memory, double step);
 
 /// Puts down what a PID remembers, once the step has led to `position` with `force`. Its integral
 /// stands still while the force is at its limit and would be driven further into it.

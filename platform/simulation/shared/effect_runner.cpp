@@ -11,9 +11,14 @@ namespace {
 constexpr const char* kRepair = "; repair the plugin, or take the effect out of the model";
 
 bool sound(const JointLoad& load) {
-  return std::isfinite(load.force) && std::isfinite(load.spring_force) && load.friction_lower <= 0.0 &&
+  return std::isfinite(load.force) && load.friction_lower <= 0.0 &&
          load.friction_upper >= 0.0 && load.damping >= 0.0 && load.stiffness >= 0.0 && std::isfinite(load.damping) &&
          std::isfinite(load.stiffness);
+}
+
+bool sound(const BodyLoad& load) {
+  return load.force.allFinite() && load.torque.allFinite() && load.damping >= 0.0 && std::isfinite(load.damping) &&
+         load.angular_damping >= 0.0 && std::isfinite(load.angular_damping);
 }
 
 bool sound(const ContactSpec& contact) {
@@ -26,7 +31,7 @@ bool sound(const ContactSpec& contact) {
 bool sound(const StepLoads& loads) {
   return std::all_of(loads.joints.begin(), loads.joints.end(), [](const JointLoad& load) { return sound(load); }) &&
          std::all_of(loads.bodies.begin(), loads.bodies.end(),
-                     [](const BodyLoad& load) { return load.force.allFinite() && load.torque.allFinite(); }) &&
+                     [](const BodyLoad& load) { return sound(load); }) &&
          sound(loads.contact) && loads.gravity.allFinite();
 }
 
@@ -55,35 +60,35 @@ void EffectRunner::start(const StepView& view) {
   leave();
 }
 
-void EffectRunner::before_step(const StepView& view, StepLoads& loads) {
-  for (const std::size_t effect : schedule_.before_step()) {
-    enter(effect, "before_step");
-    schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
+void EffectRunner::add_loads(const StepView& view, double length, StepLoads& loads) {
+  for (const std::size_t effect : schedule_.loading()) {
+    enter(effect, "add_loads");
+    schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
   }
   leave();
-  if (!sound(loads)) throw_culprit(view, loads);
+  if (!sound(loads)) throw_culprit(view, length, loads);
 }
 
-void EffectRunner::throw_culprit(const StepView& view, StepLoads& loads) {
+void EffectRunner::throw_culprit(const StepView& view, double length, StepLoads& loads) {
   const ContactSpec contact = instance_.robot().contact;
-  for (const std::size_t effect : schedule_.before_step()) {
+  for (const std::size_t effect : schedule_.loading()) {
     std::fill(loads.joints.begin(), loads.joints.end(), JointLoad{});
     std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
     loads.contact = contact;
     loads.gravity = instance_.robot().gravity;
-    enter(effect, "before_step");
-    schedule_.effects()[effect].effect->before_step(view, context(effect), state(effect), loads);
+    enter(effect, "add_loads");
+    schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
     if (!sound(loads)) throw Error(std::string("it wrote a load that is not finite or has the wrong sign") + kRepair);
   }
   leave();
   throw Error("the effects together wrote a load that is not finite or has the wrong sign");
 }
 
-void EffectRunner::after_step(const StepView& view) {
-  if (schedule_.after_step().empty()) return;
-  for (const std::size_t effect : schedule_.after_step()) {
-    enter(effect, "after_step");
-    schedule_.effects()[effect].effect->after_step(view, context(effect), state(effect));
+void EffectRunner::advance(const StepView& view, double length) {
+  if (schedule_.advancing().empty()) return;
+  for (const std::size_t effect : schedule_.advancing()) {
+    enter(effect, "advance");
+    schedule_.effects()[effect].effect->advance(view, context(effect, length), state(effect));
   }
   leave();
 }

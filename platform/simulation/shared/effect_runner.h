@@ -23,8 +23,8 @@ class EffectRunner {
   void amend(RobotSpec& robot);
   void start(const StepView& view);
   /// Throws `Error` that names the effect if what was added is not finite.
-  void before_step(const StepView& view, StepLoads& loads);
-  void after_step(const StepView& view);
+  void add_loads(const StepView& view, double length, StepLoads& loads);
+  void advance(const StepView& view, double length);
   double command(std::size_t actuator, double value, const StepView& view);
   void sense(std::size_t sensor, std::span<double> channels, const StepView& view);
 
@@ -48,7 +48,12 @@ class EffectRunner {
   }
   EffectContext context(std::size_t effect) const { return schedule_.context(effect, instance_.effect_values(effect)); }
   std::span<double> state(std::size_t effect) { return schedule_.state_of(effect, states_); }
-  [[noreturn]] void throw_culprit(const StepView& view, StepLoads& loads);
+  EffectContext context(std::size_t effect, double length) const {
+    EffectContext context = this->context(effect);
+    context.step = length;
+    return context;
+  }
+  [[noreturn]] void throw_culprit(const StepView& view, double length, StepLoads& loads);
 
   const EffectSchedule& schedule_;
   const ModelInstance& instance_;

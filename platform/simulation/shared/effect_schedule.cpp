@@ -86,8 +86,8 @@ void EffectSchedule::schedule(std::size_t effect) {
   const PlacedEffect& placed = effects_[effect];
   const EffectHooks hooks = placed.effect->hooks();
   if (hooks.amends_robot) amending_.push_back(effect);
-  if (hooks.before_step) before_step_.push_back(effect);
-  if (hooks.after_step) after_step_.push_back(effect);
+  if (hooks.add_loads) loading_.push_back(effect);
+  if (hooks.advance) advancing_.push_back(effect);
   for (std::size_t which = 0; which < placed.elements.size(); ++which) {
     const auto element = static_cast<std::size_t>(placed.elements[which]);
     const Call call{effect, static_cast<int>(which)};
@@ -95,7 +95,7 @@ void EffectSchedule::schedule(std::size_t effect) {
     if (hooks.sensor != SensorStage::none) senses_[element].push_back(call);
   }
   any_sense_ = any_sense_ || hooks.sensor != SensorStage::none;
-  looks_at_state_ = looks_at_state_ || hooks.before_step || hooks.after_step || hooks.command != CommandStage::none ||
+  looks_at_state_ = looks_at_state_ || hooks.add_loads || hooks.advance || hooks.command != CommandStage::none ||
                     hooks.sensor != SensorStage::none;
 }
 

@@ -30,13 +30,14 @@ class EffectSchedule {
   const std::vector<PlacedEffect>& effects() const { return effects_; }
   /// How a parent process names the effect (foundation/plugin_call.h).
   const char* on_page(std::size_t effect) const { return on_page_[effect]; }
-  EffectContext context(std::size_t effect, std::span<const double> values) const;
+  EffectContext context(std::size_t effect, std::span<const double> values) const;  ///< of a whole step
   std::span<double> state_of(std::size_t effect, std::span<double> states) const;
   std::size_t state_size() const { return state_offsets_.back(); }
 
   const std::vector<std::size_t>& amending() const { return amending_; }
-  const std::vector<std::size_t>& before_step() const { return before_step_; }
-  const std::vector<std::size_t>& after_step() const { return after_step_; }
+  const std::vector<std::size_t>& loading() const { return loading_; }
+  const std::vector<std::size_t>& advancing() const { return advancing_; }
+  bool acts_in_steps() const { return !loading_.empty() || !advancing_.empty(); }
   const std::vector<Call>& commands(std::size_t actuator) const { return commands_[actuator]; }  ///< by stage
   const std::vector<Call>& senses(std::size_t sensor) const { return senses_[sensor]; }          ///< by stage
   bool any_sense() const { return any_sense_; }
@@ -49,7 +50,7 @@ class EffectSchedule {
   const std::vector<PlacedEffect>& effects_;
   double step_;
   std::vector<const char*> on_page_;  // per effect
-  std::vector<std::size_t> amending_, before_step_, after_step_;
+  std::vector<std::size_t> amending_, loading_, advancing_;
   std::vector<std::vector<Call>> commands_, senses_;  // per actuator, per sensor
   std::vector<std::size_t> state_offsets_;            // one more than effects
   bool any_sense_ = false;

@@ -2,11 +2,32 @@
 
 #include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
+#include <lacuna/relaxation.h>
 
 namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kRatio, kFrequency, kDampingRatio };
+
+double actuator_force(const StepView& view, std::size_t coordinate) {
+  double force = 0.0;
+  for (std::size_t a = 0; a < view.actuator_forces.size(); ++a)
+    if (view.actuator_coordinate[a] == static_cast<int>(coordinate)) force += view.actuator_forces[a];
+  return force;
+}
+
+/// A step of the base under a force of the joint's actuators: its acceleration, from where it is at a share of the step.
+struct BaseStep {
+  BaseStep(const EffectContext& context, double w, double velocity, double force) {
+    const auto p = context.parameters;
+    const double square = p[kFrequency] * p[kFrequency], damping = 2.0 * p[kDampingRatio] * p[kFrequency];
+    share = share_of_step(p[kFrequency] * context.step) * context.step;
+    acceleration = (-force - square * (w + share * velocity) - damping * velocity) /
+                   (1.0 + share * (damping + share * square));
+  }
+  double share = 0.0;  ///< s
+  double acceleration = 0.0;
+};
 
 }  // namespace
 
@@ -32,24 +53,21 @@ void BaseCompliance::amend(RobotSpec& robot, const EffectContext& context) const
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-/// Implicit Euler in w, which stays stable for any frequency.
-void BaseCompliance::before_step(const StepView& view, const EffectContext& context, std::span<double> state,
-                                 StepLoads& loads) const {
-  const auto p = context.parameters;
-  const double h = context.step, square = p[kFrequency] * p[kFrequency];
-  const double damping = 2.0 * p[kDampingRatio] * p[kFrequency];
+void BaseCompliance::add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                               StepLoads& loads) const {
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
     const std::size_t coordinate = coordinate_of(view, context.elements[i]);
-    double reaction = 0.0;
-    for (std::size_t a = 0; a < view.actuator_forces.size(); ++a)
-      if (view.actuator_coordinate[a] == static_cast<int>(coordinate)) reaction -= view.actuator_forces[a];
-    double& w = state[2 * i];
-    double& velocity = state[2 * i + 1];
-    const double acceleration =
-        (reaction - square * (w + h * velocity) - damping * velocity) / (1.0 + h * (damping + h * square));
-    velocity += h * acceleration;
-    w += h * velocity;
-    loads.joints[coordinate].force -= p[kRatio] * acceleration;
+    const BaseStep step(context, state[2 * i], state[2 * i + 1], actuator_force(view, coordinate));
+    loads.joints[coordinate].force -= context.parameters[kRatio] * step.acceleration;
+  }
+}
+
+void BaseCompliance::advance(const StepView& view, const EffectContext& context, std::span<double> state) const {
+  for (std::size_t i = 0; i < context.elements.size(); ++i) {
+    const double force = actuator_force(view, coordinate_of(view, context.elements[i]));
+    const BaseStep step(context, state[2 * i], state[2 * i + 1], force);
+    state[2 * i] += context.step * (state[2 * i + 1] + step.share * step.acceleration);
+    state[2 * i + 1] += context.step * step.acceleration;
   }
 }
 

@@ -22,7 +22,7 @@ EffectDescription CablePull::describe() const {
                          {"z", "m", 0.0, -100.0, 100.0, Scale::linear, "Where it is fixed, in the world"}}};
 }
 
-void CablePull::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void CablePull::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                             StepLoads& loads) const {
   const auto p = context.parameters;
   const Eigen::Vector3d point(p[kX], p[kY], p[kZ]);

@@ -29,7 +29,7 @@ void Cogging::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void Cogging::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void Cogging::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                           StepLoads& loads) const {
   const auto p = context.parameters;
   for (const int joint : context.elements) {

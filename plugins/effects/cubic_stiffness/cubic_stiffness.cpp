@@ -3,6 +3,8 @@
 #include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
 
+#include <algorithm>
+
 namespace lacuna {
 namespace {
 
@@ -28,16 +30,15 @@ void CubicStiffness::amend(RobotSpec& robot, const EffectContext& context) const
 }
 
 /// The tangent at the present deflection d: −k·d³ − 3·k·d²·(q' − q).
-void CubicStiffness::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void CubicStiffness::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                  StepLoads& loads) const {
   const double stiffness = context.parameters[kStiffness], rest = context.parameters[kRest];
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);
     const double deflection = view.positions[coordinate] - rest;
-    if (stiffness > 0.0)
-      loads.joints[coordinate].add_spring(3.0 * stiffness * deflection * deflection, rest + deflection * 2.0 / 3.0);
-    else
-      loads.joints[coordinate].force -= stiffness * deflection * deflection * deflection;
+    const double slope = 3.0 * stiffness * deflection * deflection;
+    loads.joints[coordinate].force -= slope * deflection / 3.0;
+    loads.joints[coordinate].stiffness += std::max(0.0, slope);
   }
 }
 

@@ -9,7 +9,7 @@ class CubicStiffness : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
-  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
                    StepLoads& loads) const override;
 };
 

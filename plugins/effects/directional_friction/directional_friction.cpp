@@ -29,7 +29,7 @@ void DirectionalFriction::amend(RobotSpec& robot, const EffectContext& context) 
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void DirectionalFriction::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void DirectionalFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                       StepLoads& loads) const {
   for (const int joint : context.elements) {
     JointLoad& load = loads.joints[coordinate_of(view, joint)];

@@ -29,7 +29,7 @@ void HardStop::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void HardStop::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void HardStop::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                            StepLoads& loads) const {
   const auto p = context.parameters;
   for (const int joint : context.elements) {
@@ -40,8 +40,8 @@ void HardStop::before_step(const StepView& view, const EffectContext& context, s
     const double stop = above ? p[kUpper] : p[kLower];
     const double push = p[kStiffness] * (q - stop) + p[kDamping] * v;
     if (above ? push <= 0.0 : push >= 0.0) continue;  // a stop does not pull
-    loads.joints[coordinate].add_spring(p[kStiffness], stop);
-    loads.joints[coordinate].damping += p[kDamping];
+    loads.joints[coordinate].add_spring(p[kStiffness], q - stop);
+    loads.joints[coordinate].add_damping(p[kDamping], v);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
+#include <lacuna/relaxation.h>
 
 #include <cmath>
 
@@ -9,6 +10,12 @@ namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kTorque, kDistance, kSharpness };
+
+/// Of z, where v does not change: its equation is then dz/dt = v/distance - decay*z.
+double decay(std::span<const double> p, double v, double z) {
+  const double along = z > 0.0 ? v : z < 0.0 ? -v : 0.0;
+  return (p[kSharpness] * std::abs(v) - (p[kSharpness] - 1.0) * along) / p[kDistance];
+}
 
 }  // namespace
 
@@ -30,33 +37,31 @@ EffectDescription Hysteresis::describe() const {
           .dissipative = true};
 }
 
-int Hysteresis::state_size(const EffectContext& context) const { return 3 * static_cast<int>(context.elements.size()); }
+int Hysteresis::state_size(const EffectContext& context) const { return static_cast<int>(context.elements.size()); }
 
 void Hysteresis::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-/// Implicit Euler in z and v: z' = (z + a·v')/d, so that the torque is linear in v'. State: z, a, d of each joint.
-void Hysteresis::before_step(const StepView& view, const EffectContext& context, std::span<double> state,
-                             StepLoads& loads) const {
+void Hysteresis::add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                           StepLoads& loads) const {
   const auto p = context.parameters;
-  const double rate = context.step / p[kDistance];
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
     const std::size_t coordinate = coordinate_of(view, context.elements[i]);
-    const double z = state[3 * i];
-    const double a = rate * (1.0 + (p[kSharpness] - 1.0) * std::abs(z));
-    const double d = 1.0 + rate * p[kSharpness] * std::abs(view.velocities[coordinate]);
-    state[3 * i + 1] = a;
-    state[3 * i + 2] = d;
-    loads.joints[coordinate].damping += p[kTorque] * a / d;
-    loads.joints[coordinate].force -= p[kTorque] * z / d;
+    const double v = view.velocities[coordinate];
+    const Relaxation bend(decay(p, v, state[i]), context.step);
+    JointLoad& load = loads.joints[coordinate];
+    load.force -= p[kTorque] * (bend.mean_carried * state[i] + bend.mean_gained * v / p[kDistance]);
+    load.damping += p[kTorque] * bend.mean_gained / p[kDistance];
   }
 }
 
-void Hysteresis::after_step(const StepView& view, const EffectContext& context, std::span<double> state) const {
+void Hysteresis::advance(const StepView& view, const EffectContext& context, std::span<double> state) const {
+  const auto p = context.parameters;
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
     const double v = view.velocities[coordinate_of(view, context.elements[i])];
-    state[3 * i] = (state[3 * i] + state[3 * i + 1] * v) / state[3 * i + 2];
+    const Relaxation bend(decay(p, v, state[i]), context.step);
+    state[i] = bend.carried * state[i] + bend.gained * v / p[kDistance];
   }
 }
 

@@ -15,11 +15,12 @@ EffectDescription LinearDrag::describe() const {
           .dissipative = true};
 }
 
-void LinearDrag::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void LinearDrag::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                              StepLoads& loads) const {
   for (const int element : context.elements) {
     const auto body = static_cast<std::size_t>(element);
     loads.bodies[body].force -= context.parameters[0] * view.body_velocities[body];
+    loads.bodies[body].damping += context.parameters[0];
   }
 }
 

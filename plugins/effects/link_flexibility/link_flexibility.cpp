@@ -2,20 +2,28 @@
 
 #include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
+#include <lacuna/relaxation.h>
 
 namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kInertia, kFrequency, kDampingRatio };
 
-/// Implicit Euler over a step, with w = dx/dt − v' after it: w = (u − h·ω²·δ − v')/d.
-struct Mode {
-  Mode(const EffectContext& context)
-      : h(context.step),
-        square(context.parameters[kFrequency] * context.parameters[kFrequency]),
-        c(h * square + 2.0 * context.parameters[kDampingRatio] * context.parameters[kFrequency]),
-        d(1.0 + h * c) {}
-  double h, square, c, d;
+/// A step of the mode beside a joint of velocity v: at the share s of the step its deflection is δ + s·h·w, where
+/// w = dx/dt − v there, and pull = ω²·deflection + 2·ζ·ω·w slows dx/dt through the whole step.
+struct ModeStep {
+  ModeStep(const EffectContext& context, double deflection, double velocity, double v) {
+    const auto p = context.parameters;
+    const double h = context.step, square = p[kFrequency] * p[kFrequency];
+    const double share = share_of_step(p[kFrequency] * h) * h;
+    const double c = share * square + 2.0 * p[kDampingRatio] * p[kFrequency];
+    const double divisor = 1.0 + share * c;
+    relative = (velocity - v - share * square * deflection) / divisor;
+    pull = square * deflection + c * relative;
+    slope = c / divisor;
+  }
+  double relative = 0.0, pull = 0.0;
+  double slope = 0.0;  ///< by how much less the pull is per velocity of the joint
 };
 
 }  // namespace
@@ -49,28 +57,23 @@ void LinkFlexibility::amend(RobotSpec& robot, const EffectContext& context) cons
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void LinkFlexibility::before_step(const StepView& view, const EffectContext& context, std::span<double> state,
-                                  StepLoads& loads) const {
+void LinkFlexibility::add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                                StepLoads& loads) const {
   const double inertia = context.parameters[kInertia];
-  const Mode mode(context);
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
-    const double deflection = state[2 * i], velocity = state[2 * i + 1];
-    JointLoad& load = loads.joints[coordinate_of(view, context.elements[i])];
-    load.force +=
-        inertia * (mode.square * deflection + mode.c * (velocity - mode.h * mode.square * deflection) / mode.d);
-    load.damping += inertia * mode.c / mode.d;
+    const std::size_t coordinate = coordinate_of(view, context.elements[i]);
+    const ModeStep step(context, state[2 * i], state[2 * i + 1], view.velocities[coordinate]);
+    loads.joints[coordinate].force += inertia * step.pull;
+    loads.joints[coordinate].damping += inertia * step.slope;
   }
 }
 
-void LinkFlexibility::after_step(const StepView& view, const EffectContext& context, std::span<double> state) const {
-  const Mode mode(context);
+void LinkFlexibility::advance(const StepView& view, const EffectContext& context, std::span<double> state) const {
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
-    double& deflection = state[2 * i];
-    double& velocity = state[2 * i + 1];
     const double v = view.velocities[coordinate_of(view, context.elements[i])];
-    const double relative = (velocity - mode.h * mode.square * deflection - v) / mode.d;
-    deflection += mode.h * relative;
-    velocity = v + relative;
+    const ModeStep step(context, state[2 * i], state[2 * i + 1], v);
+    state[2 * i] += context.step * step.relative;
+    state[2 * i + 1] -= context.step * step.pull;
   }
 }
 

@@ -22,7 +22,7 @@ void LoadFriction::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void LoadFriction::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void LoadFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                StepLoads& loads) const {
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);

@@ -2,6 +2,7 @@
 
 #include <lacuna/joint_laws.h>
 #include <lacuna/plugin.h>
+#include <lacuna/relaxation.h>
 
 #include <cmath>
 
@@ -9,6 +10,12 @@ namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kCoulomb, kExcess, kVelocity, kBristleStiffness, kBristleDamping, kViscous };
+
+/// The force at which sliding goes on, at a velocity.
+double break_away(std::span<const double> p, double v) {
+  const double ratio = v / p[kVelocity];
+  return p[kCoulomb] + p[kExcess] * std::exp(-ratio * ratio);
+}
 
 }  // namespace
 
@@ -36,42 +43,39 @@ EffectDescription LugreFriction::describe() const {
       .dissipative = true};
 }
 
-int LugreFriction::state_size(const EffectContext& context) const {
-  return 2 * static_cast<int>(context.elements.size());
-}
+int LugreFriction::state_size(const EffectContext& context) const { return static_cast<int>(context.elements.size()); }
 
 void LugreFriction::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-/// Implicit Euler in z and v: z' = (z + h·v')/d with d = 1 + h·σ0·|v|/g, so that the torque is linear in v'.
-void LugreFriction::before_step(const StepView& view, const EffectContext& context, std::span<double> state,
-                                StepLoads& loads) const {
+void LugreFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
+                              StepLoads& loads) const {
   const auto p = context.parameters;
-  const double h = context.step;
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
     const std::size_t coordinate = coordinate_of(view, context.elements[i]);
-    const double v = view.velocities[coordinate], ratio = v / p[kVelocity];
-    const double g = p[kCoulomb] + p[kExcess] * std::exp(-ratio * ratio);
-    double& z = state[2 * i];
-    double& d = state[2 * i + 1];
+    const double v = view.velocities[coordinate], z = state[i];
     JointLoad& load = loads.joints[coordinate];
-    load.damping += p[kViscous];
-    if (g <= 0.0) {
-      z = d = 0.0;
-      continue;
-    }
-    d = 1.0 + h * p[kBristleStiffness] * std::abs(v) / g;
-    load.damping += (p[kBristleStiffness] * h + p[kBristleDamping]) / d;
-    load.force -= (p[kBristleStiffness] / d + p[kBristleDamping] * (1.0 / d - 1.0) / h) * z;
+    load.add_damping(p[kViscous], v);
+    if (break_away(p, v) <= 0.0) continue;
+    const Relaxation bend(p[kBristleStiffness] * std::abs(v) / break_away(p, v), context.step);
+    const double mean = bend.mean_carried * z + bend.mean_gained * v;
+    const double change = (bend.carried - 1.0) * z + bend.gained * v;
+    load.force -= p[kBristleStiffness] * mean + p[kBristleDamping] * change / context.step;
+    load.damping += p[kBristleStiffness] * bend.mean_gained + p[kBristleDamping] * bend.mean_carried;
   }
 }
 
-void LugreFriction::after_step(const StepView& view, const EffectContext& context, std::span<double> state) const {
+void LugreFriction::advance(const StepView& view, const EffectContext& context, std::span<double> state) const {
+  const auto p = context.parameters;
   for (std::size_t i = 0; i < context.elements.size(); ++i) {
-    if (state[2 * i + 1] == 0.0) continue;
-    const double v = view.velocities[coordinate_of(view, context.elements[i])];
-    state[2 * i] = (state[2 * i] + context.step * v) / state[2 * i + 1];
+    const double v = view.velocities[coordinate_of(view, context.elements[i])], g = break_away(p, v);
+    if (g <= 0.0) {
+      state[i] = 0.0;
+      continue;
+    }
+    const Relaxation bend(p[kBristleStiffness] * std::abs(v) / g, context.step);
+    state[i] = bend.carried * state[i] + bend.gained * v;
   }
 }
 

@@ -11,9 +11,9 @@ class LugreFriction : public PhysicalEffect {
   EffectDescription describe() const override;
   int state_size(const EffectContext& context) const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
-  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
                    StepLoads& loads) const override;
-  void after_step(const StepView& view, const EffectContext& context, std::span<double> state) const override;
+  void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
 };
 
 }  // namespace lacuna

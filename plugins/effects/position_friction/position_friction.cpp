@@ -32,7 +32,7 @@ void PositionFriction::amend(RobotSpec& robot, const EffectContext& context) con
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void PositionFriction::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void PositionFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                    StepLoads& loads) const {
   const auto p = context.parameters;
   for (const int joint : context.elements) {

@@ -23,13 +23,14 @@ EffectDescription QuadraticDrag::describe() const {
           .dissipative = true};
 }
 
-void QuadraticDrag::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void QuadraticDrag::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                 StepLoads& loads) const {
   const double drag = 0.5 * context.parameters[kDensity] * context.parameters[kArea];
   for (const int element : context.elements) {
     const auto body = static_cast<std::size_t>(element);
     const Eigen::Vector3d& v = view.body_velocities[body];
     loads.bodies[body].force -= drag * v.norm() * v;
+    loads.bodies[body].damping += 2.0 * drag * v.norm();  // along the motion; half as much across
   }
 }
 

@@ -8,7 +8,7 @@ namespace lacuna {
 class QuadraticDrag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
-  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
                    StepLoads& loads) const override;
 };
 

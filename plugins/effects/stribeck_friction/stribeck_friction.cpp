@@ -32,7 +32,7 @@ void StribeckFriction::amend(RobotSpec& robot, const EffectContext& context) con
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
 }
 
-void StribeckFriction::before_step(const StepView& view, const EffectContext& context, std::span<double>,
+void StribeckFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
                                    StepLoads& loads) const {
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);

@@ -16,7 +16,7 @@ class PropellerDrag : public lacuna::PhysicalEffect {
         {"drag", "{force}*s^2/{position}^2", 0.0, 0.0, 10.0, lacuna::Scale::linear, "Torque per squared velocity"}};
     return description;
   }
-  void before_step(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<double>,
+  void add_loads(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<const double>,
                    lacuna::StepLoads& loads) const override {
     for (const int joint : context.elements) {
       const auto coordinate = static_cast<std::size_t>(view.first_coordinate[static_cast<std::size_t>(joint)]);

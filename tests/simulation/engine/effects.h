@@ -47,16 +47,16 @@ class WearingFriction : public PhysicalEffect {
   void start(const StepView& view, const EffectContext& context, std::span<double> state) const override {
     state[1] = view.positions[coordinate(view, context)];
   }
-  void before_step(const StepView& view, const EffectContext& context, std::span<double> state,
+  void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
                    StepLoads& loads) const override {
     JointLoad& load = loads.joints[coordinate(view, context)];
     load.add_friction(context.parameters[0] * (1.0 + state[0]));
-    load.add_spring(0.5, state[1]);
+    load.add_spring(0.5, view.positions[coordinate(view, context)] - state[1]);
     for (BodyLoad& body : loads.bodies) body.force.y() += 0.01 * std::sin(5.0 * view.time);
     loads.contact.friction *= 1.0 + 0.1 * std::sin(3.0 * view.time);
     loads.contact.slope += 0.01 * std::sin(3.0 * view.time);
   }
-  void after_step(const StepView& view, const EffectContext& context, std::span<double> state) const override {
+  void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override {
     const std::size_t i = coordinate(view, context);
     state[0] += std::abs(view.velocities[i]) * context.step;
     state[1] += 0.01 * (view.positions[i] - state[1]);
@@ -136,7 +136,7 @@ class Misbehaviour : public PhysicalEffect {
   enum class Kind { throws_error, throws_foreign, writes_nan, pushes_hard, twists_hard, negative_damping };
   explicit Misbehaviour(Kind kind, double from = 0.05) : kind_(kind), from_(from) {}
   EffectDescription describe() const override { return {}; }
-  void before_step(const StepView& view, const EffectContext&, std::span<double>, StepLoads& loads) const override {
+  void add_loads(const StepView& view, const EffectContext&, std::span<const double>, StepLoads& loads) const override {
     if (view.time < from_) return;
     switch (kind_) {
       case Kind::throws_error: throw Error("the table has no entry here");

@@ -55,7 +55,7 @@ TEST(Invalid, ThrowingEffectIsNamed) {
 
 TEST(Invalid, ForeignExceptionOfAnEffectIsNamed) {
   const Misbehaviour effect(Misbehaviour::Kind::throws_foreign);
-  expect_invalid(with(effect), constant("motor", 0.0), "before_step threw an object of type int");
+  expect_invalid(with(effect), constant("motor", 0.0), "add_loads threw an object of type int");
 }
 
 TEST(Invalid, EffectThatWritesNaNIsNamed) {

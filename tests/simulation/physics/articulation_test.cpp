@@ -181,7 +181,7 @@ TEST_P(Articulation, CarriesHeavyBodies) {
 class Wind : public PhysicalEffect {
  public:
   EffectDescription describe() const override { return {}; }
-  void before_step(const StepView& view, const EffectContext&, std::span<double>, StepLoads& loads) const override {
+  void add_loads(const StepView& view, const EffectContext&, std::span<const double>, StepLoads& loads) const override {
     for (BodyLoad& body : loads.bodies) {
       body.force += Eigen::Vector3d(3.0, -2.0 * std::sin(20.0 * view.time), 1.0);
       body.torque += Eigen::Vector3d(0.1, 0.2, -0.3 * std::cos(20.0 * view.time));

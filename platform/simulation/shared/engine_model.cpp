@@ -1,11 +1,10 @@
-#include "simulation/ode/ode_model.h"
+#include "simulation/shared/engine_model.h"
 
 #include "foundation/address.h"
-#include "simulation/ode/ode_engine.h"
-#include "simulation/ode/ode_workspace.h"
-#include "simulation/ode/run.h"
 #include "simulation/shared/effect_runner.h"
+#include "simulation/shared/engine_workspace.h"
 #include "simulation/shared/robot_checks.h"
+#include "simulation/shared/run.h"
 
 #include <lacuna/error.h>
 
@@ -13,15 +12,13 @@
 #include <memory>
 #include <utility>
 
-namespace lacuna::ode {
+namespace lacuna::simulation {
 namespace {
 
-using simulation::Delay;
-
 ModelStructure checked(ModelStructure structure, const EngineSettings& settings) {
-  simulation::check_settings(settings);
-  simulation::check_robot(structure.robot);
-  structure.effects = simulation::canonical(std::move(structure.effects));
+  check_settings(settings);
+  check_robot(structure.robot);
+  structure.effects = canonical(std::move(structure.effects));
   return structure;
 }
 
@@ -32,33 +29,34 @@ bool shorter(const Delay& a, const Delay& b) {
 void lengthen(Delay& longest, double seconds, const EngineSettings& settings) {
   if (!(seconds >= 0.0 && seconds < kInfinity))
     throw Error("a delay may become " + std::to_string(seconds) + " s; give its parameter a finite upper bound");
-  const Delay delay = simulation::make_delay(seconds, settings);
+  const Delay delay = make_delay(seconds, settings);
   if (shorter(longest, delay)) longest = delay;
 }
 
 }  // namespace
 
-OdeModel::OdeModel(ModelStructure structure, const EngineSettings& settings)
+EngineModel::EngineModel(ModelStructure structure, const EngineSettings& settings, MakeMotion make_motion)
     : structure_(checked(std::move(structure), settings)),
       settings_(settings),
-      tree_(simulation::make_joint_tree(structure_.robot)),
+      make_motion_(std::move(make_motion)),
+      tree_(make_joint_tree(structure_.robot)),
       effects_(structure_.effects, structure_.robot, step()),
       slots_(structure_),
       channels_(sensor_channels(structure_.robot)),
-      coordinates_(simulation::name_coordinates(structure_.robot)),
+      coordinates_(name_coordinates(structure_.robot)),
       longest_sensor_delays_(structure_.robot.sensors.size()),
       longest_command_delays_(structure_.robot.actuators.size()) {
   size_memory();
   lay_out_state();
 }
 
-void OdeModel::size_memory() {
+void EngineModel::size_memory() {
   std::vector<double> lower, upper;
   for (const VariableParameter& parameter : structure_.parameters) {
     lower.push_back(parameter.lower);
     upper.push_back(parameter.upper);
   }
-  simulation::ModelInstance instance(structure_, slots_);
+  ModelInstance instance(structure_, slots_);
   instance.set(upper);
   std::vector<std::vector<double>> largest;
   for (std::size_t i = 0; i < structure_.effects.size(); ++i) {
@@ -67,7 +65,7 @@ void OdeModel::size_memory() {
   }
   effects_.size_states(largest);
 
-  simulation::EffectRunner runner(effects_, instance);
+  EffectRunner runner(effects_, instance);
   for (const std::vector<double>* values : {&upper, &lower}) {
     instance.set(*values);
     try {
@@ -83,8 +81,8 @@ void OdeModel::size_memory() {
   }
 }
 
-void OdeModel::lay_out_state() {
-  const OdeWorkspace example(*this);
+void EngineModel::lay_out_state() {
+  const EngineWorkspace example(*this);
   std::size_t offset = 0;
   for (const auto& [name, size] : example.sections()) {
     layout_.push_back({name, offset, size});
@@ -92,25 +90,21 @@ void OdeModel::lay_out_state() {
   }
 }
 
-bool OdeModel::has_memory() const {
+bool EngineModel::has_memory() const {
   const auto some = [](const std::vector<Delay>& longest) {
     return std::any_of(longest.begin(), longest.end(), [](const Delay& delay) { return !delay.none(); });
   };
   return effects_.state_size() > 0 || some(longest_sensor_delays_) || some(longest_command_delays_);
 }
 
-std::unique_ptr<Workspace> OdeModel::make_workspace() const { return std::make_unique<OdeWorkspace>(*this); }
+std::unique_ptr<Workspace> EngineModel::make_workspace() const { return std::make_unique<EngineWorkspace>(*this); }
 
-void OdeModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
+void EngineModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
                         Workspace& workspace, SimulationResult& result) const {
-  auto* own = dynamic_cast<OdeWorkspace*>(&workspace);
+  auto* own = dynamic_cast<EngineWorkspace*>(&workspace);
   if (!own || &own->model() != this)
     throw Error("the workspace belongs to another model; use one that this model made");
   Run(*this, *own, options, result).carry_out(parameters, test);
 }
 
-std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings) {
-  return std::make_unique<OdeModel>(std::move(structure), settings);
-}
-
-}  // namespace lacuna::ode
+}  // namespace lacuna::simulation

@@ -1,7 +1,6 @@
-#include "simulation/ode/run.h"
+#include "simulation/shared/run.h"
 
 #include "foundation/address.h"
-#include "simulation/ode/session.h"
 #include "simulation/shared/sensor_imperfections.h"
 
 #include <lacuna/error.h>
@@ -10,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace lacuna::ode {
+namespace lacuna::simulation {
 namespace {
 
 constexpr double kSameTime = 1e-9;  // integration steps
@@ -32,7 +31,7 @@ const std::vector<Channel>& centre_of_mass_channels() {
 
 }  // namespace
 
-Run::Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions& options, SimulationResult& result)
+Run::Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationOptions& options, SimulationResult& result)
     : model_(model),
       ws_(workspace),
       options_(options),
@@ -43,7 +42,6 @@ Run::Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions
       origin_(options.start_time) {}
 
 void Run::carry_out(std::span<const double> parameters, const Test& test) {
-  join_session();
   check_arguments(parameters);
   ws_.drive.open_source(test, model_.structure().robot);
   if (options_.from) read_saved_clock();
@@ -61,7 +59,7 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     result_.ending = wanted ? Ending::completed : Ending::stopped;
     finish();
   } catch (const EngineFailure& failure) {
-    ws_.drop_mechanism();
+    ws_.drop_motion();
     fail(failure.what());
   } catch (...) {
     fail(ws_.effects.explain());
@@ -95,7 +93,7 @@ void Run::read_saved_clock() {
   if (options_.from->values.size() != expected)
     throw Error("the saved state has " + std::to_string(options_.from->values.size()) +
                 " values, this model and controller need " + std::to_string(expected));
-  std::tie(origin_, step_) = OdeWorkspace::saved_clock(*options_.from);
+  std::tie(origin_, step_) = EngineWorkspace::saved_clock(*options_.from);
 }
 
 void Run::prepare_result() {
@@ -116,162 +114,82 @@ void Run::prepare_result() {
 }
 
 void Run::begin() {
-  const RobotSpec& robot = ws_.instance.robot();
-  contact_ = robot.contact;
-  gravity_ = robot.gravity;
   if (options_.from)
-    begin_at_saved_state();
+    ws_.load(*options_.from);
   else
     begin_at_coordinates();
-  if (options_.record_centre_of_mass) centre_ = ws_.mechanism->bodies().centre_of_mass();
+  if (options_.record_centre_of_mass) centre_ = ws_.motion->centre_of_mass();
   const double steps = std::ceil((options_.end_time - origin_) / h_ - kSameTime);
   if (steps > 1e15) throw Error("the simulation has too many steps");
   last_step_ = std::max(step_, static_cast<std::uint64_t>(std::max(0.0, steps)));
 }
 
 void Run::begin_at_coordinates() {
-  const RobotSpec& robot = ws_.instance.robot();
-  Mechanism& mechanism = *ws_.mechanism;
-  simulation::place_bodies(robot, model_.tree(), options_.start, ws_.start_motions);
-  mechanism.bodies().place(ws_.start_motions);
-  std::fill(ws_.joint_forces.begin(), ws_.joint_forces.end(), 0.0);
-  if (options_.start.positions.empty())
-    mechanism.joints().set_positions(ws_.joint_forces);  // zeros
-  else
-    mechanism.joints().set_positions(options_.start.positions);
-  mechanism.joints().update();
-  mechanism.check_bodies();
-  mechanism.ground().collide(contact_.slope);
-  for (std::size_t a = 0; a < ws_.memories.size(); ++a) {
-    const std::size_t coordinate = ws_.places[a].coordinate;
-    ws_.memories[a] = {.rotor_position = mechanism.joints().positions()[coordinate],
-                       .rotor_velocity = mechanism.joints().velocities()[coordinate]};
-  }
-  ws_.look(origin_, look_at_bodies_);
-  ws_.effects.start(ws_.view);
-  ws_.sensors.start(ws_.view, ws_.sensed_forces(), ws_.effects);
+  ws_.motion->begin(options_.start);
+  const StepView& view = ws_.motion->look(origin_, look_at_bodies_);
+  ws_.effects.start(view);
+  ws_.sensors.start(view, ws_.motion->sensed_forces(), ws_.effects);
   if (!ws_.drive.closed_loop()) recall_commands();
 }
 
 /// Lags and limits begin with what was commanded before the start.
 void Run::recall_commands() {
-  for (std::size_t a = 0; a < ws_.memories.size(); ++a)
-    ws_.memories[a].last_command = received(a, ws_.drive.command_before(a, origin_));
-}
-
-void Run::begin_at_saved_state() {
-  ws_.load(*options_.from);
-  ws_.mechanism->check_bodies();
-  ws_.mechanism->ground().collide(contact_.slope);
+  const StepView& view = ws_.motion->look(origin_, look_at_bodies_);
+  for (std::size_t a = 0; a < ws_.commands.size(); ++a)
+    ws_.last_commands[a] = received(a, ws_.drive.command_before(a, origin_), view);
 }
 
 void Run::advance() {
-  ws_.look(time(step_), model_.effects().looks_at_state());
-  take_commands();
+  take_commands(ws_.motion->look(time(step_), model_.effects().looks_at_state()));
   write_commands(time(step_ + 1) - tolerance_);
-  const auto base = ws_.mechanism->base_loads();
-  std::copy(base.begin(), base.end(), ws_.loads.begin());
-  if (!model_.effects().before_step().empty()) ask_effects();
-  for (std::size_t a = 0; a < ws_.commands.size(); ++a) apply_actuator(a);
-
-  ws_.mechanism->step(ws_.loads, contact_);
+  ws_.motion->advance({.begin = time(step_),
+                       .commands = ws_.commands,
+                       .rates = ws_.command_rates,
+                       .loads = model_.effects().acts_in_steps() ? this : nullptr});
+  std::copy(ws_.commands.begin(), ws_.commands.end(), ws_.last_commands.begin());
   ++step_;
   ++result_.steps;
   if (options_.record_centre_of_mass) {
     centre_before_ = centre_;
-    centre_ = ws_.mechanism->bodies().centre_of_mass();
+    centre_ = ws_.motion->centre_of_mass();
   }
-  settle_actuators();
-  ws_.sum_joint_forces();
   sense(time(step_));
 }
 
-void Run::take_commands() {
+void Run::add_loads(const StepView& view, double length, StepLoads& loads) { ws_.effects.add_loads(view, length, loads); }
+void Run::advance(const StepView& view, double length) { ws_.effects.advance(view, length); }
+
+void Run::take_commands(const StepView& view) {
   if (ws_.drive.acts(step_)) {
     std::copy(ws_.sensors.readings().begin(), ws_.sensors.readings().end(), ws_.output_row.begin());
     impair(time(step_));
     ws_.drive.act(time(step_), ws_.output_row);
   }
   ws_.drive.begin_step(time(step_), step_ == 0);
-  for (std::size_t a = 0; a < ws_.commands.size(); ++a) take_command(a);
+  for (std::size_t a = 0; a < ws_.commands.size(); ++a) take_command(a, view);
 }
 
-double Run::received(std::size_t a, double sent) {
+double Run::received(std::size_t a, double sent, const StepView& view) {
   const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
-  const double passed_on = ws_.effects.command(a, actuator.gain * sent + actuator.offset, ws_.view);
+  const double passed_on = ws_.effects.command(a, actuator.gain * sent + actuator.offset, view);
   return std::clamp(passed_on, actuator.command_lower, actuator.command_upper);
 }
 
-void Run::take_command(std::size_t a) {
-  const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
-  const double command = received(a, ws_.drive.command(a));
+void Run::take_command(std::size_t a, const StepView& view) {
+  const double command = received(a, ws_.drive.command(a), view);
   if (!std::isfinite(command))
-    throw Error("the command of actuator \"" + actuator.name + "\" is " + std::to_string(command));
+    throw Error("the command of actuator \"" + ws_.instance.robot().actuators[a].name + "\" is " +
+                std::to_string(command));
   ws_.commands[a] = command;
-  simulation::ActuatorMemory& memory = ws_.memories[a];
-  if (step_ == 0 && ws_.drive.closed_loop()) memory.last_command = command;
-  const bool compliant = ws_.places[a].compliant;
-  const double position =
-      compliant ? memory.rotor_position : ws_.mechanism->joints().positions()[ws_.places[a].coordinate];
-  ws_.laws[a] = simulation::actuator_law(actuator, command, position, memory, h_);
-  if (!compliant && actuator.kind == ActuatorKind::force) ws_.actuator_forces[a] = memory.force = ws_.laws[a].force;
-}
-
-void Run::ask_effects() {
-  const RobotSpec& robot = ws_.instance.robot();
-  std::fill(ws_.body_loads.begin(), ws_.body_loads.end(), BodyLoad{});
-  contact_ = robot.contact;
-  gravity_ = robot.gravity;
-  StepLoads loads{.joints = ws_.loads, .bodies = ws_.body_loads, .contact = contact_, .gravity = gravity_};
-  ws_.effects.before_step(ws_.view, loads);
-  ws_.mechanism->set_gravity(gravity_);
-  for (std::size_t i = 0; i < ws_.body_loads.size(); ++i) ws_.mechanism->add_body_load(i, ws_.body_loads[i]);
-}
-
-void Run::apply_actuator(std::size_t a) {
-  const ActuatorPlace& place = ws_.places[a];
-  JointLoad& load = ws_.loads[place.coordinate];
-  if (place.servo) {
-    ws_.mechanism->set_servo(a, ws_.laws[a]);
-  } else if (!place.compliant) {
-    load.force += ws_.memories[a].force;
-  } else {
-    const Joints& joints = ws_.mechanism->joints();
-    ws_.transmissions[a].emplace(ws_.instance.robot().actuators[a].transmission, ws_.memories[a], ws_.laws[a],
-                                 joints.positions()[place.coordinate], joints.velocities()[place.coordinate], h_);
-    load.force += ws_.transmissions[a]->joint_force();
-    load.damping += ws_.transmissions[a]->joint_damping();
-  }
-}
-
-void Run::settle_actuators() {
-  for (std::size_t a = 0; a < ws_.memories.size(); ++a) {
-    const ActuatorPlace& place = ws_.places[a];
-    const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
-    simulation::ActuatorMemory& memory = ws_.memories[a];
-    const double velocity = ws_.mechanism->row_velocity(place.coordinate);
-    double motor_force = 0.0;
-    if (place.servo) motor_force = memory.force = ws_.laws[a].at(velocity);
-    if (place.compliant) {
-      ws_.transmissions[a]->advance(velocity, memory);
-      motor_force = ws_.laws[a].at(memory.rotor_velocity);
-    }
-    if (actuator.kind != ActuatorKind::pid) continue;
-    const double position =
-        place.compliant ? memory.rotor_position : ws_.mechanism->joints().positions()[place.coordinate];
-    simulation::remember_pid(actuator, ws_.commands[a], position, motor_force, h_, memory);
-  }
+  if (step_ == 0 && ws_.drive.closed_loop()) ws_.last_commands[a] = command;
+  ws_.command_rates[a] = (command - ws_.last_commands[a]) / h_;
 }
 
 void Run::sense(double now) {
-  const bool wanted = readings_wanted(now);
-  const bool after = !model_.effects().after_step().empty();
-  if (!wanted && !after) return;
-  ws_.look(now, look_at_bodies_);
-  if (after) ws_.effects.after_step(ws_.view);
-  if (!wanted) return;
+  if (!readings_wanted(now)) return;
+  const StepView& view = ws_.motion->look(now, look_at_bodies_);
   std::copy(ws_.sensors.readings().begin(), ws_.sensors.readings().end(), ws_.readings_before.begin());
-  ws_.sensors.advance(ws_.view, ws_.sensed_forces(), ws_.effects);
+  ws_.sensors.advance(view, ws_.motion->sensed_forces(), ws_.effects);
 }
 
 bool Run::readings_wanted(double now) const {
@@ -301,7 +219,7 @@ bool Run::write_outputs(double before, double now) {
 
 void Run::impair(double now) {
   if (!options_.imperfections) return;
-  simulation::add_imperfections(ws_.instance.robot().sensors, ws_.sensors.first_channel(), options_.imperfections->seed,
+  add_imperfections(ws_.instance.robot().sensors, ws_.sensors.first_channel(), options_.imperfections->seed,
                                 now, h_, ws_.output_row);
 }
 
@@ -327,4 +245,4 @@ void Run::fail(const std::string& what) {
   result_.reason = "at " + seconds(time(step_)) + ": " + what;
 }
 
-}  // namespace lacuna::ode
+}  // namespace lacuna::simulation

@@ -5,15 +5,24 @@
 #include "simulation/shared/effect_schedule.h"
 #include "simulation/shared/joint_tree.h"
 #include "simulation/shared/model_instance.h"
+#include "simulation/shared/robot_motion.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
-namespace lacuna::ode {
+namespace lacuna::simulation {
 
-/// A model structure compiled for ODE: everything that does not depend on parameter values.
-class OdeModel : public CompiledModel {
+/// A model structure compiled for an engine: everything that does not depend on parameter values.
+class EngineModel : public CompiledModel {
  public:
-  OdeModel(ModelStructure structure, const EngineSettings& settings);
+  /// Makes a robot of the model's structure that an engine can move.
+  using MakeMotion = std::function<std::unique_ptr<RobotMotion>(const EngineModel&)>;
+
+  /// Throws `Error` as `lacuna::compile` does.
+  EngineModel(ModelStructure structure, const EngineSettings& settings, MakeMotion make_motion);
+
+  std::unique_ptr<RobotMotion> make_motion() const { return make_motion_(*this); }
 
   const std::vector<Channel>& channels() const override { return channels_; }
   const std::vector<Coordinate>& coordinates() const override { return coordinates_; }
@@ -25,11 +34,11 @@ class OdeModel : public CompiledModel {
 
   const ModelStructure& structure() const { return structure_; }
   const EngineSettings& settings() const { return settings_; }
-  const simulation::JointTree& tree() const { return tree_; }
-  const simulation::ParameterSlots& slots() const { return slots_; }
-  const simulation::EffectSchedule& effects() const { return effects_; }
-  std::span<const simulation::Delay> longest_sensor_delays() const { return longest_sensor_delays_; }
-  std::span<const simulation::Delay> longest_command_delays() const { return longest_command_delays_; }
+  const JointTree& tree() const { return tree_; }
+  const ParameterSlots& slots() const { return slots_; }
+  const EffectSchedule& effects() const { return effects_; }
+  std::span<const Delay> longest_sensor_delays() const { return longest_sensor_delays_; }
+  std::span<const Delay> longest_command_delays() const { return longest_command_delays_; }
   double step() const { return settings_.step / settings_.substeps; }
   std::size_t state_size() const { return layout_.back().offset + layout_.back().size; }  ///< without the controller's
 
@@ -41,13 +50,14 @@ class OdeModel : public CompiledModel {
 
   ModelStructure structure_;  // effects in canonical order
   EngineSettings settings_;
-  simulation::JointTree tree_;
-  simulation::EffectSchedule effects_;
-  simulation::ParameterSlots slots_;
+  MakeMotion make_motion_;
+  JointTree tree_;
+  EffectSchedule effects_;
+  ParameterSlots slots_;
   std::vector<Channel> channels_;
   std::vector<Coordinate> coordinates_;
-  std::vector<simulation::Delay> longest_sensor_delays_, longest_command_delays_;
+  std::vector<Delay> longest_sensor_delays_, longest_command_delays_;
   StateLayout layout_;
 };
 
-}  // namespace lacuna::ode
+}  // namespace lacuna::simulation

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "simulation/compiled_model.h"
-#include "simulation/ode/ode_workspace.h"
+#include "simulation/shared/engine_workspace.h"
 
-namespace lacuna::ode {
+namespace lacuna::simulation {
 
 /// One simulation: prepares the workspace, steps, and fills the result.
-class Run {
+class Run : private LoadSource {
  public:
-  Run(const OdeModel& model, OdeWorkspace& workspace, const SimulationOptions& options, SimulationResult& result);
+  Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationOptions& options, SimulationResult& result);
 
   /// Throws `Error` for arguments that do not fit; whatever goes wrong inside the simulation
   /// makes the result invalid.
@@ -23,15 +23,13 @@ class Run {
   void begin();
   void begin_at_coordinates();
   void recall_commands();
-  void begin_at_saved_state();
   void advance();
-  void take_commands();
-  void take_command(std::size_t actuator);
+  void add_loads(const StepView& view, double length, StepLoads& loads) override;
+  void advance(const StepView& view, double length) override;
+  void take_commands(const StepView& view);
+  void take_command(std::size_t actuator, const StepView& view);
   /// What an actuator gets of a command that was sent: after gain, offset, effects and limits.
-  double received(std::size_t actuator, double sent);
-  void ask_effects();
-  void apply_actuator(std::size_t actuator);
-  void settle_actuators();
+  double received(std::size_t actuator, double sent, const StepView& view);
   void sense(double now);
   bool readings_wanted(double now) const;
 
@@ -45,8 +43,8 @@ class Run {
 
   double time(std::uint64_t step) const { return origin_ + static_cast<double>(step) * h_; }
 
-  const OdeModel& model_;
-  OdeWorkspace& ws_;
+  const EngineModel& model_;
+  EngineWorkspace& ws_;
   const SimulationOptions& options_;
   SimulationResult& result_;
   const double h_;
@@ -55,9 +53,7 @@ class Run {
   double origin_;
   std::uint64_t step_ = 0, last_step_ = 0;  // counted from origin_
   std::size_t next_output_ = 0, next_command_output_ = 0;
-  ContactSpec contact_;
-  Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
   Eigen::Vector3d centre_{0.0, 0.0, 0.0}, centre_before_{0.0, 0.0, 0.0};  // of mass, if recorded, m
 };
 
-}  // namespace lacuna::ode
+}  // namespace lacuna::simulation

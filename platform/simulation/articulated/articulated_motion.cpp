@@ -1,0 +1,119 @@
+#include "simulation/articulated/articulated_motion.h"
+
+#include <lacuna/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::articulated {
+namespace {
+
+// Beyond these a motion is a failure of the integration.
+constexpr double kFarthest = 1e6;  // rad or m
+constexpr double kFastest = 1e6;   // rad/s or m/s
+
+std::vector<int> coordinates_of_actuators(const RobotSpec& robot, const simulation::JointTree& tree) {
+  std::vector<int> coordinates;
+  for (const ActuatorSpec& actuator : robot.actuators)
+    coordinates.push_back(
+        tree.first_coordinate[static_cast<std::size_t>(simulation::index_of(robot.joints, actuator.joint))]);
+  return coordinates;
+}
+
+}  // namespace
+
+ArticulatedMotion::ArticulatedMotion(const simulation::EngineModel& model)
+    : length_(model.step()),
+      first_coordinates_(model.tree().first_coordinate),
+      actuator_coordinates_(coordinates_of_actuators(model.structure().robot, model.tree())),
+      machine_(model.structure().robot, model.tree()),
+      integrator_(machine_, first_coordinates_, actuator_coordinates_),
+      contact_forces_(model.structure().robot.bodies.size(), Eigen::Vector3d::Zero()),
+      touching_(model.structure().robot.bodies.size(), 0) {
+  integrator_.step().look_at_bodies(model.effects().acts_in_steps());
+}
+
+void ArticulatedMotion::build(const RobotSpec& robot) {
+  robot_ = &robot;
+  machine_.set(robot);
+}
+
+void ArticulatedMotion::begin(const StartState& start) {
+  integrator_.forget();
+  Motion& motion = integrator_.motion();
+  const Tree& tree = machine_.tree();
+  tree.begin(*robot_, start.positions, start.velocities, std::span(motion.configuration).first(tree.positions()),
+             std::span(motion.velocities).first(tree.dofs()));
+  std::fill(motion.integrals.begin(), motion.integrals.end(), 0.0);
+  for (const ActuatorNumbers& actuator : machine_.actuators()) {
+    if (!actuator.compliant) continue;
+    const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
+    motion.configuration[actuator.position] = motion.configuration[joint.position];
+    motion.velocities[actuator.dof] = motion.velocities[joint.dof];
+  }
+  check();
+}
+
+const StepView& ArticulatedMotion::look(double time, bool at_bodies) {
+  return integrator_.step().look(integrator_.motion(), time, at_bodies);
+}
+
+void ArticulatedMotion::advance(const simulation::StepOrder& order) {
+  integrator_.step().ask(order.loads);
+  integrator_.advance(order.begin, length_, {.values = order.commands, .rates = order.rates}, robot_->gravity);
+  check();
+}
+
+simulation::SensedForces ArticulatedMotion::sensed_forces() const {
+  return {.joint_forces = integrator_.coordinate_forces(), .contact_forces = contact_forces_, .touching = touching_};
+}
+
+Eigen::Vector3d ArticulatedMotion::centre_of_mass() const {
+  return integrator_.step().centre_of_mass(integrator_.motion());
+}
+
+std::vector<std::pair<std::string, std::size_t>> ArticulatedMotion::sections() const {
+  const std::size_t coordinates = machine_.coordinates().size(), actuators = machine_.actuators().size();
+  return {{"positions", coordinates},
+          {"velocities", coordinates},
+          {"configuration", machine_.positions()},
+          {"rates", machine_.dofs()},
+          {"actuators", 2 * actuators}};
+}
+
+void ArticulatedMotion::save(simulation::StateWriter& writer) const {
+  const StepView& view = integrator_.step().look(integrator_.motion(), 0.0, false);
+  writer.put(view.positions);
+  writer.put(view.velocities);
+  const Motion& motion = integrator_.motion();
+  writer.put(motion.configuration);
+  writer.put(motion.velocities);
+  writer.put(motion.integrals);
+  writer.put(view.actuator_forces);
+}
+
+void ArticulatedMotion::load(simulation::StateReader& reader) {
+  integrator_.forget();
+  reader.skip(2 * machine_.coordinates().size());
+  Motion& motion = integrator_.motion();
+  reader.get(motion.configuration);
+  reader.get(motion.velocities);
+  reader.get(motion.integrals);
+  reader.get(integrator_.step().actuator_forces());
+  check();
+}
+
+void ArticulatedMotion::check() const {
+  const Motion& motion = integrator_.motion();
+  for (const Link& link : machine_.tree().links())
+    for (int i = 0; i < link.dofs; ++i) {
+      const double velocity = motion.velocities[static_cast<std::size_t>(link.dof + i)];
+      const double position = motion.configuration[static_cast<std::size_t>(link.position + i)];
+      if (std::abs(velocity) < kFastest && std::abs(position) < kFarthest) continue;
+      throw Error("body \"" + robot_->bodies[static_cast<std::size_t>(link.body)].name + "\" moves at " +
+                  std::to_string(velocity) + " (rad/s or m/s) at " + std::to_string(position) +
+                  " (rad or m); the motion exploded: reduce engine.step, gains or stiffnesses");
+    }
+}
+
+}  // namespace lacuna::articulated
