@@ -77,7 +77,7 @@ void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
 
 Table<EngineSettings> engine_keys() {
   return Table<EngineSettings>()
-      .key("engine", &EngineSettings::engine, text_of({"ode"}), "who integrates")
+      .key("engine", &EngineSettings::engine, text_of({"articulated", "ode"}), "who integrates")
       .key("step", &EngineSettings::step, number("s").above(0.0), "sensors, effects and commands are seen once a step")
       .key("substeps", &EngineSettings::substeps, whole_number<int>(1, 100000), "integration steps in a step")
       .key("control_period", &EngineSettings::control_period, number("s").at_least(0.0),
