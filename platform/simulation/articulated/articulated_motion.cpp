@@ -20,6 +20,12 @@ std::vector<int> coordinates_of_actuators(const RobotSpec& robot, const simulati
   return coordinates;
 }
 
+/// As many numbers as there could be with a rotor for each actuator.
+void put_padded(std::span<const double> numbers, std::size_t size, simulation::StateWriter& writer) {
+  writer.put(numbers);
+  for (std::size_t i = numbers.size(); i < size; ++i) writer.put(0.0);
+}
+
 }  // namespace
 
 ArticulatedMotion::ArticulatedMotion(const simulation::EngineModel& model)
@@ -27,24 +33,33 @@ ArticulatedMotion::ArticulatedMotion(const simulation::EngineModel& model)
       first_coordinates_(model.tree().first_coordinate),
       actuator_coordinates_(coordinates_of_actuators(model.structure().robot, model.tree())),
       machine_(model.structure().robot, model.tree()),
-      integrator_(machine_, first_coordinates_, actuator_coordinates_),
+      loads_look_at_bodies_(model.effects().looks_at_bodies()),
       contact_forces_(model.structure().robot.bodies.size(), Eigen::Vector3d::Zero()),
       touching_(model.structure().robot.bodies.size(), 0) {
-  integrator_.step().look_at_bodies(model.effects().acts_in_steps());
+  make_integrator();
+}
+
+void ArticulatedMotion::make_integrator() {
+  integrator_ = std::make_unique<Integrator>(machine_, first_coordinates_, actuator_coordinates_);
+  integrator_->step().look_at_bodies(loads_look_at_bodies_);
 }
 
 void ArticulatedMotion::build(const RobotSpec& robot) {
   robot_ = &robot;
+  const std::size_t rotors = machine_.rotors();
   machine_.set(robot);
+  if (machine_.rotors() != rotors) make_integrator();
+  integrator_->step().take_numbers();
 }
 
 void ArticulatedMotion::begin(const StartState& start) {
-  integrator_.forget();
-  Motion& motion = integrator_.motion();
+  integrator_->forget();
+  Motion& motion = integrator_->motion();
   const Tree& tree = machine_.tree();
+  for (std::vector<double>* numbers : {&motion.configuration, &motion.velocities, &motion.integrals})
+    std::fill(numbers->begin(), numbers->end(), 0.0);
   tree.begin(*robot_, start.positions, start.velocities, std::span(motion.configuration).first(tree.positions()),
              std::span(motion.velocities).first(tree.dofs()));
-  std::fill(motion.integrals.begin(), motion.integrals.end(), 0.0);
   for (const ActuatorNumbers& actuator : machine_.actuators()) {
     if (!actuator.compliant) continue;
     const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
@@ -55,56 +70,58 @@ void ArticulatedMotion::begin(const StartState& start) {
 }
 
 const StepView& ArticulatedMotion::look(double time, bool at_bodies) {
-  return integrator_.step().look(integrator_.motion(), time, at_bodies);
+  return integrator_->step().look(integrator_->motion(), time, at_bodies);
 }
 
 void ArticulatedMotion::advance(const simulation::StepOrder& order) {
-  integrator_.step().ask(order.loads);
-  integrator_.advance(order.begin, length_, {.values = order.commands, .rates = order.rates}, robot_->gravity);
+  integrator_->step().ask(order.loads);
+  integrator_->advance(order.begin, length_, {.values = order.commands, .rates = order.rates}, robot_->gravity);
   check();
 }
 
 simulation::SensedForces ArticulatedMotion::sensed_forces() const {
-  return {.joint_forces = integrator_.coordinate_forces(), .contact_forces = contact_forces_, .touching = touching_};
+  return {.joint_forces = integrator_->coordinate_forces(), .contact_forces = contact_forces_, .touching = touching_};
 }
 
 Eigen::Vector3d ArticulatedMotion::centre_of_mass() const {
-  return integrator_.step().centre_of_mass(integrator_.motion());
+  return integrator_->step().centre_of_mass(integrator_->motion());
 }
 
 std::vector<std::pair<std::string, std::size_t>> ArticulatedMotion::sections() const {
   const std::size_t coordinates = machine_.coordinates().size(), actuators = machine_.actuators().size();
   return {{"positions", coordinates},
           {"velocities", coordinates},
-          {"configuration", machine_.positions()},
-          {"rates", machine_.dofs()},
+          {"configuration", machine_.most_positions()},
+          {"rates", machine_.most_dofs()},
           {"actuators", 2 * actuators}};
 }
 
 void ArticulatedMotion::save(simulation::StateWriter& writer) const {
-  const StepView& view = integrator_.step().look(integrator_.motion(), 0.0, false);
+  const StepView& view = integrator_->step().look(integrator_->motion(), 0.0, false);
   writer.put(view.positions);
   writer.put(view.velocities);
-  const Motion& motion = integrator_.motion();
-  writer.put(motion.configuration);
-  writer.put(motion.velocities);
+  const Motion& motion = integrator_->motion();
+  put_padded(motion.configuration, machine_.most_positions(), writer);
+  put_padded(motion.velocities, machine_.most_dofs(), writer);
   writer.put(motion.integrals);
   writer.put(view.actuator_forces);
 }
 
 void ArticulatedMotion::load(simulation::StateReader& reader) {
-  integrator_.forget();
+  integrator_->forget();
   reader.skip(2 * machine_.coordinates().size());
-  Motion& motion = integrator_.motion();
+  Motion& motion = integrator_->motion();
   reader.get(motion.configuration);
+  reader.skip(machine_.most_positions() - machine_.positions());
   reader.get(motion.velocities);
+  reader.skip(machine_.most_dofs() - machine_.dofs());
   reader.get(motion.integrals);
-  reader.get(integrator_.step().actuator_forces());
+  reader.get(integrator_->step().actuator_forces());
   check();
 }
 
 void ArticulatedMotion::check() const {
-  const Motion& motion = integrator_.motion();
+  const Motion& motion = integrator_->motion();
   for (const Link& link : machine_.tree().links())
     for (int i = 0; i < link.dofs; ++i) {
       const double velocity = motion.velocities[static_cast<std::size_t>(link.dof + i)];

@@ -25,14 +25,15 @@ class ArticulatedMotion : public simulation::RobotMotion {
   void load(simulation::StateReader& reader) override;
 
  private:
+  void make_integrator();
   void check() const;
 
   double length_;
-  bool loads_look_at_bodies_;
   const RobotSpec* robot_ = nullptr;
   std::vector<int> first_coordinates_, actuator_coordinates_;
   Machine machine_;
-  mutable Integrator integrator_;
+  bool loads_look_at_bodies_;
+  std::unique_ptr<Integrator> integrator_;
   std::vector<Eigen::Vector3d> contact_forces_;  // none
   std::vector<unsigned char> touching_;          // nothing
 };

@@ -1,6 +1,7 @@
 #include "simulation/articulated/dynamics.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna::articulated {
 namespace {
@@ -20,6 +21,7 @@ Matrix3d turn_of(const double* quaternion) {
 
 Dynamics::Dynamics(const Tree& tree)
     : tree_(tree),
+      lone_(is_lone()),
       displacements_(tree.links().size()),
       centres_(tree.links().size()),
       references_(tree.links().size()),
@@ -28,9 +30,33 @@ Dynamics::Dynamics(const Tree& tree)
       axes_(tree.dofs()),
       velocities_(tree.links().size()),
       accelerations_(tree.links().size()),
-      forces_(tree.links().size()) {}
+      forces_(tree.links().size()) {
+  take_numbers();
+}
 
-void Dynamics::place(std::span<const double> configuration) {
+bool Dynamics::is_lone() const {
+  if (tree_.links().size() != 1) return false;
+  const LinkKind kind = tree_.links().front().kind;
+  return kind == LinkKind::hinge || kind == LinkKind::slider;
+}
+
+void Dynamics::take_numbers() {
+  if (!lone_) return;
+  const Link& link = tree_.links().front();
+  const Vector3d arm = link.com - link.anchor;
+  at_zero_ = link.mass * (arm - link.axes[0].dot(arm) * link.axes[0]);
+  at_quarter_ = link.axes[0].cross(at_zero_);
+  lone_inertia_ = link.mass;
+  if (link.kind == LinkKind::hinge)
+    lone_inertia_ = link.axes[0].dot(link.inertia * link.axes[0]) + link.mass * link.axes[0].cross(arm).squaredNorm();
+}
+
+void Dynamics::place(std::span<const double> configuration, bool with_bodies) {
+  only_coordinate_ = lone_ && !with_bodies;
+  if (only_coordinate_) {
+    coordinate_ = configuration[0];
+    return;
+  }
   for (std::size_t i = 0; i < tree_.links().size(); ++i)
     place_link(i, configuration.data() + tree_.links()[i].position);
 }
@@ -108,6 +134,7 @@ Twist Dynamics::carrier(const Link& link, int i, std::span<const double> velocit
 }
 
 void Dynamics::move(std::span<const double> velocities) {
+  if (only_coordinate_) return;
   for (std::size_t index = 0; index < tree_.links().size(); ++index) {
     const Link& link = tree_.links()[index];
     Twist& velocity = velocities_[index];
@@ -133,6 +160,10 @@ Vector3d Dynamics::centre_velocity(std::size_t link) const {
 }
 
 void Dynamics::inertia(std::span<double> out) {
+  if (only_coordinate_) {
+    out[0] = lone_inertia_;
+    return;
+  }
   const std::size_t n = tree_.dofs();
   std::fill(out.begin(), out.end(), 0.0);
   std::copy(inertias_.begin(), inertias_.end(), composites_.begin());
@@ -156,6 +187,10 @@ void Dynamics::inertia(std::span<double> out) {
 }
 
 void Dynamics::bias(const Vector3d& gravity, std::span<const BodyForce> forces, std::span<double> out) {
+  if (only_coordinate_) {
+    out[0] = -lone_weight(gravity);
+    return;
+  }
   for (std::size_t index = 0; index < tree_.links().size(); ++index) {
     const Twist& velocity = velocities_[index];
     Twist acceleration = accelerations_[index];
@@ -174,6 +209,13 @@ void Dynamics::bias(const Vector3d& gravity, std::span<const BodyForce> forces, 
     }
     if (link.parent >= 0) forces_[static_cast<std::size_t>(link.parent)] += forces_[index];
   }
+}
+
+/// The generalised force of gravity on the lone joint.
+double Dynamics::lone_weight(const Vector3d& gravity) const {
+  const Link& link = tree_.links().front();
+  if (link.kind == LinkKind::slider) return link.mass * link.axes[0].dot(gravity);
+  return std::cos(coordinate_) * at_quarter_.dot(gravity) - std::sin(coordinate_) * at_zero_.dot(gravity);
 }
 
 void Dynamics::add_drag(std::size_t link, double damping, double angular, std::span<double> inertia_like) const {

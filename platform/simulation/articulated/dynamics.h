@@ -27,7 +27,10 @@ class Dynamics {
  public:
   explicit Dynamics(const Tree& tree);
 
-  void place(std::span<const double> configuration);
+  /// The tree has other numbers.
+  void take_numbers();
+  /// A robot of one hinge or slider to the world is placed by less work where nobody looks at its body.
+  void place(std::span<const double> configuration, bool with_bodies);
 
   /// Of the bodies where they were placed; by link.
   const Displacement& displacement(std::size_t link) const { return displacements_[link]; }
@@ -46,6 +49,8 @@ class Dynamics {
   void add_drag(std::size_t link, double damping, double angular, std::span<double> inertia_like) const;
 
  private:
+  bool is_lone() const;
+  double lone_weight(const Eigen::Vector3d& gravity) const;
   void place_link(std::size_t index, const double* q);
   void set_axis(int dof, const Eigen::Vector3d& axis, const Eigen::Vector3d& from_reference);
   Eigen::Vector3d from_reference(std::size_t link, const Eigen::Vector3d& point) const {
@@ -55,6 +60,10 @@ class Dynamics {
   Twist carrier(const Link& link, int i, std::span<const double> velocities) const;
 
   const Tree& tree_;
+  const bool lone_;
+  bool only_coordinate_ = false;  ///< of the lone joint was placed
+  double coordinate_ = 0.0, lone_inertia_ = 0.0;
+  Eigen::Vector3d at_zero_{0.0, 0.0, 0.0}, at_quarter_{0.0, 0.0, 0.0};  ///< the mass's moment across the axis, and turned by 90°
   std::vector<Displacement> displacements_;  // per link
   std::vector<Eigen::Vector3d> centres_, references_;
   std::vector<SpatialInertia> inertias_, composites_;

@@ -47,6 +47,7 @@ void Machine::set(const RobotSpec& robot) {
       numbers.upper = stops ? joint.upper : kInfinity;
     }
   }
+  rotors_ = 0;
   for (std::size_t a = 0; a < actuators_.size(); ++a) {
     const ActuatorSpec& actuator = robot.actuators[a];
     const TransmissionSpec& transmission = actuator.transmission;
@@ -62,9 +63,15 @@ void Machine::set(const RobotSpec& robot) {
     numbers.stiffness = transmission.stiffness;
     numbers.damping = transmission.damping;
     numbers.gap = transmission.gap;
-    numbers.dof = numbers.compliant ? tree_.dofs() + a : driven.dof;
-    numbers.position = numbers.compliant ? tree_.positions() + a : driven.position;
-    if (!numbers.compliant) driven.armature += numbers.rotor_inertia;
+    numbers.dof = driven.dof;
+    numbers.position = driven.position;
+    if (numbers.compliant) {
+      numbers.dof = tree_.dofs() + rotors_;
+      numbers.position = tree_.positions() + rotors_;
+      ++rotors_;
+    } else {
+      driven.armature += numbers.rotor_inertia;
+    }
   }
 }
 

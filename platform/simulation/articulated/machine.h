@@ -40,9 +40,13 @@ class Machine {
   const Tree& tree() const { return tree_; }
   const std::vector<CoordinateNumbers>& coordinates() const { return coordinates_; }
   const std::vector<ActuatorNumbers>& actuators() const { return actuators_; }
-  /// With rotors. Every actuator has a place for one; those without a rotor stand still.
-  std::size_t dofs() const { return tree_.dofs() + actuators_.size(); }
-  std::size_t positions() const { return tree_.positions() + actuators_.size(); }
+  /// With rotors.
+  std::size_t dofs() const { return tree_.dofs() + rotors_; }
+  std::size_t positions() const { return tree_.positions() + rotors_; }
+  std::size_t rotors() const { return rotors_; }
+  /// The most that there can be, with a rotor for each actuator.
+  std::size_t most_dofs() const { return tree_.dofs() + actuators_.size(); }
+  std::size_t most_positions() const { return tree_.positions() + actuators_.size(); }
   /// Whether forces of inertia depend on the velocities.
   bool has_coriolis_forces() const { return has_coriolis_forces_; }
   bool has_balls() const { return has_balls_; }
@@ -52,6 +56,7 @@ class Machine {
   std::vector<std::size_t> first_coordinate_;  ///< per joint
   std::vector<CoordinateNumbers> coordinates_;
   std::vector<ActuatorNumbers> actuators_;
+  std::size_t rotors_ = 0;
   bool has_coriolis_forces_ = false, has_balls_ = false;
 };
 

@@ -83,24 +83,23 @@ void Step::place_in_middle(const Motion& from, double length) {
 
 void Step::drift(std::span<const double> velocities, double time, std::span<double> configuration) const {
   tree_.drift(velocities, time, configuration);
-  for (std::size_t r = 0; r < machine_.actuators().size(); ++r)
+  for (std::size_t r = 0; r < machine_.rotors(); ++r)
     configuration[tree_.positions() + r] += time * velocities[tree_.dofs() + r];
 }
 
 /// And its factor.
 void Step::find_inertia(std::span<const double> configuration) {
-  dynamics_.place(configuration);
+  dynamics_.place(configuration, look_at_bodies_);
   const std::size_t n = tree_.dofs();
   std::fill(inertia_.begin(), inertia_.end(), 0.0);
   std::span<double> own(factor_.data(), n * n);
   dynamics_.inertia(own);
   for (std::size_t i = 0; i < n; ++i) std::copy_n(&own[i * n], n, &inertia_[i * dofs_]);
   for (const CoordinateNumbers& c : machine_.coordinates()) inertia_[c.dof * (dofs_ + 1)] += c.armature;
-  for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
-    const ActuatorNumbers& actuator = machine_.actuators()[a];
+  for (const ActuatorNumbers& actuator : machine_.actuators()) {
+    if (!actuator.compliant) continue;
     const double joint = inertia_[machine_.coordinates()[actuator.coordinate].dof * (dofs_ + 1)];
-    inertia_[(n + a) * (dofs_ + 1)] =
-        actuator.compliant ? std::max(actuator.rotor_inertia, kLeastRotor * joint) : 1.0;
+    inertia_[actuator.dof * (dofs_ + 1)] = std::max(actuator.rotor_inertia, kLeastRotor * joint);
   }
   std::copy(inertia_.begin(), inertia_.end(), factor_.begin());
   if (!factor_in_place(factor_, dofs_)) throw Error("the robot's inertia is not positive");
@@ -355,7 +354,7 @@ void Step::stop(std::size_t coordinate, Motion& motion) {
 
 const StepView& Step::look(const Motion& motion, double time, bool at_bodies) {
   if (at_bodies) {
-    dynamics_.place(motion.configuration);
+    dynamics_.place(motion.configuration, true);
     dynamics_.move(motion.velocities);
   }
   fill_view(motion.configuration, motion.velocities, time, at_bodies);
@@ -363,7 +362,7 @@ const StepView& Step::look(const Motion& motion, double time, bool at_bodies) {
 }
 
 Eigen::Vector3d Step::centre_of_mass(const Motion& motion) {
-  dynamics_.place(motion.configuration);
+  dynamics_.place(motion.configuration, true);
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   double mass = 0.0;
   for (std::size_t i = 0; i < tree_.links().size(); ++i) {
@@ -376,7 +375,11 @@ Eigen::Vector3d Step::centre_of_mass(const Motion& motion) {
 void Step::fill_view(std::span<const double> configuration, std::span<const double> velocities, double time,
                      bool with_bodies) {
   view_.time = time;
-  tree_.coordinates(configuration, positions_);
+  if (machine_.has_balls())
+    tree_.coordinates(configuration, positions_);
+  else
+    for (std::size_t c = 0; c < positions_.size(); ++c)
+      positions_[c] = configuration[machine_.coordinates()[c].position];
   for (std::size_t c = 0; c < velocities_.size(); ++c) velocities_[c] = velocities[machine_.coordinates()[c].dof];
   if (!with_bodies) return;
   for (std::size_t i = 0; i < tree_.links().size(); ++i) {

@@ -39,6 +39,8 @@ class Step {
 
   /// Has the views of a source show bodies; otherwise they are not computed.
   void look_at_bodies(bool look) { look_at_bodies_ = look; }
+  /// The machine has other numbers.
+  void take_numbers() { dynamics_.take_numbers(); }
   /// Whether there is anything to ask a source for.
   void ask(simulation::LoadSource* source) { source_ = source; }
 
