@@ -56,7 +56,7 @@ void ArticulatedMotion::begin(const StartState& start) {
   integrator_->forget();
   Motion& motion = integrator_->motion();
   const Tree& tree = machine_.tree();
-  for (std::vector<double>* numbers : {&motion.configuration, &motion.velocities, &motion.integrals})
+  for (std::vector<double>* numbers : {&motion.configuration, &motion.velocities, &motion.accelerations, &motion.integrals})
     std::fill(numbers->begin(), numbers->end(), 0.0);
   tree.begin(*robot_, start.positions, start.velocities, std::span(motion.configuration).first(tree.positions()),
              std::span(motion.velocities).first(tree.dofs()));
@@ -92,7 +92,7 @@ std::vector<std::pair<std::string, std::size_t>> ArticulatedMotion::sections() c
   return {{"positions", coordinates},
           {"velocities", coordinates},
           {"configuration", machine_.most_positions()},
-          {"rates", machine_.most_dofs()},
+          {"rates", 2 * machine_.most_dofs()},
           {"actuators", 2 * actuators}};
 }
 
@@ -103,6 +103,7 @@ void ArticulatedMotion::save(simulation::StateWriter& writer) const {
   const Motion& motion = integrator_->motion();
   put_padded(motion.configuration, machine_.most_positions(), writer);
   put_padded(motion.velocities, machine_.most_dofs(), writer);
+  put_padded(motion.accelerations, machine_.most_dofs(), writer);
   writer.put(motion.integrals);
   writer.put(view.actuator_forces);
 }
@@ -114,6 +115,8 @@ void ArticulatedMotion::load(simulation::StateReader& reader) {
   reader.get(motion.configuration);
   reader.skip(machine_.most_positions() - machine_.positions());
   reader.get(motion.velocities);
+  reader.skip(machine_.most_dofs() - machine_.dofs());
+  reader.get(motion.accelerations);
   reader.skip(machine_.most_dofs() - machine_.dofs());
   reader.get(motion.integrals);
   reader.get(integrator_->step().actuator_forces());

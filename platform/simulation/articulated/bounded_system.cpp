@@ -57,34 +57,43 @@ double inverse_diagonal(std::span<const double> factor, std::size_t size, std::s
 BoundedSystem::BoundedSystem(std::size_t dofs, std::size_t laws)
     : dofs_(dofs), matrix_(dofs * dofs), right_(dofs), factor_(dofs * dofs), pushed_(dofs), regimes_(laws), impulses_(laws) {}
 
-void BoundedSystem::solve(std::span<const VelocityLaw> laws, std::span<double> velocities) {
-  std::fill(regimes_.begin(), regimes_.end(), Regime::within);
+void BoundedSystem::solve(std::span<const VelocityLaw> laws, std::span<double> velocities, bool again) {
+  if (!again) {
+    std::fill(regimes_.begin(), regimes_.end(), Regime::within);
+    factor_in_regimes(laws);
+  }
   for (int change = 0; change < kMost; ++change) {
+    if (change > 0) factor_in_regimes(laws);
     solve_in_regimes(laws, velocities);
     if (!change_regimes(laws, velocities, change < kAllAtOnce)) return;
   }
 }
 
-void BoundedSystem::solve_in_regimes(std::span<const VelocityLaw> laws, std::span<double> velocities) {
+/// A rigid law within its limits leaves its velocity out: the row and the column are those of the unit matrix.
+void BoundedSystem::factor_in_regimes(std::span<const VelocityLaw> laws) {
   std::copy(matrix_.begin(), matrix_.end(), factor_.begin());
+  for (std::size_t l = 0; l < laws.size(); ++l)
+    if (regimes_[l] == Regime::within && !laws[l].rigid()) factor_[laws[l].dof * (dofs_ + 1)] += laws[l].resistance;
+  for (std::size_t l = 0; l < laws.size(); ++l) {
+    if (regimes_[l] != Regime::within || !laws[l].rigid()) continue;
+    const std::size_t held = laws[l].dof;
+    for (std::size_t i = 0; i < dofs_; ++i) factor_[held * dofs_ + i] = factor_[i * dofs_ + held] = 0.0;
+    factor_[held * (dofs_ + 1)] = 1.0;
+  }
+  factor_in_place(factor_, dofs_);
+}
+
+void BoundedSystem::solve_in_regimes(std::span<const VelocityLaw> laws, std::span<double> velocities) {
   std::copy(right_.begin(), right_.end(), pushed_.begin());
   for (std::size_t l = 0; l < laws.size(); ++l) {
     const VelocityLaw& law = laws[l];
     if (regimes_[l] == Regime::at_lower) pushed_[law.dof] += law.lower;
     if (regimes_[l] == Regime::at_upper) pushed_[law.dof] += law.upper;
-    if (regimes_[l] != Regime::within || law.rigid()) continue;
-    pushed_[law.dof] += law.push;
-    factor_[law.dof * dofs_ + law.dof] += law.resistance;
+    if (regimes_[l] == Regime::within && !law.rigid()) pushed_[law.dof] += law.push;
   }
   std::copy(pushed_.begin(), pushed_.end(), velocities.begin());
-  for (std::size_t l = 0; l < laws.size(); ++l) {
-    if (regimes_[l] != Regime::within || !laws[l].rigid()) continue;
-    const std::size_t held = laws[l].dof;
-    for (std::size_t i = 0; i < dofs_; ++i) factor_[held * dofs_ + i] = factor_[i * dofs_ + held] = 0.0;
-    factor_[held * dofs_ + held] = 1.0;
-    velocities[held] = 0.0;
-  }
-  factor_in_place(factor_, dofs_);
+  for (std::size_t l = 0; l < laws.size(); ++l)
+    if (regimes_[l] == Regime::within && laws[l].rigid()) velocities[laws[l].dof] = 0.0;
   solve_in_place(factor_, dofs_, velocities);
 }
 

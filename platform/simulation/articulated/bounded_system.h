@@ -30,13 +30,15 @@ class BoundedSystem {
   std::span<double> matrix() { return matrix_; }  ///< dofs × dofs; both triangles, symmetric
   std::span<double> right() { return right_; }
 
-  void solve(std::span<const VelocityLaw> laws, std::span<double> velocities);
+  /// `again`: the matrix and the laws are those of the last call; the right-hand side is another.
+  void solve(std::span<const VelocityLaw> laws, std::span<double> velocities, bool again = false);
   /// Of a law, in the solution.
   double impulse(std::size_t law) const { return impulses_[law]; }
 
  private:
   enum class Regime : unsigned char { at_lower, within, at_upper };
 
+  void factor_in_regimes(std::span<const VelocityLaw> laws);
   void solve_in_regimes(std::span<const VelocityLaw> laws, std::span<double> velocities);
   Regime regime_at(const VelocityLaw& law, Regime now, double impulse, double velocity) const;
   double needed(const VelocityLaw& law, std::span<const double> velocities) const;

@@ -18,6 +18,7 @@ Integrator::Integrator(const Machine& machine, const std::vector<int>& first_coo
       coordinate_forces_(machine.coordinates().size(), 0.0) {
   motion_.configuration.resize(machine.positions());
   motion_.velocities.resize(machine.dofs());
+  motion_.accelerations.resize(machine.dofs());
   motion_.integrals.resize(machine.actuators().size());
 }
 
@@ -64,6 +65,7 @@ void Integrator::keep(double length, double whole, const Commanded& commanded) {
   const Motion& after = step_.after();
   std::copy(after.configuration.begin(), after.configuration.end(), motion_.configuration.begin());
   std::copy(after.velocities.begin(), after.velocities.end(), motion_.velocities.begin());
+  std::copy(after.accelerations.begin(), after.accelerations.end(), motion_.accelerations.begin());
   for (std::size_t a = 0; a < motion_.integrals.size(); ++a)
     motion_.integrals[a] += length * step_.integral_rate(a, commanded.values[a]);
 }

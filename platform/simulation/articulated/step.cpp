@@ -11,9 +11,8 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr int kPasses = 2;      ///< in which effects are asked: at the velocities before, then at the mean
-constexpr int kMostPasses = 10;  ///< for the forces of inertia
-constexpr double kSettled = 1e-13;
+constexpr int kMostRepeats = 10;
+constexpr double kSettled = 1e-10;  ///< of the velocities; each repeat brings them closer by a factor of some tens
 /// Of the joint's inertia, for a rotor that has none: it follows what acts on it within a step.
 constexpr double kLeastRotor = 1e-9;
 
@@ -35,7 +34,8 @@ Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
       middle_(machine.positions()),
       mean_(dofs_),
       asked_(dofs_),
-      after_velocities_(dofs_),
+      momentum_(dofs_),
+      pushed_(dofs_),
       inertia_(dofs_ * dofs_),
       factor_(dofs_ * dofs_),
       memory_(dofs_),
@@ -71,6 +71,7 @@ Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
            .body_angular_velocities = body_angular_velocities_};
   after_.configuration.resize(machine.positions());
   after_.velocities.resize(dofs_);
+  after_.accelerations.resize(dofs_);
   after_.integrals.resize(machine.actuators().size());
 }
 
@@ -207,8 +208,7 @@ void Step::add_transmission(std::size_t a, const Motion& from, double length) {
   matrix[actuator.dof * dofs_ + joint.dof] -= resistance;
 }
 
-void Step::gather(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
-                  bool reversals, const Eigen::Vector3d& gravity) {
+void Step::gather(double length, const Eigen::Vector3d& gravity) {
   for (std::size_t c = 0; c < loads_.size(); ++c) {
     const CoordinateNumbers& own = machine_.coordinates()[c];
     const double position = own.ball ? positions_[c] : middle_[own.position];
@@ -262,46 +262,64 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
   length_ = length;
   middle_time_ = begin + 0.5 * length;
   place_in_middle(from, length);
-  std::copy(from.velocities.begin(), from.velocities.end(), mean_.begin());
-  std::copy(from.velocities.begin(), from.velocities.end(), after_velocities_.begin());
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  find_momentum(from);
+  for (std::size_t i = 0; i < dofs_; ++i) mean_[i] = from.velocities[i] + 0.5 * length * from.accelerations[i];
+  const int asks = source_ == nullptr ? 1 : 2;  // at an estimate of the mean velocities, then at them
+  for (int ask = 1; ask <= asks; ++ask) {
+    std::copy(mean_.begin(), mean_.end(), asked_.begin());
     dynamics_.move(mean_);
-    if (pass < kPasses) {
-      std::copy(mean_.begin(), mean_.end(), asked_.begin());
-      if (source_ != nullptr || machine_.has_balls()) fill_view(middle_, mean_, middle_time_, look_at_bodies_);
-      gather(from, length, commanded, stopped, reversals, gravity);
-      find_weights(length);
-    }
-    dynamics_.bias(gravity_, link_forces_, bias_);
-    const std::span<double> right = system_.right(), matrix = system_.matrix();
-    std::copy(inertia_.begin(), inertia_.end(), matrix.begin());
-    for (std::size_t i = 0; i < dofs_; ++i) {
-      double momentum = 0.0;
-      for (std::size_t j = 0; j < dofs_; ++j) momentum += inertia_[i * dofs_ + j] * from.velocities[j];
-      right[i] = momentum - (i < tree_.dofs() ? length * bias_[i] : 0.0);
-    }
-    if (has_drag_) add_drag(from, length);
-    laws_.clear();
-    for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
-    for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
-      add_actuator(a, from, length, commanded);
-      add_transmission(a, from, length);
-    }
-    system_.solve(laws_, after_velocities_);
+    if (source_ != nullptr || machine_.has_balls()) fill_view(middle_, mean_, middle_time_, look_at_bodies_);
+    gather(length, gravity);
+    find_weights(length);
+    assemble(from, length, commanded, stopped, reversals);
+    settle(from, length, ask == asks && machine_.has_coriolis_forces());
     measure(from, length);
+  }
+  for (std::size_t i = 0; i < dofs_; ++i)
+    after_.accelerations[i] = (after_.velocities[i] - from.velocities[i]) / length;
+  std::copy(middle_.begin(), middle_.end(), after_.configuration.begin());
+  drift(after_.velocities, 0.5 * length, after_.configuration);
+}
+
+void Step::find_momentum(const Motion& from) {
+  for (std::size_t i = 0; i < dofs_; ++i) {
+    momentum_[i] = 0.0;
+    for (std::size_t j = 0; j < dofs_; ++j) momentum_[i] += inertia_[i * dofs_ + j] * from.velocities[j];
+  }
+}
+
+/// Everything but the forces of inertia that depend on the velocities.
+void Step::assemble(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
+                    bool reversals) {
+  std::copy(inertia_.begin(), inertia_.end(), system_.matrix().begin());
+  std::copy(momentum_.begin(), momentum_.end(), system_.right().begin());
+  if (has_drag_) add_drag(from, length);
+  laws_.clear();
+  for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
+  for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
+    add_actuator(a, from, length, commanded);
+    add_transmission(a, from, length);
+  }
+  std::copy(system_.right().begin(), system_.right().end(), pushed_.begin());
+}
+
+/// Finds the velocities after the step. The forces of inertia are those of the mean velocities: repeated until these no
+/// longer change where `exactly`, which keeps the step symmetric in time.
+void Step::settle(const Motion& from, double length, bool exactly) {
+  for (int repeat = 0; repeat < kMostRepeats; ++repeat) {
+    if (repeat > 0) dynamics_.move(mean_);
+    dynamics_.bias(gravity_, link_forces_, bias_);
+    for (std::size_t i = 0; i < tree_.dofs(); ++i) system_.right()[i] = pushed_[i] - length * bias_[i];
+    system_.solve(laws_, after_.velocities, repeat > 0);
     double change = 0.0, size = 0.0;
     for (std::size_t i = 0; i < dofs_; ++i) {
-      const double mean = 0.5 * (from.velocities[i] + after_velocities_[i]);
+      const double mean = 0.5 * (from.velocities[i] + after_.velocities[i]);
       change = std::max(change, std::abs(mean - mean_[i]));
       size = std::max(size, std::abs(mean));
       mean_[i] = mean;
     }
-    const bool asked = source_ == nullptr || pass + 1 >= kPasses;
-    if (asked && (!machine_.has_coriolis_forces() || change <= kSettled * size)) break;
+    if (!exactly || change <= kSettled * size) break;
   }
-  std::copy(after_velocities_.begin(), after_velocities_.end(), after_.velocities.begin());
-  std::copy(middle_.begin(), middle_.end(), after_.configuration.begin());
-  drift(after_.velocities, 0.5 * length, after_.configuration);
 }
 
 double Step::integral_rate(std::size_t a, double command) const {
@@ -318,7 +336,7 @@ void Step::measure(const Motion& from, double length) {
     const std::size_t dof = machine_.coordinates()[c].dof;
     const JointLoad& load = loads_[c];
     const Weights& w = weights_[dof];
-    const double before = from.velocities[dof], after = after_velocities_[dof];
+    const double before = from.velocities[dof], after = after_.velocities[dof];
     const double way = length * (w.before * before + w.after * after);
     const double late = (1.0 - w.late) * before + w.late * after;
     coordinate_forces_[c] = load.force - load.damping * (late - asked_[dof]) - load.stiffness * way;

@@ -16,6 +16,7 @@ namespace lacuna::articulated {
 /// How a machine moves at one time. Rotors stand behind the tree.
 struct Motion {
   std::vector<double> configuration, velocities;
+  std::vector<double> accelerations;  ///< of the step before, from which the next one is estimated
   std::vector<double> integrals;  ///< per actuator, of a PID's error
 };
 
@@ -80,14 +81,17 @@ class Step {
   void drift(std::span<const double> velocities, double time, std::span<double> configuration) const;
   void find_inertia(std::span<const double> configuration);
   void find_weights(double length);
-  void gather(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
-              bool reversals, const Eigen::Vector3d& gravity);
+  void gather(double length, const Eigen::Vector3d& gravity);
   void add_coordinate(std::size_t coordinate, const Motion& from, double length, Contact stopped, bool reversals);
   void add_actuator(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
   void add_transmission(std::size_t actuator, const Motion& from, double length);
   void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
   void find_drag();
   void add_drag(const Motion& from, double length);
+  void find_momentum(const Motion& from);
+  void assemble(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
+                bool reversals);
+  void settle(const Motion& from, double length, bool exactly);
   void measure(const Motion& from, double length);
   void fill_view(std::span<const double> configuration, std::span<const double> velocities, double time,
                  bool with_bodies);
@@ -102,7 +106,7 @@ class Step {
   // of the step
   double middle_time_ = 0.0, length_ = 0.0;
   Eigen::Vector3d gravity_{0.0, 0.0, 0.0};
-  std::vector<double> middle_, mean_, asked_, after_velocities_;  // asked_: velocities of the loads
+  std::vector<double> middle_, mean_, asked_, momentum_, pushed_;  // asked_: velocities of the loads
   std::vector<double> inertia_, factor_, memory_, bias_, mobility_;
   std::vector<Weights> weights_;  ///< per dof
   std::vector<double> damping_of_dof_, stiffness_of_dof_;

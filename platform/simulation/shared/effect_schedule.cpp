@@ -95,10 +95,8 @@ void EffectSchedule::schedule(std::size_t effect) {
     if (hooks.sensor != SensorStage::none) senses_[element].push_back(call);
   }
   const bool sees_bodies = placed.kind == ElementKind::body || placed.kind == ElementKind::world;
-  looks_at_bodies_ = looks_at_bodies_ || (sees_bodies && (hooks.add_loads || hooks.advance));
+  looks_at_bodies_ = looks_at_bodies_ || sees_bodies;
   any_sense_ = any_sense_ || hooks.sensor != SensorStage::none;
-  looks_at_state_ = looks_at_state_ || hooks.add_loads || hooks.advance || hooks.command != CommandStage::none ||
-                    hooks.sensor != SensorStage::none;
 }
 
 void EffectSchedule::size_states(const std::vector<std::vector<double>>& largest_values) {

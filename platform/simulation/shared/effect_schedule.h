@@ -37,14 +37,12 @@ class EffectSchedule {
   const std::vector<std::size_t>& amending() const { return amending_; }
   const std::vector<std::size_t>& loading() const { return loading_; }
   const std::vector<std::size_t>& advancing() const { return advancing_; }
-  /// Do effects that act in steps see bodies? Those on joints, actuators and sensors do not.
+  /// Does any effect see bodies? Those on joints, actuators and sensors do not.
   bool looks_at_bodies() const { return looks_at_bodies_; }
   bool acts_in_steps() const { return !loading_.empty() || !advancing_.empty(); }
   const std::vector<Call>& commands(std::size_t actuator) const { return commands_[actuator]; }  ///< by stage
   const std::vector<Call>& senses(std::size_t sensor) const { return senses_[sensor]; }          ///< by stage
   bool any_sense() const { return any_sense_; }
-  /// Does any effect look at the mechanical state? If none does, it need not be prepared.
-  bool looks_at_state() const { return looks_at_state_; }
 
  private:
   void schedule(std::size_t effect);
@@ -56,7 +54,7 @@ class EffectSchedule {
   std::vector<std::vector<Call>> commands_, senses_;  // per actuator, per sensor
   std::vector<std::size_t> state_offsets_;            // one more than effects
   bool any_sense_ = false;
-  bool looks_at_state_ = false, looks_at_bodies_ = false;
+  bool looks_at_bodies_ = false;
 };
 
 }  // namespace lacuna::simulation

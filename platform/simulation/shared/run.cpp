@@ -38,7 +38,7 @@ Run::Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationO
       result_(result),
       h_(model.step()),
       tolerance_(kSameTime * h_),
-      look_at_bodies_(workspace.sensors.reads_bodies() || model.effects().looks_at_state()),
+      look_at_bodies_(workspace.sensors.reads_bodies() || model.effects().looks_at_bodies()),
       origin_(options.start_time) {}
 
 void Run::carry_out(std::span<const double> parameters, const Test& test) {
@@ -140,7 +140,7 @@ void Run::recall_commands() {
 }
 
 void Run::advance() {
-  take_commands(ws_.motion->look(time(step_), model_.effects().looks_at_state()));
+  take_commands(ws_.motion->look(time(step_), model_.effects().looks_at_bodies()));
   write_commands(time(step_ + 1) - tolerance_);
   ws_.motion->advance({.begin = time(step_),
                        .commands = ws_.commands,
