@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/default_place.h"
 #include "app/diagnosed_start.h"
+#include "app/integration.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "app/replace_file.h"
@@ -148,6 +149,7 @@ struct Extension {
 Extension extension_of(AddOptions options) {
   std::string text = read_text(options.experiment);
   Rig base = open_rig(options);
+  settle_substeps(base, base.fit_trials(), options.threads);
   const bool says_where = !options.where.empty();
   if (!says_where) options.where = default_place(base, options.effect);
   check_id(options.id, base.experiment.model.effects);

@@ -20,7 +20,7 @@ namespace lacuna {
 namespace {
 
 struct CompareOptions : CommonOptions {
-  bool as_is = false;
+  bool as_is = false, cross_check = false;
   std::optional<std::string> csv;
   std::filesystem::path out;
 };
@@ -31,7 +31,7 @@ void run_compare(const CompareOptions& options) {
   Workbench bench(options);
   const Workbench::Fitted fitted =
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
-  const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true);
+  const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true, options.cross_check);
   const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
   bench.ledger().keep_where_it_fails(compared.id, where_document(where, compared.result));
   const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
@@ -39,6 +39,7 @@ void run_compare(const CompareOptions& options) {
 
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
+    if (compared.result.cross_check) fmt::print("{}", cross_check_text(*compared.result.cross_check));
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
     fmt::print("{}", where_text(where));
@@ -66,6 +67,8 @@ void add_compare_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command->add_flag("--as-is", options->as_is, "Do not fit: compare with the values as they are written");
+  command->add_flag("--cross-check", options->cross_check,
+                    "Predict with the other engine, too, and print how far the two are apart");
   add_result_option(*command, "csv", options->csv, "Scores as CSV, to standard output or FILE");
   command->add_option("--out", options->out, "Folder for pictures (SVG) and predictions (CSV)")->option_text("FOLDER");
   command->callback([options] { run_compare(*options); });

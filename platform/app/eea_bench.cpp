@@ -1,5 +1,6 @@
 #include "app/eea_bench.h"
 
+#include "app/integration.h"
 #include "eea/recorded_trials.h"
 #include "evaluation/complaints.h"
 #include "evaluation/hidden_truth.h"
@@ -14,6 +15,9 @@
 
 namespace lacuna {
 namespace {
+
+constexpr std::uint64_t kImagined = 0x696d'6167'696e;  // apart from the streams of runs
+constexpr std::uint64_t kImaginedTrials = 4;
 
 bool is_simulated(const Rig& rig) { return rig.experiment.target.kind == "simulated"; }
 
@@ -70,13 +74,39 @@ void check_readings(const EeaDefinition& definition, const RobotSpec& target, Co
                                            "name here those that they share");
 }
 
+bool takes_tests(const Rig& rig) { return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests(); }
+
+/// What the model does in tests as the exploration begins with. Of those that it cannot carry out there are none.
+std::vector<Trial> imagined_trials(const EeaDefinition& definition) {
+  RandomStream random(std::array<std::uint64_t, 1>{kImagined});
+  TargetSimulator simulator(definition.model, definition.model.start_values(), kImagined);
+  std::vector<Trial> trials;
+  for (std::uint64_t i = 0; i < kImaginedTrials; ++i) try {
+      simulator.begin_trial(i);
+      trials.push_back(simulator.simulate(definition.decode_test(definition.exploration.breeder->random(random))));
+    } catch (const Error&) {
+      continue;
+    }
+  return trials;
+}
+
+/// With the integration steps that the model needs, where the experiment leaves them open.
+Rig with_substeps(Rig rig) {
+  if (rig.experiment.engine.substeps > 0) return rig;
+  const std::vector<Trial> trials =
+      takes_tests(rig) ? imagined_trials(EeaDefinition(rig.experiment, *rig.catalog, rig.definition, true))
+                       : rig.fit_trials();
+  settle_substeps(rig, trials, 0);
+  return rig;
+}
+
 }  // namespace
 
 EeaBench::EeaBench(Rig rig)
-    : rig_(std::move(rig)),
+    : rig_(with_substeps(std::move(rig))),
       target_(is_simulated(rig_) ? std::make_unique<ModelDefinition>(define_target(rig_.experiment, *rig_.catalog))
                                  : nullptr),
-      takes_tests_(rig_.catalog->make<TargetSystem>(rig_.experiment.target.kind)->takes_tests()),
+      takes_tests_(lacuna::takes_tests(rig_)),
       definition_(std::make_unique<EeaDefinition>(rig_.experiment, *rig_.catalog, rig_.definition, takes_tests_)) {
   if (!takes_tests_ || !target_) return;
   const RobotSpec& target = target_->structure.robot;

@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/integration.h"
 #include "app/options.h"
 #include "app/output.h"
 #include "app/records.h"
@@ -60,7 +61,8 @@ StoredHistory stored_history(const std::filesystem::path& file, const Rig& rig) 
 void run_history(const HistoryOptions& options) {
   check_output(options.json, options.csv);
   check_output_folder(options.out);
-  const Rig rig = open_rig(options);
+  Rig rig = open_rig(options);
+  settle_substeps(rig, rig.fit_trials(), options.threads);
   const std::filesystem::path file = database_of(options, rig.experiment);
   const StoredHistory history = stored_history(file, rig);
   const std::string next = history.missing.empty() ? "" : command_to_type("compare", options);

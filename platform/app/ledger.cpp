@@ -24,8 +24,8 @@ Ledger::Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed,
   Transaction transaction(database_);
   store_.begin_run({command_line(), seed, threads}, provenance_of_this_program());
   store_.record_plugins(plugins_of_model(rig.experiment, *rig.catalog));
-  experiment_ = store_.record_experiment(
-      {rig.experiment.name, rig.experiment.file.string(), rig.experiment.text, rig.experiment.overrides});
+  experiment_ = store_.record_experiment({rig.experiment.name, rig.experiment.file.string(), rig.experiment.text,
+                                          rig.experiment.overrides, rig.experiment.decided});
   transaction.commit();
 }
 

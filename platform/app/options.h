@@ -16,6 +16,7 @@ namespace lacuna {
 struct CommonOptions {
   std::filesystem::path experiment;    ///< the experiment file
   std::vector<std::string> overrides;  ///< --set key=value
+  std::vector<std::string> decided;    ///< what the program decided where a stored experiment leaves it open
   std::vector<std::filesystem::path> plugin_paths;
   std::filesystem::path database;  ///< --db; empty: the experiment's name with .db in the working folder
   int threads = 0;                 ///< 0: all

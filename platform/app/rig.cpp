@@ -2,6 +2,7 @@
 
 #include "app/output.h"
 #include "app/trial_target.h"
+#include "config/decided.h"
 #include "config/experiment_reader.h"
 #include "config/result_setting.h"
 #include "evaluation/step_count.h"
@@ -45,6 +46,7 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
   check_step_count(rig.experiment, rig.trials, false);
+  decide_engine(rig.experiment, rig.definition.engine.engine);
   rig.model = compile(rig.definition.structure, rig.definition.engine);  // delays are kept by the step
   return rig;
 }
@@ -137,6 +139,7 @@ Rig open_rig(const CommonOptions& options) {
 
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog) {
   Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
+  decide_as(experiment, options.decided);
   note_inputs(experiment, options);
   return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
 }

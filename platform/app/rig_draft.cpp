@@ -253,10 +253,9 @@ std::string experiment_text(const RigDraft& draft) {
   text += fmt::format("\n[model]\nfile = {}\neffects = []\n{}\n[engine]\n",
                       toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)));
   const std::string value = fmt::format("step = \"{:.4g} ms\"", 1e3 * step);
-  text += draft.interval > 0.0
-              ? with_comment(value, fmt::format("the recordings' interval is {:.4g} ms", 1e3 * draft.interval))
-              : value + "\n";
-  return text + with_comment("substeps = 4", "of the simulation in each; compare says where it takes more");
+  return text + (draft.interval > 0.0
+                     ? with_comment(value, fmt::format("the recordings' interval is {:.4g} ms", 1e3 * draft.interval))
+                     : value + "\n");
 }
 
 std::string robot_text(const RigDraft& draft) {

@@ -102,7 +102,7 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
     const RunId run = store.begin_run({command_line(), seed, plan.threads}, provenance_of_this_program());
     store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
     store.record_robot_files(robot_files_of(file));
-    plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides});
+    plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides, file.decided});
     plan.replicates.push_back({run, replicate, seed});
     plan.claims.emplace_back(database, run);
   }

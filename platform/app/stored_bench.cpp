@@ -76,6 +76,7 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run, Comm
   stored.run = stored_run(database, run.run);
   if (options.experiment.empty()) options.experiment = stored.run.experiment.file;
   options.overrides = put_over(stored.run.experiment.overrides, options.overrides);
+  options.decided = stored.run.experiment.decided;
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
   stored.bench = open_bench(options, stored.run.experiment.text, catalog, program);
   for (const std::string& changed : changed_files(stored.run, stored.bench->rig().experiment, *catalog))

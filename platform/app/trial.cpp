@@ -56,8 +56,8 @@ TrialRun begin_run(const Rig& rig, std::uint64_t seed, ResultStore& store) {
   const RunId run = store.begin_run({command_line(), seed, 1}, provenance_of_this_program());
   store.record_plugins(plugins_of_model(experiment, *rig.catalog));
   store.record_robot_files(robot_files_of(experiment));
-  return {run,
-          store.record_experiment({experiment.name, experiment.file.string(), experiment.text, experiment.overrides})};
+  return {run, store.record_experiment({experiment.name, experiment.file.string(), experiment.text,
+                                        experiment.overrides, experiment.decided})};
 }
 
 std::int64_t next_number(const Database& database, const Rig& rig) {

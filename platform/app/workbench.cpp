@@ -1,5 +1,6 @@
 #include "app/workbench.h"
 
+#include "app/integration.h"
 #include "app/progress_line.h"
 #include "diagnosis/data_doubts.h"
 #include "foundation/interrupt.h"
@@ -15,6 +16,7 @@ Workbench::Workbench(const CommonOptions& options) : Workbench(options, open_rig
   if (!rig_.left_out.empty()) fmt::print(stderr, "{}\n", rig_.left_out);
   for (const ReadingNote& note : rig_.notes)
     if (note.doubt) fmt::print(stderr, "{}: {}\n", to_string(note.location), note.message);
+  if (!integration_.empty() && !options.quiet) fmt::print(stderr, "{}\n", integration_);
 }
 
 Workbench::Workbench(const CommonOptions& options, Rig rig, Entry entry)
@@ -22,6 +24,7 @@ Workbench::Workbench(const CommonOptions& options, Rig rig, Entry entry)
       rig_(std::move(rig)),
       seed_(options.seed.value_or(rig_.experiment.seed)),
       threads_(options.threads > 0 ? options.threads : default_threads()),
+      integration_(settle_substeps(rig_, rig_.fit_trials(), threads_)),
       ledger_(options, rig_, seed_, threads_) {
   if (entry == Entry::at_once) revision_ = ledger_.enter(rig_);
 }
@@ -32,22 +35,19 @@ Workbench::Fitted Workbench::fit_model() {
     if (std::optional<FitResult> known = ledger_.known_fit(*stored, rig_)) return {std::move(*known), true};
   ledger_.check_kept();
   ProgressLine line(options_.quiet);
-  const std::unique_ptr<CompiledModel> coarser = compile_coarser(rig_.definition);
-  const std::unique_ptr<CompiledModel> finer = compile_finer(rig_.definition);
   FitResult result = fit({.definition = rig_.definition,
                           .model = *rig_.model,
                           .trials = rig_.trials,
                           .options = rig_.experiment.fit,
                           .seed = seed_,
                           .threads = threads_,
-                          .progress = line.callback(),
-                          .coarser = coarser.get(),
-                          .finer = finer.get()});
+                          .progress = line.callback()});
   if (revision_) ledger_.keep(*revision_, rig_, result);
   return {std::move(result), false};
 }
 
-Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted, bool with_held_out) {
+Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted, bool with_held_out,
+                                             bool cross_check) {
   ledger_.check_kept();
   const std::vector<Trial> trials = with_held_out ? rig_.trials : rig_.fit_trials();
   const bool looks = with_held_out && rig_.count(true) > 0;
@@ -62,7 +62,8 @@ Workbench::Compared Workbench::compare_model(const FitResult& fit, bool refitted
                       .finer = finer.get(),
                       .seed = seed_,
                       .threads = threads_,
-                      .progress = line.callback()};
+                      .progress = line.callback(),
+                      .cross_check = cross_check};
   Compared compared{compare(task), look, {}};
   if (revision_) compared.id = keep(trials, compared.result, refitted, looks ? std::optional(look) : std::nullopt);
   return compared;

@@ -42,7 +42,7 @@ class Workbench {
     int look = 0;
     ComparisonId id;
   };
-  Compared compare_model(const FitResult& fit, bool refitted, bool with_held_out);
+  Compared compare_model(const FitResult& fit, bool refitted, bool with_held_out, bool cross_check = false);
   /// Gives the experiment file its new text and enters the model with its fit and its comparison with the fit trials,
   /// all or nothing. A process that is killed here leaves both undone, or the file alone: whatever command comes next
   /// then enters the model, as after an edit by hand.
@@ -66,6 +66,7 @@ class Workbench {
   Rig rig_;
   std::uint64_t seed_;
   int threads_;
+  std::string integration_;  ///< how the model is integrated, a sentence
   Ledger ledger_;
   std::optional<StoredRevision> revision_;
 };

@@ -144,6 +144,7 @@ struct Experiment {
   std::filesystem::path file;
   std::string text;                    ///< as read
   std::vector<std::string> overrides;  ///< `--set key=value`, as given
+  std::vector<std::string> decided;    ///< what these leave open and the program decided, as `--set` would say it
   std::map<std::string, SourceLocation> locations;
 
   std::string name;

@@ -77,9 +77,13 @@ void check_contact(const TomlNode& node, Reading& reading, Experiment&) {
 
 Table<EngineSettings> engine_keys() {
   return Table<EngineSettings>()
-      .key("engine", &EngineSettings::engine, text_of({"articulated", "ode"}), "who integrates")
+      .key("engine", &EngineSettings::engine, text_of({"articulated", "ode"}),
+           "who integrates: articulated (joints and floating bodies without contacts, to second order) or ode "
+           "(contacts, "
+           "to first order); without it articulated, or ode where bodies may touch the ground")
       .key("step", &EngineSettings::step, number("s").above(0.0), "sensors, effects and commands are seen once a step")
-      .key("substeps", &EngineSettings::substeps, whole_number<int>(1, 100000), "integration steps in a step")
+      .key("substeps", &EngineSettings::substeps, whole_number<int>(0, 100000),
+           "integration steps in a step; 0: as many as needed, found by two solutions and printed")
       .key("control_period", &EngineSettings::control_period, number("s").at_least(0.0),
            "how often a controller acts; 0: every step")
       .key("joint_erp", &EngineSettings::joint_erp, number("1").between(0.0, 1.0),

@@ -40,11 +40,8 @@ bool settle(ShootingProblem& problem, const ParameterSpace& space, BaseSolution&
 
 BaseBench::BaseBench(const Contender& contender, const BaseSolution& start, int threads)
     : predictor_(*contender.model, start.trials, threads),
-      rough_(contender.definition, start, threads),
       space_(contender.definition.free),
-      problem_(predictor_, space_, start.segments, start.noise) {
-  problem_.difference_by(rough_.predictor());
-}
+      problem_(predictor_, space_, start.segments, start.noise) {}
 
 void BaseBench::settle(BaseSolution& base, Moving moving) {
   if (!lacuna::settle(problem_, space_, base, moving))

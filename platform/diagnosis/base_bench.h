@@ -2,7 +2,6 @@
 
 #include "diagnosis/base_solution.h"
 #include "diagnosis/contender.h"
-#include "diagnosis/rough_predictor.h"
 
 namespace lacuna {
 
@@ -32,7 +31,6 @@ class BaseBench {
 
  private:
   TrialPredictor predictor_;
-  RoughPredictor rough_;
   ParameterSpace space_;
   ShootingProblem problem_;
 };

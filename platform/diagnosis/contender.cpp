@@ -4,10 +4,9 @@
 
 namespace lacuna {
 
-Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values, int substeps) {
+Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values) {
   Contender contender;
   contender.experiment = experiment;
-  contender.experiment.engine.substeps = substeps;
   contender.definition = define_model(contender.experiment, catalog);
   contender.model = compile(contender.definition.structure, contender.definition.engine);
   contender.values = std::move(values);

@@ -16,8 +16,8 @@ struct Contender {
   std::vector<double> values;  ///< of `definition.free`, SI
 };
 
-/// The experiment's own model with these values, integrated with so many substeps.
-Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values, int substeps);
+/// The experiment's own model with these values.
+Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values);
 /// `plain` with these effects, in their order; `values` of the free values that it has then.
 Contender with_effects(const Contender& plain, const std::vector<EffectEntry>& added, std::vector<double> values,
                        const PluginCatalog& catalog);

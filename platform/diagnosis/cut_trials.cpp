@@ -50,7 +50,6 @@ class Cutter {
         states_(states),
         base_(base),
         predictor_(follower.model, base.trials, task.threads),
-        rough_(follower.definition, base, task.threads),
         space_(follower.definition.free),
         values_(follower.values),
         moving_(follower.moving) {}
@@ -106,7 +105,6 @@ class Cutter {
   /// What is left once the model has settled, RMS, multiples of the sensor noise; nothing if it cannot.
   std::optional<double> settled(BaseSolution& base) const {
     ShootingProblem problem(predictor_, space_, base.segments, base.noise);
-    problem.difference_by(rough_.predictor());
     if (!settle(problem, space_, base, moving_)) return std::nullopt;
     std::vector<Eigen::VectorXd> residuals;
     if (!problem.residuals({space_.to_coordinates(base.values), base.states}, residuals)) return std::nullopt;
@@ -123,7 +121,6 @@ class Cutter {
   const StartStates& states_;
   const BaseSolution& base_;
   TrialPredictor predictor_;
-  RoughPredictor rough_;
   ParameterSpace space_;
   std::vector<double> values_;  ///< of the follower, SI
   Moving moving_;

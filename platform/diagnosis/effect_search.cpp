@@ -4,14 +4,12 @@
 #include "diagnosis/cut_trials.h"
 #include "diagnosis/deeper_minimum.h"
 #include "diagnosis/fewer_effects.h"
-#include "diagnosis/integration_error.h"
 #include "diagnosis/outdone_library.h"
 #include "diagnosis/ranking.h"
 #include "diagnosis/rejudge.h"
 #include "diagnosis/round.h"
 #include "diagnosis/search_ending.h"
 #include "diagnosis/selection.h"
-#include "diagnosis/sufficient_substeps.h"
 #include "diagnosis/timing.h"
 #include "diagnosis/unaided.h"
 
@@ -36,12 +34,9 @@ class EffectSearch {
       : task_(task),
         meter_(task.progress),
         cut_(cut_trials({task.definition, task.model, task.trials, task.values, task.segment, task.threads})),
-        plain_(plain_with(task.resume == nullptr ? sufficient_substeps(task.definition, cut_, task.threads)
-                                                 : task.resume->substeps)),
+        plain_(plain(task.experiment, task.catalog, cut_.values)),
         contender_(plain_) {
     meter_.set_parts(kRoundParts * kUsualRounds);
-    state_.substeps = plain_.definition.engine.substeps;
-    state_.substeps_for = cut_.segment;
     if (task.resume == nullptr) return;
     state_ = *task.resume;
     const int before = rounds_before();
@@ -69,13 +64,10 @@ class EffectSearch {
   }
 
  private:
-  Contender plain_with(int substeps) const { return plain(task_.experiment, task_.catalog, cut_.values, substeps); }
-
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
     BaseSolution start = contender_.added.empty() ? cut_ : cut_for_contender();
-    take_substeps_for(start);
     Round round = look_from(start, contender_.added.empty() ? Moving::all : Moving::if_needed);
     const std::optional<Refit> deeper = deeper_minimum(contender_, round, task_.threads);
     if (!deeper) return round;
@@ -86,7 +78,6 @@ class EffectSearch {
   }
 
   Round look_from(BaseSolution start, Moving moving) {
-    correct_for_steps(contender_.definition, start, task_.threads);
     return run_round({task_.catalog, contender_, start, moving, task_.among, task_.seed, task_.threads, meter_});
   }
 
@@ -107,19 +98,6 @@ class EffectSearch {
     }
     return cut_trials({task_.definition, task_.model, task_.trials, cut_.values, task_.segment, task_.threads},
                       {contender_.definition, *contender_.model, contender_.values, Moving::if_needed});
-  }
-
-  /// Errors of the integration grow with the length of the segments.
-  void take_substeps_for(const BaseSolution& start) {
-    if (start.segment <= state_.substeps_for) return;
-    state_.substeps_for = start.segment;
-    ModelDefinition finest = contender_.definition;
-    finest.engine.substeps = task_.definition.engine.substeps;
-    const int substeps = sufficient_substeps(finest, start, task_.threads);
-    if (substeps <= state_.substeps) return;
-    state_.substeps = substeps;
-    plain_ = plain_with(substeps);
-    contender_ = with_effects(plain_, contender_.added, contender_.values, task_.catalog);
   }
 
   /// Of the model without any effect added: what the user's model lacks, not what a poor substitute lacks.
@@ -361,7 +339,7 @@ class EffectSearch {
   const DiagnosisTask& task_;
   ProgressMeter meter_;
   const BaseSolution cut_;
-  Contender plain_;  ///< the experiment's model, with substeps that suffice
+  Contender plain_;  ///< the experiment's model
   Contender contender_;
   SearchState state_;
   std::optional<std::optional<Unaided>> unaided_;  ///< of the round at hand, once it was asked for

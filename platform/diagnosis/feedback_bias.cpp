@@ -79,11 +79,8 @@ bool has_controller(const std::vector<Trial>& trials) {
 
 std::vector<std::string> feedback_bias(const FitTask& task) {
   if (std::vector<std::string> wrong = wrong_controllers(task.trials); !wrong.empty()) return wrong;
-  const std::unique_ptr<CompiledModel> finer = compile_finer(task.definition);
   const auto fitted_to = [&](const std::vector<Trial>& trials) {
-    FitTask one{task.definition, task.model, trials, task.options, task.seed, task.threads};
-    one.finer = finer.get();
-    return fit(one);
+    return fit({task.definition, task.model, trials, task.options, task.seed, task.threads});
   };
   const FitResult replayed = fitted_to(task.trials), looped = fitted_to(in_the_loop(task.trials));
   std::vector<std::string> biased;

@@ -1,6 +1,5 @@
 #include "diagnosis/force_responses.h"
 
-#include "diagnosis/rough_predictor.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
 #include "foundation/parallel.h"
@@ -68,11 +67,6 @@ class Pulser {
     return force;
   }
 
-  /// Whether all segments can be simulated without force; known once a size was asked for.
-  bool runs() const {
-    return std::all_of(calm_.begin(), calm_.end(), [](const Eigen::MatrixXd& one) { return one.size() > 0; });
-  }
-
  private:
   std::vector<Interval> intervals(std::size_t trial, int number) const {
     std::vector<Interval> found;
@@ -130,8 +124,6 @@ bool floats(const RobotSpec& robot) {
 ForceResponses force_responses(const ModelDefinition& definition, const ShootingProblem& problem, const RowBins& bins,
                                const FitPoint& point, const std::vector<double>& values, double residual, int threads) {
   ForceResponses responses;
-  ModelDefinition rough = definition;
-  rough.engine = for_differences(definition);
   const RobotSpec& robot = definition.structure.robot;
   std::vector<DisturbedJoint> joints;
   for (const JointSpec& joint : robot.joints)
@@ -154,16 +146,12 @@ ForceResponses force_responses(const ModelDefinition& definition, const Shooting
   }
   for (const DisturbedJoint& joint : joints) {
     responses.joints.push_back(joint.joint);
-    auto pulser = std::make_unique<Pulser>(rough, problem, bins, point, values, joint, responses.width);
-    double force = pulser->size(residual);
-    if (!pulser->runs()) {  // coarser steps are too coarse
-      pulser = std::make_unique<Pulser>(definition, problem, bins, point, values, joint, responses.width);
-      force = pulser->size(residual);
-    }
+    Pulser pulser(definition, problem, bins, point, values, joint, responses.width);
+    const double force = pulser.size(residual);
     for (std::size_t k = 0; k < problem.segments().size(); ++k)
       responses.of[k].emplace_back(Eigen::MatrixXd::Zero(bins.rows(k), pulses));
     parallel_for(static_cast<std::size_t>(pulses), threads, [&](std::size_t pulse, int) {
-      const std::vector<Eigen::VectorXd> change = pulser->response(static_cast<int>(pulse), force);
+      const std::vector<Eigen::VectorXd> change = pulser.response(static_cast<int>(pulse), force);
       for (std::size_t k = 0; k < change.size(); ++k)
         responses.of[k].back().col(static_cast<Eigen::Index>(pulse)) = change[k];
     });

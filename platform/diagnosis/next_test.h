@@ -20,7 +20,7 @@ namespace lacuna {
 struct RivalModel {
   std::string name;  ///< as a user knows it: "coulomb_friction @ joint.hinge"
   const ModelDefinition& definition;
-  const CompiledModel& model;  ///< of `definition`; one with fewer substeps finds as good a test in less time
+  const CompiledModel& model;  ///< of `definition`
   std::vector<double> values;  ///< of its free values, SI
   /// Of the free values' coordinates (fitting/parameter_space.h), as `Refit::covariance`: a row and a column a value. A
   /// value whose row is 0 or NaN is held where it stands at a bound, and is known no better than its bounds say where

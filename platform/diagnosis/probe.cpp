@@ -1,7 +1,6 @@
 #include "diagnosis/probe.h"
 
 #include "diagnosis/data_scales.h"
-#include "diagnosis/rough_predictor.h"
 #include "fitting/rms_of_parts.h"
 
 #include <algorithm>
@@ -114,9 +113,7 @@ std::vector<std::size_t> ladder_segments(const BaseSolution& base) {
 /// How far a parameter must go from its neutral value to matter.
 class Ladder {
  public:
-  /// `rough`: with coarser steps, of which changes need no more; null: there is none.
-  Ladder(const Hypothesis& hypothesis, const TrialPredictor& predictor, const TrialPredictor* rough,
-         const BaseSolution& base)
+  Ladder(const Hypothesis& hypothesis, const TrialPredictor& predictor, const BaseSolution& base)
       : hypothesis_(hypothesis),
         bench_(hypothesis, predictor, base, ladder_segments(base)),
         robot_size_(size_of(hypothesis.definition.structure.robot)),
@@ -124,9 +121,6 @@ class Ladder {
         others_(hypothesis.neutral) {
     valid_ = bench_.residuals(hypothesis_.neutral, calm_);
     residual_ = std::max(1.0, rms_of_parts(calm_));
-    if (rough == nullptr) return;
-    rough_.emplace(hypothesis, *rough, base, ladder_segments(base));
-    if (!rough_->residuals(hypothesis_.neutral, rough_calm_)) rough_.reset();
   }
 
   bool valid() const { return valid_; }
@@ -216,9 +210,8 @@ class Ladder {
   std::optional<double> changed_by(std::size_t i, double way) {
     std::vector<double> own = others_;
     own[i] = value(i, way);
-    const std::vector<Eigen::VectorXd>& calm = rough_ ? rough_calm_ : calm_;
-    if (!(rough_ ? *rough_ : bench_).residuals(own, moved_)) return std::nullopt;
-    for (std::size_t k = 0; k < calm.size(); ++k) moved_[k] -= calm[k];
+    if (!bench_.residuals(own, moved_)) return std::nullopt;
+    for (std::size_t k = 0; k < calm_.size(); ++k) moved_[k] -= calm_[k];
     return rms_of_parts(moved_);
   }
 
@@ -234,7 +227,6 @@ class Ladder {
 
   const Hypothesis& hypothesis_;
   Bench bench_;
-  std::optional<Bench> rough_;
   double robot_size_;       ///< m; 0: a single point
   double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
   double direction_ = 1.0;  ///< of the way that is climbed: up or down
@@ -242,7 +234,7 @@ class Ladder {
   bool may_jump_;           ///< a foot that just touches leaves the ground at the smallest tilt
   std::vector<double> others_;
   bool valid_ = false;
-  std::vector<Eigen::VectorXd> calm_, rough_calm_, moved_;
+  std::vector<Eigen::VectorXd> calm_, moved_;
 };
 
 /// Each parameter that matters by itself; the others go to `shapes`. Whether any matters as much as the residual does.
@@ -346,8 +338,7 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
 std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
                                const std::map<std::string, double>& scales) {
   const TrialPredictor predictor(*hypothesis.model, base.trials, 1);
-  const RoughPredictor rough(hypothesis.definition, base, 1);
-  Ladder ladder(hypothesis, predictor, rough.predictor(), base);
+  Ladder ladder(hypothesis, predictor, base);
   if (!ladder.valid()) return {};
   std::vector<Probe> probes = sized_probes(ladder, hypothesis, scales);
   if (probes.empty()) return {};

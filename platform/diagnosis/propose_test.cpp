@@ -15,13 +15,6 @@ constexpr double kLongest = 10.0;  ///< s
 constexpr int kEvaluations = 24;
 constexpr double kWorthwhile = 1.0;  ///< nats a trial: less is not worth a trip to the rig
 constexpr double kMostTrips = 20.0;
-constexpr int kCoarser = 8;  ///< times fewer substeps: which test is the best one does not depend on the last digit
-
-std::unique_ptr<CompiledModel> coarse(const ModelDefinition& definition) {
-  EngineSettings engine = definition.engine;
-  engine.substeps = std::max(1, engine.substeps / kCoarser);
-  return compile(definition.structure, engine);
-}
 
 /// Its timing beside its values where that was fitted, too.
 RivalModel rival(const FittedRival& one, const CompiledModel& model, double command_interval) {
@@ -55,7 +48,8 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedR
   limit_to_trials(space, round.base.trials);
   TestConditions conditions = like_the_trials(round, space.control_period);
   const double interval = longest_command_interval(round.base.trials);
-  const std::unique_ptr<CompiledModel> first = coarse(one.definition), second = coarse(other.definition);
+  const std::unique_ptr<CompiledModel> first = compile(one.definition.structure, one.definition.engine),
+                                       second = compile(other.definition.structure, other.definition.engine);
   NextTestTask task{.catalog = catalog,
                     .rivals = {rival(one, *first, interval), rival(other, *second, interval)},
                     .noise = std::move(conditions.noise),

@@ -1,6 +1,5 @@
 #include "diagnosis/refit.h"
 
-#include "diagnosis/rough_predictor.h"
 #include "diagnosis/timing.h"
 
 #include <Eigen/Cholesky>
@@ -101,9 +100,7 @@ Refit refit(const RefittedModel& refitted, const BaseSolution& base, const RowBi
   const Timing timing = base.timing ? Timing::fitted : Timing::as_recorded;
   const TrialPredictor predictor(refitted.model, base.trials, threads, timing);
   const ParameterSpace space(base.timing ? with_timing(refitted.definition.free) : refitted.definition.free);
-  const RoughPredictor rough(refitted.definition, base, threads, timing);
   ShootingProblem shooting(predictor, space, base.segments, base.noise);
-  shooting.difference_by(rough.predictor());
   shooting.set_steps(known_steps(refitted, base, shooting.steps()));
   WhitenedProblem problem(shooting, bins, factors, timing);
   if (base.free_run) {

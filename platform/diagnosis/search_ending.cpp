@@ -4,10 +4,10 @@
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/conclusion.h"
 #include "diagnosis/feedback_bias.h"
+#include "diagnosis/jackknife.h"
 #include "diagnosis/propose_test.h"
 #include "diagnosis/segment_lengths.h"
 #include "diagnosis/selection.h"
-#include "diagnosis/steady_fit.h"
 
 #include <fmt/format.h>
 
@@ -74,20 +74,27 @@ class EndedSearch {
   void look_at_answer() {
     ending_.meter.add_parts(1);
     ending_.meter.begin_part("other lengths of segments");
-    const Refit steady = steady_fit(ending_.answer, ending_.last, ending_.cut.trials, task_.threads);
-    state_values(steady);
-    change_lengths(steady);
+    const Refit wary = wary_fit();
+    state_values(wary);
+    change_lengths(wary);
     if (result_.verdict == Verdict::effect_found) propose();
     ending_.meter.end_part();
   }
 
+  /// The last round's fit, with a covariance that errors of the model widen.
+  Refit wary_fit() const {
+    Refit fit = ending_.last.fit;
+    fit.covariance = wary_covariance(fit, ending_.last.folds);
+    return fit;
+  }
+
   /// What does not survive a change of segment length is less likely to be the answer.
-  void change_lengths(const Refit& steady) {
+  void change_lengths(const Refit& fit) {
     result_.lengths = refit_at_lengths(
         {{task_.definition, task_.model, task_.trials, task_.values, ending_.last.base.segment, task_.threads},
          ending_.answer,
          ending_.last,
-         steady,
+         fit,
          task_.threads});
     const LengthVerdict verdict =
         judge_lengths(result_.ranking.front().effects, ending_.last.base.segment, result_.lengths, task_.catalog);
@@ -96,18 +103,17 @@ class EndedSearch {
     result_.findings.insert(result_.findings.end(), verdict.findings.begin(), verdict.findings.end());
   }
 
-  /// Of the answer's effects and the model beside them, without the integrator's error.
-  void state_values(const Refit& steady) {
+  /// Of the answer's effects and the model beside them.
+  void state_values(const Refit& fit) {
     const Contender& answer = ending_.answer;
-    result_.values = own_values(answer.added, answer.definition, steady);
-    result_.ranking.front().effects = found_effects(answer.added, answer.definition, steady);
+    result_.values = own_values(answer.added, answer.definition, fit);
+    result_.ranking.front().effects = found_effects(answer.added, answer.definition, fit);
   }
 
   /// Of the model without what was found, if anything was, for it only makes up for a form.
   void state_values_alone() {
     if (ending_.answer.added.empty())
-      result_.values = own_values({}, ending_.plain.definition,
-                                  steady_fit(ending_.answer, ending_.last, ending_.cut.trials, task_.threads));
+      result_.values = own_values({}, ending_.plain.definition, wary_fit());
     else if (ending_.unaided)
       result_.values = own_values({}, ending_.plain.definition, ending_.unaided->fit);
   }

@@ -14,7 +14,7 @@ namespace lacuna {
 struct SearchEnding {
   const DiagnosisTask& task;
   const BaseSolution& cut;  ///< of the trials
-  const Contender& plain;   ///< the experiment's model, with substeps that suffice
+  const Contender& plain;   ///< the experiment's model
   const Contender& answer;
   const Rejudged& again;                  ///< the answer's last effect and its rivals, under the noise of `last`
   const Round& last;                      ///< of the answer: it found nothing more to add

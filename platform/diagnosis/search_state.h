@@ -52,8 +52,6 @@ struct SearchState {
   std::set<EffectNames> tried;                ///< models that were looked at
   std::map<EffectNames, Gain> gains;          ///< of models, over the one without any
   std::map<EffectNames, std::string> enough;  ///< of models that do with fewer effects: what a finding says of it
-  int substeps = 0;                           ///< that suffice ...
-  double substeps_for = 0.0;                  ///< s, ... for segments of this length
   std::vector<double> base_values;            ///< refitted, of the model without any
   bool law_leads = false;  ///< the first formula for it, over every single effect (outdone_library.h)
   Diagnosis so_far;

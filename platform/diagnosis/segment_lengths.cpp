@@ -1,8 +1,6 @@
 #include "diagnosis/segment_lengths.h"
 
-#include "diagnosis/integration_error.h"
 #include "diagnosis/selection.h"
-#include "diagnosis/sufficient_substeps.h"
 #include "fitting/stages.h"
 #include "foundation/address.h"
 #include "foundation/interrupt.h"
@@ -78,24 +76,14 @@ std::optional<NoiseModel> same_noise(const Round& last, const RowBins& bins, con
   return noise;
 }
 
-/// The contender, with as many substeps as these segments need: errors grow with the length.
-ModelDefinition definition_for(const LengthTask& task, const BaseSolution& base) {
-  ModelDefinition definition = task.contender.definition;
-  definition.engine.substeps = task.cut.definition.engine.substeps;
-  definition.engine.substeps = sufficient_substeps(definition, base, task.threads);
-  return definition;
-}
-
 Refit refit_over(const LengthTask& task, double length) {
   CutTask cut = task.cut;
   cut.segment = length;
   const Contender& contender = task.contender;
   BaseSolution base = cut_trials(cut, {contender.definition, *contender.model, task.fit.values, Moving::if_needed});
   base.timing = task.fit.timing;
-  const ModelDefinition definition = definition_for(task, base);
-  const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
-  correct_for_steps(definition, base, task.threads);
-  const TrialPredictor predictor(*model, base.trials, task.threads);
+  const ModelDefinition& definition = contender.definition;
+  const TrialPredictor predictor(*contender.model, base.trials, task.threads);
   const ParameterSpace space(definition.free);
   ShootingProblem problem(predictor, space, base.segments, base.noise);
   const RowBins bins(problem);
@@ -107,7 +95,7 @@ Refit refit_over(const LengthTask& task, double length) {
   if (!noise) return {};
   std::vector<std::size_t> places(base.values.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  return refit({definition, *model, places}, base, bins, noise_factors(*noise), {base.values}, task.threads);
+  return refit({definition, *contender.model, places}, base, bins, noise_factors(*noise), {base.values}, task.threads);
 }
 
 /// By how much the deviance grows where the effects get the answer's values and all else is fitted again.

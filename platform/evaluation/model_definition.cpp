@@ -35,6 +35,7 @@ ModelDefinition define_system(const SystemSource& source, const EngineSettings& 
   definition.engine = engine;
   RobotSpec& robot = definition.structure.robot;
   robot = build_robot(source, catalog, complaints);
+  if (definition.engine.engine.empty()) definition.engine.engine = engine_for(robot);
   if (robot.bodies.empty()) return definition;
   set_robot_values(robot, source, complaints);
   definition.free = free_robot_values(robot, source, complaints);
@@ -72,6 +73,7 @@ ModelDefinition define_target(const Experiment& experiment, const PluginCatalog&
   if (experiment.target.simulated.substeps > 0) engine.substeps = experiment.target.simulated.substeps;
   ModelDefinition definition = define_system(source, engine, catalog, complaints);
   RobotSpec& robot = definition.structure.robot;
+  if (definition.engine.engine == "articulated") definition.engine.engine = engine_for(robot);
   if (!robot.bodies.empty()) set_sensor_noise(robot, experiment.target.simulated.noise, complaints);
   place_effects(definition, source, catalog, complaints);
   complaints.throw_if_any();

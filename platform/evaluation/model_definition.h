@@ -48,7 +48,8 @@ struct SystemSource {
 ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& catalog);
 
 /// The same for the robot of a simulated target: its free values are those that the experiment hides, the sensors have
-/// the noise that it states, and the effects have their start values.
+/// the noise that it states, and the effects have their start values. The engine is that of the models, but "ode" where
+/// theirs cannot move it.
 ModelDefinition define_target(const Experiment& experiment, const PluginCatalog& catalog);
 
 }  // namespace lacuna

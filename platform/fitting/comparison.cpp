@@ -1,6 +1,6 @@
 #include "fitting/comparison.h"
 
-#include "fitting/head_fit.h"
+#include "fitting/free_run.h"
 #include "fitting/progress_meter.h"
 #include "fitting/scores.h"
 #include "fitting/stages.h"
@@ -34,13 +34,6 @@ std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
   return noise;
 }
 
-/// A free run of a whole trial.
-struct FreeRun {
-  StartEstimate start;
-  Eigen::Index first_scored = 0;
-  Prediction prediction;
-};
-
 class Comparer {
  public:
   explicit Comparer(const ComparisonTask& task)
@@ -63,6 +56,7 @@ class Comparer {
     name_unscored();
     name_coarse_steps();
     name_worse_than_written();
+    if (task_.cross_check) result_.cross_check = cross_check(task_, result_);
     result_.seconds = meter_.seconds();
     return std::move(result_);
   }
@@ -70,36 +64,11 @@ class Comparer {
  private:
   std::size_t trials() const { return task_.trials.size(); }
 
-  /// RMS over the scored time of what the start may be wrong by does to the prediction.
-  Eigen::VectorXd effect_of_start(std::size_t trial, const FreeRun& run, int worker) const {
-    const Stretch whole = predictor_.whole(trial);
-    Eigen::VectorXd squares = Eigen::VectorXd::Zero(run.prediction.samples.cols());
-    Prediction moved;
-    for (Eigen::Index axis = 0; axis < run.start.axes.cols(); ++axis) {
-      if (run.start.axes.col(axis).isZero(0.0)) continue;
-      predictor_.predict(whole, task_.values, moved_along(run.start, axis), worker, moved);
-      if (!moved.valid) continue;
-      const TimeSeries::Samples change = moved.samples - run.prediction.samples;
-      for (Eigen::Index c = 0; c < squares.size(); ++c)
-        squares(c) += std::pow(scored_rms(change, c, run.first_scored), 2);
-    }
-    return squares.cwiseSqrt();
-  }
-
-  FreeRun free_run(std::size_t trial, const std::vector<double>& values, int worker) const {
-    throw_if_interrupted();
-    const Stretch whole = predictor_.whole(trial);
-    FreeRun run;
-    run.start = fit_head(predictor_, states_, whole, values, worker);
-    run.first_scored = first_scored(predictor_, whole, run.start);
-    predictor_.predict(whole, values, run.start.start, worker, run.prediction);
-    return run;
-  }
-
   std::vector<FreeRun> free_runs(const std::vector<double>& values) const {
     std::vector<FreeRun> runs(trials());
-    parallel_for(trials(), predictor_.workers(),
-                 [&](std::size_t trial, int worker) { runs[trial] = free_run(trial, values, worker); });
+    parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
+      runs[trial] = free_run(predictor_, states_, trial, values, worker);
+    });
     return runs;
   }
 
@@ -108,7 +77,8 @@ class Comparer {
     std::vector<FreeRun> runs = free_runs(task_.values);
     from_start_.resize(trials());
     parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
-      if (runs[trial].prediction.valid) from_start_[trial] = effect_of_start(trial, runs[trial], worker);
+      if (runs[trial].prediction.valid)
+        from_start_[trial] = effect_of_start(predictor_, trial, task_.values, runs[trial], worker);
     });
     for (const FreeRun& run : runs) {
       const Trial& trial = task_.trials[result_.trials.size()];
@@ -201,8 +171,9 @@ class Comparer {
     for (const PooledScore& score : result_.pooled) {
       const double compared = std::fmax(score.floor, score.rmse);
       if (!score.held_out && score.numerical && *score.numerical > kCoarseSteps * compared)
-        result_.notes.push_back("the numerical error of " + score.channel +
-                                " is not small beside its error and floor; set more engine.substeps");
+        result_.notes.push_back(
+            "the numerical error of " + score.channel +
+            " is not small beside its error and floor; set more engine.substeps, or 0 for as many as needed");
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fitting/cross_check.h"
 #include "fitting/error_parts.h"
 #include "fitting/noise_floor.h"
 #include "fitting/progress.h"
@@ -24,6 +25,7 @@ struct ComparisonTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
+  bool cross_check = false;  ///< with the other engine
 };
 
 /// How well one channel is predicted, over the scored samples. Residual = measured − predicted.
@@ -96,6 +98,7 @@ struct Comparison {
   std::vector<TrialFloor> floors;       ///< one a trial
   double start_horizon =
       0.0;  ///< s; for so long a start from 50 ms of data stays within twice the noise; infinite: always
+  std::optional<CrossCheck> cross_check;  ///< where it was asked for
   std::vector<std::string> notes;
   double seconds = 0.0;
 };

@@ -10,7 +10,6 @@
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
-#include "fitting/step_shift.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -26,8 +25,7 @@ namespace {
 constexpr std::size_t kExploredSegments = 48;  ///< to choose among starting points
 constexpr std::size_t kStageSegments = 96;     ///< in the stages that lead to the last one
 constexpr std::size_t kAllSegments = std::numeric_limits<std::size_t>::max();
-constexpr double kClearlyBetter = 1e-2;  ///< likewise: a 200th of the residual
-constexpr double kBetter = 1e-4;         ///< of the objective, per sample: a 20 000th of the residual
+constexpr double kBetter = 1e-4;  ///< of the objective, per sample: a 20 000th of the residual
 constexpr double kNotFitted = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Trial> fit_trials(const std::vector<Trial>& trials) {
@@ -70,7 +68,7 @@ class Fitter {
     for (PlannedStage& stage : stages) {
       if (stage.automatic) find_horizon(stage, result_.stages.empty() ? kHead : result_.stages.back().segment);
       const bool last = &stage == &stages.back();
-      cut_into_segments(last ? predictor_ : *scout_, stage.length, last ? kAllSegments : kStageSegments);
+      cut_into_segments(stage.length, last ? kAllSegments : kStageSegments);
       refine_candidates(stage.name, last ? kFine : kMiddling);
       if (refined_ < kRivals) meter_.end_part();
       if (last) look_anew(stage.name);
@@ -114,20 +112,9 @@ class Fitter {
           horizon, head));
   }
 
-  /// The coarser model scouts where it can be simulated at all.
-  void choose_scout(const PlannedStage& stage) {
-    if (!task_.coarser) return;
-    coarser_ = std::make_unique<TrialPredictor>(*task_.coarser, predictor_.trials(), task_.threads);
-    cut_into_segments(*coarser_, stage.length, kExploredSegments);
-    std::vector<Eigen::VectorXd> residuals;
-    if (problem_->residuals(problem_->start(space_.to_coordinates(current_values())), residuals))
-      scout_ = coarser_.get();
-  }
-
   /// Tries all starting points, on a part of the data where there is plenty.
   void explore(const PlannedStage& stage) {
-    choose_scout(stage);
-    cut_into_segments(*scout_, stage.length, kExploredSegments);
+    cut_into_segments(stage.length, kExploredSegments);
     for (const Eigen::VectorXd& point :
          start_points(*problem_, space_, task_.definition.free, task_.options.starts, task_.seed)) {
       candidates_.emplace_back();
@@ -139,13 +126,13 @@ class Fitter {
     keep_rivals(candidates_, problem_->samples());
   }
 
-  void cut_into_segments(const TrialPredictor& predictor, double length, std::size_t most) {
-    std::vector<Segment> segments = thinned(make_segments(predictor, *states_, length, current_values()), most);
+  void cut_into_segments(double length, std::size_t most) {
+    std::vector<Segment> segments = thinned(make_segments(predictor_, *states_, length, current_values()), most);
     if (segments.empty())
       throw Error(
           "there is nothing to fit to: no stretch of the fit files holds more measured values than its start "
           "state has unknowns; check the mask, the time ranges and the columns");
-    auto next = std::make_unique<ShootingProblem>(predictor, space_, std::move(segments), result_.noise);
+    auto next = std::make_unique<ShootingProblem>(predictor_, space_, std::move(segments), result_.noise);
     if (problem_) next->set_steps(problem_->steps());
     finish_problem();
     problem_ = std::move(next);
@@ -197,16 +184,15 @@ class Fitter {
   void settle_heads(const PlannedStage& last) {
     candidates_.resize(1);
     const std::vector<Segment> before = problem_->segments();
-    cut_into_segments(predictor_, last.length, kAllSegments);
+    cut_into_segments(last.length, kAllSegments);
     if (same_starts(before, problem_->segments())) return;
     refine_candidates(last.name + ", once more", kFine);
     result_.stages.pop_back();
     record(last);
   }
 
-  JudgedValues judged(const TrialPredictor& predictor, std::string name, const std::vector<double>& values,
-                      const PlannedStage& last) const {
-    return ValueJudge{predictor, *states_, space_, result_.noise, last.length, *problem_, search(kFine)}.judge(
+  JudgedValues judged(std::string name, const std::vector<double>& values, const PlannedStage& last) const {
+    return ValueJudge{predictor_, *states_, space_, result_.noise, last.length, *problem_, search(kFine)}.judge(
         std::move(name), values);
   }
 
@@ -214,9 +200,9 @@ class Fitter {
   /// left out.
   std::vector<JudgedValues> others(const PlannedStage& last) {
     std::vector<JudgedValues> all;
-    all.push_back(judged(predictor_, "the start values", start_values(), last));
+    all.push_back(judged("the start values", start_values(), last));
     for (std::size_t i = 0; i + 1 < result_.stages.size(); ++i)
-      all.push_back(judged(predictor_, "the values of " + result_.stages[i].name, result_.stages[i].values, last));
+      all.push_back(judged("the values of " + result_.stages[i].name, result_.stages[i].values, last));
     std::stable_sort(all.begin(), all.end(),
                      [](const JudgedValues& a, const JudgedValues& b) { return a.objective() < b.objective(); });
     return all;
@@ -225,37 +211,15 @@ class Fitter {
   /// The one place where a fit's result is chosen: where the start or another stage fits better than what the last
   /// search ended with, the search begins there again, and the best of all wins, as it is or refined.
   void let_best_win(const PlannedStage& last) {
-    const JudgedValues found = judged(predictor_, "", current_values(), last);
+    const JudgedValues found = judged("", current_values(), last);
     std::vector<JudgedValues> all = others(last);
     JudgedValues& best = all.front();
     if (best.objective() < found.objective() - kBetter) go_on_from(best, last);
     count_in(found);
     for (const JudgedValues& one : all) count_in(one);
-    keep_start_if_steps_decide(last);
   }
 
   std::vector<double> start_values() const { return as_written(task_.definition).parameters(); }
-
-  /// A search may find values under which the integrator's error makes up for the residual. The start stays where it
-  /// fits better in shorter steps.
-  void keep_start_if_steps_decide(const PlannedStage& last) {
-    if (!task_.finer) return;
-    const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
-    const JudgedValues found = judged(finer, "", current_values(), last);
-    const JudgedValues there = judged(finer, "", start_values(), last);
-    count_in(found);
-    count_in(there);
-    if (!(there.objective() < found.objective() - kClearlyBetter)) return;
-    JudgedValues start = judged(predictor_, "the start values", start_values(), last);
-    if (!start.candidate.valid) return;
-    const double before = candidates_.front().residual;
-    take(start, last);
-    result_.notes.push_back(fmt::format(
-        "the start values are kept: with twice the substeps they fit better ({:.3g} × the sensor noise) than what the "
-        "search found ({:.3g} ×), which is better ({:.3g} × against {:.3g} ×) only by the error of the integration "
-        "step; set more engine.substeps and fit again",
-        there.candidate.residual, found.candidate.residual, before, candidates_.front().residual));
-  }
 
   void count_in(const JudgedValues& judged) {
     if (!judged.problem) return;
@@ -268,7 +232,7 @@ class Fitter {
     meter_.add_parts(1);
     const std::vector<Candidate> refined =
         refine_all(*best.problem, {best.candidate.values}, search(kFine), meter_, last.name + ", from " + best.name);
-    JudgedValues further = judged(predictor_, best.name, space_.to_values(refined.front().values), last);
+    JudgedValues further = judged(best.name, space_.to_values(refined.front().values), last);
     const bool is_further = further.objective() < best.objective();
     if (is_further) further.candidate.search.iterations = refined.front().search.iterations;
     if (is_further) further.candidate.search.converged = refined.front().search.converged;
@@ -314,20 +278,9 @@ class Fitter {
       result_.notes.push_back(
           fmt::format("the last stage stopped after {} iterations without converging; raise fit.max_iterations",
                       best.search.iterations));
-    const Eigen::VectorXd shift = shift_of_steps(best, jacobians, known);
-    enter_values({space_, task_.definition.free, best.values, known, shift}, result_);
+    enter_values({space_, task_.definition.free, best.values, known}, result_);
     for (std::string& sentence : drift_sentences(result_.stages, result_.values, task_.definition.free))
       result_.notes.push_back(std::move(sentence));
-  }
-
-  /// What the integration step has moved the values by; 0 where there is no finer model or it fails.
-  Eigen::VectorXd shift_of_steps(const Candidate& best, const std::vector<SegmentJacobian>& jacobians,
-                                 const Uncertainty& known) {
-    Eigen::VectorXd none = Eigen::VectorXd::Zero(space_.size());
-    if (!task_.finer) return none;
-    const TrialPredictor finer(*task_.finer, predictor_.trials(), task_.threads);
-    return step_shift(*problem_, finer, best.search.point, best.search.residuals, jacobians, loss_, known)
-        .value_or(none);
   }
 
   void finish_problem() {
@@ -342,8 +295,6 @@ class Fitter {
   RobustLoss loss_;
   FitResult result_;
   TrialPredictor predictor_;
-  std::unique_ptr<TrialPredictor> coarser_;
-  const TrialPredictor* scout_ = &predictor_;  ///< serves all that comes before the last stage
   ParameterSpace space_;
   std::unique_ptr<StartStates> states_;
   std::unique_ptr<ShootingProblem> problem_;
@@ -363,13 +314,6 @@ std::vector<double> FitResult::parameters() const {
 FitResult fit(const FitTask& task) {
   if (task.definition.free.empty()) return as_written(task.definition);
   return Fitter(task).run();
-}
-
-std::unique_ptr<CompiledModel> compile_coarser(const ModelDefinition& definition) {
-  if (definition.engine.substeps <= 1) return nullptr;
-  EngineSettings coarser = definition.engine;
-  coarser.substeps = 1;
-  return compile(definition.structure, coarser);
 }
 
 FitResult as_written(const ModelDefinition& definition) {

@@ -21,16 +21,9 @@ struct FitTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
-  /// The same model with fewer substeps (`compile_coarser`), in which minima are looked for before `model` refines
-  /// them; null: `model` does both.
-  const CompiledModel* coarser = nullptr;
-  /// The same model with twice the substeps (`compile_finer`), which tells what the integration step does to the
-  /// values (`step_shift`); null: intervals leave that out.
-  const CompiledModel* finer = nullptr;
 };
 
-/// A free value after the fit. Intervals take into account that residuals are correlated in time; where
-/// `FitTask::finer` is given they reach as far as the integration step has moved the value.
+/// A free value after the fit. Intervals take into account that residuals are correlated in time.
 struct FittedValue {
   std::string address;
   std::string unit;
@@ -88,9 +81,6 @@ struct FitResult {
 /// (multiple shooting); D. W. Marquardt, 1963; P. J. Huber, 1964; H. White, 1982, and A. C. Cameron and
 /// D. L. Miller, 2015 (covariance by blocks).
 FitResult fit(const FitTask& task);
-
-/// The definition compiled without substeps; null where it has none to leave out.
-std::unique_ptr<CompiledModel> compile_coarser(const ModelDefinition& definition);
 
 /// The result of not fitting (`--as-is`): values as they stand, no intervals.
 FitResult as_written(const ModelDefinition& definition);

@@ -1,15 +1,9 @@
 #include "fitting/fitted_values.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace lacuna {
 namespace {
-
-constexpr double kNoticedShift = 0.25;  ///< of half an interval, from which the integration step is named
 
 /// Half an interval, in coordinates of the space.
 double half_interval(const Uncertainty& known, Eigen::Index j) {
@@ -24,26 +18,10 @@ void enter_interval(const FoundValues& found, Eigen::Index j, FittedValue& value
     value.upper_95 = free.upper;
     return;
   }
-  const double half = half_interval(found.known, j), shift = found.shift(j);
+  const double half = half_interval(found.known, j);
   value.standard_error = std::sqrt(found.known.covariance(j, j)) * found.space.slope(j, found.best(j));
-  const double down = half + std::max(0.0, -shift), up = half + std::max(0.0, shift);
-  value.lower_95 = found.space.logarithmic(j) ? value.value * std::exp(-down) : value.value - down;
-  value.upper_95 = found.space.logarithmic(j) ? value.value * std::exp(up) : value.value + up;
-}
-
-void note_shifts(const FoundValues& found, FitResult& result) {
-  std::vector<std::string> shifts;
-  for (Eigen::Index j = 0; j < found.space.size(); ++j) {
-    if (!(std::abs(found.shift(j)) > kNoticedShift * half_interval(found.known, j))) continue;
-    const double moved =
-        found.space.to_value(j, found.best(j) + found.shift(j)) - found.space.to_value(j, found.best(j));
-    shifts.push_back(fmt::format("{} by {:+.2g}", found.free[static_cast<std::size_t>(j)].address, moved));
-  }
-  if (shifts.empty()) return;
-  result.notes.push_back(
-      fmt::format("integration in infinitely short steps would move {}; the intervals reach as far, more substeps make "
-                  "them narrower",
-                  fmt::join(shifts, ", ")));
+  value.lower_95 = found.space.logarithmic(j) ? value.value * std::exp(-half) : value.value - half;
+  value.upper_95 = found.space.logarithmic(j) ? value.value * std::exp(half) : value.value + half;
 }
 
 }  // namespace
@@ -68,7 +46,6 @@ void enter_values(const FoundValues& found, FitResult& result) {
     value.identified = found.known.determined[i];
     if (!value.at_lower_bound && !value.at_upper_bound) enter_interval(found, j, value);
   }
-  note_shifts(found, result);
 }
 
 }  // namespace lacuna

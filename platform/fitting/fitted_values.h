@@ -16,12 +16,10 @@ struct FoundValues {
   const std::vector<FreeValue>& free;
   const Eigen::VectorXd& best;  ///< in coordinates of the space
   const Uncertainty& known;
-  const Eigen::VectorXd& shift;  ///< by which shorter integration steps would move them (step_shift.h)
 };
 
 /// Enters values, 95 % intervals and covariance into a result, in SI units: Student's t on the coordinates of the
-/// space, wider by the shift. Of values at a bound there are none; those of values that the data do not determine are
-/// their bounds. Shifts that are not small beside an interval make a note.
+/// space. Of values at a bound there are none; those of values that the data do not determine are their bounds.
 void enter_values(const FoundValues& found, FitResult& result);
 
 }  // namespace lacuna

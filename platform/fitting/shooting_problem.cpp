@@ -90,15 +90,15 @@ ResidualPlace ShootingProblem::place(std::size_t k, Eigen::Index row) const {
           channel_of_[trial][static_cast<std::size_t>(segment.columns[i])]};
 }
 
-bool ShootingProblem::segment_residuals(const TrialPredictor& predictor, std::size_t k, const Eigen::VectorXd& values,
-                                        const Eigen::VectorXd& state, int worker, Eigen::VectorXd& residuals) {
+bool ShootingProblem::segment_residuals(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& state,
+                                        int worker, Eigen::VectorXd& residuals) {
   throw_if_interrupted();
   const Segment& segment = segments_[k];
   StartState start = segment.start;
   for (std::size_t j = 0; j < segment.unknown.size(); ++j)
     set_component(start, segment.unknown[j], state(static_cast<Eigen::Index>(j)));
   Prediction& prediction = predictions_[static_cast<std::size_t>(worker)];
-  predictor.predict(segment.stretch, space_.to_values(values), start, worker, prediction);
+  predictor_.predict(segment.stretch, space_.to_values(values), start, worker, prediction);
   ++simulations_;
   if (!prediction.valid) {
     ++invalid_;
@@ -120,31 +120,17 @@ bool ShootingProblem::segment_residuals(const TrialPredictor& predictor, std::si
   return true;
 }
 
-std::string ShootingProblem::simulate(const TrialPredictor& predictor, const FitPoint& point,
-                                      std::vector<Eigen::VectorXd>& residuals) {
+bool ShootingProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
   residuals.resize(segments_.size());
   std::vector<std::string> failures(segments_.size());
-  parallel_for(segments_.size(), predictor.workers(), [&](std::size_t k, int worker) {
-    if (!segment_residuals(predictor, k, point.values, point.states[k], worker, residuals[k]))
+  parallel_for(segments_.size(), predictor_.workers(), [&](std::size_t k, int worker) {
+    if (!segment_residuals(k, point.values, point.states[k], worker, residuals[k]))
       failures[k] = predictions_[static_cast<std::size_t>(worker)].reason + " ";
   });
   const auto failed = std::find_if(failures.begin(), failures.end(), [](const std::string& f) { return !f.empty(); });
-  return failed == failures.end() ? "" : *failed;
-}
-
-bool ShootingProblem::residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) {
-  const std::string failure = simulate(predictor_, point, residuals);
-  if (failure.empty()) return true;
-  reason_ = failure;
+  if (failed == failures.end()) return true;
+  reason_ = *failed;
   return false;
-}
-
-std::vector<ShootingProblem::Origin> ShootingProblem::origins(const FitPoint& point,
-                                                              const std::vector<Eigen::VectorXd>& residuals) {
-  std::vector<Origin> all{{predictor_, point, residuals}};
-  if (rough_ != nullptr && simulate(*rough_, point, rough_residuals_).empty())
-    all.push_back({*rough_, point, rough_residuals_});
-  return all;
 }
 
 void ShootingProblem::linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
@@ -154,7 +140,7 @@ void ShootingProblem::linearize(const FitPoint& point, const std::vector<Eigen::
     jacobians[k].values.resize(residuals[k].size(), space_.size());
     jacobians[k].state.resize(residuals[k].size(), segments_[k].deviation.size());
   }
-  differentiate(origins(point, residuals), columns_, jacobians);
+  differentiate({point, residuals}, columns_, jacobians);
 }
 
 void ShootingProblem::linearize_states(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
@@ -166,22 +152,22 @@ void ShootingProblem::linearize_states(const FitPoint& point, const std::vector<
   }
   std::vector<Column> columns = columns_;
   std::erase_if(columns, [&](const Column& column) { return is_shared(column); });
-  differentiate(origins(point, residuals), std::move(columns), jacobians);
+  differentiate({point, residuals}, std::move(columns), jacobians);
 }
 
 void ShootingProblem::linearize_finely(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                                        std::vector<SegmentJacobian>& jacobians) {
   linearize(point, residuals, jacobians);  // finds the steps
-  difference(origins(point, residuals), columns_, true, jacobians);
+  difference({point, residuals}, columns_, true, jacobians);
 }
 
-void ShootingProblem::differentiate(const std::vector<Origin>& origins, std::vector<Column> columns,
+void ShootingProblem::differentiate(const Origin& origin, std::vector<Column> columns,
                                     std::vector<SegmentJacobian>& jacobians) {
   double sum = 0.0;
-  for (const Eigen::VectorXd& residual : origins.front().residuals) sum += residual.squaredNorm();
+  for (const Eigen::VectorXd& residual : origin.residuals) sum += residual.squaredNorm();
   const double target = kWantedChange * std::max(noise_over_scale(), rms(sum, static_cast<double>(samples_)));
   for (int round = 0; round < kStepRounds && !columns.empty(); ++round) {
-    difference(origins, columns, false, jacobians);
+    difference(origin, columns, false, jacobians);
     const std::vector<bool> again = adapt_steps(jacobians, columns, target);
     std::erase_if(columns, [&](const Column& column) { return !again[kind(column)]; });
   }
@@ -199,17 +185,14 @@ std::size_t ShootingProblem::kind(const Column& column) const {
   return static_cast<std::size_t>(space_.size() + segments_[column.segment].unknown[which]);
 }
 
-void ShootingProblem::difference(const std::vector<Origin>& origins, const std::vector<Column>& columns, bool central,
+void ShootingProblem::difference(const Origin& origin, const std::vector<Column>& columns, bool central,
                                  std::vector<SegmentJacobian>& jacobians) {
   parallel_for(columns.size(), predictor_.workers(), [&](std::size_t i, int worker) {
     const Column& column = columns[i];
     SegmentJacobian& jacobian = jacobians[column.segment];
     auto derivative =
         is_shared(column) ? jacobian.values.col(column.index) : jacobian.state.col(column.index - space_.size());
-    const bool valid = std::any_of(origins.rbegin(), origins.rend(), [&](const Origin& origin) {
-      return difference_column(origin, column, central, worker, derivative);
-    });
-    if (!valid) derivative.setZero();
+    if (!difference_column(origin, column, central, worker, derivative)) derivative.setZero();
   });
 }
 
@@ -227,7 +210,7 @@ bool ShootingProblem::difference_column(const Origin& origin, const Column& colu
   const auto evaluate = [&](double offset, Eigen::VectorXd& shifted) {
     moving = at + offset;
     const bool inside = !shared || (moving >= lower()(j) && moving <= upper()(j));
-    return inside && segment_residuals(origin.predictor, column.segment, values, state, worker, shifted);
+    return inside && segment_residuals(column.segment, values, state, worker, shifted);
   };
   const bool forward = evaluate(step, ahead);
   const bool backward = (central || !forward) && evaluate(-step, behind);

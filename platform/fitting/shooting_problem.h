@@ -43,10 +43,6 @@ class ShootingProblem : public SegmentedProblem {
   void linearize_states(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                         std::vector<SegmentJacobian>& jacobians);
 
-  /// Derivatives become differences of this predictor's simulations, of the same model and trials with coarser steps
-  /// and as many workers, where these are valid. It must outlive the problem; null: of the problem's own.
-  void difference_by(const TrialPredictor* rough) { rough_ = rough; }
-
   const std::vector<Segment>& segments() const { return segments_; }
   /// The point with every start state at its guess.
   FitPoint start(const Eigen::VectorXd& values) const;
@@ -79,23 +75,17 @@ class ShootingProblem : public SegmentedProblem {
 
   /// What differences start from.
   struct Origin {
-    const TrialPredictor& predictor;
     const FitPoint& point;
-    const std::vector<Eigen::VectorXd>& residuals;  ///< of that predictor at that point
+    const std::vector<Eigen::VectorXd>& residuals;  ///< at that point
   };
 
-  bool segment_residuals(const TrialPredictor& predictor, std::size_t k, const Eigen::VectorXd& values,
-                         const Eigen::VectorXd& state, int worker, Eigen::VectorXd& residuals);
-  /// Why it failed; empty if it did not.
-  std::string simulate(const TrialPredictor& predictor, const FitPoint& point, std::vector<Eigen::VectorXd>& residuals);
+  bool segment_residuals(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& state, int worker,
+                         Eigen::VectorXd& residuals);
   std::size_t kind(const Column& column) const;
   bool is_shared(const Column& column) const { return column.index < space_.size(); }
-  /// The most accurate one first, then a rough one if there is one that is valid.
-  std::vector<Origin> origins(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals);
   /// Of these columns, with steps that follow the residual.
-  void differentiate(const std::vector<Origin>& origins, std::vector<Column> columns,
-                     std::vector<SegmentJacobian>& jacobians);
-  void difference(const std::vector<Origin>& origins, const std::vector<Column>& columns, bool central,
+  void differentiate(const Origin& origin, std::vector<Column> columns, std::vector<SegmentJacobian>& jacobians);
+  void difference(const Origin& origin, const std::vector<Column>& columns, bool central,
                   std::vector<SegmentJacobian>& jacobians);
   bool difference_column(const Origin& origin, const Column& column, bool central, int worker,
                          Eigen::Ref<Eigen::VectorXd> derivative);
@@ -106,7 +96,6 @@ class ShootingProblem : public SegmentedProblem {
   double noise_over_scale() const;
 
   const TrialPredictor& predictor_;
-  const TrialPredictor* rough_ = nullptr;
   const ParameterSpace& space_;
   std::vector<Segment> segments_;
   const std::vector<ChannelNoise>& noise_;
@@ -114,8 +103,7 @@ class ShootingProblem : public SegmentedProblem {
   std::vector<double> scales_;
   std::vector<double> steps_;  ///< of differences: shared values, then the components of a start state
   std::vector<Column> columns_;
-  std::vector<Prediction> predictions_;           ///< one a worker
-  std::vector<Eigen::VectorXd> rough_residuals_;  ///< where differences were taken last
+  std::vector<Prediction> predictions_;  ///< one a worker
   std::size_t samples_ = 0;
   std::atomic<std::uint64_t> simulations_{0}, invalid_{0};
   std::string reason_;

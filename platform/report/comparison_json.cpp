@@ -82,6 +82,13 @@ ordered_json document(const FitResult& fit) {
   return {{"values", values}, {"stages", stages}, {"cannot_tell", fit.cannot_tell}, {"notes", fit.notes}};
 }
 
+ordered_json document(const CrossCheck& check) {
+  ordered_json channels = ordered_json::array();
+  for (const EngineDistance& one : check.channels)
+    channels.push_back({{"channel", one.channel}, {"unit", one.unit}, {"apart", one.apart}, {"error", one.error}});
+  return {{"engine", check.engine}, {"substeps", check.substeps}, {"channels", channels}, {"left_out", check.left_out}};
+}
+
 }  // namespace
 
 std::string comparison_json(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit,
@@ -89,15 +96,16 @@ std::string comparison_json(const ComparisonHeading& heading, const Comparison& 
   ordered_json trials = ordered_json::array(), pooled = ordered_json::array();
   for (const TrialComparison& trial : comparison.trials) trials.push_back(document(trial));
   for (const PooledScore& score : comparison.pooled) pooled.push_back(document(score));
-  const ordered_json whole = {{"experiment", heading.experiment},
-                              {"held_out_look", heading.look},
-                              {"refitted", heading.refitted},
-                              {"fit", document(fit)},
-                              {"pooled", pooled},
-                              {"trials", trials},
-                              {"findings", findings_json(where)},
-                              {"where", where_json(where)},
-                              {"notes", comparison.notes}};
+  ordered_json whole = {{"experiment", heading.experiment},
+                        {"held_out_look", heading.look},
+                        {"refitted", heading.refitted},
+                        {"fit", document(fit)},
+                        {"pooled", pooled},
+                        {"trials", trials},
+                        {"findings", findings_json(where)},
+                        {"where", where_json(where)},
+                        {"notes", comparison.notes}};
+  if (comparison.cross_check) whole["cross_check"] = document(*comparison.cross_check);
   return whole.dump(2) + "\n";
 }
 

@@ -134,6 +134,16 @@ std::string comparison_text(const ComparisonHeading& heading, const Comparison& 
   return text;
 }
 
+std::string cross_check_text(const CrossCheck& check) {
+  std::string text = fmt::format("cross-check with {} ({} steps in each, extrapolated to infinitely many):\n",
+                                 check.engine, check.substeps);
+  for (const EngineDistance& one : check.channels)
+    text += fmt::format("  {}: {} apart, {:.2g} of the error\n", one.channel, quantity(one.apart, one.unit),
+                        one.apart / one.error);
+  for (const std::string& reason : check.left_out) text += "  left out: " + reason + "\n";
+  return text;
+}
+
 std::string fit_text(const FitResult& fit) {
   std::vector<std::vector<std::string>> rows;
   for (const FittedValue& value : fit.values) {

@@ -20,6 +20,9 @@ struct ComparisonHeading {
 /// the floor's origin, the numerical share, and restarted horizons; see METHOD's sketch.
 std::string comparison_text(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit);
 
+/// How far the two engines are apart, a line a channel.
+std::string cross_check_text(const CrossCheck& check);
+
 /// The values of a fit with their 95 % intervals, and what the data cannot tell.
 std::string fit_text(const FitResult& fit);
 

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 4;  ///< to be counted up when the state, or the search that follows from it, changes
+constexpr int kFormat = 5;  ///< to be counted up when the state, or the search that follows from it, changes
 
 ordered_json entries_json(const std::vector<EffectEntry>& entries) {
   ordered_json all = ordered_json::array();
@@ -65,8 +65,6 @@ SearchState read_state(const ordered_json& whole) {
     state.gains[one.at("effects").get<EffectNames>()] = read_gain(one.at("gain"));
   for (const ordered_json& one : whole.at("enough"))
     state.enough[one.at("effects").get<EffectNames>()] = one.at("finding");
-  state.substeps = whole.at("substeps");
-  state.substeps_for = whole.at("substeps_for_s");
   state.base_values = whole.at("base_values").get<std::vector<double>>();
   state.law_leads = whole.at("law_leads");
   state.so_far = read_diagnosis(whole.at("so_far").dump());
@@ -92,8 +90,6 @@ std::string search_state_json(const SearchState& state) {
                               {"tried", state.tried},
                               {"gains", gains},
                               {"enough", enough},
-                              {"substeps", state.substeps},
-                              {"substeps_for_s", state.substeps_for},
                               {"base_values", state.base_values},
                               {"law_leads", state.law_leads},
                               {"so_far", ordered_json::parse(diagnosis_json(state.so_far))}};

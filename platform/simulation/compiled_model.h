@@ -103,8 +103,12 @@ class CompiledModel {
                         Workspace& workspace, SimulationResult& result) const = 0;
 };
 
-/// Compiles for the engine that the settings name. Throws `Error`: unknown engine, addresses that
-/// match nothing, a robot that is not a forest, values out of bounds.
+/// The engine that moves a robot where the settings leave it open: "articulated", but "ode" where bodies may touch the
+/// ground.
+std::string engine_for(const RobotSpec& robot);
+
+/// Compiles for the engine that the settings name; what they leave open is `engine_for` the robot and one substep.
+/// Throws `Error`: unknown engine, addresses that match nothing, a robot that is not a forest, values out of bounds.
 std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings);
 
 }  // namespace lacuna

@@ -227,9 +227,9 @@ std::vector<std::string> copy_what_fits(const Database& from, Database& to, std:
 /// Of texts whose file's name is without its folder now.
 void renew_digests(const Database& to) {
   std::vector<std::pair<std::int64_t, std::string>> digests;
-  Statement texts(to, "SELECT id, file, text, overrides FROM experiment_text");
+  Statement texts(to, "SELECT id, file, text, overrides, decided FROM experiment_text");
   while (texts.step())
-    digests.emplace_back(texts.integer(0), digest_of_text(texts.text(1), texts.text(2), texts.text(3)));
+    digests.emplace_back(texts.integer(0), digest_of_text(texts.text(1), texts.text(2), texts.text(3), texts.text(4)));
   Statement renew(to, "UPDATE OR IGNORE experiment_text SET digest = ? WHERE id = ?");
   for (const auto& [id, digest] : digests) renew.run_with(digest, id);
 }

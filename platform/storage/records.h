@@ -60,6 +60,7 @@ struct ExperimentRecord {
   std::string file;  ///< as the user named it
   std::string text;
   std::vector<std::string> overrides;
+  std::vector<std::string> decided = {};  ///< see `Experiment::decided`
 };
 
 struct FreeValueRecord {

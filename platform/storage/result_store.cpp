@@ -125,11 +125,13 @@ ExperimentId ResultStore::record_experiment(const ExperimentRecord& record) {
     Statement(database_, "INSERT INTO experiment (id, name) VALUES (?, ?)").run_with(*experiment, record.name);
   }
   const std::string overrides = sentences_text(record.overrides);
-  const std::string digest = digest_of_text(record.file, record.text, overrides);
+  const std::string decided = sentences_text(record.decided);
+  const std::string digest = digest_of_text(record.file, record.text, overrides, decided);
   Statement(database_,
-            "INSERT INTO experiment_text (id, experiment, digest, file, text, overrides) VALUES (?, ?, ?, ?, ?, ?)"
+            "INSERT INTO experiment_text (id, experiment, digest, file, text, overrides, decided)"
+            " VALUES (?, ?, ?, ?, ?, ?, ?)"
             " ON CONFLICT (experiment, digest) DO NOTHING")
-      .run_with(next_id("experiment_text"), *experiment, digest, record.file, record.text, overrides);
+      .run_with(next_id("experiment_text"), *experiment, digest, record.file, record.text, overrides, decided);
   Statement(database_,
             "UPDATE run SET experiment_text = (SELECT id FROM experiment_text WHERE experiment = ? AND digest = ?)"
             " WHERE number = ?")

@@ -9,7 +9,8 @@
 namespace lacuna {
 
 /// What is stored with the text of an experiment. `overrides`: as they stand in the database.
-std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides);
+std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides,
+                           const std::string& decided);
 
 /// What a run was started from: enough to run it again.
 struct StoredRun {

@@ -22,7 +22,7 @@ class PendulumRounds : public testing::Test {
     experiment_.noise = {};
     experiment_.model.effects = {};
     const ModelDefinition definition = define_model(experiment_, built_catalog());
-    model_ = plain(experiment_, built_catalog(), definition.start_values(), 8);
+    model_ = plain(experiment_, built_catalog(), definition.start_values());
   }
 
   Round round_of(const Contender& contender, const PendulumTruth& truth, const std::vector<std::string>& among) {

@@ -14,7 +14,8 @@ using testing::ElementsAre;
 Contender bare() {
   Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
   experiment.model.effects.clear();
-  Contender model = plain(experiment, built_catalog(), {}, 4);
+  experiment.engine.substeps = 1;
+  Contender model = plain(experiment, built_catalog(), {});
   model.values = model.definition.start_values();
   return model;
 }

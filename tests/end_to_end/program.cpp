@@ -88,7 +88,6 @@ void Program::copy_outside_targets() const {
 void Program::copy_light_servo_pendulum() const {
   copy_servo_pendulum();
   std::string text = read("servo-pendulum.toml");
-  text = std::regex_replace(text, std::regex("substeps = 8"), "substeps = 4");
   text = std::regex_replace(text, std::regex("starts = 2"), "starts = 1");
   write("servo-pendulum.toml", text);
 }

@@ -27,7 +27,7 @@ class Program {
   const std::filesystem::path& folder() const { return folder_; }
   /// Copies experiments/servo-pendulum.toml with its robot and recordings.
   void copy_servo_pendulum() const;
-  /// The same with half the substeps and one start, for tests that do not depend on the last tenth of the floor.
+  /// The same with one start.
   void copy_light_servo_pendulum() const;
   /// Copies experiments/first-steps.toml with its robot and recordings: a fit of it takes a second or two.
   void copy_first_steps() const;

@@ -152,34 +152,6 @@ TEST(Fit, HorizonInSecondsAndAutomaticHorizonCutTheLastStage) {
   EXPECT_THAT(last.name, HasSubstr("automatic horizon"));
 }
 
-/// A spring whose integrator brakes it like a damper of its own, in proportion to its step, as implicit ones do.
-OneJointModel::Acceleration spring_in_steps(double braking) {
-  return
-      [braking](std::span<const double> p, double q, double v, double u) { return u - (p[0] + braking) * v - 4.0 * q; };
-}
-
-TEST(Fit, IntervalsReachAsFarAsTheIntegrationStepHasMovedTheValue) {
-  const double truth = 0.5, braking = 0.05;
-  const OneJointModel exact(spring_in_steps(0.0)), steps(spring_in_steps(braking)),
-      half_steps(spring_in_steps(0.5 * braking));
-  const ModelDefinition definition = define({free_value("joint.hinge.damping", 0.1, 0.0, 10.0)}, one_joint_robot());
-  const std::vector<Trial> trials = {
-      record(exact, {truth}, regular_times(1001, 200.0), two_sines(5.0, 1.5), {{0.3}, {0.0}}, kNoise, 3)};
-  FitTask task{definition, steps, trials, {}, 1, 2};
-  const FitResult without = fit(task);
-  task.finer = &half_steps;
-  const FitResult with = fit(task);
-
-  const FittedValue& value = with.values[0];
-  EXPECT_NEAR(value.value, truth - braking, 0.2 * braking);
-  EXPECT_EQ(value.value, without.values[0].value);
-  EXPECT_LT(without.values[0].upper_95, truth);
-  EXPECT_EQ(value.lower_95, without.values[0].lower_95);
-  EXPECT_NEAR(value.upper_95 - without.values[0].upper_95, braking, 0.1 * braking);
-  EXPECT_GT(value.upper_95, truth);
-  EXPECT_THAT(with.notes, testing::Contains(HasSubstr("would move joint.hinge.damping by +0.05")));
-}
-
 TEST(Fit, OneSampleIsNothingToFitTo) {
   try {
     fit_pendulum({pendulum_trial(0.0, kNoise, 3)});
@@ -213,35 +185,6 @@ TEST(Fit, InvalidSimulationsInsideTheSearchDoNotEndIt) {
   const FitResult result = fit({definition, model, trials, {}, 1, 2});
   expect_truth(result, 0.05);
   EXPECT_GT(result.invalid_simulations, 0u);
-}
-
-/// The pendulum, counting how often its acceleration was asked for.
-OneJointModel counted_pendulum(std::atomic<long>& count) {
-  return OneJointModel([&count](std::span<const double> values, double q, double v, double u) {
-    ++count;
-    return pendulum(values, q, v, u);
-  });
-}
-
-TEST(Fit, ACoarserModelFindsTheMinimumThatTheModelItselfRefines) {
-  const OneJointModel coarser([](std::span<const double> values, double q, double v, double u) {
-    return 1.02 * pendulum(values, q, v, u);  // an error that would be seen in the result
-  });
-  const ModelDefinition definition = pendulum_definition();
-  const std::vector<Trial> trials = {pendulum_trial(8.0, kNoise, 3)};
-  std::atomic<long> alone = 0, refining = 0;
-  fit({definition, counted_pendulum(alone), trials, {}, 1, 2});
-  const FitResult result = fit({definition, counted_pendulum(refining), trials, {}, 1, 2, {}, &coarser});
-  expect_truth(result, 0.01);
-  EXPECT_LT(refining, alone / 2);
-}
-
-TEST(Fit, DoesWithoutACoarserModelThatCannotBeSimulated) {
-  const OneJointModel model(pendulum);
-  const OneJointModel broken([](std::span<const double>, double, double, double) { return std::nan(""); });
-  const ModelDefinition definition = pendulum_definition();
-  const std::vector<Trial> trials = {pendulum_trial(8.0, kNoise, 3)};
-  expect_truth(fit({definition, model, trials, {}, 1, 2, {}, &broken}), 0.02);
 }
 
 TEST(Fit, SaysWhenNoStartCanBeSimulated) {

@@ -113,7 +113,6 @@ TEST_F(NewCommand, DraftsTheServoPendulum) {
   EXPECT_THAT(outcome.out, HasSubstr("chirp.csv (the last file)"));
   EXPECT_THAT(outcome.out, HasSubstr("rig-robot.toml:8  mass = \"FILL IN kg\"\n"));
   EXPECT_THAT(text_of(rig()), HasSubstr("noise: step 3.07 mrad/√12"));  // 2048 counts a turn
-  EXPECT_THAT(text_of(rig()), HasSubstr("\nsubsteps = 4 "));
   const Recording recording = expect_a_draft_that_works();
   ASSERT_EQ(recording.trials.size(), 3u);
   EXPECT_TRUE(recording.trials[2].held_out);

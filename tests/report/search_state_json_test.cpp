@@ -21,8 +21,6 @@ SearchState state() {
   state.tried = {{}, {"coulomb_friction @ joint.hinge"}, {"a @ world", "b @ joint.hinge"}};
   state.gains[{"coulomb_friction @ joint.hinge"}] = {11.0, 1.5, 8.0, 14.0};
   state.enough[{"coulomb_friction @ joint.hinge"}] = "coulomb_friction @ joint.hinge alone gains 97 %";
-  state.substeps = 12;
-  state.substeps_for = 4.995;
   state.base_values = {0.25};
   state.law_leads = true;
   RankedModel model;
@@ -47,8 +45,6 @@ TEST(SearchStateJson, IsReadDigitForDigit) {
   EXPECT_EQ(read->last->rivals.front().entry.range, friction_entry().range);
   EXPECT_TRUE(read->law_leads);
   EXPECT_EQ(read->enough, state().enough);
-  EXPECT_EQ(read->substeps, 12);
-  EXPECT_EQ(read->substeps_for, 4.995);
 }
 
 /// A model that does with fewer effects is ranked before its errors are told.

@@ -9,9 +9,10 @@ enum class DelayRounding { none, step };
 
 /// How a model is integrated; part of a revision's digest.
 struct EngineSettings {
-  std::string engine = "ode";
-  double step = 0.001;          ///< s; controllers act at its ends, rounded delays are multiples of it
-  int substeps = 1;             ///< integration steps in a step: h = step/substeps; sensors and effects are seen each h
+  std::string engine = {};  ///< "articulated", "ode"; empty: the first that can move the robot
+  double step = 0.001;      ///< s; controllers act at its ends, rounded delays are multiples of it
+  int substeps = 0;         ///< integration steps in a step: h = step/substeps; sensors and effects are seen each h;
+                            ///< 0: as many as needed, which are one where nobody has found out (fitting/substeps.h)
   double control_period = 0.0;  ///< s, how often a controller acts; 0: every step
   double joint_erp = 0.2;       ///< share of a joint's error that is corrected in one integration step, 1
   DelayRounding delay_rounding = DelayRounding::none;

@@ -45,9 +45,6 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
   joints_.create(world_.id(), robot, bodies_);
   joints_.update();
   std::fill(law_forces_.begin(), law_forces_.end(), 0.0);
-  const std::size_t laws = 3 * rows_.size() + actuators.size();
-  laws_.reserve(laws);
-  robot_step_ = make_robot_step(robot, tree_, bodies_, world_.id(), h_, laws);
   create_rows(robot, actuators);
   ground_.create(world_.id(), robot, bodies_, needs.measure_contacts);
   set_gravity(robot.gravity);
@@ -72,7 +69,7 @@ void Mechanism::create_rows(const RobotSpec& robot, std::span<const ActuatorPlac
   }
   servos_.assign(actuators.size(), {});
   for (std::size_t a = 0; a < actuators.size(); ++a)
-    if (actuators[a].servo) create_row(servos_[a], actuators[a].coordinate);
+    if (actuators[a].servo) servos_[a].create(world_.id(), joints_, actuators[a].coordinate);
 }
 
 void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant,
@@ -87,25 +84,11 @@ void Mechanism::create_joint_rows(const JointSpec& joint, std::size_t coordinate
   rows.armature = joint.armature + reflected_inertia;
   const bool impeded = joint.damping > 0.0 || joint.stiffness > 0.0 || rows.armature > 0.0;
   const bool stopped = std::isfinite(joint.lower) || std::isfinite(joint.upper);
-  if (impeded || compliant || needs_.laws_vary) create_row(rows.impedance, coordinate);
-  if (joint.dry_friction > 0.0 || needs_.laws_vary) create_row(rows.friction, coordinate);
+  if (impeded || compliant || needs_.laws_vary) rows.impedance.create(world_.id(), joints_, coordinate);
+  if (joint.dry_friction > 0.0 || needs_.laws_vary) rows.friction.create(world_.id(), joints_, coordinate);
   if (rows.friction.exists() && needs_.measure_joints) rows.friction.measure();
-  if (stopped && joint.kind != JointKind::ball) create_stop(joint, coordinate);
-}
-
-void Mechanism::create_stop(const JointSpec& joint, std::size_t coordinate) {
-  StopRow& stop = rows_[coordinate].stop;
-  if (robot_step_)
-    stop.create(world_.id(), coordinate, joint.lower, joint.upper, joint_erp_ / h_);
-  else
-    stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
-}
-
-void Mechanism::create_row(MotorRow& row, std::size_t coordinate) {
-  if (robot_step_)
-    row.create(coordinate);
-  else
-    row.create(world_.id(), joints_, coordinate);
+  if (stopped && joint.kind != JointKind::ball)
+    rows.stop.create(world_.id(), joints_, coordinate, joint.lower, joint.upper);
 }
 
 std::size_t Mechanism::most_rows() const {
@@ -148,10 +131,7 @@ void Mechanism::add_body_load(std::size_t body, const BodyLoad& load) {
 
 void Mechanism::step(std::span<const JointLoad> loads, const ContactSpec& contact) {
   set_laws(loads);
-  if (robot_step_)
-    step_robot();
-  else
-    step_world(contact);
+  step_world(contact);
   check_bodies();
   if (needs_.measure_joints) read_forces();
   joints_.update();
@@ -180,24 +160,6 @@ bool Mechanism::solve_world(const ContactSpec& contact) {
   }
   ground_.end_step();
   return complaint()[0] == '\0';
-}
-
-void Mechanism::step_robot() {
-  laws_.clear();
-  const auto add = [&](const MotorRow& row) {
-    if (row.exists() && row.acts()) laws_.push_back(row.law());
-  };
-  for (const CoordinateRows& rows : rows_) {
-    add(rows.impedance);
-    add(rows.friction);
-    if (rows.stop.acts()) laws_.push_back(rows.stop.law());
-  }
-  for (const MotorRow& servo : servos_) add(servo);
-  const std::span<const double> velocities = robot_step_->advance(laws_, joints_.velocities());
-  std::copy(velocities.begin(), velocities.end(), row_velocities_.begin());
-  if (!needs_.measure_joints) return;
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (rows_[i].friction.exists()) rows_[i].friction.settle(velocities[i]);
 }
 
 void Mechanism::set_laws(std::span<const JointLoad> loads) {

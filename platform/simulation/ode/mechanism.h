@@ -7,7 +7,6 @@
 #include "simulation/ode/ground.h"
 #include "simulation/ode/joints.h"
 #include "simulation/ode/motor_row.h"
-#include "simulation/ode/robot_step.h"
 #include "simulation/ode/world.h"
 #include "simulation/shared/actuator_laws.h"
 
@@ -89,13 +88,10 @@ class Mechanism {
   void create_rows(const RobotSpec& robot, std::span<const ActuatorPlace> actuators);
   void create_joint_rows(const JointSpec& joint, std::size_t coordinate, bool compliant, double reflected_inertia);
   void take_down();
-  void create_row(MotorRow& row, std::size_t coordinate);
-  void create_stop(const JointSpec& joint, std::size_t coordinate);
   void set_laws(std::span<const JointLoad> loads);
   void set_impedance(CoordinateRows& rows, const JointLoad& load, double velocity) const;
   void step_world(const ContactSpec& contact);
   bool solve_world(const ContactSpec& contact);
-  void step_robot();
   void read_forces();
   std::size_t most_rows() const;
 
@@ -107,11 +103,9 @@ class Mechanism {
   Bodies bodies_;
   Joints joints_;
   Ground ground_;
-  std::unique_ptr<RobotStep> robot_step_;  ///< in the place of the world's, where there is one
   std::vector<OwnLaws> own_laws_;  // per coordinate
   std::vector<CoordinateRows> rows_;
-  std::vector<MotorRow> servos_;     // per actuator
-  std::vector<CoordinateLaw> laws_;  // of the coming step, for `robot_step_`
+  std::vector<MotorRow> servos_;  // per actuator
   std::vector<double> row_velocities_, law_forces_;
 };
 

@@ -37,7 +37,6 @@ void MotorRow::create(dWorldID world, const Joints& joints, std::size_t coordina
   linear_ = joints.linear(coordinate);
   joint_ = linear_ ? create_linear(world, joints, coordinate) : create_rotational(world, joints, coordinate);
   feedback_ = {};
-  exists_ = true;
 }
 
 void MotorRow::destroy() {
@@ -46,19 +45,11 @@ void MotorRow::destroy() {
 }
 
 void MotorRow::set_law(double compliance, double limit) {
-  law_.compliance = std::max(compliance, kLeastCompliance);
-  law_.lower = -limit;
-  law_.upper = limit;
-  set(dParamCFM, law_.compliance);
+  set(dParamCFM, std::max(compliance, kLeastCompliance));
   set(dParamFMax, limit);
 }
 
-void MotorRow::settle(double velocity) {
-  settled_force_ = std::clamp((law_.target - velocity) / law_.compliance, law_.lower, law_.upper);
-}
-
 double MotorRow::measured_force(const Eigen::Vector3d& axis) const {
-  if (!joint_) return settled_force_;
   const dReal* f = linear_ ? feedback_.f1 : feedback_.t1;
   return axis.x() * f[0] + axis.y() * f[1] + axis.z() * f[2];
 }
@@ -74,26 +65,9 @@ void StopRow::create(dWorldID world, const Joints& joints, std::size_t coordinat
   dJointSetAMotorParam(motor_, dParamHiStop, upper);
 }
 
-void StopRow::create(dWorldID world, std::size_t coordinate, double lower, double upper, double correction) {
-  coordinate_ = coordinate;
-  lower_ = lower;
-  upper_ = upper;
-  correction_ = correction;
-  compliance_ = dWorldGetCFM(world);
-}
-
 void StopRow::destroy() {
   if (motor_) dJointDestroy(motor_);
   *this = {};
-}
-
-CoordinateLaw StopRow::law() const {
-  const bool below = position_ <= lower_;
-  CoordinateLaw law{.target = correction_ * ((below ? lower_ : upper_) - position_),
-                    .compliance = compliance_,
-                    .coordinate = coordinate_};
-  if (lower_ != upper_) (below ? law.lower : law.upper) = 0.0;
-  return law;
 }
 
 }  // namespace lacuna::ode

@@ -37,7 +37,7 @@ TEST(CompileErrors, UnknownEngine) {
 TEST(CompileErrors, SettingsThatCannotRun) {
   EngineSettings settings;
   settings.step = 0.0;
-  settings.substeps = 0;
+  settings.substeps = -1;
   settings.joint_erp = 1.5;
   settings.control_period = -1.0;
   const std::string text = complaint({.robot = pendulum(), .effects = {}, .parameters = {}}, settings);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <lacuna/trial.h>
+
+#include "evaluation/model_definition.h"
+
+#include <span>
+#include <vector>
+
+namespace lacuna {
+
+/// How many integration steps a model takes in a step of its engine's settings.
+struct Substeps {
+  int count = 1;
+  /// What the integration does to a free run, as a share of what is not known of it anyway: the sensor noise, or what
+  /// one standard error of the start does, whichever is larger. RMS; of the channel where it is largest.
+  double share = 0.0;
+  bool enough = true;  ///< false: `share` is too large still, with as many as are tried
+};
+
+/// The fewest substeps, whatever the definition has, with which free runs of `trials` are integrated well enough: two
+/// solutions, one with twice as many, tell the error by the order of the engine. `values`: the model's. One where the
+/// model cannot be simulated. The same digits whatever the number of threads. Throws `Interrupted`, and `Error` where
+/// the trials do not fit the model.
+///
+/// Literature: L. F. Richardson, "The deferred approach to the limit", 1927.
+Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
+                             std::span<const double> values, int threads);
+
+}  // namespace lacuna
