@@ -7,25 +7,26 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace lacuna {
 namespace {
 
 constexpr int kFarMore = 4;  ///< times as many as are needed: worth a word
 
 std::string steps_of(int count, double step) {
-  if (count == 1) return fmt::format("one step in each of {}", format_quantity(step, "s"));
-  return fmt::format("{} steps in each of {}", count, format_quantity(step, "s"));
+  const std::string each = format_quantity(step, "s");
+  return count == 1 ? "one step in each of " + each : fmt::format("{} steps in each of {}", count, each);
 }
 
 std::string error_of(const Substeps& found) {
-  return fmt::format("what the integration does to a free run is {:.2g} of what noise and start leave open",
-                     found.share);
+  if (!std::isfinite(found.share)) return "the model cannot be simulated at its start values";
+  return fmt::format("the error in a free run is {:.2g} of what noise and start leave open", found.share);
 }
 
 std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
-  return fmt::format("integration: {}, {} ({}; {}{})", engine.engine, steps_of(found.count, engine.step),
-                     "as many as needed", error_of(found),
-                     found.enough ? "" : ", and more are not tried: the start values may be far off");
+  return fmt::format("integration: {}, {}: {}{}", engine.engine, steps_of(found.count, engine.step), error_of(found),
+                     found.enough ? "" : "; more steps were of little use");
 }
 
 }  // namespace
@@ -42,8 +43,10 @@ std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int thre
     return sentence_of(engine, found);
   }
   if (!found.enough || engine.substeps < kFarMore * found.count) return {};
-  return fmt::format("integration: {}, {}, as the file says; {} would do ({}): engine.substeps = 0 leaves it open",
-                     engine.engine, steps_of(engine.substeps, engine.step), found.count, error_of(found));
+  return fmt::format(
+      "integration: {}, {}, as the file says; {} would do: {}. Without engine.substeps the program finds as "
+      "many as are needed",
+      engine.engine, steps_of(engine.substeps, engine.step), found.count, error_of(found));
 }
 
 }  // namespace lacuna

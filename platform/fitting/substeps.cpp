@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,9 +17,10 @@ namespace {
 
 constexpr double kToleratedShare = 0.05;  ///< of what is not known of a prediction
 constexpr double kLeastOfSignal = 1e-3;   ///< of a channel's standard deviation: nobody's model is better
-constexpr int kMostSubsteps = 256;        ///< substeps
-constexpr double kLargestLeap = 4.0;      ///< times as many, at once: the order may not show yet
-constexpr std::size_t kTrials = 8;        ///< spread evenly over those that there are
+constexpr int kMostSubsteps = 32;
+constexpr double kLargestLeap = 4.0;  ///< times as many, at once: the order may not show yet
+constexpr double kHelped = 0.7;       ///< of the share, after a leap: a motion through contacts may follow no step
+constexpr std::size_t kTrials = 8;    ///< spread evenly over those that there are
 
 int order_of(const ModelDefinition& definition) { return definition.engine.engine == "ode" ? 1 : 2; }
 
@@ -140,13 +142,13 @@ Substeps sufficient_substeps(const ModelDefinition& definition, const std::vecto
   Substeps found;
   if (trials.empty()) return found;
   const TwoSolutions solutions(definition, trials, values, threads);
-  for (int count = 1; count <= kMostSubsteps;) {
+  found = {1, std::numeric_limits<double>::infinity(), false};
+  for (int count = 1; count <= kMostSubsteps && !found.enough;) {
     const std::optional<double> share = solutions.share(count);
+    if (share && *share > kHelped * found.share) break;
     if (share) found = {count, *share, *share <= kToleratedShare};
-    if (share && found.enough) return found;
     count = share ? next_count(count, *share, order_of(definition)) : 2 * count;
   }
-  found.enough = false;
   return found;
 }
 

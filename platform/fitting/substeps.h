@@ -15,12 +15,13 @@ struct Substeps {
   /// What the integration does to a free run, as a share of what is not known of it anyway: the sensor noise, or what
   /// one standard error of the start does, whichever is larger. RMS; of the channel where it is largest.
   double share = 0.0;
-  bool enough = true;  ///< false: `share` is too large still, with as many as are tried
+  bool enough = true;  ///< false: `share` is too large still; more bring too little, or are not tried
 };
 
 /// The fewest substeps, whatever the definition has, with which free runs of `trials` are integrated well enough: two
-/// solutions, one with twice as many, tell the error by the order of the engine. `values`: the model's. One where the
-/// model cannot be simulated. The same digits whatever the number of threads. Throws `Interrupted`, and `Error` where
+/// solutions, one with twice as many, tell the error by the order of the engine. Where the solutions do not come nearer to
+/// each other, as after the first impacts of a robot on the ground, no more are taken for it. `values`: the model's. One
+/// where the model cannot be simulated; the share is infinite then. The same digits whatever the number of threads. Throws `Interrupted`, and `Error` where
 /// the trials do not fit the model.
 ///
 /// Literature: L. F. Richardson, "The deferred approach to the limit", 1927.
