@@ -83,7 +83,8 @@ Table<EngineSettings> engine_keys() {
            "to first order); without it articulated, or ode where bodies may touch the ground")
       .key("step", &EngineSettings::step, number("s").above(0.0), "sensors, effects and commands are seen once a step")
       .key("substeps", &EngineSettings::substeps, whole_number<int>(0, 100000),
-           "integration steps in a step; 0: as many as needed, found by two solutions and printed")
+           "integration steps in a step; 0: as many as needed, found by two solutions and printed; with ode one, for "
+           "its contacts depend on the step")
       .key("control_period", &EngineSettings::control_period, number("s").at_least(0.0),
            "how often a controller acts; 0: every step")
       .key("joint_erp", &EngineSettings::joint_erp, number("1").between(0.0, 1.0),

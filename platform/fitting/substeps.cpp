@@ -16,13 +16,11 @@ namespace lacuna {
 namespace {
 
 constexpr double kToleratedShare = 0.05;  ///< of what is not known of a prediction
-constexpr double kLeastOfSignal = 1e-3;   ///< of a channel's standard deviation: nobody's model is better
+constexpr double kLeastOfSignal = 3e-3;   ///< a channel's standard deviation: few models are better
 constexpr int kMostSubsteps = 32;
 constexpr double kLargestLeap = 4.0;  ///< times as many, at once: the order may not show yet
-constexpr double kHelped = 0.7;       ///< of the share, after a leap: a motion through contacts may follow no step
+constexpr double kHelped = 0.7;       ///< of what the order promises: a chaotic motion follows no step
 constexpr std::size_t kTrials = 8;    ///< spread evenly over those that there are
-
-int order_of(const ModelDefinition& definition) { return definition.engine.engine == "ode" ? 1 : 2; }
 
 std::vector<Trial> some_of(const std::vector<Trial>& trials) {
   std::vector<Trial> chosen;
@@ -118,8 +116,7 @@ class TwoSolutions {
     double most = 0.0;
     for (const auto& [name, share] : pooled)
       if (share.change > 0.0) most = std::max(most, std::sqrt(share.change / share.unknown));
-    const double halved = std::pow(2.0, order_of(definition_));
-    return most * halved / (halved - 1.0);
+    return most * 4.0 / 3.0;  // half the step leaves a quarter of the error
   }
 
   const ModelDefinition& definition_;
@@ -130,9 +127,15 @@ class TwoSolutions {
 };
 
 /// As many as the order promises to need where `substeps` leave this share.
-int next_count(int substeps, double share, int order) {
-  const double wanted = std::ceil(substeps * std::pow(share / kToleratedShare, 1.0 / order));
+int next_count(int substeps, double share) {
+  const double wanted = std::ceil(substeps * std::sqrt(share / kToleratedShare));
   return static_cast<int>(std::clamp(wanted, substeps + 1.0, kLargestLeap * substeps));
+}
+
+/// The most that so many substeps may leave to be worth it.
+double promised(const Substeps& before, int count) {
+  const double kept = std::pow(static_cast<double>(before.count) / count, 2);
+  return before.share * (1.0 - kHelped * (1.0 - kept));
 }
 
 }  // namespace
@@ -140,14 +143,14 @@ int next_count(int substeps, double share, int order) {
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
                              std::span<const double> values, int threads) {
   Substeps found;
-  if (trials.empty()) return found;
+  if (trials.empty() || definition.engine.engine == "ode") return found;
   const TwoSolutions solutions(definition, trials, values, threads);
   found = {1, std::numeric_limits<double>::infinity(), false};
   for (int count = 1; count <= kMostSubsteps && !found.enough;) {
     const std::optional<double> share = solutions.share(count);
-    if (share && *share > kHelped * found.share) break;
+    if (share && *share > promised(found, count)) break;
     if (share) found = {count, *share, *share <= kToleratedShare};
-    count = share ? next_count(count, *share, order_of(definition)) : 2 * count;
+    count = share ? next_count(count, *share) : 2 * count;
   }
   return found;
 }

@@ -19,10 +19,10 @@ struct Substeps {
 };
 
 /// The fewest substeps, whatever the definition has, with which free runs of `trials` are integrated well enough: two
-/// solutions, one with twice as many, tell the error by the order of the engine. Where the solutions do not come nearer to
-/// each other, as after the first impacts of a robot on the ground, no more are taken for it. `values`: the model's. One
-/// where the model cannot be simulated; the share is infinite then. The same digits whatever the number of threads. Throws `Interrupted`, and `Error` where
-/// the trials do not fit the model.
+/// solutions, one with twice as many, tell the error, for the engine is of second order. Where more bring the solutions
+/// no nearer to each other, as in a chaotic motion, no more are taken. `values`: the model's. One where the model cannot
+/// be simulated; the share is infinite then. One with ode, of which contacts make another model of each step. The same
+/// digits whatever the number of threads. Throws `Interrupted`, and `Error` where the trials do not fit the model.
 ///
 /// Literature: L. F. Richardson, "The deferred approach to the limit", 1927.
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
