@@ -22,6 +22,7 @@ void make_version_1(const std::filesystem::path& file) {
       "INSERT INTO run VALUES (1, '00112233445566778899aabbccddeeff', NULL, 'lacuna compare', 1, 1, '2026', NULL, "
       "NULL);"
       "INSERT INTO experiment VALUES (1, 'rig');"
+      "INSERT INTO experiment_text VALUES (1, 1, printf('%064d', 5), 'rig.toml', '[engine]', '[]');"
       "INSERT INTO revision VALUES (1, 1, 1, NULL, printf('%064d', 1), 'declared', '{}', '[]', '[]', '{}', '', '[]',"
       " '[]', 'rigid');"
       "INSERT INTO trial VALUES (1, 1, 'sine', 'sine.csv', printf('%064d', 2), 0, 1.0, 3);"
@@ -48,6 +49,10 @@ TEST_F(MigrationTest, AFileOfVersion1KeepsItsContentAndTakesRunsOfTheAlgorithm) 
     EXPECT_EQ(ask(migrated,
                   "SELECT count(*) FROM trace WHERE id = 7 AND comparison = 1 AND precision = 'float32'"
                   " AND samples = x'04' AND digest = printf('%064d', 4)"),
+              1);
+    EXPECT_EQ(ask(migrated,
+                  "SELECT count(*) FROM experiment_text WHERE decided->>0 = 'engine.engine=\"ode\"'"
+                  " AND decided->>1 = 'engine.substeps=1'"),
               1);
     EXPECT_EQ(ask(migrated, "SELECT count(*) FROM traces WHERE trial = 'sine'"), 2) << "the views are today's";
     EXPECT_EQ(ask(migrated, "SELECT count(*) FROM pragma_foreign_key_check"), 0);

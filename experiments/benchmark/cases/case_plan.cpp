@@ -21,7 +21,6 @@ struct SetPlan {
   const char* name;
   std::uint64_t seed;
   double duration;  ///< s, of each trial
-  int substeps;     ///< of the owner's model of one joint, a sample interval; half as many for two
   std::vector<Group> groups;
 };
 
@@ -31,14 +30,12 @@ const std::vector<SetPlan>& sets() {
       {"tuning",
        20260,
        5.0,
-       80,
        {{"one_joint", 62}, {"two_joint", 20}, {"nothing", 40}, {"two_effects", 10}, {"withheld", 10}}},
       {"reporting",
        77003,
        5.0,
-       80,
        {{"one_joint", 600}, {"two_joint", 200}, {"nothing", 400}, {"two_effects", 100}, {"withheld", 100}}},
-      {"fixed", 4001, 2.0, 8, {{"one_joint", 30}, {"nothing", 10}}}};
+      {"fixed", 4001, 2.0, {{"one_joint", 30}, {"nothing", 10}}}};
   return all;
 }
 
@@ -111,7 +108,6 @@ class Planner {
       hide_one(plan);
       if (group == "two_effects") hide_another(plan);
     }
-    plan.substeps = set_.substeps / static_cast<int>(rig_named(plan.rig).nominal.joints.size());
     choose_known(plan);
     return plan;
   }

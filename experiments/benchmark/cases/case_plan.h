@@ -32,7 +32,6 @@ struct CasePlan {
       1.0;  ///< wanted: RMSE of the refitted base over that of the refitted truth; 1 where nothing is hidden
   NoiseLevel noise = NoiseLevel::white;
   double duration = 5.0;  ///< s, of each trial
-  int substeps = 20;      ///< of the owner's model, a sample interval
   std::uint64_t seed = 0;
   std::vector<std::string> known;  ///< addresses of values that this case's user does not free
 

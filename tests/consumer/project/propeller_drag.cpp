@@ -1,6 +1,5 @@
+#include <lacuna/force_law.h>
 #include <lacuna/plugin.h>
-
-#include <cmath>
 
 namespace {
 
@@ -17,10 +16,13 @@ class PropellerDrag : public lacuna::PhysicalEffect {
     return description;
   }
   void add_loads(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<const double>,
-                   lacuna::StepLoads& loads) const override {
+                 lacuna::StepLoads& loads) const override {
+    using lacuna::Dual;
+    const double drag = context.parameters[0];
     for (const int joint : context.elements) {
-      const auto coordinate = static_cast<std::size_t>(view.first_coordinate[static_cast<std::size_t>(joint)]);
-      loads.joints[coordinate].damping += context.parameters[0] * std::abs(view.velocities[coordinate]);
+      const auto i = static_cast<std::size_t>(view.first_coordinate[static_cast<std::size_t>(joint)]);
+      lacuna::add_force_law(loads.joints[i], view.positions[i], view.velocities[i],
+                            [&](const Dual&, const Dual& v) { return -drag * v * abs(v); });
     }
   }
 };
