@@ -108,7 +108,7 @@ TEST(TorqueSpeedLine, ApproachesItsNoLoadSpeedExponentially) {
            expected;
   };
   constexpr double kVelocityError = 2e-3;  // m/s of 0.9
-  expect_first_order(error, kStep, kVelocityError);
+  expect_convergence(error, kStep, kVelocityError);
 }
 
 TEST(TorqueSpeedLine, BrakesHarderThanItDrives) {
@@ -129,7 +129,7 @@ TEST(ThermalFade, AgreesWithAnIndependentIntegration) {
     return run.command("motor", {0.0, 1.0}, {2.0, 0.5}, Hold::zero_order).last("velocity", kEnd) - expected;
   };
   constexpr double kVelocityError = 2e-3;  // m/s of 1
-  expect_first_order(error, kStep, kVelocityError);
+  expect_convergence(error, kStep, kVelocityError);
 }
 
 TEST(ForceEffects, RefuseServos) {

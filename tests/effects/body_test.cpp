@@ -30,7 +30,7 @@ TEST(LinearDrag, LetsTheVelocityDecayExponentially) {
            kSpeed * std::exp(-kDrag / kMass * kEnd);
   };
   constexpr double kVelocityError = 3e-3;  // m/s of 1
-  expect_first_order(error, kStep, kVelocityError);
+  expect_convergence(error, kStep, kVelocityError);
 }
 
 TEST(QuadraticDrag, LetsTheVelocityDecayHyperbolically) {
@@ -40,7 +40,7 @@ TEST(QuadraticDrag, LetsTheVelocityDecayHyperbolically) {
     return mass_with("quadratic_drag", {kArea, kDensity}, step).from({0.0}, {kSpeed}).last("velocity", kEnd) - expected;
   };
   constexpr double kVelocityError = 3e-3;  // m/s of 1
-  expect_first_order(error, kStep, kVelocityError);
+  expect_convergence(error, kStep, kVelocityError);
 }
 
 SimulationRun hanging(const std::string& name, ElementKind kind, std::vector<double> values) {

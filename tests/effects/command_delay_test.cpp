@@ -65,7 +65,7 @@ TEST(CommandDelay, OfTwoAndAHalfStepsAgreesWithAnIndependentIntegration) {
     return run.last("position", kEnd) - expected;
   };
   constexpr double kPositionError = 3e-3;  // m of 0.1
-  expect_first_order(error, kStep, kPositionError);
+  expect_convergence(error, kStep, kPositionError);
 }
 
 TEST(CommandDelay, MovesTheMotionByTheDelayExactly) {

@@ -38,7 +38,7 @@ TEST(JointCompliance, AgreesWithAnIndependentIntegration) {
     const ReferenceState expected = integrate_smooth(motion, {0, 0, 0, 0}, {0.0, end}).back();
     const auto error = [&](double step) { return lifted(step).last("position", end) - expected[1]; };
     constexpr double kPositionError = 0.01;  // rad of 0.8
-    expect_first_order(error, 1e-3, kPositionError);
+    expect_convergence(error, 1e-3, kPositionError);
   }
 }
 

@@ -49,7 +49,7 @@ TEST(LugreFriction, AgreesWithAnIndependentIntegration) {
     const ReferenceState expected = integrate_in_steps(lugre_motion, {0.0, 0.0, 0.0}, {0.0, end}, 5e-5).back();
     const auto error = [&](double step) { return pushed(step).last("position", end) - expected[0]; };
     constexpr double kPositionError = 5e-3;  // m of 0.4
-    expect_first_order(error, 1e-3, kPositionError);
+    expect_convergence(error, 1e-3, kPositionError);
   }
 }
 

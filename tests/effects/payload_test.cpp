@@ -37,7 +37,7 @@ TEST(Payload, AgreesWithAnIndependentIntegration) {
     const ReferenceState expected = integrate_smooth(motion, {0.6, 0.0}, {0.0, end}).back();
     const auto error = [&](double step) { return loaded(step).last("position", end) - expected[0]; };
     constexpr double kPositionError = 0.01;  // rad of 0.6
-    expect_first_order(error, 1e-3, kPositionError);
+    expect_convergence(error, 1e-3, kPositionError);
   }
 }
 

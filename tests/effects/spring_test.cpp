@@ -33,7 +33,7 @@ TEST(JointSpring, SwingsAboutItsRestPosition) {
     return with("joint_spring", {kStiffness, kRest}, step).last("position", kEnd) - expected;
   };
   constexpr double kPositionError = 5e-3;  // m of 0.2
-  expect_first_order(error, kStep, kPositionError);
+  expect_convergence(error, kStep, kPositionError);
 }
 
 TEST(JointSpring, AddsToTheJointsOwn) {
@@ -58,7 +58,7 @@ TEST(CubicStiffness, AgreesWithAnIndependentIntegration) {
       return with("cubic_stiffness", {stiffness, 0.05}, step).last("position", kEnd) - expected;
     };
     constexpr double kPositionError = 5e-3;  // m of 0.3
-    expect_first_order(error, kStep, kPositionError);
+    expect_convergence(error, kStep, kPositionError);
   }
 }
 
@@ -88,7 +88,7 @@ TEST(Cogging, AgreesWithAnIndependentIntegration) {
     return with("cogging", {kSine, kCosine, kPeriods}, step).last("position", kEnd) - expected;
   };
   constexpr double kPositionError = 5e-3;  // m of 0.3
-  expect_first_order(error, kStep, kPositionError);
+  expect_convergence(error, kStep, kPositionError);
 }
 
 TEST(Armature, MakesTheJointSlower) {
@@ -110,7 +110,7 @@ TEST(LinkFlexibility, AgreesWithAnIndependentIntegration) {
     return run.command("motor", kForce).last("position", kEnd) - expected;
   };
   constexpr double kPositionError = 2e-3;  // m of 0.1
-  expect_first_order(error, 2e-4, kPositionError);
+  expect_convergence(error, 2e-4, kPositionError);
 }
 
 TEST(BaseCompliance, AgreesWithAnIndependentIntegrationOfLinkAndBase) {

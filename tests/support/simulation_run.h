@@ -45,8 +45,9 @@ struct SimulationRun {
 Eigen::VectorXd column(const TimeSeries& series, const std::string& channel);
 Eigen::Vector3d last_vector(const TimeSeries& series, const std::string& sensor);
 
-/// Expects |error(h)| ≤ `bound` and that halving the step halves the error, twice over.
-void expect_first_order(const std::function<double(double step)>& error, double step, double bound);
+/// Expects |error(h)| ≤ `bound` and that halving the step at least halves the error, twice over, where it is above
+/// rounding.
+void expect_convergence(const std::function<double(double step)>& error, double step, double bound);
 
 /// Expects that a run to `times.back()`, and one that is saved at `times[middle]` and continued in another
 /// workspace, give the same bits: readings after the middle and the whole final state.

@@ -9,8 +9,11 @@ inline constexpr double kReferenceTolerance = 1e-11;
 /// Results that differ by rounding alone after some thousand steps.
 inline constexpr double kRounding = 1e-9;
 
-/// A first-order method halves its error with its step; the next order shifts the ratio a little.
+/// An error that is no more than rounding.
+inline constexpr double kExact = 1e-10;
+
+/// A method of first order halves its error with its step, one of second quarters it; the next order shifts the ratio a
+/// little.
 inline constexpr double kHalvingRatioLow = 1.8;
-inline constexpr double kHalvingRatioHigh = 2.2;
 
 }  // namespace lacuna

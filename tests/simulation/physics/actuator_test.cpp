@@ -97,7 +97,7 @@ TEST(VelocityServo, ApproachesTheCommandExponentially) {
     SimulationRun run(driven(ActuatorKind::velocity_servo, 0, 0, kGain), step);
     return run.command("motor", 1.5).last("velocity", kEnd) - expected;
   };
-  expect_first_order(error, kStep, 5e-3);
+  expect_convergence(error, kStep, 5e-3);
 }
 
 TEST(VelocityServo, AcceleratesAtItsForceLimit) {
@@ -133,7 +133,7 @@ TEST(PositionServo, AgreesWithItsEquationOfMotion) {
     SimulationRun run(driven(ActuatorKind::position_servo, 120.0, 0, 9.0), step);
     return run.command("motor", 0.4).last("position", kEnd) - expected;
   };
-  expect_first_order(error, kStep, 5e-3);
+  expect_convergence(error, kStep, 5e-3);
 }
 
 TEST(PositionServo, KeepsToItsForceLimit) {
@@ -173,7 +173,7 @@ TEST(Pid, AgreesWithItsEquationOfMotion) {
     run.command("motor", {0.0, 1.0}, {0.0, 0.5}, Hold::first_order);
     return run.last("position", kEnd) - expected;
   };
-  expect_first_order(error, kStep, 5e-3);
+  expect_convergence(error, kStep, 5e-3);
 }
 
 TEST(Pid, RemovesTheOffsetThatAConstantLoadLeaves) {
