@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace lacuna {
 namespace {
@@ -24,7 +25,19 @@ std::string fitted_to_terminal(const std::string& line) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet) : live_(!quiet && isatty(STDERR_FILENO) == 1) {}
+bool LinePacer::take(Clock::time_point now) {
+  if (now - last_ < interval_) return false;
+  last_ = now;
+  return true;
+}
+
+LinePacer& progress_pacer() {
+  static LinePacer pacer(std::chrono::seconds(10));
+  return pacer;
+}
+
+ProgressLine::ProgressLine(bool quiet, LinePacer& pacer)
+    : live_(!quiet && isatty(STDERR_FILENO) == 1), plain_(!quiet && !live_), pacer_(pacer) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) wipe_live_line();
@@ -33,6 +46,7 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(const Progress& progress) {
   using namespace std::chrono_literals;
   const auto now = std::chrono::steady_clock::now();
+  if (plain_ && pacer_.take(now)) fmt::print(stderr, "{}\n", progress_text(progress));
   if (!live_ || now - last_ < 100ms) return;
   last_ = now;
   shown_ = true;

@@ -7,11 +7,30 @@
 
 namespace lacuna {
 
-/// One live line on standard error: what is done, how far, how long still. Silent where standard
-/// error is no terminal or the user asked for quiet. Wiped when it goes out of scope.
+/// Tells when a line of progress is due where lines cannot be wiped: at most one each interval, the first when one has
+/// passed, so that short work prints none.
+class LinePacer {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit LinePacer(Clock::duration interval, Clock::time_point begin = Clock::now())
+      : interval_(interval), last_(begin) {}
+  /// Whether a line is due; if so, the next interval begins.
+  bool take(Clock::time_point now);
+
+ private:
+  Clock::duration interval_;
+  Clock::time_point last_;
+};
+
+/// The process's own, 10 s: what it does one after the other shares the interval.
+LinePacer& progress_pacer();
+
+/// What is done, how far, how long still, on standard error: one live line on a terminal, which is wiped when this goes
+/// out of scope; elsewhere a plain line as often as `pacer` allows. Silent where the user asked for quiet.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool quiet);
+  explicit ProgressLine(bool quiet, LinePacer& pacer = progress_pacer());
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -21,7 +40,8 @@ class ProgressLine {
   ProgressCallback callback();
 
  private:
-  bool live_;
+  bool live_, plain_;
+  LinePacer& pacer_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_{};
 };

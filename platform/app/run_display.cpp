@@ -1,7 +1,5 @@
 #include "app/run_display.h"
 
-#include "app/progress_line.h"
-
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -35,8 +33,11 @@ std::string objective_text(const PassRow& pass) {
 
 }  // namespace
 
-RunDisplay::RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines)
-    : live_(!quiet && isatty(STDERR_FILENO) == 1), lines_of_text_(!quiet && isatty(STDERR_FILENO) == 0), lines_(lines) {
+RunDisplay::RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines, LinePacer& pacer)
+    : live_(!quiet && isatty(STDERR_FILENO) == 1),
+      lines_of_text_(!quiet && isatty(STDERR_FILENO) == 0),
+      lines_(lines),
+      pacer_(pacer) {
   for (const PlannedReplicate& planned : replicates) replicates_.emplace_back().planned = planned;
 }
 
@@ -55,8 +56,9 @@ void RunDisplay::show(std::size_t replicate, const EeaProgress& progress) {
   const Clock::time_point now = Clock::now();
   if (live_ && now - last_print_ >= 100ms) {
     last_print_ = now;
-    print(own, progress);
+    show_live_line(line_of(own, progress));
   }
+  if (lines_of_text_ && pacer_.take(now)) fmt::print(stderr, "{}\n", line_of(own, progress));
   if (lines_ && now - own.last_line >= 1s) {
     own.last_line = now;
     const Standing all = standing();
@@ -98,13 +100,12 @@ std::string RunDisplay::whose(const Replicate& own) const {
   return replicates_.size() > 1 ? fmt::format("replicate {} · ", own.planned.replicate) : "";
 }
 
-void RunDisplay::print(const Replicate& own, const EeaProgress& progress) {
+std::string RunDisplay::line_of(const Replicate& own, const EeaProgress& progress) const {
   const Standing all = standing();
-  const std::string line =
-      fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose(own),
-                  progress.pass, progress.passes, to_string(progress.phase), progress.generation, progress.generations,
-                  progress.best, std::isfinite(all.left) ? format_duration(all.left) : "?", all.rate, all.invalid);
-  show_live_line(line);
+  return fmt::format("{}pass {}/{} · {} {}/{} · best {:.4g} · {} left · {:.0f} evaluations/s · {} invalid", whose(own),
+                     progress.pass, progress.passes, to_string(progress.phase), progress.generation,
+                     progress.generations, progress.best, std::isfinite(all.left) ? format_duration(all.left) : "?",
+                     all.rate, all.invalid);
 }
 
 void RunDisplay::end_trial(std::size_t replicate, const TargetTrialRow& trial) {

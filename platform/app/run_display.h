@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/progress_line.h"
 #include "app/recent_rate.h"
 #include "app/run_lines.h"
 
@@ -9,12 +10,14 @@
 
 namespace lacuna {
 
-/// Tells how far the replicates of a run are: people by one live line on a terminal, otherwise by a line a pass, both
-/// on standard error; machines by JSON Lines. Any thread.
+/// Tells how far the replicates of a run are: people by one live line on a terminal, otherwise by a line a pass and,
+/// as often as `pacer` allows, what the live line would show, all on standard error; machines by JSON Lines. Any
+/// thread.
 class RunDisplay {
  public:
   /// `lines` must live as long; may be null.
-  RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines);
+  RunDisplay(const std::vector<PlannedReplicate>& replicates, bool quiet, RunLines* lines,
+             LinePacer& pacer = progress_pacer());
   ~RunDisplay();
   RunDisplay(const RunDisplay&) = delete;
   RunDisplay& operator=(const RunDisplay&) = delete;
@@ -51,13 +54,14 @@ class RunDisplay {
 
   void take(Replicate& own, const EeaProgress& progress);
   Standing standing() const;
-  void print(const Replicate& own, const EeaProgress& progress);
+  std::string line_of(const Replicate& own, const EeaProgress& progress) const;
   double seconds() const;
 
   std::string whose(const Replicate& own) const;
 
   bool live_, lines_of_text_;
   RunLines* lines_;
+  LinePacer& pacer_;
   std::mutex telling_;
   std::vector<Replicate> replicates_;
   RecentRate rate_;  ///< of all replicates' evaluations
