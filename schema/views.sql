@@ -106,14 +106,15 @@ JOIN revision ON revision.id = comparison.revision
 JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id = (SELECT max(newer.id) FROM comparison AS newer WHERE newer.revision = comparison.revision);
 
--- One row a finished diagnosis: its verdict with its probability, and what it would add.
+-- One row per diagnosis: its verdict with its probability, what it would add, and whether the time limit stopped it.
 -- example: SELECT revision, verdict, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;
 CREATE VIEW diagnoses AS
 SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.probability,
        diagnosis.calibrated, diagnosis.chance, diagnosis.hypotheses,
        iif(diagnosis.verdict = 'effect_found',
            (SELECT group_concat(value, ' + ') FROM json_each(best.effects)), NULL) AS answer,
-       diagnosis.base_times_floor, best.times_floor, diagnosis.id >> 40 AS run, diagnosis.id
+       diagnosis.base_times_floor, best.times_floor, diagnosis.document ->> '$.stopped.during' AS stopped,
+       diagnosis.id >> 40 AS run, diagnosis.id
 FROM diagnosis
 JOIN revision ON revision.id = diagnosis.revision
 JOIN experiment ON experiment.id = revision.experiment

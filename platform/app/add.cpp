@@ -7,6 +7,7 @@
 #include "app/replace_file.h"
 #include "app/search_range.h"
 #include "app/text_diff.h"
+#include "app/time_limit.h"
 #include "app/workbench.h"
 #include "config/effects_editor.h"
 #include "config/value.h"
@@ -217,6 +218,7 @@ void add_add_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->option_text("PARAMETER");
   add_work_options(*command, *options);
+  add_time_limit_option(*command);
   command->callback([options] { run_add(*options); });
 }
 

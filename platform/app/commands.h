@@ -32,7 +32,7 @@ void add_report_command(CLI::App& program);
 void add_serve_command(CLI::App& program);
 void add_help_command(CLI::App& program);
 
-/// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be resumed.
+/// Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted, by Ctrl-C or --time-limit, and to be resumed.
 int run_program(int argc, char** argv);
 
 }  // namespace lacuna

@@ -1,7 +1,9 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output.h"
+#include "app/time_limit.h"
 #include "app/workbench.h"
+#include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "report/advice_text.h"
 #include "report/comparison_json.h"
@@ -33,6 +35,7 @@ void run_compare(const CompareOptions& options) {
       options.as_is ? Workbench::Fitted{as_written(bench.rig().definition), false} : bench.fit_model();
   const Workbench::Compared compared = bench.compare_model(fitted.result, !options.as_is, true, options.cross_check);
   const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
+  lift_time_limit();  // what follows is quick
   bench.ledger().keep_where_it_fails(compared.id, where_document(where, compared.result));
   const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
                                   fitted.result.seconds};
@@ -66,6 +69,7 @@ void add_compare_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("compare", "Fit the model and compare it with every measured trial");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
+  add_time_limit_option(*command);
   command->add_flag("--as-is", options->as_is, "Do not fit: compare with the values as they are written");
   command->add_flag("--cross-check", options->cross_check,
                     "Predict with the other engine, too, and print how far the two are apart");

@@ -2,10 +2,12 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "app/time_limit.h"
 #include "app/workbench.h"
 #include "diagnosis/among.h"
 #include "diagnosis/cut_trials.h"
 #include "diagnosis/search_state.h"
+#include "diagnosis/stopped_search.h"
 #include "foundation/counted.h"
 #include "foundation/interrupt.h"
 #include "report/diagnosis_pictures.h"
@@ -51,16 +53,39 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   return diagnosis;
 }
 
+struct Found {
+  Diagnosis diagnosis;
+  bool known = false;  ///< it was in the database
+};
+
+Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) try {
+  const Rig& rig = bench.rig();
+  const FitResult fit = bench.fit_model().result;
+  if (const auto known = bench.ledger().known_diagnosis(bench.revision(), rig, options.among))
+    return {read_diagnosis(*known), true};
+  Diagnosis made = make_diagnosis(options, bench, fit);
+  lift_time_limit();  // what follows is quick
+  if (made.stopped)
+    bench.ledger().keep_stopped(bench.revision(), rig, options.among, made);
+  else
+    bench.ledger().keep(bench.revision(), rig, options.among, made);
+  return {std::move(made)};
+} catch (const TimeIsUp&) {
+  lift_time_limit();
+  const Rig& rig = bench.rig();
+  Diagnosis nothing =
+      stopped_before_search(rig.experiment, *rig.catalog, rig.definition, options.among, "the fit of the model");
+  bench.ledger().keep_stopped(bench.revision(), rig, options.among, nothing);
+  return {std::move(nothing)};
+}
+
 void run_diagnose(DiagnoseOptions options) {
   check_output(options.json);
   check_output_folder(options.out);
   Workbench bench(options);
   options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
   check_segment(bench.rig().experiment.diagnosis.segment, bench.rig().trials);
-  const FitResult fit = bench.fit_model().result;
-  const std::optional<std::string> known = bench.ledger().known_diagnosis(bench.revision(), bench.rig(), options.among);
-  const Diagnosis diagnosis = known ? read_diagnosis(*known) : make_diagnosis(options, bench, fit);
-  if (!known) bench.ledger().keep(bench.revision(), bench.rig(), options.among, diagnosis);
+  const auto [diagnosis, known] = find_diagnosis(options, bench);
   if (!takes_standard_output(options.json))
     fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options)),
                known ? "(from the database)\n" : "");
@@ -71,6 +96,7 @@ void run_diagnose(DiagnoseOptions options) {
     draw_diagnosis(diagnosis, title, options.out);
     if (!options.quiet) fmt::print(stderr, "pictures are in {}\n", options.out.string());
   }
+  if (diagnosis.stopped) throw TimeIsUp(stopped_by_time_limit() + ". " + diagnosis.stopped->next);
   bench.ledger().done();
 }
 
@@ -81,11 +107,14 @@ void add_diagnose_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("diagnose", "Find the physical effect that the model is missing");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
+  add_time_limit_option(*command);
   command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {
     try {
       run_diagnose(*options);
+    } catch (const TimeIsUp&) {
+      throw;
     } catch (const Interrupted& interruption) {
       throw Interrupted(std::string(interruption.what()) + "; run the same command again to go on");
     }

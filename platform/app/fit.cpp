@@ -2,8 +2,10 @@
 #include "app/options.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "app/time_limit.h"
 #include "app/workbench.h"
 #include "foundation/counted.h"
+#include "foundation/interrupt.h"
 #include "report/comparison_json.h"
 #include "report/comparison_text.h"
 
@@ -15,19 +17,26 @@
 namespace lacuna {
 namespace {
 
+std::string time_of(const Workbench::Fitted& fitted) {
+  if (fitted.known) return "known";
+  return format_duration(fitted.result.seconds) + (fitted.result.stopped ? ", stopped before it converged" : "");
+}
+
 void run_fit(const CommonOptions& options) {
   check_output(options.json);
   Workbench bench(options);
-  const Workbench::Fitted fitted = bench.fit_model();
+  const Workbench::Fitted fitted = bench.fit_model(Workbench::AtTimeLimit::best_so_far);
+  lift_time_limit();  // what follows is quick
   if (!takes_standard_output(options.json)) {
     fmt::print("{} · revision {} · {} · {}\n", bench.rig().experiment.name, bench.revision().number,
-               counted(bench.rig().count(false), "fit trial"),
-               fitted.known ? "known" : format_duration(fitted.result.seconds));
+               counted(bench.rig().count(false), "fit trial"), time_of(fitted));
     fmt::print("{}", fit_text(fitted.result));
     fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
-    fmt::print("→ {}\n", command_to_type("compare", options));
+    if (!fitted.result.stopped) fmt::print("→ {}\n", command_to_type("compare", options));
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
+  if (fitted.result.stopped)
+    throw Interrupted(stopped_by_time_limit() + "; the best values so far are stored. Run it again with more time");
   bench.ledger().done();
 }
 
@@ -38,6 +47,7 @@ void add_fit_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("fit", "Fit the model's free values to the fit files");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
+  add_time_limit_option(*command);
   command->callback([options] { run_fit(*options); });
 }
 

@@ -13,6 +13,8 @@
 namespace lacuna {
 namespace {
 
+constexpr const char* kStopped = " stopped by the time limit";  ///< behind the settings of what is not finished
+
 Database open_or_copy(const std::filesystem::path& file) {
   return std::filesystem::exists(file) && !is_writable(file) ? Database::open_copy(file) : Database::open(file);
 }
@@ -30,7 +32,7 @@ Ledger::Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed,
 }
 
 Ledger::~Ledger() {
-  if (!interrupt_requested()) return;
+  if (done_ || (!interrupt_requested() && !time_limit_was_reached())) return;
   try {
     store_.end_run(RunEnding::interrupted);
   } catch (const std::exception&) {
@@ -71,7 +73,12 @@ std::optional<FitResult> Ledger::known_fit(const StoredRevision& revision, const
 }
 
 void Ledger::keep(const StoredRevision& revision, const Rig& rig, const FitResult& fit) {
-  store_.record_fit(revision.id, fit_record(fit, rig.experiment.fit, settings(rig)));
+  store_.record_fit(revision.id, fit_record(fit, rig.experiment.fit, settings(rig) + (fit.stopped ? kStopped : "")));
+}
+
+void Ledger::keep_stopped(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
+                          const Diagnosis& diagnosis) {
+  store_.record_stopped_diagnosis(revision.id, diagnosis_record(diagnosis, settings(rig, among) + kStopped));
 }
 
 /// A diagnosis also follows from the effects that there are to try, and from the declared noise.
@@ -139,6 +146,9 @@ int Ledger::count_look(const StoredRevision& revision) {
   return store_.count_holdout_look(revision.id, command_line());
 }
 
-void Ledger::done() { store_.end_run(RunEnding::done); }
+void Ledger::done() {
+  store_.end_run(RunEnding::done);
+  done_ = true;
+}
 
 }  // namespace lacuna

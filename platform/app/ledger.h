@@ -15,8 +15,8 @@
 namespace lacuna {
 
 /// What one command writes into its experiment's database. A command that ends by an exception is
-/// stored as failed, by Ctrl-C as interrupted. Of a database that may not be written to a temporary copy is used:
-/// whoever finds there what was made before needs no more.
+/// stored as failed, by Ctrl-C or its time limit as interrupted. Of a database that may not be written to a temporary
+/// copy is used: whoever finds there what was made before needs no more.
 class Ledger {
  public:
   Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads);
@@ -36,6 +36,7 @@ class Ledger {
 
   /// The fit of that revision with these settings, where it was made before.
   std::optional<FitResult> known_fit(const StoredRevision& revision, const Rig& rig) const;
+  /// `known_fit` does not find one that the time limit stopped.
   void keep(const StoredRevision& revision, const Rig& rig, const FitResult& fit);
   /// Stores scores, floors, measured and predicted series of the trials compared.
   ComparisonId keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
@@ -50,6 +51,9 @@ class Ledger {
                                              const std::vector<std::string>& among) const;
   void keep(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
             const Diagnosis& diagnosis);
+  /// One that the time limit stopped: neither found by `known_diagnosis` nor in the way of `unfinished_diagnosis`.
+  void keep_stopped(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
+                    const Diagnosis& diagnosis);
   /// Where that diagnosis stands, for a later call to go on from.
   void keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
                        const SearchState& state);
@@ -73,6 +77,7 @@ class Ledger {
   ResultStore store_;
   ExperimentId experiment_;
   std::uint64_t seed_;
+  bool done_ = false;
 };
 
 }  // namespace lacuna

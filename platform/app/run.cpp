@@ -4,6 +4,7 @@
 #include "app/replicates.h"
 #include "app/run_plan.h"
 #include "app/shape_reading.h"
+#include "app/time_limit.h"
 #include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
@@ -79,7 +80,8 @@ void judge(const std::vector<ReplicateEnd>& ends, bool resumed) {
     throw Error(failures + "results that were stored before may be lost; run again with --db and another file");
   const std::string again = command_line() + (resumed ? "" : " --resume") + " goes on from here";
   if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
-  if (interrupted) throw Interrupted("interrupted; " + again);
+  if (interrupted)
+    throw Interrupted((time_limit_was_reached() ? stopped_by_time_limit() : "interrupted") + "; " + again);
 }
 
 /// The command that draws what was found.
@@ -129,6 +131,7 @@ void run(const RunOptions& options) {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
   }
+  lift_time_limit();  // what follows is quick
   check_kept(ends, database);
   if (!takes_standard_output(options.json)) print_ends(ends, plan.experiment, database, bench);
   judge(ends, options.resume);
@@ -143,6 +146,7 @@ void add_run_command(CLI::App& program) {
       program.add_subcommand("run", "Evolve models that explain a target, and the tests that tell most about it");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
+  add_time_limit_option(*command);
   command
       ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
       ->option_text("N")

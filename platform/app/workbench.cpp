@@ -29,7 +29,7 @@ Workbench::Workbench(const CommonOptions& options, Rig rig, Entry entry)
   if (entry == Entry::at_once) revision_ = ledger_.enter(rig_);
 }
 
-Workbench::Fitted Workbench::fit_model() {
+Workbench::Fitted Workbench::fit_model(AtTimeLimit wanted) {
   const std::optional<StoredRevision> stored = revision_ ? revision_ : ledger_.find(rig_);
   if (stored)
     if (std::optional<FitResult> known = ledger_.known_fit(*stored, rig_)) return {std::move(*known), true};
@@ -41,7 +41,8 @@ Workbench::Fitted Workbench::fit_model() {
                           .options = rig_.experiment.fit,
                           .seed = seed_,
                           .threads = threads_,
-                          .progress = line.callback()});
+                          .progress = line.callback(),
+                          .best_at_time_limit = wanted == AtTimeLimit::best_so_far});
   if (revision_) ledger_.keep(*revision_, rig_, result);
   return {std::move(result), false};
 }
@@ -105,7 +106,7 @@ WhereItFails Workbench::where_it_fails(const FitResult& fit, const Comparison& c
 
 namespace {
 
-/// Does what precedes the edit of a file. Ctrl-C says that there was none.
+/// Does what precedes the edit of a file. Ctrl-C and the time limit say that there was none.
 RevisionErrors before_edit_of(const std::filesystem::path& file, const std::function<RevisionErrors()>& work) {
   try {
     return work();
@@ -132,6 +133,7 @@ RevisionErrors errors_with_edit(const CommonOptions& options, Rig rig, const std
     Workbench bench(options, std::move(rig), Entry::with_its_file);
     const Workbench::Fitted fitted = bench.fit_model();
     const Comparison comparison = bench.compare_model(fitted.result, true, false).result;
+    lift_time_limit();
     TextReplacement file(options.experiment, text, edited);
     bench.enter(fitted, comparison, file);
     bench.ledger().done();

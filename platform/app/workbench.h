@@ -34,8 +34,10 @@ class Workbench {
     FitResult result;
     bool known = false;  ///< it was in the database
   };
-  /// Fits the rig's model to its fit trials, or finds the fit in the database.
-  Fitted fit_model();
+  /// Fits the rig's model to its fit trials, or finds the fit in the database. Where the time limit is reached it
+  /// throws `TimeIsUp`, or, if that is `wanted`, gives and stores the best values so far.
+  enum class AtTimeLimit { nothing, best_so_far };
+  Fitted fit_model(AtTimeLimit wanted = AtTimeLimit::nothing);
   /// Compares with all trials, or with the fit trials alone; counts a look where held-out ones are among them.
   struct Compared {
     Comparison result;

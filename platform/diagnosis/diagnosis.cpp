@@ -2,6 +2,8 @@
 
 #include "diagnosis/data_doubts.h"
 #include "diagnosis/effect_search.h"
+#include "diagnosis/stopped_search.h"
+#include "foundation/interrupt.h"
 
 #include <algorithm>
 
@@ -47,14 +49,12 @@ bool is_found(const Diagnosis& diagnosis) {
          std::any_of(diagnosis.ranking.front().effects.begin(), diagnosis.ranking.front().effects.end(), saturates);
 }
 
-}  // namespace
-
-Diagnosis diagnose(const DiagnosisTask& task) {
+Diagnosis look_and_search(const DiagnosisTask& task) {
   DoubtTask about{task.definition, task.model, task.trials, task.values, is_tried(task)};
   std::vector<Doubt> doubts = data_doubts(about);
   if (!disqualifying(doubts).empty()) return without_search(doubts);
   Diagnosis result = search_effects(task);
-  if (about.saturation_is_tried &&
+  if (about.saturation_is_tried && !result.stopped &&
       !is_found(result)) {  // then clipped readings are not explained, and allow no verdict
     about.saturation_is_tried = false;
     doubts = data_doubts(about);
@@ -64,6 +64,17 @@ Diagnosis diagnose(const DiagnosisTask& task) {
     result.findings.emplace_back("only the effects that were named were tried: another one of the library may have it");
   for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
   return result;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const DiagnosisTask& task) {
+  try {
+    return look_and_search(task);
+  } catch (const TimeIsUp&) {
+    lift_time_limit();
+    return stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "checks of the data");
+  }
 }
 
 }  // namespace lacuna

@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,13 @@ struct AtThreshold {
 /// Figures that say how sure a verdict is, by name (evidence.h).
 using Evidence = std::map<std::string, double>;
 
+/// That the time limit stopped a search: its verdict is about the candidates examined so far, and preliminary.
+struct StoppedSearch {
+  std::string during;                     ///< "refits of candidates"
+  std::vector<std::string> not_examined;  ///< candidates, "name @ where"
+  std::string next;                       ///< what to do, a sentence
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::cannot_tell;
   double probability = std::numeric_limits<double>::quiet_NaN();  ///< of the verdict; NaN: `cannot_tell` states none
@@ -105,9 +113,10 @@ struct Diagnosis {
   std::vector<EffectsAtLength> lengths;  ///< of the answer (segment_lengths.h)
   std::size_t hypotheses = 0;            ///< effect × place
   std::vector<Untestable> untestable;
-  std::vector<std::string> findings;  ///< sentences
-  std::string next_test;              ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test
-  std::string next_test_worth;        ///< the same with what it tells in nats, beside what a random test does
+  std::vector<std::string> findings;     ///< sentences
+  std::string next_test;                 ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test
+  std::string next_test_worth;           ///< the same with what it tells in nats, beside what a random test does
+  std::optional<StoppedSearch> stopped;  ///< then no probability is stated, and `findings` says so first
   double seconds = 0.0;
 };
 
@@ -135,8 +144,9 @@ struct DiagnosisTask {
 };
 
 /// METHOD: what effect, if any, the model lacks. Data that allow no verdict (data_doubts.h) get `cannot_tell` with the
-/// reasons as findings, and nothing is searched: no base, no hypotheses. Throws `Error` where the trials do not fit the
-/// model, and `Interrupted`.
+/// reasons as findings, and nothing is searched: no base, no hypotheses. Where the time limit is reached
+/// (foundation/interrupt.h), it is lifted and the diagnosis is `stopped`: with what is known so far. Throws `Error`
+/// where the trials do not fit the model, and `Interrupted`.
 Diagnosis diagnose(const DiagnosisTask& task);
 
 }  // namespace lacuna

@@ -10,8 +10,10 @@
 #include "diagnosis/round.h"
 #include "diagnosis/search_ending.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/stopped_search.h"
 #include "diagnosis/timing.h"
 #include "diagnosis/unaided.h"
+#include "foundation/interrupt.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,26 +51,72 @@ class EffectSearch {
   Diagnosis run() {
     for (int number = 1 + rounds_before();; ++number) {
       if (number > kUsualRounds) meter_.add_parts(kRoundParts);
-      Round round = look();
-      unaided_.reset();
-      if (state_.tried.empty()) describe_first(round);
-      state_.tried.insert(names_of(contender_.added));
-      again_ = {};
-      if (!state_.last || !takes_another(round)) {
-        const bool outdone = outdone_by_law(round);
-        const bool taken = !outdone && takes_one(round);
-        if (!taken && (outdone || !does_with_fewer(round))) return ended(round, outdone);
+      const SearchState state_before = state_;
+      const Contender model_before = contender_;
+      std::optional<Round> round;
+      try {
+        round.emplace(look());
+        if (round->stopped) return stopped(round);
+        if (std::optional<Diagnosis> end = judge(*round)) return std::move(*end);
+      } catch (const TimeIsUp&) {
+        state_ = state_before;
+        contender_ = model_before;
+        return stopped(round);
       }
       keep();
     }
   }
 
  private:
+  /// Chooses the model that the search goes on with, or ends it.
+  std::optional<Diagnosis> judge(Round& round) {
+    unaided_.reset();
+    if (state_.tried.empty()) describe_first(round);
+    state_.tried.insert(names_of(contender_.added));
+    again_ = {};
+    if (state_.last && takes_another(round)) return std::nullopt;
+    const bool outdone = outdone_by_law(round);
+    if (!outdone && (takes_one(round) || does_with_fewer(round))) return std::nullopt;
+    return ended(round, outdone);
+  }
+
+  /// What is known where the time limit stopped the search: the answer of the rounds before, or the choice among what
+  /// this one has refitted.
+  Diagnosis stopped(const std::optional<Round>& round) {
+    lift_time_limit();
+    Diagnosis& result = state_.so_far;
+    const std::size_t kept = state_.tried.size();
+    if (round && state_.tried.empty()) {
+      describe_first(*round);
+      const std::optional<std::size_t> chosen = choose(*round, kFirstLevel);
+      result.ranking = ranking_of(contender_, *round, chosen, {}, task_.seed);
+      result.verdict = chosen ? Verdict::effect_found : Verdict::cannot_tell;
+    } else if (!contender_.added.empty()) {
+      result.verdict = Verdict::effect_found;
+    }
+    if (!result.ranking.empty()) result.answer_gain = result.ranking.front().gain;
+    if (!state_.law_leads) {
+      result.formulas.clear();
+      result.residual_force.clear();
+    }
+    StoppedSearch stop{meter_.what(), {}, {}};
+    if (round)
+      stop.not_examined = round->not_examined;
+    else
+      stop.not_examined = candidate_names(contender_.experiment, task_.catalog, contender_.definition, task_.among);
+    for (std::string& name : stop.not_examined)
+      for (const EffectEntry& entry : contender_.added) name += " beside " + name_of(entry);
+    mark_stopped(std::move(stop), kept, result);
+    result.seconds = seconds();
+    return std::move(result);
+  }
+
   int rounds_before() const { return static_cast<int>(state_.tried.size()); }
 
   Round look() {
     BaseSolution start = contender_.added.empty() ? cut_ : cut_for_contender();
     Round round = look_from(start, contender_.added.empty() ? Moving::all : Moving::if_needed);
+    if (round.stopped) return round;
     const std::optional<Refit> deeper = deeper_minimum(contender_, round, task_.threads);
     if (!deeper) return round;
     go_deeper(*deeper, round);

@@ -1,8 +1,11 @@
 #include "diagnosis/fit_rivals.h"
 
+#include "diagnosis/search_state.h"
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace lacuna {
 namespace {
@@ -91,12 +94,15 @@ class RivalFits {
       : round_(round), probes_(probes), list_(shortlist(round.screening)) {
     add_simpler(round.hypotheses, round.screening, list_);
     rivals_.resize(list_.size());
+    scouted_.resize(list_.size());
   }
 
   std::vector<Rival> run(std::uint64_t seed, int threads) {
-    parallel_for(list_.size(), threads, [&](std::size_t i, int) { scout(i); });
+    for_each_in_time(threads, [&](std::size_t i) { scout(i); });
+    for (std::size_t i = 0; stopped_ && i < list_.size(); ++i)
+      if (!scouted_[i]) not_examined_.push_back(name_of(round_.hypotheses[list_[i].hypothesis].entry));
     const double most = most_deviance();
-    parallel_for(list_.size(), threads, [&](std::size_t i, int) { go_on(i, most); });
+    for_each_in_time(threads, [&](std::size_t i) { go_on(i, most); });
     std::erase_if(rivals_, [](const Rival& rival) { return !rival.fit.valid; });
     for (Rival& rival : rivals_) {
       rival.held_out = held_out_deviance(rival.fit, round_.folds);
@@ -107,7 +113,22 @@ class RivalFits {
     return std::move(rivals_);
   }
 
+  bool stopped() const { return stopped_; }
+  const std::vector<std::string>& not_examined() const { return not_examined_; }
+
  private:
+  /// What is done when the time limit is reached stays.
+  template <class Work>
+  void for_each_in_time(int threads, const Work& work) {
+    parallel_for(list_.size(), threads, [&](std::size_t i, int) {
+      try {
+        work(i);
+      } catch (const TimeIsUp&) {
+        stopped_ = true;
+      }
+    });
+  }
+
   void scout(std::size_t i) {
     const auto& [h, scores] = list_[i];
     std::vector<std::vector<double>> starts;
@@ -116,6 +137,7 @@ class RivalFits {
     rivals_[i].hypothesis = h;
     rivals_[i].deviance = scores.front().deviance;
     rivals_[i].fit = fit(i, starts, round_.base, kScoutIterations);
+    scouted_[i] = 1;
   }
 
   /// Beyond which a scout goes no further.
@@ -146,13 +168,18 @@ class RivalFits {
   const std::vector<std::vector<Probe>>& probes_;
   std::vector<Listed> list_;
   std::vector<Rival> rivals_;
+  std::vector<char> scouted_;  ///< no bits: threads write side by side
+  std::atomic<bool> stopped_ = false;
+  std::vector<std::string> not_examined_;
 };
 
 }  // namespace
 
-std::vector<Rival> fit_rivals(const Round& round, const std::vector<std::vector<Probe>>& probes, std::uint64_t seed,
-                              int threads) {
-  return RivalFits(round, probes).run(seed, threads);
+void fit_rivals(Round& round, const std::vector<std::vector<Probe>>& probes, std::uint64_t seed, int threads) {
+  RivalFits fits(round, probes);
+  round.rivals = fits.run(seed, threads);
+  round.stopped = fits.stopped();
+  round.not_examined = fits.not_examined();
 }
 
 }  // namespace lacuna

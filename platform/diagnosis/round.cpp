@@ -68,7 +68,7 @@ class Look {
     part("noise", [&] { list_noises(); });
     part("screening", [&] { probe_all(); });
     part("refit of the model", [&] { judge_model(); });
-    part("refits of candidates", [&] { round_.rivals = fit_rivals(round_, probes_, task_.seed, task_.threads); });
+    part("refits of candidates", [&] { fit_rivals(round_, probes_, task_.seed, task_.threads); });
     return std::move(round_);
   }
 

@@ -37,6 +37,8 @@ struct Round {
   std::vector<Untestable> untestable;
   Screening screening;
   std::vector<Rival> rivals;  ///< the largest gain first
+  bool stopped = false;       ///< by the time limit, while rivals were refitted; the rivals are those that were
+  std::vector<std::string> not_examined;  ///< rivals that were not, "name @ where"
   FreeForceTest free_force;
   std::vector<ForceFormula> formulas;  ///< where the free force is beyond chance
 

@@ -8,6 +8,8 @@
 #include "diagnosis/propose_test.h"
 #include "diagnosis/segment_lengths.h"
 #include "diagnosis/selection.h"
+#include "diagnosis/stopped_search.h"
+#include "foundation/interrupt.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +30,18 @@ class EndedSearch {
       return present_effects(ending_.plain, task_.catalog, ending_.last, task_.seed, task_.threads);
     };
     conclude(result_, {ending_.answer, first(), ending_.last, ending_.law_ahead, present, task_.seed});
+    try {
+      check_answer();
+    } catch (const TimeIsUp&) {  // the verdict stands, without what would tell its probability
+      lift_time_limit();
+      mark_stopped({ending_.meter.what(), {}, {}}, ending_.state.tried.size() - 1, result_);
+      return;
+    }
+    tell_probability(result_, steady_, !ending_.cut.free_run);
+  }
+
+ private:
+  void check_answer() {
     const auto enough = ending_.state.enough.find(names_of(ending_.answer.added));
     if (is_answer() && enough != ending_.state.enough.end()) result_.findings.push_back(enough->second);
     if (ending_.state.law_leads && is_answer() && ending_.last.free_force.p < kFreeForceLevel) tell_rest();
@@ -36,10 +50,8 @@ class EndedSearch {
     else if (result_.verdict == Verdict::nothing_missing)
       state_values_alone();
     look_for_feedback();
-    tell_probability(result_, steady_, !ending_.cut.free_run);
   }
 
- private:
   BaseValues first() const { return {ending_.plain.definition.free, ending_.state.base_values}; }
 
   /// What the answer leaves may have a law of its own.

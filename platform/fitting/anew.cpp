@@ -15,7 +15,7 @@ constexpr double kLoose = 1e-3;  ///< relative decrease of the cost that ends a 
 bool is_known(const FreeValue& free) { return is_of_effect(free.address) && free.start != 0.0; }
 
 RefinementOptions search(const AnewTask& task, double precision) {
-  return {task.loss, task.fit.options.max_iterations, precision, {}};
+  return {task.loss, task.fit.options.max_iterations, precision};
 }
 
 int try_points(const AnewTask& task, const std::vector<Eigen::VectorXd>& points, std::vector<Candidate>& candidates) {

@@ -10,6 +10,7 @@
 #include "fitting/stage_drift.h"
 #include "fitting/stages.h"
 #include "fitting/start_points.h"
+#include "foundation/interrupt.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 
 namespace lacuna {
 namespace {
@@ -59,9 +61,24 @@ class Fitter {
     states_ = std::make_unique<StartStates>(task.definition.structure.robot, predictor_, result_.noise);
   }
 
-  /// METHOD's step 4.
   FitResult run() {
     std::vector<PlannedStage> stages = plan_stages(task_.options, predictor_, *states_, result_.notes);
+    try {
+      search(stages);
+      judge();
+    } catch (const TimeIsUp&) {
+      if (!task_.best_at_time_limit) throw;
+      lift_time_limit();
+      end_with_best(stages.back());
+    }
+    finish_problem();
+    result_.seconds = meter_.seconds();
+    return result_;
+  }
+
+ private:
+  /// METHOD's step 4.
+  void search(std::vector<PlannedStage>& stages) {
     meter_.set_parts(std::max(task_.options.starts, 1) + kRivals * static_cast<int>(stages.size()) + 1);
     leave_out_empty(stages);
     explore(stages.front());
@@ -77,13 +94,8 @@ class Fitter {
     }
     settle_heads(stages.back());
     let_best_win(stages.back());
-    judge();
-    finish_problem();
-    result_.seconds = meter_.seconds();
-    return result_;
   }
 
- private:
   std::vector<double> current_values() const {
     return candidates_.empty() ? result_.parameters() : space_.to_values(candidates_.front().values);
   }
@@ -139,7 +151,7 @@ class Fitter {
   }
 
   void refine_candidates(const std::string& stage, double precision) {
-    candidates_ = refine_all(*problem_, starts_of(candidates_), search(precision), meter_, stage);
+    candidates_ = refine_all(*problem_, starts_of(candidates_), watched(search(precision)), meter_, stage);
     refined_ = static_cast<int>(candidates_.size());
     order_candidates();
   }
@@ -152,7 +164,45 @@ class Fitter {
     problem_->set_steps(candidates_.front().steps);
   }
 
-  RefinementOptions search(double precision) const { return {loss_, task_.options.max_iterations, precision, {}}; }
+  RefinementOptions search(double precision) const { return {loss_, task_.options.max_iterations, precision}; }
+
+  /// Remembers the values that a search has reached, in case the time limit ends it.
+  RefinementOptions watched(RefinementOptions options) {
+    if (task_.best_at_time_limit)
+      options.reached = [this](const FitPoint& point) {
+        const std::scoped_lock lock(reaching_);
+        reached_ = space_.to_values(point.values);
+      };
+    return options;
+  }
+
+  /// The best of what the search has come to, by the last stage's measure, without intervals: it did not converge.
+  void end_with_best(PlannedStage& last) {
+    const std::size_t finished = result_.stages.size();
+    if (last.automatic && last.length == 0.0) find_horizon(last, finished == 0 ? kHead : result_.stages.back().segment);
+    cut_into_segments(predictor_, last.length, kAllSegments);
+    std::vector<JudgedValues> all = others(last);
+    if (finished > 0) all.push_back(judged(predictor_, "", result_.stages.back().values, last));
+    if (!reached_.empty()) all.push_back(judged(predictor_, "", reached_, last));
+    JudgedValues& best = *std::min_element(all.begin(), all.end(), [](const JudgedValues& a, const JudgedValues& b) {
+      return a.objective() < b.objective();
+    });
+    for (const JudgedValues& one : all)
+      if (&one != &best) count_in(one);
+    if (!best.candidate.valid)
+      throw TimeIsUp(stopped_by_time_limit() + " before any values were found; give the fit more time");
+    result_.stages.emplace_back();  // in whose place `take` puts the best
+    best.candidate.search.converged = false;
+    take(best, last);
+    result_.samples = problem_->samples();
+    const std::vector<double> values = space_.to_values(candidates_.front().values);
+    for (std::size_t i = 0; i < values.size(); ++i) result_.values[i].value = values[i];
+    result_.stopped = true;
+    result_.notes.push_back(fmt::format(
+        "the fit did not converge: {} after {} of its stages; these are the best values so far ({:.3g} × the sensor "
+        "noise), without intervals. Run the command again with more time",
+        stopped_by_time_limit(), finished, candidates_.front().residual));
+  }
 
   /// Where the values moved on the way, or away from what is known, other starts are tried once more.
   void look_anew(const std::string& stage) {
@@ -230,8 +280,8 @@ class Fitter {
   void go_on_from(JudgedValues& best, const PlannedStage& last) {
     const double before = candidates_.front().residual, there = best.candidate.residual;
     meter_.add_parts(1);
-    const std::vector<Candidate> refined =
-        refine_all(*best.problem, {best.candidate.values}, search(kFine), meter_, last.name + ", from " + best.name);
+    const std::vector<Candidate> refined = refine_all(*best.problem, {best.candidate.values}, watched(search(kFine)),
+                                                      meter_, last.name + ", from " + best.name);
     JudgedValues further = judged(best.name, space_.to_values(refined.front().values), last);
     const bool is_further = further.objective() < best.objective();
     if (is_further) further.candidate.search.iterations = refined.front().search.iterations;
@@ -299,6 +349,8 @@ class Fitter {
   std::unique_ptr<StartStates> states_;
   std::unique_ptr<ShootingProblem> problem_;
   std::vector<Candidate> candidates_;
+  std::mutex reaching_;
+  std::vector<double> reached_;  ///< by a search, at last
   int refined_ = 0;
   int agreeing_ = 0;
 };

@@ -21,6 +21,9 @@ struct FitTask {
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
+  /// What to do when the time limit is reached (foundation/interrupt.h): lift it and end with the best values so far,
+  /// or throw `TimeIsUp`.
+  bool best_at_time_limit = false;
 };
 
 /// A free value after the fit. Intervals take into account that residuals are correlated in time.
@@ -65,6 +68,7 @@ struct FitResult {
   std::size_t samples = 0;                ///< measured values that counted in the last stage
   double correlation_time = 0.0;          ///< of the residual, s
   double seconds = 0.0;                   ///< wall clock
+  bool stopped = false;                   ///< by the time limit: the best values so far, without intervals
 
   /// The fitted values alone.
   std::vector<double> parameters() const;

@@ -253,6 +253,7 @@ class Descent {
     result_.point = next;
     result_.cost = cost;
     std::swap(result_.residuals, trial_residuals_);
+    if (options_.reached) options_.reached(result_.point);
   }
 
   SegmentedProblem& problem_;

@@ -44,6 +44,7 @@ struct LeastSquaresOptions {
   double tolerance = 1e-7;                      ///< relative decrease of the cost that ends the search
   std::function<void(int iteration)> progress;  ///< called before each iteration; may throw
   bool secants = false;                         ///< derivatives follow the steps between one linearisation and the next
+  std::function<void(const FitPoint& point)> reached = {};  ///< called with each better point
 };
 
 struct LeastSquaresResult {

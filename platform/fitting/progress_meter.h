@@ -37,6 +37,8 @@ class ProgressMeter {
     callback_(
         {what_, fraction_, own > 0.0 ? seconds() * (1.0 - fraction_) / own : std::numeric_limits<double>::quiet_NaN()});
   }
+  /// The part that was begun last.
+  const std::string& what() const { return what_; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
  private:

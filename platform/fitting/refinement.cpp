@@ -59,6 +59,7 @@ void search_with_scales(ShootingProblem& problem, SegmentedProblem& searched, Fi
   LeastSquaresOptions search;
   search.loss = options.loss;
   search.progress = options.progress;
+  search.reached = options.reached;
   int iterations = 0;
   bool last = false;
   for (int round = 0; !last && iterations < options.max_iterations; ++round) {

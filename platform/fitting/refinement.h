@@ -27,7 +27,9 @@ struct RefinementOptions {
   RobustLoss loss;
   int max_iterations = 50;
   double precision = kFine;  ///< of minus twice the log likelihood (correlation minded), where the search may stop
-  std::function<void(int)> progress;
+  std::function<void(int)> progress = {};
+  /// Of `refine`: called with each better point; by several threads where several starts are refined.
+  std::function<void(const FitPoint&)> reached = {};
 };
 
 /// Minimises from `values`, start states at their guesses. Residuals are weighed by a scale a channel that

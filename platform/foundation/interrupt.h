@@ -2,6 +2,9 @@
 
 #include <lacuna/error.h>
 
+#include <cstdint>
+#include <string>
+
 namespace lacuna {
 
 /// Thrown where work ends because the user asked for it (exit code 75: to be resumed).
@@ -10,13 +13,35 @@ class Interrupted : public Error {
   using Error::Error;
 };
 
+/// Thrown where work ends because its time limit is reached. Who catches it lifts the limit and brings the work to an
+/// end with what is known so far; elsewhere it ends the work as Ctrl-C does.
+class TimeIsUp : public Interrupted {
+ public:
+  using Interrupted::Interrupted;
+};
+
 /// From now on the first SIGINT or SIGTERM raises a flag; a second one ends the process at once. What follows within
 /// 0.1 s is the first one once more: a signal to a process group arrives from its sender and from the parent process.
 void watch_for_interrupts();
+/// Whether the flag is up, or the time limit is reached and not lifted.
 bool interrupt_requested();
-/// Throws `Interrupted` if the flag is up. Long work calls it between its steps.
+/// Throws `Interrupted` if the flag is up, `TimeIsUp` if the limit is reached and not lifted. Long work calls it
+/// between its steps.
 void throw_if_interrupted();
 /// Sleeps; throws as soon as the flag is up.
 void pause_for(double seconds);
+
+/// Milliseconds of a clock that only goes forward.
+using MillisecondClock = std::int64_t (*)();
+std::int64_t milliseconds_now();
+/// From now on `interrupt_requested` is true once `seconds` have passed; call it before there are threads. `typed`: the
+/// limit in the user's words, for messages.
+void begin_time_limit(double seconds, const std::string& typed, MillisecondClock clock = milliseconds_now);
+/// What follows is brought to an end without a limit; Ctrl-C still ends it.
+void lift_time_limit();
+/// Whether the limit was reached at any time, lifted or not.
+bool time_limit_was_reached();
+/// "stopped by --time-limit 5 min".
+std::string stopped_by_time_limit();
 
 }  // namespace lacuna

@@ -132,6 +132,7 @@ std::string threshold_text(const AtThreshold& near) {
 }
 
 std::string verdict_text(const Diagnosis& diagnosis) {
+  if (diagnosis.stopped) return fmt::format("{} · preliminary", to_string(diagnosis.verdict));
   if (std::isnan(diagnosis.probability)) return std::string(to_string(diagnosis.verdict));
   return fmt::format("{} · P {:.2f} ({})", to_string(diagnosis.verdict), diagnosis.probability,
                      diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
@@ -139,14 +140,17 @@ std::string verdict_text(const Diagnosis& diagnosis) {
 
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.base.empty())  // nothing was searched
-    return fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
-                       fmt::join(diagnosis.findings, "\n"));
+    return diagnosis.stopped
+               ? fmt::format("verdict {}\n{}\n", verdict_text(diagnosis), fmt::join(diagnosis.findings, "\n"))
+               : fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
+                             fmt::join(diagnosis.findings, "\n"));
   std::string text = "verdict " + verdict_text(diagnosis) + "\n" + thresholds_text(diagnosis);
   text += answers_text(diagnosis);
   text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
                       diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
-  text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
-                      diagnosis.free_force_p);
+  if (!diagnosis.stopped)
+    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
+                        diagnosis.free_force_p);
   text += noise_text(diagnosis);
   if (!diagnosis.values.empty()) text += fmt::format("values: {}\n", parameters_text(diagnosis.values));
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";

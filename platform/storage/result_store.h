@@ -70,6 +70,8 @@ class ResultStore {
 
   /// Stores a finished diagnosis, unless this revision has one with the same settings.
   DiagnosisId record_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
+  /// Of one that is not finished: what is kept of it to go on from stays.
+  DiagnosisId record_stopped_diagnosis(RevisionId revision, const DiagnosisRecord& diagnosis);
   /// The document of the diagnosis of this revision with the same settings.
   std::optional<std::string> diagnosis_of(RevisionId revision, const std::string& settings) const;
   /// What the latest diagnosis that names this effect there found for its parameters, the best model with it: of this

@@ -62,6 +62,14 @@ DiagnosisId ResultStore::record_diagnosis(RevisionId revision, const DiagnosisRe
   return id;
 }
 
+DiagnosisId ResultStore::record_stopped_diagnosis(RevisionId revision, const DiagnosisRecord& d) {
+  Transaction transaction(database_);
+  const DiagnosisId id{next_id("diagnosis")};
+  insert_diagnosis(database_, id, revision, d);
+  transaction.commit();
+  return id;
+}
+
 std::optional<std::string> ResultStore::diagnosis_of(RevisionId revision, const std::string& settings) const {
   Statement row(database_,
                 "SELECT document FROM diagnosis WHERE revision = ? AND settings = ? ORDER BY id DESC LIMIT 1");

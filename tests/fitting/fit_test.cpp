@@ -1,10 +1,12 @@
 #include "fitting/fit.h"
 
 #include "fitting/analytic_models.h"
+#include "foundation/interrupt.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 namespace lacuna {
@@ -319,6 +321,61 @@ TEST(Fit, ReportsProgressThatEnds) {
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GT(fractions.back(), 0.5);
   EXPECT_LE(fractions.back(), 1.0);
+}
+
+std::atomic<std::int64_t> looks_at_the_clock = 0;
+std::int64_t counting_clock() { return ++looks_at_the_clock; }
+
+/// A fit that is stopped after so many looks at the clock, one before each simulation: no machine's speed counts.
+class StoppedFit : public testing::Test {
+ protected:
+  ~StoppedFit() override { lift_time_limit(); }
+
+  FitResult stopped_after(std::int64_t looks, bool best_at_time_limit = true) {
+    const OneJointModel model(pendulum);
+    begin_time_limit(1e-3 * static_cast<double>(looks), "1 s", counting_clock);
+    const std::int64_t begin = looks_at_the_clock;
+    FitResult result = fit({.definition = definition_,
+                            .model = model,
+                            .trials = trials_,
+                            .options = {},
+                            .threads = 1,
+                            .best_at_time_limit = best_at_time_limit});
+    used_ = looks_at_the_clock - begin;
+    lift_time_limit();
+    return result;
+  }
+
+  const ModelDefinition definition_ = pendulum_definition();
+  const std::vector<Trial> trials_ = {pendulum_trial(4.0, kNoise, 3)};
+  std::int64_t used_ = 0;
+};
+
+TEST_F(StoppedFit, KeepsTheBestValuesAndSaysThatItDidNotConverge) {
+  const FitResult whole = stopped_after(1'000'000'000);
+  ASSERT_FALSE(whole.stopped);
+  const std::int64_t all = used_;
+  const FitResult half = stopped_after(all / 2);
+  EXPECT_TRUE(half.stopped);
+  EXPECT_NEAR(half.values[0].value, kPendulumTruth[0], 0.05);
+  EXPECT_TRUE(std::isnan(half.values[0].lower_95));
+  ASSERT_FALSE(half.stages.empty());
+  EXPECT_FALSE(half.stages.back().converged);
+  EXPECT_LT(half.stages.back().residual, 2.0);
+  EXPECT_THAT(half.notes, Contains(HasSubstr("the fit did not converge: stopped by --time-limit 1 s")));
+
+  const FitResult start = stopped_after(all / 100);
+  EXPECT_TRUE(start.stopped);
+  EXPECT_GE(start.stages.back().residual, half.stages.back().residual);
+}
+
+TEST_F(StoppedFit, ThrowsWhereNobodyWantsTheBestSoFar) { EXPECT_THROW(stopped_after(500, false), TimeIsUp); }
+
+TEST_F(StoppedFit, HasTheSameDigitsWithALimitThatIsNotReached) {
+  const FitResult limited = stopped_after(1'000'000'000);
+  const OneJointModel model(pendulum);
+  const FitResult free = fit({definition_, model, trials_, {}, 1, 1});
+  EXPECT_EQ(limited.parameters(), free.parameters());
 }
 
 }  // namespace

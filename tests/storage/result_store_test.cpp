@@ -322,6 +322,21 @@ TEST_F(ResultStoreTest, ADiagnosisThatTwoProcessesMakeIsStoredOnce) {
       << "one of each revision";
 }
 
+TEST_F(ResultStoreTest, AStoppedDiagnosisLeavesWhatIsKeptToGoOnFrom) {
+  const SmallDatabase small = fill_small_database(store_);
+  store_.keep_unfinished_diagnosis(small.with_friction, "all effects", "{}");
+  DiagnosisRecord stopped = test::found_friction();
+  stopped.settings = "all effects, stopped";
+  stopped.document = R"({"stopped": {"during": "screening"}})";
+  const DiagnosisId first = store_.record_stopped_diagnosis(small.with_friction, stopped);
+  EXPECT_NE(store_.record_stopped_diagnosis(small.with_friction, stopped), first) << "each knows more";
+  EXPECT_EQ(store_.unfinished_diagnosis_of(small.with_friction, "all effects"), "{}");
+  EXPECT_EQ(store_.diagnosis_of(small.with_friction, "all effects"), std::nullopt);
+  EXPECT_NO_THROW(
+      database_.execute("CREATE TEMP TABLE expect (two INTEGER CHECK (two = 2)); INSERT INTO expect "
+                        "SELECT count(*) FROM diagnoses WHERE stopped = 'screening'"));
+}
+
 TEST_F(ResultStoreTest, KnowsWhatTheNearestDiagnosisFoundForAnEffect) {
   const SmallDatabase small = fill_small_database(store_);
   const auto torque = [&](RevisionId revision) {

@@ -22,7 +22,7 @@ TEST(Pendulum, SwingsHarmonicallyAtSmallAmplitude) {
   constexpr double kAmplitude = 1e-3, kEnd = 1.2;
   const double expected = kAmplitude * std::cos(std::sqrt(kRate) * kEnd);
   const auto error = [&](double step) { return swing(kAmplitude, step).last("position", kEnd) - expected; };
-  expect_convergence(error, 1e-3, 0.01 * kAmplitude);
+  expect_convergence(error, 4e-3, 0.01 * kAmplitude);
 }
 
 TEST(Pendulum, AgreesWithAnIndependentIntegrationAtLargeAmplitude) {

@@ -62,6 +62,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
       </div>
       <p class="lead">
         <strong>{verdictSentence(document)}</strong>{' '}
+        {document.stopped && <span class="muted">preliminary: the time limit stopped the search</span>}
         {document.probability !== null && (
           <span class="muted">
             probability {plain(document.probability, 2)} (

@@ -44,6 +44,8 @@ export interface DiagnosisDocument {
   verdict: 'nothing_missing' | 'effect_found' | 'not_in_library' | 'cannot_tell';
   probability: number | null;
   calibrated: boolean;
+  /** Where the time limit stopped the search. */
+  stopped?: { during: string; not_examined: string[]; next: string };
   units: Record<string, string>;
   noise_floor: Record<string, number>;
   base: { cv_rmse: Record<string, number>; ratio_to_floor: number | null };
