@@ -361,12 +361,11 @@ TEST_F(StoppedFit, KeepsTheBestValuesAndSaysThatItDidNotConverge) {
   EXPECT_TRUE(std::isnan(half.values[0].lower_95));
   ASSERT_FALSE(half.stages.empty());
   EXPECT_FALSE(half.stages.back().converged);
-  EXPECT_LT(half.stages.back().residual, 2.0);
   EXPECT_THAT(half.notes, Contains(HasSubstr("the fit did not converge: stopped by --time-limit 1 s")));
 
   const FitResult start = stopped_after(all / 100);
   EXPECT_TRUE(start.stopped);
-  EXPECT_GE(start.stages.back().residual, half.stages.back().residual);
+  EXPECT_LT(half.stages.back().residual, 0.5 * start.stages.back().residual);
 }
 
 TEST_F(StoppedFit, ThrowsWhereNobodyWantsTheBestSoFar) { EXPECT_THROW(stopped_after(500, false), TimeIsUp); }
