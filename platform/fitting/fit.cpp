@@ -180,10 +180,10 @@ class Fitter {
   void end_with_best(PlannedStage& last) {
     const std::size_t finished = result_.stages.size();
     if (last.automatic && last.length == 0.0) find_horizon(last, finished == 0 ? kHead : result_.stages.back().segment);
-    cut_into_segments(predictor_, last.length, kAllSegments);
+    cut_into_segments(last.length, kAllSegments);
     std::vector<JudgedValues> all = others(last);
-    if (finished > 0) all.push_back(judged(predictor_, "", result_.stages.back().values, last));
-    if (!reached_.empty()) all.push_back(judged(predictor_, "", reached_, last));
+    if (finished > 0) all.push_back(judged("", result_.stages.back().values, last));
+    if (!reached_.empty()) all.push_back(judged("", reached_, last));
     JudgedValues& best = *std::min_element(all.begin(), all.end(), [](const JudgedValues& a, const JudgedValues& b) {
       return a.objective() < b.objective();
     });
