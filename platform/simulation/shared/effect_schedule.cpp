@@ -94,8 +94,8 @@ void EffectSchedule::schedule(std::size_t effect) {
     if (hooks.command != CommandStage::none) commands_[element].push_back(call);
     if (hooks.sensor != SensorStage::none) senses_[element].push_back(call);
   }
-  const bool sees_bodies = placed.kind == ElementKind::body || placed.kind == ElementKind::world;
-  looks_at_bodies_ = looks_at_bodies_ || sees_bodies;
+  const bool of_bodies = placed.kind == ElementKind::body || placed.kind == ElementKind::world;
+  looks_at_bodies_ = looks_at_bodies_ || (of_bodies && (hooks.add_loads || hooks.advance));
   any_sense_ = any_sense_ || hooks.sensor != SensorStage::none;
 }
 

@@ -37,7 +37,7 @@ class EffectSchedule {
   const std::vector<std::size_t>& amending() const { return amending_; }
   const std::vector<std::size_t>& loading() const { return loading_; }
   const std::vector<std::size_t>& advancing() const { return advancing_; }
-  /// Does any effect see bodies? Those on joints, actuators and sensors do not.
+  /// Does any effect see bodies? Those on joints, actuators and sensors do not, nor those that change numbers only.
   bool looks_at_bodies() const { return looks_at_bodies_; }
   bool acts_in_steps() const { return !loading_.empty() || !advancing_.empty(); }
   const std::vector<Call>& commands(std::size_t actuator) const { return commands_[actuator]; }  ///< by stage

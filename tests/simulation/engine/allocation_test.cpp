@@ -28,31 +28,37 @@ long allocations_of(Rig& rig, const lacuna::Test& test, double duration) {
   return allocations() - before;
 }
 
-void expect_none_in_a_step(const lacuna::Test& test) {
+class Allocation : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Engines, Allocation, ::testing::ValuesIn(engines()),
+                         [](const auto& test) { return test.param; });
+
+void expect_none_in_a_step(const std::string& engine, const lacuna::Test& test) {
   const WearingFriction wear;
   const Lag lag(true);
-  Rig rig(ModelStructure{.robot = everything(),
+  EngineSettings settings = step_of(0.001);
+  settings.engine = engine;
+  Rig rig(ModelStructure{.robot = everything_for(engine),
                          .effects = {place("wear", wear, ElementKind::joint, {0}, {0.05}),
                                      place("lag", lag, ElementKind::actuator, {1}, {0.3})},
                          .parameters = {}},
-          step_of(0.001));
+          settings);
   rig.options.stop_when = [](std::size_t, std::span<const double>) { return false; };
   EXPECT_EQ(allocations_of(rig, test, 0.1), allocations_of(rig, test, 1.0));
 }
 
-TEST(Allocation, NoneInAStepUnderRecordedCommands) {
+TEST_P(Allocation, NoneInAStepUnderRecordedCommands) {
   if (!kCountsAllocations) GTEST_SKIP() << kOwnAllocator;
-  expect_none_in_a_step(shake());
+  expect_none_in_a_step(GetParam(), shake());
 }
 
-TEST(Allocation, NoneInAStepInClosedLoop) {
+TEST_P(Allocation, NoneInAStepInClosedLoop) {
   if (!kCountsAllocations) GTEST_SKIP() << kOwnAllocator;
   lacuna::Test test;
   test.drive = std::make_shared<const Nod>();
-  expect_none_in_a_step(test);
+  expect_none_in_a_step(GetParam(), test);
 }
 
-TEST(Allocation, NoneWhenContactsAppearForTheFirstTime) {
+TEST(AllocationWithOde, NoneWhenContactsAppearForTheFirstTime) {
   if (!kCountsAllocations) GTEST_SKIP() << kOwnAllocator;
   RobotSpec robot = everything();
   robot.contact.slope = 0.0;

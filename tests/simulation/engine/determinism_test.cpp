@@ -7,14 +7,15 @@
 namespace lacuna::testing {
 namespace {
 
-class Determinism : public ::testing::Test {
+class Determinism : public ::testing::TestWithParam<std::string> {
  protected:
   Determinism() {
-    structure_.robot = everything();
+    structure_.robot = everything_for(GetParam());
+    settings_.engine = GetParam();
     structure_.effects = {place("wear", wear_, ElementKind::joint, {0}, {0.05})};
     structure_.parameters = {{.address = "body.box.mass", .lower = 1.0, .upper = 7.0},
                              {.address = "sensor.box_touch.delay", .lower = 0.0, .upper = 0.05}};
-    model_ = compile(structure_, step_of(0.001));
+    model_ = compile(structure_, settings_);
     options_.output_times = times_;
     options_.end_time = times_.back();
     options_.save_final_state = true;
@@ -29,13 +30,17 @@ class Determinism : public ::testing::Test {
 
   WearingFriction wear_;
   ModelStructure structure_;
+  EngineSettings settings_ = step_of(0.001);
   const lacuna::Test test_ = shake();
   const std::vector<double> times_ = grid(0.0, 0.3, 0.01);
   SimulationOptions options_;
   std::unique_ptr<CompiledModel> model_;
 };
 
-TEST_F(Determinism, AReusedWorkspaceGivesTheBitsOfAFreshOne) {
+INSTANTIATE_TEST_SUITE_P(Engines, Determinism, ::testing::ValuesIn(engines()),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(Determinism, AReusedWorkspaceGivesTheBitsOfAFreshOne) {
   const auto used = model_->make_workspace();
   run(*used, 5.0);
   run(*used, 1.5);
@@ -45,7 +50,7 @@ TEST_F(Determinism, AReusedWorkspaceGivesTheBitsOfAFreshOne) {
   EXPECT_EQ(first.final_state, second.final_state);
 }
 
-TEST_F(Determinism, ThreadsGiveTheBitsOfOneThread) {
+TEST_P(Determinism, ThreadsGiveTheBitsOfOneThread) {
   constexpr std::size_t kRuns = 16;
   constexpr int kThreads = 4;
   std::vector<State> alone(kRuns), together(kRuns);
@@ -61,24 +66,24 @@ TEST_F(Determinism, ThreadsGiveTheBitsOfOneThread) {
   EXPECT_NE(alone[0], alone[1]);
 }
 
-TEST_F(Determinism, TheOrderOfTheEffectListDoesNotMatter) {
+TEST_P(Determinism, TheOrderOfTheEffectListDoesNotMatter) {
   const CommandArithmetic add(CommandStage::offset, false), multiply(CommandStage::gain, true);
   ModelStructure one = structure_, other = structure_;
   one.effects = {place("a_offset", add, ElementKind::actuator, {0}, {0.3}),
                  place("b_gain", multiply, ElementKind::actuator, {0}, {1.5}), structure_.effects[0]};
   other.effects = {one.effects[2], one.effects[1], one.effects[0]};
   one.parameters = other.parameters = {};
-  Rig first(one, step_of(0.001)), second(other, step_of(0.001));
+  Rig first(one, settings_), second(other, settings_);
   first.options.save_final_state = second.options.save_final_state = true;
   first.run(test_, times_);
   second.run(test_, times_);
   EXPECT_EQ(first.result.final_state, second.result.final_state);
 }
 
-TEST_F(Determinism, NoiseBelongsToSeedAndTimeAlone) {
+TEST_P(Determinism, NoiseBelongsToSeedAndTimeAlone) {
   structure_.robot.sensors[1].noise = 0.1;
   structure_.parameters = {};
-  Rig rig(structure_, step_of(0.001));
+  Rig rig(structure_, settings_);
   rig.options.imperfections = SensorImperfections{.seed = 5};
   const auto dense = rig.run(test_, grid(0.0, 0.3, 0.01)).readings.samples;
   const auto sparse = rig.run(test_, {0.1, 0.2}).readings.samples;

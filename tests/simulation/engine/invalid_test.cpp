@@ -14,10 +14,11 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Runs something bad, then something good, in one workspace; the good must be as in a fresh one.
 void expect_invalid(const ModelStructure& structure, const lacuna::Test& bad, const std::string& words,
-                    const std::vector<double>& bad_parameters = {}, const std::vector<double>& good_parameters = {}) {
+                    const std::vector<double>& bad_parameters = {}, const std::vector<double>& good_parameters = {},
+                    const EngineSettings& settings = step_of(0.001)) {
   const lacuna::Test good = constant("motor", 0.1);
   const std::vector<double> early{0.0, 0.01, 0.02}, late{0.0, 0.1, 0.2};
-  Rig rig(structure, step_of(0.001)), fresh(structure, step_of(0.001));
+  Rig rig(structure, settings), fresh(structure, settings);
   rig.run(bad, late, bad_parameters);
   ASSERT_EQ(rig.result.ending, Ending::invalid);
   EXPECT_THAT(rig.result.reason, HasSubstr(words));
@@ -108,16 +109,21 @@ TEST(Invalid, AControllerThatThrows) {
 TEST(Invalid, FailuresInsideTheEngineLeaveAUsableWorkspace) {
   const Misbehaviour effect(Misbehaviour::Kind::twists_hard);
   ModelStructure structure = with(effect);
-  structure.robot.bodies.push_back(structure.robot.bodies[0]);  // one body alone is not stepped by ODE
+  structure.robot.bodies.push_back(structure.robot.bodies[0]);  // two are more than ODE's step for one
   structure.robot.bodies.back().name = "other";
-  expect_invalid(structure, constant("motor", 0.0), "at 0.050000 s: ODE failed");
-  Rig rig(structure, step_of(0.001));
-  for (int i = 0; i < 20; ++i) {
-    rig.run(constant("motor", 0.0), {0.0, 0.1});
-    ASSERT_EQ(rig.result.ending, Ending::invalid);
+  for (const std::string& engine : engines()) {
+    EngineSettings settings = step_of(0.001);
+    settings.engine = engine;
+    expect_invalid(structure, constant("motor", 0.0),
+                   engine == "ode" ? "at 0.050000 s: ODE failed" : "the motion exploded", {}, {}, settings);
+    Rig rig(structure, settings);
+    for (int i = 0; i < 20; ++i) {
+      rig.run(constant("motor", 0.0), {0.0, 0.1});
+      ASSERT_EQ(rig.result.ending, Ending::invalid);
+    }
+    rig.run(constant("motor", 0.0), {0.0, 0.02});
+    EXPECT_EQ(rig.result.ending, Ending::completed) << rig.result.reason;
   }
-  rig.run(constant("motor", 0.0), {0.0, 0.02});
-  EXPECT_EQ(rig.result.ending, Ending::completed) << rig.result.reason;
 }
 
 }  // namespace

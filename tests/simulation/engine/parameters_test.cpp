@@ -58,7 +58,8 @@ TEST(Parameters, AnInertiaThatIsAParameterTooHasTheLastWord) {
 }
 
 TEST(Parameters, EffectParametersReachTheirEffect) {
-  const ExtraMass extra;
+  ExtraMass extra;
+  extra.set_overridden({.amend = true, .add_loads = false, .advance = false, .command = false, .sense = false});
   ModelStructure variable = structure_of(pendulum(), {{"effect.more.mass", -1.0, 2.0}});
   variable.effects = {place("more", extra, ElementKind::body, {0}, {0.0})};
   RobotSpec heavy = pendulum();

@@ -20,13 +20,14 @@ class Feedback : public Controller {
   }
 };
 
-class SavedState : public ::testing::Test {
+class SavedState : public ::testing::TestWithParam<std::string> {
  protected:
   SavedState() {
-    structure_.robot = everything();
+    structure_.robot = everything_for(GetParam());
     structure_.effects = {place("wear", wear_, ElementKind::joint, {0}, {0.05}),
                           place("command_lag", command_lag_, ElementKind::actuator, {1, 0}, {0.3}),
                           place("sensor_lag", sensor_lag_, ElementKind::sensor, {1, 0}, {0.2})};
+    settings_.engine = GetParam();
     settings_.step = 0.002;
     settings_.substeps = 2;
     settings_.control_period = 0.005;
@@ -60,42 +61,53 @@ class SavedState : public ::testing::Test {
               whole.result.readings.samples.bottomRows(parts.result.readings.samples.rows()));
   }
 
+  EngineSettings fine() const {
+    EngineSettings settings = step_of(0.001);
+    settings.engine = GetParam();
+    return settings;
+  }
+
   WearingFriction wear_;
   Lag command_lag_{true}, sensor_lag_{false};
   ModelStructure structure_;
   EngineSettings settings_;
 };
 
-TEST_F(SavedState, ContinuesBitForBitUnderRecordedCommands) { expect_continuation(shake(), 0.25); }
+INSTANTIATE_TEST_SUITE_P(Engines, SavedState, ::testing::ValuesIn(engines()),
+                         [](const auto& test) { return test.param; });
 
-TEST_F(SavedState, ContinuesBitForBitInClosedLoop) {
+TEST_P(SavedState, ContinuesBitForBitUnderRecordedCommands) { expect_continuation(shake(), 0.25); }
+
+TEST_P(SavedState, ContinuesBitForBitInClosedLoop) {
   lacuna::Test test;
   test.drive = std::make_shared<const Feedback>();
   expect_continuation(test, 0.25);
 }
 
-TEST_F(SavedState, ContinuesBitForBitFromTheVeryFirstSteps) {
+TEST_P(SavedState, ContinuesBitForBitFromTheVeryFirstSteps) {
   lacuna::Test test;
   test.drive = std::make_shared<const Feedback>();
   expect_continuation(test, 0.001);
 }
 
-TEST_F(SavedState, TheScenarioUsesWhatItClaimsTo) {
+TEST_P(SavedState, TheScenarioUsesWhatItClaimsTo) {
   Rig rig(structure_, settings_);
   rig.options.save_final_state = true;
   rig.run(shake(), grid(0.0, 0.6, 0.01));
   ASSERT_EQ(rig.result.ending, Ending::completed) << rig.result.reason;
   const auto& samples = rig.result.readings.samples;
-  EXPECT_GT(samples.col(8).maxCoeff(), 0.0);         // box_touch
-  EXPECT_LT(samples.col(0).minCoeff(), -0.2);        // the arm swings
-  EXPECT_GT(samples.rightCols(1).maxCoeff(), 20.0);  // the ground bears the box
+  EXPECT_LT(samples.col(0).minCoeff(), -0.2);  // the arm swings
+  if (GetParam() == "ode") {
+    EXPECT_GT(samples.col(8).maxCoeff(), 0.0);         // box_touch
+    EXPECT_GT(samples.rightCols(1).maxCoeff(), 20.0);  // the ground bears the box
+  }
   for (const StateSection& section : rig.model->state_layout()) EXPECT_GT(section.size, 0U) << section.name;
 }
 
-TEST_F(SavedState, TurnsAreCountedAcrossASave) {
+TEST_P(SavedState, TurnsAreCountedAcrossASave) {
   RobotSpec robot = pendulum();
   robot.gravity.setZero();
-  Rig rig(robot, step_of(0.001));
+  Rig rig(robot, fine());
   rig.options.save_final_state = true;
   rig.options.start.velocities = {20.0};
   rig.run(constant("motor", 0.0), {1.0});
@@ -106,8 +118,8 @@ TEST_F(SavedState, TurnsAreCountedAcrossASave) {
   EXPECT_NEAR(rig.result.readings.samples(1, 0), 40.0, 0.4);
 }
 
-TEST_F(SavedState, OutputsBeforeTheSavedTimeAreRefused) {
-  Rig rig(pendulum(), step_of(0.001));
+TEST_P(SavedState, OutputsBeforeTheSavedTimeAreRefused) {
+  Rig rig(pendulum(), fine());
   rig.options.save_final_state = true;
   rig.run(constant("motor", 0.0), {0.5});
   const State saved = rig.result.final_state;
@@ -115,7 +127,7 @@ TEST_F(SavedState, OutputsBeforeTheSavedTimeAreRefused) {
   EXPECT_THROW(rig.run(constant("motor", 0.0), {0.4, 0.6}), Error);
 }
 
-TEST_F(SavedState, AStateOfAnotherSizeIsRefused) {
+TEST_P(SavedState, AStateOfAnotherSizeIsRefused) {
   Rig rig(structure_, settings_);
   const State wrong{.values = {1.0, 2.0}};
   rig.options.from = &wrong;

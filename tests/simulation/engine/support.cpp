@@ -114,6 +114,17 @@ RobotSpec everything() {
   return robot;
 }
 
+RobotSpec everything_in_the_air() {
+  RobotSpec robot = everything();
+  robot.contact.ground = false;
+  for (BodySpec& body : robot.bodies) body.shapes.clear();
+  return robot;
+}
+
+RobotSpec everything_for(const std::string& engine) {
+  return engine == "articulated" ? everything_in_the_air() : everything();
+}
+
 Test shake() {
   CommandSeries commands;
   commands.hold = Hold::first_order;

@@ -18,6 +18,15 @@ RobotSpec cart();
 /// delayed position servo, a PID slider, a wheel on a compliant transmission with a gap, a universal
 /// and a ball joint, stops, dry friction, springs, armature, and all sensors, delayed or not.
 RobotSpec everything();
+/// The same in the air, where it touches nothing.
+RobotSpec everything_in_the_air();
+
+/// The engines, and what each is to be tested on.
+inline const std::vector<std::string>& engines() {
+  static const std::vector<std::string> names = {"articulated", "ode"};
+  return names;
+}
+RobotSpec everything_for(const std::string& engine);
 
 SensorSpec sensor(const std::string& name, SensorKind kind, const std::string& element);
 EngineSettings step_of(double seconds);
