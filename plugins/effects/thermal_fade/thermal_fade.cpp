@@ -2,6 +2,7 @@
 
 #include <lacuna/element_checks.h>
 #include <lacuna/plugin.h>
+#include <lacuna/relaxation.h>
 
 #include <cmath>
 
@@ -9,6 +10,8 @@ namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kFade, kTime };
+/// State of each actuator: its heat at a time, and the command from then on.
+enum Memory : std::size_t { kHeat, kSince, kCommand, kSize };
 
 }  // namespace
 
@@ -31,15 +34,24 @@ void ThermalFade::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int actuator : context.elements) actuator_of_force(robot, actuator);
 }
 
-int ThermalFade::state_size(const EffectContext& context) const { return static_cast<int>(context.elements.size()); }
+int ThermalFade::state_size(const EffectContext& context) const {
+  return static_cast<int>(kSize * context.elements.size());
+}
 
-double ThermalFade::command(double value, int which, const StepView&, const EffectContext& context,
+void ThermalFade::start(const StepView& view, const EffectContext& context, std::span<double> state) const {
+  for (std::size_t i = 0; i < context.elements.size(); ++i) state[kSize * i + kSince] = view.time;
+}
+
+double ThermalFade::command(double value, int which, const StepView& view, const EffectContext& context,
                             std::span<double> state) const {
-  double& heat = state[static_cast<std::size_t>(which)];
-  const double faded = value / (1.0 + heat);
-  const double end = context.parameters[kFade] * value * value;
-  heat = end + (heat - end) * std::exp(-context.step / context.parameters[kTime]);
-  return faded;
+  const std::span<double> own = state.subspan(kSize * static_cast<std::size_t>(which), kSize);
+  const double fade = context.parameters[kFade], cooling = 1.0 / context.parameters[kTime];
+  const double end_before = fade * own[kCommand] * own[kCommand], end = fade * value * value;
+  const Relaxation passed(cooling, view.time - own[kSince]), coming(cooling, context.step);
+  own[kHeat] = end_before + (own[kHeat] - end_before) * passed.carried;
+  own[kSince] = view.time;
+  own[kCommand] = value;
+  return value / (1.0 + end + (own[kHeat] - end) * coming.mean_carried);
 }
 
 }  // namespace lacuna

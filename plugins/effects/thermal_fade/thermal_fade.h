@@ -9,6 +9,7 @@ class ThermalFade : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
   EffectStages stages() const override { return {.command = CommandStage::gain}; }
+  void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   int state_size(const EffectContext& context) const override;
   double command(double value, int which, const StepView& view, const EffectContext& context,

@@ -9,6 +9,13 @@ namespace lacuna {
 namespace {
 
 enum Parameter : std::size_t { kStall, kNoLoad };
+/// State of each actuator: what its joint's velocity was last, and when.
+enum Memory : std::size_t { kVelocity, kTime, kSize };
+
+double velocity_of(const StepView& view, const EffectContext& context, std::size_t which) {
+  const auto actuator = static_cast<std::size_t>(context.elements[which]);
+  return view.velocities[static_cast<std::size_t>(view.actuator_coordinate[actuator])];
+}
 
 }  // namespace
 
@@ -29,10 +36,26 @@ void TorqueSpeedLine::amend(RobotSpec& robot, const EffectContext& context) cons
   for (const int actuator : context.elements) actuator_of_force(robot, actuator);
 }
 
+int TorqueSpeedLine::state_size(const EffectContext& context) const {
+  return static_cast<int>(kSize * context.elements.size());
+}
+
+void TorqueSpeedLine::start(const StepView& view, const EffectContext& context, std::span<double> state) const {
+  for (std::size_t i = 0; i < context.elements.size(); ++i) {
+    state[kSize * i + kVelocity] = velocity_of(view, context, i);
+    state[kSize * i + kTime] = view.time;
+  }
+}
+
+/// For the velocity in the middle of the step, to which the last one leads.
 double TorqueSpeedLine::command(double value, int which, const StepView& view, const EffectContext& context,
-                                std::span<double>) const {
-  const auto actuator = static_cast<std::size_t>(context.elements[static_cast<std::size_t>(which)]);
-  const double v = view.velocities[static_cast<std::size_t>(view.actuator_coordinate[actuator])];
+                                std::span<double> state) const {
+  const std::span<double> own = state.subspan(kSize * static_cast<std::size_t>(which), kSize);
+  const double now = velocity_of(view, context, static_cast<std::size_t>(which)), passed = view.time - own[kTime];
+  const double rate = passed > 0.0 ? (now - own[kVelocity]) / passed : 0.0;
+  own[kVelocity] = now;
+  own[kTime] = view.time;
+  const double v = now + 0.5 * context.step * rate;
   const double stall = context.parameters[kStall], speed = v / context.parameters[kNoLoad];
   return std::clamp(value, -stall * (1.0 + speed), stall * (1.0 - speed));
 }
