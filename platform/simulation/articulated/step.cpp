@@ -22,6 +22,14 @@ double beyond_gap(double twist, double gap) {
   return twist < -half ? twist + half : 0.0;
 }
 
+/// Of an even way through `twist`, `way` long, how much is beyond the gap.
+double share_beyond_gap(double twist, double way, double gap) {
+  const double half = 0.5 * gap, reach = 0.5 * std::abs(way);
+  if (reach == 0.0) return std::abs(twist) > half ? 1.0 : 0.0;
+  const double within = std::min(twist + reach, half) - std::max(twist - reach, -half);
+  return 1.0 - std::clamp(within / (2.0 * reach), 0.0, 1.0);
+}
+
 }  // namespace
 
 Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
@@ -132,8 +140,7 @@ void Step::add_linear(std::size_t dof, double force, double damping, double stif
                       double length) {
   const Weights& w = weights_[dof];
   const double before = from.velocities[dof];
-  system_.right()[dof] +=
-      length * (force - (damping * (1.0 - w.late) + stiffness * w.before * length) * before);
+  system_.right()[dof] += length * (force - (damping * (1.0 - w.late) + stiffness * w.before * length) * before);
   system_.matrix()[dof * (dofs_ + 1)] += length * (damping * w.late + stiffness * w.after * length);
 }
 
@@ -177,28 +184,33 @@ void Step::add_actuator(std::size_t a, const Motion& from, double length, const 
   const Weights& w = weights_[actuator.dof];
   const double before = from.velocities[actuator.dof];
   servo_law_[a] = laws_.size();
-  laws_.push_back(
-      {.dof = actuator.dof,
-       .push = length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
-       .resistance = length * (actuator.kd * w.late + stiffness * w.after * length),
-       .lower = -length * actuator.limit,
-       .upper = length * actuator.limit});
+  laws_.push_back({.dof = actuator.dof,
+                   .push = length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
+                   .resistance = length * (actuator.kd * w.late + stiffness * w.after * length),
+                   .lower = -length * actuator.limit,
+                   .upper = length * actuator.limit});
 }
 
 void Step::add_transmission(std::size_t a, const Motion& from, double length) {
   const ActuatorNumbers& actuator = machine_.actuators()[a];
   if (!actuator.compliant) return;
   const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
-  const double stretch = beyond_gap(middle_[actuator.position] - middle_[joint.position], actuator.gap);
-  if (stretch == 0.0 && actuator.gap > 0.0) return;
+  const double twist = middle_[actuator.position] - middle_[joint.position];
+  const double stretch = beyond_gap(twist, actuator.gap);
+  double stiffness = actuator.stiffness, flank_damping = actuator.damping;
+  if (actuator.gap > 0.0) {
+    // A flank that is met or left within the step resists for its part of it: the damping jumps there.
+    flank_damping *= share_beyond_gap(twist, length * (mean_[actuator.dof] - mean_[joint.dof]), actuator.gap);
+    if (stretch == 0.0) stiffness = 0.0;
+    if (stiffness == 0.0 && flank_damping == 0.0) return;
+  }
   const double mobility = mobility_[actuator.dof] + mobility_[joint.dof];
-  const SpringWeights spring = spring_weights(length * length * actuator.stiffness * mobility);
-  const double late = late_damping(length * actuator.damping * mobility);
+  const SpringWeights spring = spring_weights(length * length * stiffness * mobility);
+  const double late = late_damping(length * flank_damping * mobility);
   const double twisting = from.velocities[actuator.dof] - from.velocities[joint.dof];
   const double force =
-      actuator.stiffness * stretch +
-      (actuator.damping * (1.0 - late) + actuator.stiffness * spring.before * length) * twisting;
-  const double resistance = length * (actuator.damping * late + actuator.stiffness * spring.after * length);
+      stiffness * stretch + (flank_damping * (1.0 - late) + stiffness * spring.before * length) * twisting;
+  const double resistance = length * (flank_damping * late + stiffness * spring.after * length);
   const std::span<double> right = system_.right(), matrix = system_.matrix();
   right[joint.dof] += length * force;
   right[actuator.dof] -= length * force;
