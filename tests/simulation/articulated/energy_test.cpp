@@ -71,8 +71,8 @@ double energy_of_double_pendulum(double q1, double v1, double q2, double v2) {
 }
 
 /// Slope of the energy over time, by least squares, times a hundred periods of the upper link's small swing, as a share
-/// of the energy. Its motion is chaotic and no two periods are alike: the energy, which each step keeps to second order
-/// only, fluctuates, and the fit over many periods separates what is secular from that.
+/// of the energy. The two links swing with two frequencies and no two periods are alike: the energy, which each step
+/// keeps to second order only, fluctuates, and the fit over many periods separates what is secular from that.
 double drift_of_double_pendulum(const std::string& engine, double angle, int periods) {
   const double period = 2.0 * std::numbers::pi / std::sqrt(pendulum_rate(kMass, kLength, kInertia));
   SimulationRun run = with_engine(engine, double_pendulum(kMass, kLength, kInertia), period / kStepsInPeriod);

@@ -106,6 +106,9 @@ std::vector<Motion> motions(const std::string& engine) {
   pid.kd = 1.0;
   ActuatorSpec gear = actuator(ActuatorKind::force);
   gear.transmission = {.ratio = 10.0, .rotor_inertia = 1e-3, .stiffness = 60.0, .damping = 0.1, .gap = 0.0};
+  ActuatorSpec play = gear;
+  play.transmission.damping = 1.0;
+  play.transmission.gap = 0.05;
   return {
       hanging("Pendulum", 1, 3.0, 100, kNothing, engine),
       hanging("DoublePendulum", 2, 2.0, 200, kNothing, engine),
@@ -118,6 +121,7 @@ std::vector<Motion> motions(const std::string& engine) {
       hanging("ServoAtItsLimit", 1, 2.0, 200, driven(servo), engine, 24),  // a kink in the force
       hanging("Pid", 1, 2.0, 200, driven(pid), engine),
       hanging("CompliantGear", 1, 2.0, 400, driven(gear), engine),
+      hanging("GearWithPlay", 1, 2.0, 200, driven(play), engine, 12),  // the flanks' damping jumps
       hanging("SevenJointArm", 7, 1.0, 200, all_joints([](JointSpec& joint) { joint.damping = 0.02; }), engine),
       hanging("FrictionReversing", 1, 4.0, 200, all_joints([](JointSpec& joint) { joint.dry_friction = 0.1; }), engine),
       hanging("FrictionInTwoJoints", 2, 2.0, 400, all_joints([](JointSpec& joint) { joint.dry_friction = 0.1; }),
