@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kToleratedShare = 0.05;  ///< of what is not known of a prediction
 constexpr double kLeastOfSignal = 3e-3;   ///< a channel's standard deviation: few models are better
-constexpr int kMostSubsteps = 32;
+constexpr int kMostSubsteps = 128;
 constexpr double kLargestLeap = 4.0;  ///< times as many, at once: the order may not show yet
 constexpr double kHelped = 0.7;       ///< of what the order promises: a chaotic motion follows no step
 constexpr std::size_t kTrials = 8;    ///< spread evenly over those that there are

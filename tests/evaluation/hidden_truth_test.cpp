@@ -72,7 +72,7 @@ TEST(HiddenTruth, OfAModelIsHiddenOrSetOrTheRobotsOwn) {
 TEST(HiddenTruth, ATargetMayBeIntegratedInFinerSteps) {
   const Experiment finer = experiment({"target.substeps=4"});
   EXPECT_EQ(define_target(finer, built_catalog()).engine.substeps, 4);
-  EXPECT_EQ(define_model(finer, built_catalog()).engine.substeps, 1);
+  EXPECT_EQ(define_model(finer, built_catalog()).engine.substeps, 0);
   EXPECT_EQ(define_target(experiment({"engine.substeps=3"}), built_catalog()).engine.substeps, 3);
 }
 

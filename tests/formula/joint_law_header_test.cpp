@@ -68,7 +68,7 @@ TEST(ForceLawHelper, WhatFallsIsStiffnessAndDamping) {
 double next_velocity(double v, double step, Function law) {
   JointLoad load;
   add_force_law(load, 0.0, v, law);
-  return (v + step * load.force) / (1.0 + step * load.damping);
+  return (v + step * (load.force + load.damping * v)) / (1.0 + step * load.damping);
 }
 
 TEST(ForceLawHelper, TheSlopesAreThoseOfTheLaw) {

@@ -237,10 +237,16 @@ void Step::gather(double length, const Eigen::Vector3d& gravity) {
     ContactSpec contact;
     StepLoads loads{.joints = loads_, .bodies = body_loads_, .contact = contact, .gravity = gravity_};
     source_->add_loads(view_, length, loads);
+    bool on_bodies = false;
     for (std::size_t i = 0; i < link_forces_.size(); ++i) {
       const BodyLoad& load = body_loads_[static_cast<std::size_t>(tree_.links()[i].body)];
       link_forces_[i] = {.force = load.force, .torque = load.torque};
       has_drag_ = has_drag_ || load.damping > 0.0 || load.angular_damping > 0.0;
+      on_bodies = on_bodies || !load.force.isZero(0.0) || !load.torque.isZero(0.0);
+    }
+    if (!look_at_bodies_ && (on_bodies || has_drag_)) {  // an effect that stands on a joint loads a body
+      dynamics_.place(middle_, true);
+      dynamics_.move(mean_);
     }
   }
   if (has_drag_) find_drag();
