@@ -114,15 +114,16 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
       const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
       const bool from_before = sent < 0.0 && std::isfinite(truth.before);
       const double wanted = from_before ? truth.before : trial.commands.series.samples(std::min(held, i), 0);
+      past.push_back(q);
+      q += 0.5 * h * v;
       const double motor =
           std::clamp(wanted, -truth.limit * (1.0 + v / truth.no_load), truth.limit * (1.0 - v / truth.no_load));
       const double torque = motor + disturbance - truth.gravity * std::sin(q) - truth.damping * v - truth.spring * q -
                             truth.cubic * q * q * q + (truth.tension > 0.0 ? pull_of_cable(truth, q) : 0.0);
-      past.push_back(q);
       const double free = v + h * torque / truth.inertia;
       const double stopped = h * (truth.friction + (free < 0.0 ? truth.backward : 0.0)) / truth.inertia;
       v = std::abs(free) <= stopped ? 0.0 : free - std::copysign(stopped, free);
-      q += h * v;
+      q += 0.5 * h * v;
     }
   }
   return trial;

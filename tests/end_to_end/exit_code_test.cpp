@@ -44,7 +44,7 @@ TEST(ExitCode, IsTwoForAMisspeltKeyWhichIsNamedWithItsPlace) {
   const Program program;
   program.copy_light_servo_pendulum();
   std::string text = program.read("servo-pendulum.toml");
-  text.replace(text.find("substeps"), 8, "subteps");
+  text.replace(text.find("\nstep = "), 1, "\nsubteps = 4\n");
   program.write("servo-pendulum.toml", text);
   const Outcome outcome = program.run({"check", "servo-pendulum.toml"});
   EXPECT_EQ(outcome.exit_code, kBadInput);
