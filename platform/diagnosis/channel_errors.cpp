@@ -2,8 +2,6 @@
 
 #include "diagnosis/cross_validation.h"
 
-#include <Eigen/Cholesky>
-
 #include <cmath>
 
 namespace lacuna {
@@ -14,10 +12,11 @@ struct Sums {
 };
 
 /// Variance of what noise alone leaves in each bin once the segment's start, which is N(0, 1) in `state`, was fitted.
-Eigen::VectorXd left_by_noise(const Eigen::MatrixXd& noise, const Eigen::MatrixXd& state) {
-  const Eigen::LLT<Eigen::MatrixXd> both(noise + state * state.transpose());
-  const Eigen::MatrixXd whitened = both.matrixL().solve(noise);
-  return whitened.colwise().squaredNorm().transpose();
+Eigen::VectorXd left_by_noise(Eigen::MatrixXd noise, const Eigen::MatrixXd& state) {
+  Eigen::MatrixXd both = noise;
+  dense::add_square(1.0, state, both);
+  dense::Cholesky(std::move(both)).solve_lower(noise);
+  return noise.colwise().squaredNorm().transpose();
 }
 
 }  // namespace

@@ -1,10 +1,7 @@
-#include "diagnosis/inverse_of_factor.h"
 #include "diagnosis/noise_model.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <nlopt.hpp>
 
 #include <algorithm>
@@ -40,17 +37,17 @@ std::vector<Eigen::MatrixXd> explained(const std::vector<LinearSegment>& segment
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::MatrixXd& one : all) {
     one *= unit.asDiagonal();
-    gram += one.transpose() * one;
+    dense::add_square(1.0, one.transpose(), gram);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  const double least = kNegligible * std::max(eigen.eigenvalues()(count - 1), 0.0);
+  const dense::Eigenvectors eigen(std::move(gram));
+  const double least = kNegligible * std::max(eigen.values(count - 1), 0.0);
   const Eigen::Index most =
       std::min(kMostDirections, static_cast<Eigen::Index>(kMostShare * static_cast<double>(rows)));
   Eigen::Index kept = 0;
-  while (kept < std::min(most, count) && eigen.eigenvalues()(count - 1 - kept) > least) ++kept;
+  while (kept < std::min(most, count) && eigen.values(count - 1 - kept) > least) ++kept;
   const Eigen::MatrixXd basis =
-      eigen.eigenvectors().rightCols(kept) * eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-  for (Eigen::MatrixXd& one : all) one = one * basis;
+      eigen.vectors.rightCols(kept) * eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  for (Eigen::MatrixXd& one : all) one = dense::product(one, basis);
   return all;
 }
 
@@ -70,27 +67,29 @@ class MarginalLikelihood {
     noise_.set_deviations(deviations);
     std::vector<Part> parts(segments_.size());
     parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { parts[k] = part(k); });
-    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.valid; })) return unlikely(slopes);
+    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.factor.exists(); }))
+      return unlikely(slopes);
     const Eigen::Index count = explained_.front().cols();
     Explained explained{0.0, Eigen::MatrixXd::Identity(count, count) / power_, Eigen::VectorXd::Zero(count)};
     for (const Part& one : parts) {
       explained.deviance += one.deviance;
-      explained.information.selfadjointView<Eigen::Lower>().rankUpdate(one.columns.transpose());
+      dense::add_square(1.0, one.columns.transpose(), explained.information);
       explained.score += one.columns.transpose() * one.residual;
     }
-    const Eigen::LLT<Eigen::MatrixXd> solver(explained.information);
-    if (solver.info() != Eigen::Success) return unlikely(slopes);
-    const Eigen::VectorXd sizes = solver.solve(explained.score);
+    const dense::Cholesky solver(std::move(explained.information));
+    if (!solver.exists()) return unlikely(slopes);
+    Eigen::VectorXd sizes = explained.score;
+    solver.solve_lower(sizes);
+    solver.solve_upper(sizes);
     if (!slopes.empty()) add_slopes(parts, solver, sizes, slopes);
-    return explained.deviance + log_determinant(solver) - explained.score.dot(sizes);
+    return explained.deviance + solver.log_determinant() - explained.score.dot(sizes);
   }
 
  private:
   /// A segment, whitened.
   struct Part {
-    bool valid = false;
     double deviance = 0.0;
-    Eigen::LLT<Eigen::MatrixXd> factor;  ///< of noise and start together
+    dense::Cholesky factor;  ///< of noise and start together
     Eigen::VectorXd residual;
     Eigen::MatrixXd columns;
   };
@@ -106,36 +105,35 @@ class MarginalLikelihood {
     return kUnlikely;
   }
 
-  static double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& solver) {
-    return 2.0 * solver.matrixLLT().diagonal().array().log().sum();
-  }
-
   Part part(std::size_t k) const {
     const LinearSegment& segment = segments_[k];
     Part result;
-    result.factor = factor_of(noise_.covariance(k) + segment.state * segment.state.transpose());
-    if (result.factor.info() != Eigen::Success) return result;
-    result.valid = true;
-    result.residual = result.factor.matrixL().solve(segment.residual);
-    result.columns = result.factor.matrixL().solve(explained_[k]);
-    result.deviance = log_determinant(result.factor) + result.residual.squaredNorm();
+    Eigen::MatrixXd covariance = noise_.lower_covariance(k);
+    dense::add_square(1.0, segment.state, covariance);
+    result.factor = factor_of(std::move(covariance));
+    if (!result.factor.exists()) return result;
+    result.residual = segment.residual;
+    result.factor.solve_lower(result.residual);
+    result.columns = explained_[k];
+    result.factor.solve_lower(result.columns);
+    result.deviance = result.factor.log_determinant() + result.residual.squaredNorm();
     return result;
   }
 
-  /// dD = Σ tr[(P − P r rᵀ P) dV], P = V⁻¹ − V⁻¹ X (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ (Harville 1977).
-  void add_slopes(const std::vector<Part>& parts, const Eigen::LLT<Eigen::MatrixXd>& solver,
-                  const Eigen::VectorXd& sizes, std::vector<double>& slopes) const {
+  /// Uses up the factors of `parts`. dD = Σ tr[(P − P r rᵀ P) dV], P = V⁻¹ − V⁻¹ X (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ (Harville 1977).
+  void add_slopes(std::vector<Part>& parts, const dense::Cholesky& solver, const Eigen::VectorXd& sizes,
+                  std::vector<double>& slopes) const {
     std::vector<Eigen::VectorXd> by_segment(parts.size());
     parallel_for(parts.size(), threads_, [&](std::size_t k, int) {
-      const Part& one = parts[k];
-      const auto back = one.factor.matrixL().transpose();
-      const Eigen::MatrixXd columns = solver.matrixL().solve(one.columns.transpose()).transpose();
-      const Eigen::VectorXd left = back.solve(one.residual - one.columns * sizes);
-      Eigen::MatrixXd weights = inverse_of_factor(one.factor.matrixLLT());
-      const Eigen::MatrixXd explained = back.solve(columns);
-      auto half = weights.selfadjointView<Eigen::Lower>();
-      half.rankUpdate(explained, -1.0);
-      half.rankUpdate(left, -1.0);
+      Part& one = parts[k];
+      Eigen::MatrixXd taken(one.columns.rows(), one.columns.cols() + 1);
+      taken.rightCols(1) = one.residual;
+      dense::add_product(-1.0, one.columns, sizes, taken.rightCols(1));
+      taken.leftCols(one.columns.cols()) = one.columns;
+      solver.solve_from_right(taken.leftCols(one.columns.cols()));
+      one.factor.solve_upper(taken);
+      Eigen::MatrixXd weights = one.factor.take_inverse();
+      dense::add_square(-1.0, taken, weights);
       by_segment[k] = noise_.slopes(k, weights);
     });
     std::fill(slopes.begin(), slopes.end(), 0.0);

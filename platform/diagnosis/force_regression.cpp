@@ -1,5 +1,7 @@
 #include "diagnosis/force_regression.h"
 
+#include "kernels/dense.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -39,8 +41,9 @@ ForceRegression::ForceRegression(const Refit& base, const std::vector<Eigen::Mat
     RobustSegment segment{of_base.residual, Eigen::MatrixXd::Zero(of_base.residual.size(), values_ + count_),
                           of_base.state, of_base.block_of, of_base.priors_of_values};
     segment.values.leftCols(values_) = of_base.values(Eigen::all, inside);
-    segment.values.topRightCorner(of_base.bins(), count_) =
-        -factors[k].triangularView<Eigen::Lower>().solve(columns[k]);  // residual: measured less predicted
+    auto forces = segment.values.topRightCorner(of_base.bins(), count_);
+    forces = -columns[k];  // residual: measured less predicted
+    dense::solve_lower(factors[k], forces);
     weights_.push_back(segment.weights(segment.residual));
     segments_.push_back(std::move(segment));
   }

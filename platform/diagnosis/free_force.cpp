@@ -6,9 +6,7 @@
 #include "diagnosis/last_digits.h"
 #include "diagnosis/screening.h"
 #include "fitting/seeded_noise.h"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "kernels/dense.h"
 
 #include <algorithm>
 #include <array>
@@ -78,13 +76,12 @@ double hat(const std::vector<double>& at, std::size_t i, double x) {
 Eigen::MatrixXd independent(const Eigen::MatrixXd& columns) {
   const Eigen::VectorXd unit =
       columns.colwise().norm().unaryExpr([](double norm) { return norm > 0.0 ? 1.0 / norm : 0.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * (columns.transpose() * columns) *
-                                                             unit.asDiagonal());
-  const double least = kRounding * std::max(eigen.eigenvalues().maxCoeff(), 1e-300);
+  const dense::Eigenvectors eigen(unit.asDiagonal() * dense::square(columns.transpose()) * unit.asDiagonal());
+  const double least = kRounding * std::max(eigen.values.maxCoeff(), 1e-300);
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = eigen.eigenvalues().size() - 1; i >= 0; --i)
-    if (eigen.eigenvalues()(i) > least) kept.push_back(i);
-  return unit.asDiagonal() * Eigen::MatrixXd(eigen.eigenvectors()(Eigen::all, kept));
+  for (Eigen::Index i = eigen.values.size() - 1; i >= 0; --i)
+    if (eigen.values(i) > least) kept.push_back(i);
+  return unit.asDiagonal() * Eigen::MatrixXd(eigen.vectors(Eigen::all, kept));
 }
 
 /// The force where `readings` say, and its standard errors; of a fit of combinations.
@@ -113,7 +110,8 @@ Eigen::MatrixXd scores_of(const WhitenedSegments& whitened, const Eigen::MatrixX
       scores.col(column++) = columns.middleRows(first, rows).transpose() * whitened.residual().segment(first, rows);
     }
   }
-  return Eigen::MatrixXd(columns.transpose() * columns).llt().matrixL().solve(scores);
+  dense::Cholesky(dense::square(columns.transpose())).solve_lower(scores);
+  return scores;
 }
 
 /// Scores of blocks of so many pieces, one after the other.
@@ -132,7 +130,7 @@ Chances p_by_signs(const Eigen::MatrixXd& blocks, double deviance, std::uint64_t
   SeededNoise random(seed, 0xf2ee);
   Eigen::MatrixXd signs(blocks.cols(), static_cast<Eigen::Index>(kNullDraws));
   for (double& sign : signs.reshaped()) sign = random.uniform() < 0.5 ? -1.0 : 1.0;
-  const Eigen::RowVectorXd drawn = (blocks * signs).colwise().squaredNorm();
+  const Eigen::RowVectorXd drawn = dense::product(blocks, signs).colwise().squaredNorm();
   const auto p = [&](double size) {
     return (1.0 + static_cast<double>((drawn.array() >= size).count())) / (1.0 + kNullDraws);
   };
@@ -284,10 +282,10 @@ FreeForceTest test_free_force(const ForceTask& task, const WhitenedSegments& whi
   const Eigen::MatrixXd combinations = independent(projected);
   result.freedom = static_cast<int>(combinations.cols());
   if (result.freedom == 0) return result;
-  const Eigen::MatrixXd scores = scores_of(whitened, projected * combinations, force.pieces);
+  const Eigen::MatrixXd scores = scores_of(whitened, dense::product(projected, combinations), force.pieces);
   result.deviance = scores.rowwise().sum().squaredNorm();
   std::vector<Eigen::MatrixXd> columns;
-  for (const Eigen::MatrixXd& one : force.columns) columns.emplace_back(one * combinations);
+  for (const Eigen::MatrixXd& one : force.columns) columns.push_back(dense::product(one, combinations));
   ForceRegression regression(task.base, task.factors, columns, task.folds);
   ForceRegression::Columns all(static_cast<std::size_t>(result.freedom));
   std::iota(all.begin(), all.end(), Eigen::Index{0});

@@ -27,12 +27,12 @@ Eigen::MatrixXd sensor_shape(const std::vector<RowBins::Bin>& bins, std::size_t 
 }
 
 Eigen::MatrixXd force_shape(const Eigen::MatrixXd& response, const Eigen::VectorXd& times, bool slow) {
-  if (!slow) return response * response.transpose();
+  if (!slow) return dense::square(response);
   Eigen::MatrixXd correlation(times.size(), times.size());
   for (Eigen::Index a = 0; a < times.size(); ++a)
     for (Eigen::Index b = 0; b < times.size(); ++b)
       correlation(a, b) = std::exp(-std::abs(times(a) - times(b)) / kSlowForce);
-  return response * correlation * response.transpose();
+  return dense::product(dense::product(response, correlation), response.transpose());
 }
 
 /// Whether a bin lies so near another of its channel that the moment of an event may as well be in one as in the other.
@@ -59,7 +59,7 @@ Eigen::VectorXd doubt_around(const std::vector<RowBins::Bin>& bins, const Eigen:
 /// The doubts, and beside them what is as large but less alike: moments of events are not known to a bin.
 Eigen::MatrixXd doubt_shape(const std::vector<RowBins::Bin>& bins, const Eigen::MatrixXd& doubt) {
   const Eigen::VectorXd around = doubt_around(bins, doubt);
-  Eigen::MatrixXd shape = doubt * doubt.transpose();
+  Eigen::MatrixXd shape = dense::square(doubt);
   for (Eigen::Index a = 0; a < doubt.rows(); ++a)
     for (Eigen::Index b = 0; b < doubt.rows(); ++b) {
       const RowBins::Bin &one = bins[static_cast<std::size_t>(a)], &other = bins[static_cast<std::size_t>(b)];
@@ -67,16 +67,6 @@ Eigen::MatrixXd doubt_shape(const std::vector<RowBins::Bin>& bins, const Eigen::
         shape(a, b) += around(a) * around(b) * std::exp(-std::abs(one.time - other.time) / kSlowSensor);
     }
   return shape;
-}
-
-/// Of symmetric matrices, by their lower halves.
-double trace_of_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  double below = 0.0;
-  for (Eigen::Index column = 0; column + 1 < a.cols(); ++column) {
-    const Eigen::Index rows = a.rows() - column - 1;
-    below += a.col(column).tail(rows).dot(b.col(column).tail(rows));
-  }
-  return 2.0 * below + a.diagonal().dot(b.diagonal());
 }
 
 std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResponses& forces, bool doubtful) {
@@ -95,12 +85,12 @@ std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResp
 
 }  // namespace
 
-Eigen::LLT<Eigen::MatrixXd> factor_of(Eigen::MatrixXd covariance) {
+dense::Cholesky factor_of(Eigen::MatrixXd covariance) {
   constexpr double kRounding = 1e-10;  // of the largest variance
-  Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-  if (factor.info() == Eigen::Success) return factor;
+  dense::Cholesky factor(covariance);
+  if (factor.exists()) return factor;
   covariance.diagonal().array() += kRounding * covariance.diagonal().maxCoeff();
-  return factor.compute(covariance);
+  return dense::Cholesky(std::move(covariance));
 }
 
 NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces, const std::vector<Eigen::MatrixXd>& doubts)
@@ -143,17 +133,30 @@ void NoiseModel::set_deviations(const std::vector<double>& deviations) {
 }
 
 Eigen::MatrixXd NoiseModel::covariance(std::size_t k) const {
+  Eigen::MatrixXd sum = lower_covariance(k);
+  sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
+  return sum;
+}
+
+Eigen::MatrixXd NoiseModel::lower_covariance(std::size_t k) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(shapes_[k].front().rows(), shapes_[k].front().cols());
-  for (std::size_t i = 0; i < components_.size(); ++i)
-    if (components_[i].deviation > 0.0) sum += std::pow(components_[i].deviation, 2) * shapes_[k][i];
+  std::vector<double> variances;
+  std::vector<const double*> shapes;
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (!(components_[i].deviation > 0.0)) continue;
+    variances.push_back(std::pow(components_[i].deviation, 2));
+    shapes.push_back(shapes_[k][i].data());
+  }
+  dense::add_lower(variances, shapes, sum);
   return sum;
 }
 
 Eigen::VectorXd NoiseModel::slopes(std::size_t k, const Eigen::MatrixXd& weights) const {
-  Eigen::VectorXd slopes(static_cast<Eigen::Index>(components_.size()));
+  std::vector<const double*> shapes;
+  for (const Eigen::MatrixXd& shape : shapes_[k]) shapes.push_back(shape.data());
+  Eigen::VectorXd slopes = dense::trace_products(weights, shapes);
   for (std::size_t i = 0; i < components_.size(); ++i)
-    slopes(static_cast<Eigen::Index>(i)) =
-        2.0 * std::pow(components_[i].deviation, 2) * trace_of_product(weights, shapes_[k][i]);
+    slopes(static_cast<Eigen::Index>(i)) *= 2.0 * std::pow(components_[i].deviation, 2);
   return slopes;
 }
 

@@ -2,8 +2,7 @@
 
 #include "diagnosis/force_responses.h"
 #include "diagnosis/linear_segments.h"
-
-#include <Eigen/Cholesky>
+#include "kernels/dense.h"
 
 #include <string>
 #include <vector>
@@ -44,6 +43,8 @@ class NoiseModel {
 
   /// Bins × bins.
   Eigen::MatrixXd covariance(std::size_t k) const;
+  /// Its lower half, for a factor; nothing above the diagonal.
+  Eigen::MatrixXd lower_covariance(std::size_t k) const;
   std::size_t segments() const { return shapes_.size(); }
   /// Derivatives of tr(weights · covariance) by the logarithms of the deviations; `weights`: bins × bins, symmetric, of
   /// which the lower half is read.
@@ -58,8 +59,8 @@ class NoiseModel {
 };
 
 /// The lower Cholesky factor of a covariance; where one noise is so much larger than the others that these are its
-/// rounding, of the covariance with a little white noise more. Not every matrix has one: see `info()`.
-Eigen::LLT<Eigen::MatrixXd> factor_of(Eigen::MatrixXd covariance);
+/// rounding, of the covariance with a little white noise more. Not every matrix has one: see `exists()`. Reads the lower half.
+dense::Cholesky factor_of(Eigen::MatrixXd covariance);
 
 /// Sets the deviations of `noise` to those, from the least on, that maximise the marginal likelihood: what the start
 /// states, the model's values and `columns` explain is left to them, so that a structured error that a candidate would

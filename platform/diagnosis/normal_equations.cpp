@@ -1,11 +1,13 @@
 #include "diagnosis/normal_equations.h"
 
+#include "kernels/dense.h"
+
 #include <Eigen/QR>
 
 namespace lacuna {
 
 void NormalEquations::add(const WeightedSegment& segment) {
-  gram += segment.values.transpose() * segment.values;
+  dense::add_product(1.0, segment.values.transpose(), segment.values, gram);
   score += segment.values.transpose() * segment.residual;
 }
 

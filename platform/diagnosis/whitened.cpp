@@ -2,7 +2,6 @@
 
 #include <lacuna/error.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 namespace lacuna {
@@ -11,10 +10,12 @@ WhitenedSegments::WhitenedSegments(const NoiseModel& noise, const std::vector<Li
   std::vector<Eigen::MatrixXd> residuals, values;
   first_.push_back(0);
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(noise.covariance(k) + segments[k].state * segments[k].state.transpose());
-    if (factor.info() != Eigen::Success)
+    Eigen::MatrixXd covariance = noise.lower_covariance(k);
+    dense::add_square(1.0, segments[k].state, covariance);
+    const dense::Cholesky factor(std::move(covariance));
+    if (!factor.exists())
       throw Error("the covariance of the noise is not positive definite; is a channel without any noise?");
-    factors_.emplace_back(factor.matrixL());
+    factors_.push_back(factor.lower());
     first_.push_back(first_.back() + segments[k].residual.size());
     residuals.emplace_back(segments[k].residual);
     values.push_back(segments[k].values);
@@ -31,15 +32,17 @@ WhitenedSegments::WhitenedSegments(const NoiseModel& noise, const std::vector<Li
 
 Eigen::MatrixXd WhitenedSegments::whiten(const std::vector<Eigen::MatrixXd>& columns) const {
   Eigen::MatrixXd all(rows(), columns.front().cols());
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    all.middleRows(first_[k], columns[k].rows()) = factors_[k].triangularView<Eigen::Lower>().solve(columns[k]);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    auto rows = all.middleRows(first_[k], columns[k].rows());
+    rows = columns[k];
+    dense::solve_lower(factors_[k], rows);
+  }
   return all;
 }
 
-Eigen::MatrixXd WhitenedSegments::project(const std::vector<Eigen::MatrixXd>& columns) const {
-  Eigen::MatrixXd all = whiten(columns);
-  all -= basis_ * (basis_.transpose() * all);
-  return all;
+Eigen::MatrixXd WhitenedSegments::beside_values(Eigen::MatrixXd white) const {
+  dense::add_product(-1.0, basis_, dense::product(basis_.transpose(), white), white);
+  return white;
 }
 
 }  // namespace lacuna

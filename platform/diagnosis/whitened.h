@@ -14,9 +14,11 @@ class WhitenedSegments {
 
   const Eigen::VectorXd& residual() const { return residual_; }
   /// `columns`: by segment, bins × any number. Columns below each other, whitened, projected.
-  Eigen::MatrixXd project(const std::vector<Eigen::MatrixXd>& columns) const;
+  Eigen::MatrixXd project(const std::vector<Eigen::MatrixXd>& columns) const { return beside_values(whiten(columns)); }
   /// The same without the projection of the model's values.
   Eigen::MatrixXd whiten(const std::vector<Eigen::MatrixXd>& columns) const;
+  /// Whitened columns, projected.
+  Eigen::MatrixXd beside_values(Eigen::MatrixXd white) const;
   /// Where segment `k` begins.
   Eigen::Index first(std::size_t k) const { return first_[k]; }
   Eigen::Index rows() const { return first_.back(); }

@@ -4,8 +4,6 @@
 
 #include <lacuna/error.h>
 
-#include <Eigen/Cholesky>
-
 #include <cmath>
 
 namespace lacuna {
@@ -21,7 +19,8 @@ WhitenedProblem::WhitenedProblem(ShootingProblem& problem, const RowBins& bins,
 Eigen::MatrixXd WhitenedProblem::whitened(std::size_t k, const Eigen::MatrixXd& rows) const {
   const Eigen::Index measured = problem_.robust_rows(k), priors = rows.rows() - measured;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(bins_.rows(k) + priors + priors_of_values(), rows.cols());
-  result.topRows(bins_.rows(k)) = factors_[k].triangularView<Eigen::Lower>().solve(bins_.means(k, rows));
+  result.topRows(bins_.rows(k)) = bins_.means(k, rows);
+  dense::solve_lower(factors_[k], result.topRows(bins_.rows(k)));
   result.middleRows(bins_.rows(k), priors) = rows.bottomRows(priors);
   return result;
 }
@@ -61,10 +60,10 @@ void WhitenedProblem::linearize(const FitPoint& point, const std::vector<Eigen::
 std::vector<Eigen::MatrixXd> noise_factors(const NoiseModel& noise) {
   std::vector<Eigen::MatrixXd> factors;
   for (std::size_t k = 0; k < noise.segments(); ++k) {
-    const Eigen::LLT<Eigen::MatrixXd> factor = factor_of(noise.covariance(k));
-    if (factor.info() != Eigen::Success)
+    const dense::Cholesky factor = factor_of(noise.lower_covariance(k));
+    if (!factor.exists())
       throw Error("the covariance of the noise is not positive definite; is a channel without any noise?");
-    factors.emplace_back(factor.matrixL());
+    factors.push_back(factor.lower());
   }
   return factors;
 }
