@@ -55,7 +55,11 @@ class MarginalLikelihood {
  public:
   MarginalLikelihood(NoiseModel& noise, const std::vector<LinearSegment>& segments,
                      std::vector<Eigen::MatrixXd> explained, int threads)
-      : noise_(noise), segments_(segments), explained_(std::move(explained)), threads_(threads) {
+      : noise_(noise),
+        segments_(segments),
+        explained_(std::move(explained)),
+        parts_(segments.size()),
+        threads_(threads) {
     for (const LinearSegment& segment : segments_) power_ += segment.residual.squaredNorm();
     power_ = std::max(power_, 1e-300);
   }
@@ -65,13 +69,12 @@ class MarginalLikelihood {
   double operator()(const std::vector<double>& deviations, std::vector<double>& slopes) {
     throw_if_interrupted();
     noise_.set_deviations(deviations);
-    std::vector<Part> parts(segments_.size());
-    parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { parts[k] = part(k); });
-    if (!std::all_of(parts.begin(), parts.end(), [](const Part& one) { return one.factor.exists(); }))
+    parallel_for(segments_.size(), threads_, [&](std::size_t k, int) { whiten(k); });
+    if (!std::all_of(parts_.begin(), parts_.end(), [](const Part& one) { return one.factor.exists(); }))
       return unlikely(slopes);
     const Eigen::Index count = explained_.front().cols();
     Explained explained{0.0, Eigen::MatrixXd::Identity(count, count) / power_, Eigen::VectorXd::Zero(count)};
-    for (const Part& one : parts) {
+    for (const Part& one : parts_) {
       explained.deviance += one.deviance;
       dense::add_square(1.0, one.columns.transpose(), explained.information);
       explained.score += one.columns.transpose() * one.residual;
@@ -81,7 +84,7 @@ class MarginalLikelihood {
     Eigen::VectorXd sizes = explained.score;
     solver.solve_lower(sizes);
     solver.solve_upper(sizes);
-    if (!slopes.empty()) add_slopes(parts, solver, sizes, slopes);
+    if (!slopes.empty()) add_slopes(solver, sizes, slopes);
     return explained.deviance + solver.log_determinant() - explained.score.dot(sizes);
   }
 
@@ -89,7 +92,8 @@ class MarginalLikelihood {
   /// A segment, whitened.
   struct Part {
     double deviance = 0.0;
-    dense::Cholesky factor;  ///< of noise and start together
+    dense::Cholesky factor;   ///< of noise and start together
+    Eigen::MatrixXd storage;  ///< where there is no factor
     Eigen::VectorXd residual;
     Eigen::MatrixXd columns;
   };
@@ -105,34 +109,36 @@ class MarginalLikelihood {
     return kUnlikely;
   }
 
-  Part part(std::size_t k) const {
+  void whiten(std::size_t k) {
     const LinearSegment& segment = segments_[k];
-    Part result;
-    Eigen::MatrixXd covariance = noise_.lower_covariance(k);
-    dense::add_square(1.0, segment.state, covariance);
-    result.factor = factor_of(std::move(covariance));
-    if (!result.factor.exists()) return result;
-    result.residual = segment.residual;
-    result.factor.solve_lower(result.residual);
-    result.columns = explained_[k];
-    result.factor.solve_lower(result.columns);
-    result.deviance = result.factor.log_determinant() + result.residual.squaredNorm();
-    return result;
+    Part& part = parts_[k];
+    const auto covariance = [&](Eigen::MatrixXd& sum) {
+      noise_.lower_covariance(k, sum);
+      dense::add_square(1.0, segment.state, sum);
+    };
+    part.factor = factor_of(covariance, part.factor.exists() ? part.factor.take() : std::move(part.storage));
+    if (!part.factor.exists()) return;
+    part.residual = segment.residual;
+    part.factor.solve_lower(part.residual);
+    part.columns = explained_[k];
+    part.factor.solve_lower(part.columns);
+    part.deviance = part.factor.log_determinant() + part.residual.squaredNorm();
   }
 
-  /// Uses up the factors of `parts`. dD = Σ tr[(P − P r rᵀ P) dV], P = V⁻¹ − V⁻¹ X (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ (Harville 1977).
-  void add_slopes(std::vector<Part>& parts, const dense::Cholesky& solver, const Eigen::VectorXd& sizes,
-                  std::vector<double>& slopes) const {
-    std::vector<Eigen::VectorXd> by_segment(parts.size());
-    parallel_for(parts.size(), threads_, [&](std::size_t k, int) {
-      Part& one = parts[k];
+  /// Uses up the factors of the segments. dD = Σ tr[(P − P r rᵀ P) dV], P = V⁻¹ − V⁻¹ X (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ (Harville
+  /// 1977).
+  void add_slopes(const dense::Cholesky& solver, const Eigen::VectorXd& sizes, std::vector<double>& slopes) {
+    std::vector<Eigen::VectorXd> by_segment(parts_.size());
+    parallel_for(parts_.size(), threads_, [&](std::size_t k, int) {
+      Part& one = parts_[k];
       Eigen::MatrixXd taken(one.columns.rows(), one.columns.cols() + 1);
       taken.rightCols(1) = one.residual;
       dense::add_product(-1.0, one.columns, sizes, taken.rightCols(1));
       taken.leftCols(one.columns.cols()) = one.columns;
       solver.solve_from_right(taken.leftCols(one.columns.cols()));
       one.factor.solve_upper(taken);
-      Eigen::MatrixXd weights = one.factor.take_inverse();
+      Eigen::MatrixXd& weights = one.storage = one.factor.take();
+      dense::invert_square(weights);
       dense::add_square(-1.0, taken, weights);
       by_segment[k] = noise_.slopes(k, weights);
     });
@@ -144,6 +150,7 @@ class MarginalLikelihood {
   NoiseModel& noise_;
   const std::vector<LinearSegment>& segments_;
   std::vector<Eigen::MatrixXd> explained_;
+  std::vector<Part> parts_;  ///< kept from one evaluation to the next for their memory
   int threads_;
   double power_ = 0.0;  ///< of the residuals: variance of what is explained, a priori, by direction
 };

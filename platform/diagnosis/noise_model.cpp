@@ -7,22 +7,15 @@
 namespace lacuna {
 namespace {
 
-/// Bins of one channel: white, or correlated as exp(−|Δt|/τ).
-Eigen::MatrixXd sensor_shape(const std::vector<RowBins::Bin>& bins, std::size_t channel, bool slow) {
+/// Correlated as exp(−|Δt|/τ) within each channel.
+Eigen::MatrixXd slow_sensor_shape(const std::vector<RowBins::Bin>& bins) {
   const auto rows = static_cast<Eigen::Index>(bins.size());
-  Eigen::MatrixXd shape = Eigen::MatrixXd::Zero(rows, rows);
-  for (Eigen::Index a = 0; a < rows; ++a) {
-    const RowBins::Bin& one = bins[static_cast<std::size_t>(a)];
-    if (one.channel != channel) continue;
-    if (!slow) {
-      shape(a, a) = 1.0 / one.count;
-      continue;
+  Eigen::MatrixXd shape(rows, rows);
+  for (Eigen::Index b = 0; b < rows; ++b)
+    for (Eigen::Index a = 0; a < rows; ++a) {
+      const RowBins::Bin &one = bins[static_cast<std::size_t>(a)], &other = bins[static_cast<std::size_t>(b)];
+      shape(a, b) = one.channel == other.channel ? std::exp(-std::abs(one.time - other.time) / kSlowSensor) : 0.0;
     }
-    for (Eigen::Index b = 0; b < rows; ++b) {
-      const RowBins::Bin& other = bins[static_cast<std::size_t>(b)];
-      if (other.channel == channel) shape(a, b) = std::exp(-std::abs(one.time - other.time) / kSlowSensor);
-    }
-  }
   return shape;
 }
 
@@ -85,36 +78,64 @@ std::vector<NoiseComponent> list_components(const RowBins& bins, const ForceResp
 
 }  // namespace
 
-dense::Cholesky factor_of(Eigen::MatrixXd covariance) {
+dense::Cholesky factor_of(const LowerCovariance& covariance, Eigen::MatrixXd storage) {
   constexpr double kRounding = 1e-10;  // of the largest variance
-  dense::Cholesky factor(covariance);
+  covariance(storage);
+  dense::Cholesky factor(std::move(storage));
   if (factor.exists()) return factor;
-  covariance.diagonal().array() += kRounding * covariance.diagonal().maxCoeff();
-  return dense::Cholesky(std::move(covariance));
+  storage = factor.take();
+  covariance(storage);
+  storage.diagonal().array() += kRounding * storage.diagonal().maxCoeff();
+  return dense::Cholesky(std::move(storage));
 }
 
 NoiseModel::NoiseModel(const RowBins& bins, const ForceResponses& forces, const std::vector<Eigen::MatrixXd>& doubts)
-    : components_(list_components(bins, forces, !doubts.empty())), shapes_(bins.segments()) {
+    : components_(list_components(bins, forces, !doubts.empty())) {
   using Kind = NoiseComponent::Kind;
-  std::vector<double> power(components_.size(), 0.0);
-  for (std::size_t k = 0; k < bins.segments(); ++k)
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      const NoiseComponent& one = components_[i];
-      if (one.kind == Kind::doubt) {
-        shapes_[k].push_back(doubt_shape(bins.bins(k), doubts[k]));
-        power[i] += shapes_[k].back().trace();
-        continue;
-      }
-      const bool slow = one.kind == Kind::slow_sensor || one.kind == Kind::slow_force;
-      const bool sensor = one.kind == Kind::sensor || one.kind == Kind::slow_sensor;
-      shapes_[k].push_back(sensor ? sensor_shape(bins.bins(k), one.index, slow)
-                                  : force_shape(forces.of[k][one.index], forces.times[k], slow));
-      power[i] += shapes_[k].back().trace();
+  for (std::size_t k = 0; k < bins.segments(); ++k) {
+    Segment& one = segments_.emplace_back(segment(bins.bins(k)));
+    for (Component i = 0; i < components_.size(); ++i) {
+      const auto [kind, index, unused] = components_[i];
+      const std::vector<Component> of(one.sensor_of.size(), i);
+      if (kind == Kind::doubt) one.shapes.push_back({doubt_shape(bins.bins(k), doubts[k]), of});
+      if (kind == Kind::force || kind == Kind::slow_force)
+        one.shapes.push_back({force_shape(forces.of[k][index], forces.times[k], kind == Kind::slow_force), of});
     }
-  const double white = std::max(power.front(), 1e-300);
-  for (const double one : power) sizes_.push_back(one > 0.0 ? std::sqrt(white / one) : 0.0);
+  }
+  const std::vector<double> powers = power();
+  const double white = std::max(powers.front(), 1e-300);
+  for (const double one : powers) sizes_.push_back(one > 0.0 ? std::sqrt(white / one) : 0.0);
   least_.assign(components_.size(), 0.0);
   if (!doubts.empty()) least_.back() = 1.0;
+}
+
+/// Of the sensors' noise.
+NoiseModel::Segment NoiseModel::segment(const std::vector<RowBins::Bin>& bins) const {
+  using Kind = NoiseComponent::Kind;
+  Segment one{Eigen::VectorXd(static_cast<Eigen::Index>(bins.size())), {}, {{slow_sensor_shape(bins), {}}}};
+  for (const RowBins::Bin& bin : bins) {
+    const auto component = [&](Kind kind) {
+      const auto found = std::find_if(components_.begin(), components_.end(), [&](const NoiseComponent& other) {
+        return other.kind == kind && other.index == bin.channel;
+      });
+      return static_cast<Component>(found - components_.begin());
+    };
+    one.white(static_cast<Eigen::Index>(one.sensor_of.size())) = 1.0 / bin.count;
+    one.sensor_of.push_back(component(Kind::sensor));
+    one.shapes.front().of.push_back(component(Kind::slow_sensor));
+  }
+  return one;
+}
+
+std::vector<double> NoiseModel::power() const {
+  std::vector<double> powers(components_.size(), 0.0);
+  for (const Segment& one : segments_)
+    for (std::size_t row = 0; row < one.sensor_of.size(); ++row) {
+      const auto at = static_cast<Eigen::Index>(row);
+      powers[one.sensor_of[row]] += one.white(at);
+      for (const Shape& shape : one.shapes) powers[shape.of[row]] += shape.covariance(at, at);
+    }
+  return powers;
 }
 
 void NoiseModel::require_force(std::size_t joint, double deviation) {
@@ -132,31 +153,45 @@ void NoiseModel::set_deviations(const std::vector<double>& deviations) {
   for (std::size_t i = 0; i < components_.size(); ++i) components_[i].deviation = deviations[i];
 }
 
+double NoiseModel::variance(Component component) const { return std::pow(components_[component].deviation, 2); }
+
 Eigen::MatrixXd NoiseModel::covariance(std::size_t k) const {
-  Eigen::MatrixXd sum = lower_covariance(k);
+  Eigen::MatrixXd sum;
+  lower_covariance(k, sum);
   sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
   return sum;
 }
 
-Eigen::MatrixXd NoiseModel::lower_covariance(std::size_t k) const {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(shapes_[k].front().rows(), shapes_[k].front().cols());
-  std::vector<double> variances;
-  std::vector<const double*> shapes;
-  for (std::size_t i = 0; i < components_.size(); ++i) {
-    if (!(components_[i].deviation > 0.0)) continue;
-    variances.push_back(std::pow(components_[i].deviation, 2));
-    shapes.push_back(shapes_[k][i].data());
+void NoiseModel::lower_covariance(std::size_t k, Eigen::MatrixXd& sum) const {
+  const Segment& segment = segments_[k];
+  const Eigen::Index rows = segment.white.size();
+  Eigen::MatrixXd factors(rows, static_cast<Eigen::Index>(segment.shapes.size()));
+  std::vector<const double*> terms;
+  for (const Shape& shape : segment.shapes) {
+    auto of_columns = factors.col(static_cast<Eigen::Index>(terms.size()));
+    for (Eigen::Index column = 0; column < rows; ++column)
+      of_columns(column) = variance(shape.of[static_cast<std::size_t>(column)]);
+    if (!of_columns.isZero(0.0)) terms.push_back(shape.covariance.data());
   }
-  dense::add_lower(variances, shapes, sum);
-  return sum;
+  sum.resize(rows, rows);
+  dense::sum_lower(terms, factors, sum);
+  for (Eigen::Index row = 0; row < rows; ++row)
+    sum(row, row) += variance(segment.sensor_of[static_cast<std::size_t>(row)]) * segment.white(row);
 }
 
 Eigen::VectorXd NoiseModel::slopes(std::size_t k, const Eigen::MatrixXd& weights) const {
-  std::vector<const double*> shapes;
-  for (const Eigen::MatrixXd& shape : shapes_[k]) shapes.push_back(shape.data());
-  Eigen::VectorXd slopes = dense::trace_products(weights, shapes);
-  for (std::size_t i = 0; i < components_.size(); ++i)
-    slopes(static_cast<Eigen::Index>(i)) *= 2.0 * std::pow(components_[i].deviation, 2);
+  const Segment& segment = segments_[k];
+  std::vector<const double*> terms;
+  for (const Shape& shape : segment.shapes) terms.push_back(shape.covariance.data());
+  const Eigen::MatrixXd traces = dense::trace_products(weights, terms);
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(components_.size()));
+  for (std::size_t row = 0; row < segment.sensor_of.size(); ++row) {
+    const auto at = static_cast<Eigen::Index>(row);
+    slopes(static_cast<Eigen::Index>(segment.sensor_of[row])) += weights(at, at) * segment.white(at);
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      slopes(static_cast<Eigen::Index>(segment.shapes[i].of[row])) += traces(at, static_cast<Eigen::Index>(i));
+  }
+  for (Component i = 0; i < components_.size(); ++i) slopes(static_cast<Eigen::Index>(i)) *= 2.0 * variance(i);
   return slopes;
 }
 

@@ -4,7 +4,7 @@
 #include "diagnosis/linear_segments.h"
 #include "kernels/dense.h"
 
-#include <string>
+#include <functional>
 #include <vector>
 
 namespace lacuna {
@@ -43,24 +43,45 @@ class NoiseModel {
 
   /// Bins × bins.
   Eigen::MatrixXd covariance(std::size_t k) const;
-  /// Its lower half, for a factor; nothing above the diagonal.
-  Eigen::MatrixXd lower_covariance(std::size_t k) const;
-  std::size_t segments() const { return shapes_.size(); }
+  /// Its lower half, for a factor, into `sum`; what stands above the diagonal is left as it is.
+  void lower_covariance(std::size_t k, Eigen::MatrixXd& sum) const;
+  std::size_t segments() const { return segments_.size(); }
   /// Derivatives of tr(weights · covariance) by the logarithms of the deviations; `weights`: bins × bins, symmetric, of
   /// which the lower half is read.
   Eigen::VectorXd slopes(std::size_t k, const Eigen::MatrixXd& weights) const;
 
  private:
+  using Component = std::size_t;  ///< place in `components_`
+  /// A covariance at deviation 1, column by column of one component: channels do not disturb each other, so that the
+  /// slow noises of all sensors are one matrix.
+  struct Shape {
+    Eigen::MatrixXd covariance;
+    std::vector<Component> of;  ///< each column
+  };
+  struct Segment {
+    Eigen::VectorXd white;             ///< variances of white sensor noise
+    std::vector<Component> sensor_of;  ///< each bin
+    std::vector<Shape> shapes;
+  };
+
+  double variance(Component component) const;
+  Segment segment(const std::vector<RowBins::Bin>& bins) const;
+  /// By component, at deviation 1, summed up over the bins of all segments.
+  std::vector<double> power() const;
+
   std::vector<NoiseComponent> components_;
   std::vector<double> sizes_;
   std::vector<double> least_;
-  /// By segment and component: its covariance at deviation 1.
-  std::vector<std::vector<Eigen::MatrixXd>> shapes_;
+  std::vector<Segment> segments_;
 };
 
+/// Writes the lower half of a covariance.
+using LowerCovariance = std::function<void(Eigen::MatrixXd& sum)>;
+
 /// The lower Cholesky factor of a covariance; where one noise is so much larger than the others that these are its
-/// rounding, of the covariance with a little white noise more. Not every matrix has one: see `exists()`. Reads the lower half.
-dense::Cholesky factor_of(Eigen::MatrixXd covariance);
+/// rounding, of the covariance with a little white noise more. Not every matrix has one: see `exists()`. `storage`: a
+/// matrix that is no longer needed, of any size.
+dense::Cholesky factor_of(const LowerCovariance& covariance, Eigen::MatrixXd storage = {});
 
 /// Sets the deviations of `noise` to those, from the least on, that maximise the marginal likelihood: what the start
 /// states, the model's values and `columns` explain is left to them, so that a structured error that a candidate would

@@ -10,7 +10,8 @@ WhitenedSegments::WhitenedSegments(const NoiseModel& noise, const std::vector<Li
   std::vector<Eigen::MatrixXd> residuals, values;
   first_.push_back(0);
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    Eigen::MatrixXd covariance = noise.lower_covariance(k);
+    Eigen::MatrixXd covariance;
+    noise.lower_covariance(k, covariance);
     dense::add_square(1.0, segments[k].state, covariance);
     const dense::Cholesky factor(std::move(covariance));
     if (!factor.exists())

@@ -60,10 +60,10 @@ void WhitenedProblem::linearize(const FitPoint& point, const std::vector<Eigen::
 std::vector<Eigen::MatrixXd> noise_factors(const NoiseModel& noise) {
   std::vector<Eigen::MatrixXd> factors;
   for (std::size_t k = 0; k < noise.segments(); ++k) {
-    const dense::Cholesky factor = factor_of(noise.lower_covariance(k));
+    const dense::Cholesky factor = factor_of([&](Eigen::MatrixXd& sum) { noise.lower_covariance(k, sum); });
     if (!factor.exists())
       throw Error("the covariance of the noise is not positive definite; is a channel without any noise?");
-    factors.push_back(factor.lower());
+    factors.push_back(factor.triangle());
   }
   return factors;
 }

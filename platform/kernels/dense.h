@@ -84,9 +84,10 @@ class Cholesky {
   void solve_from_right(Solution&& solution) const {
     dense_kernels().solve_from_right(operand(lower_.transpose()), view(solution));
   }
-  /// Lower half of the matrix's inverse, in the place of the factor.
-  Eigen::MatrixXd take_inverse() {
-    dense_kernels().invert_square(view(lower_));
+  /// The same with zeros above the diagonal.
+  Eigen::MatrixXd triangle() const { return lower_.triangularView<Eigen::Lower>(); }
+  /// The factor, which is gone then.
+  Eigen::MatrixXd take() {
     exists_ = false;
     return std::move(lower_);
   }
@@ -107,18 +108,22 @@ struct Eigenvectors {
   Eigen::VectorXd values;
 };
 
-/// Lower half of sum += Σ factors[i] · terms[i], each term stored as `sum` is, without gaps.
-inline void add_lower(const std::vector<double>& factors, const std::vector<const double*>& terms,
-                      Eigen::MatrixXd& sum) {
-  dense_kernels().add_lower(static_cast<std::ptrdiff_t>(terms.size()), factors.data(), terms.data(), view(sum));
+/// Lower half of sum = Σ terms[i] · diag(factors.col(i)); each term is stored as `sum` is, without gaps.
+inline void sum_lower(const std::vector<const double*>& terms, const Eigen::MatrixXd& factors, Eigen::MatrixXd& sum) {
+  dense_kernels().sum_lower(terms.data(), operand(factors.leftCols(static_cast<Eigen::Index>(terms.size()))),
+                            view(sum));
 }
 
-/// tr(weights · terms[i]) of symmetric matrices, of which the lower halves are read.
-inline Eigen::VectorXd trace_products(const Eigen::MatrixXd& weights, const std::vector<const double*>& terms) {
-  Eigen::VectorXd traces(static_cast<Eigen::Index>(terms.size()));
-  dense_kernels().trace_products(traces.size(), operand(weights), terms.data(), traces.data());
+/// tr(weights · terms[i]) of symmetric matrices, of which the lower halves are read, as sums over column i of the
+/// result: what each column of the matrices gives.
+inline Eigen::MatrixXd trace_products(const Eigen::MatrixXd& weights, const std::vector<const double*>& terms) {
+  Eigen::MatrixXd traces(weights.cols(), static_cast<Eigen::Index>(terms.size()));
+  dense_kernels().trace_products(operand(weights), terms.data(), view(traces));
   return traces;
 }
+
+/// Lower half of L becomes the lower half of (L·Lᵀ)⁻¹; what stands above the diagonal is lost.
+inline void invert_square(Eigen::MatrixXd& lower) { dense_kernels().invert_square(view(lower)); }
 
 /// solution = L⁻¹ · solution of a lower triangular L; above its diagonal nothing is read.
 template <class Lower, class Solution>

@@ -40,11 +40,12 @@ struct DenseKernels {
   /// Eigenvalues of a symmetric matrix in rising order; the matrix becomes its eigenvectors. Reads the lower half.
   /// False: no convergence.
   bool (*find_eigenvectors)(const DenseView& matrix, double* eigenvalues);
-  /// Lower half of sum += Σ factors[i] · terms[i]; the terms are stored without gaps.
-  void (*add_lower)(std::ptrdiff_t count, const double* factors, const double* const* terms, const DenseView& sum);
-  /// traces[i] = tr(weights · terms[i]) of symmetric matrices, of which the lower halves are read; the terms are stored
-  /// without gaps.
-  void (*trace_products)(std::ptrdiff_t count, const DenseOperand& weights, const double* const* terms, double* traces);
+  /// Lower half of sum = Σ terms[i] · diag(column i of factors). The terms, as many as factors has columns, are stored
+  /// as `sum` is, without gaps; of each the lower half is read.
+  void (*sum_lower)(const double* const* terms, const DenseOperand& factors, const DenseView& sum);
+  /// tr(weights · terms[i]) of symmetric matrices, of which the lower halves are read, is the sum over column i of
+  /// `traces`: a column of the matrices gives a row of it. The terms are stored without gaps.
+  void (*trace_products)(const DenseOperand& weights, const double* const* terms, const DenseView& traces);
 };
 
 /// The kernels of the best level that this processor has, or of the one that the environment variable `LACUNA_KERNELS`

@@ -125,30 +125,40 @@ ReadColumn below(const double* matrix, Index rows, Index column) {
   return {matrix + column * rows + column, rows - column};
 }
 
-void add_lower(std::ptrdiff_t count, const double* factors, const double* const* terms, const DenseView& sum) {
+void sum_lower(const double* const* terms, const DenseOperand& factors, const DenseView& sum) {
+  const Index count = factors.columns;
   for (Index column = 0; column < sum.columns; ++column) {
     Eigen::Map<Eigen::VectorXd> result(sum.numbers + column * sum.stride + column, sum.rows - column);
-    const auto term = [&](Index i) { return factors[i] * below(terms[i], sum.rows, column); };
-    Index i = 0;
-    for (; i + 4 <= count; i += 4) result += (term(i) + term(i + 1)) + (term(i + 2) + term(i + 3));
-    for (; i < count; ++i) result += term(i);
+    const auto term = [&](Index i) {
+      return factors.numbers[i * factors.stride + column] * below(terms[i], sum.rows, column);
+    };
+    Index i = std::min<Index>(count, 3);
+    if (i == 3)
+      result = term(0) + term(1) + term(2);
+    else if (i == 2)
+      result = term(0) + term(1);
+    else if (i == 1)
+      result = term(0);
+    else
+      result.setZero();
+    for (; i + 2 <= count; i += 2) result += term(i) + term(i + 1);
+    if (i < count) result += term(i);
   }
 }
 
-void trace_products(std::ptrdiff_t count, const DenseOperand& weights, const double* const* terms, double* traces) {
-  for (Index i = 0; i < count; ++i) traces[i] = 0.0;
+void trace_products(const DenseOperand& weights, const double* const* terms, const DenseView& traces) {
   for (Index column = 0; column < weights.columns; ++column) {
     const ReadColumn weight(weights.numbers + column * weights.stride + column, weights.rows - column);
-    for (Index i = 0; i < count; ++i) {
+    for (Index i = 0; i < traces.columns; ++i) {
       const ReadColumn term = below(terms[i], weights.rows, column);
-      traces[i] += 2.0 * weight.dot(term) - weight(0) * term(0);
+      traces.numbers[i * traces.stride + column] = 2.0 * weight.dot(term) - weight(0) * term(0);
     }
   }
 }
 
 constexpr DenseKernels kernels_of(const char* level) {
   return {level,         add_product,       add_square, factorize,     solve, solve_from_right,
-          invert_square, find_eigenvectors, add_lower,  trace_products};
+          invert_square, find_eigenvectors, sum_lower,  trace_products};
 }
 
 }  // namespace
