@@ -6,6 +6,7 @@
 #include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
+#include "kernels/kernels.h"
 
 #include <CLI/CLI.hpp>
 
@@ -89,6 +90,7 @@ int run_program(int argc, char** argv) {
   forget_command_files();
   watch_for_interrupts();
   try {
+    dense_kernels();  // complains of LACUNA_KERNELS before any work is done
     program.parse(argc, argv);
     return end_of_output();
   } catch (const CLI::Success& help_or_version) {

@@ -26,9 +26,10 @@ const DenseKernels& choose_kernels(const char* wanted) {
     levels.emplace_back(one->level);
     if (levels.back() == wanted) return *one;
   }
-  throw_problem({}, fmt::format("environment variable LACUNA_KERNELS: this processor has no kernels \"{}\"; set it to "
-                                "{}, or unset it to use the fastest",
-                                wanted, fmt::join(levels, " or ")));
+  throw_problem({},
+                fmt::format("environment variable LACUNA_KERNELS: no kernels \"{}\" for this processor; set it to {}, "
+                            "or unset it to use the fastest",
+                            wanted, fmt::join(levels, " or ")));
 }
 
 const DenseKernels& dense_kernels() {

@@ -37,6 +37,7 @@ void add_product(double factor, const DenseOperand& a, const DenseOperand& b, co
 }
 
 void add_square(double factor, const DenseOperand& a, const DenseView& sum) {
+  if (a.rows == 0 || a.columns == 0) return;  // Eigen divides by either
   Numbers result = numbers(sum);
   auto half = result.selfadjointView<Eigen::Lower>();
   if (a.transposed)
@@ -112,6 +113,7 @@ void invert_square(const DenseView& lower) {
 }
 
 bool find_eigenvectors(const DenseView& matrix, double* eigenvalues) {
+  if (matrix.rows == 0) return true;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(numbers(matrix));
   Eigen::Map<Eigen::VectorXd>(eigenvalues, matrix.rows) = eigen.eigenvalues();
   numbers(matrix) = eigen.eigenvectors();
