@@ -20,6 +20,8 @@ using ReadBlock = Eigen::Ref<const Eigen::MatrixXd>;
 
 constexpr Index kSmall = 32;  ///< rows that are not worth halving
 
+bool is_empty(const DenseView& view) { return view.rows == 0 || view.columns == 0; }
+
 Numbers numbers(const DenseView& view) { return {view.numbers, view.rows, view.columns, Stride(view.stride)}; }
 
 ReadNumbers numbers(const DenseOperand& of) { return {of.numbers, of.rows, of.columns, Stride(of.stride)}; }
@@ -58,9 +60,10 @@ bool factorize_block(Block matrix) {
   return factorize_block(last);
 }
 
-bool factorize(const DenseView& matrix) { return factorize_block(numbers(matrix)); }
+bool factorize(const DenseView& matrix) { return is_empty(matrix) || factorize_block(numbers(matrix)); }
 
 void solve(const DenseOperand& lower, const DenseView& solution) {
+  if (is_empty(solution)) return;
   Numbers result = numbers(solution);
   if (lower.transposed)
     numbers(lower).transpose().triangularView<Eigen::Upper>().solveInPlace(result);
@@ -69,6 +72,7 @@ void solve(const DenseOperand& lower, const DenseView& solution) {
 }
 
 void solve_from_right(const DenseOperand& lower, const DenseView& solution) {
+  if (is_empty(solution)) return;
   Numbers result = numbers(solution);
   if (lower.transposed)
     numbers(lower).transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(result);
@@ -108,12 +112,13 @@ void square_lower(Block matrix) {
 }
 
 void invert_square(const DenseView& lower) {
+  if (is_empty(lower)) return;
   invert_lower(numbers(lower));
   square_lower(numbers(lower));
 }
 
 bool find_eigenvectors(const DenseView& matrix, double* eigenvalues) {
-  if (matrix.rows == 0) return true;
+  if (is_empty(matrix)) return true;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(numbers(matrix));
   Eigen::Map<Eigen::VectorXd>(eigenvalues, matrix.rows) = eigen.eigenvalues();
   numbers(matrix) = eigen.eigenvectors();

@@ -12,7 +12,7 @@ double at(const Strided& matrix, bool transposed, std::ptrdiff_t row, std::ptrdi
 }
 
 TEST_P(Products, AreThoseOfPlainLoops) {
-  for (int time = 0; time < 200; ++time) {
+  for (int time = 0; time < 60; ++time) {
     const std::ptrdiff_t rows = any_size(), inner = any_size(), columns = any_size();
     const bool left = any_bool(), right = any_bool();
     const Strided a = left ? Strided::random(inner, rows, random_) : Strided::random(rows, inner, random_);
@@ -33,7 +33,7 @@ TEST_P(Products, AreThoseOfPlainLoops) {
 }
 
 TEST_P(Products, SquaresReachTheLowerHalfAlone) {
-  for (int time = 0; time < 200; ++time) {
+  for (int time = 0; time < 60; ++time) {
     const std::ptrdiff_t rows = any_size(), inner = any_size();
     const bool transposed = any_bool();
     const Strided a = transposed ? Strided::random(inner, rows, random_) : Strided::random(rows, inner, random_);
