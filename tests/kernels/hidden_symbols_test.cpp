@@ -31,7 +31,8 @@ TEST(Kernels, ShowTheLinkerNothingButOneFunctionOfEachLevel) {
     std::string address, type, name;
     if (!(words >> address >> type >> name) || member.starts_with("choose_kernels")) continue;
     levels.insert(member);
-    if (type != "d" && type != "b" && type != "r" && type != "t" && type != "n") seen.insert(type + " " + name);
+    if (type != "d" && type != "b" && type != "r" && type != "t" && type != "n")
+      seen.insert(type.append(" ").append(name));
   }
   std::set<std::string> expected = {"T lacuna_kernels_portable"};
 #ifdef __x86_64__
