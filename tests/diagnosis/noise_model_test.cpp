@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 
 #include <cmath>
+#include <memory>
 
 namespace lacuna::test {
 namespace {
@@ -142,6 +143,50 @@ TEST(DoubtfulNoise, IsNeverSmallerThanTheDoubts) {
       const double expected = (a == b ? 1.0 : 0.0) + kDoubt * kDoubt * (1.0 + std::exp(-apart / kSlowSensor));
       EXPECT_NEAR(covariance(a, b), expected, 1e-12);
     }
+}
+
+/// Two channels in turns, of two and three samples a bin, without random forces.
+struct TwoChannels {
+  TwoChannels() {
+    std::vector<RowBins::Bin> own;
+    for (std::size_t row = 0; row < 7; ++row)
+      own.push_back({row % 2, 0.01 * static_cast<double>(row), row % 2 == 0 ? 2.0 : 3.0});
+    noise = std::make_unique<NoiseModel>(RowBins({own}), ForceResponses{});
+  }
+
+  std::unique_ptr<NoiseModel> noise;
+  std::vector<double> deviations = {1.5, 0.5, 2.0, 3.0};  ///< white of each, slow of each
+};
+
+TEST(NoiseOfTwoChannels, IsOfEachAlone) {
+  TwoChannels two;
+  two.noise->set_deviations(two.deviations);
+  const Eigen::MatrixXd covariance = two.noise->covariance(0);
+  for (Eigen::Index a = 0; a < 7; ++a)
+    for (Eigen::Index b = 0; b < 7; ++b) {
+      const bool second = a % 2 == 1;
+      const double white = second ? 0.25 / 3.0 : 2.25 / 2.0, slow = second ? 9.0 : 4.0;
+      const double apart = 0.01 * static_cast<double>(std::abs(a - b));
+      const double same = (a == b ? white : 0.0) + slow * std::exp(-apart / kSlowSensor);
+      EXPECT_NEAR(covariance(a, b), (a - b) % 2 == 0 ? same : 0.0, 1e-12);
+    }
+}
+
+TEST(NoiseOfTwoChannels, HasTheSlopesOfItsTraces) {
+  constexpr double kStep = 1e-4;
+  TwoChannels two;
+  SeededNoise random(3, 0);
+  const Eigen::MatrixXd root = normal(7, 7, random), weights = root * root.transpose();
+  const auto trace = [&](std::size_t which, double step) {
+    std::vector<double> moved = two.deviations;
+    moved[which] *= std::exp(step);
+    two.noise->set_deviations(moved);
+    return (weights * two.noise->covariance(0)).trace();
+  };
+  two.noise->set_deviations(two.deviations);
+  const Eigen::VectorXd slopes = two.noise->slopes(0, weights);
+  for (std::size_t i = 0; i < two.deviations.size(); ++i)
+    EXPECT_NEAR(slopes(static_cast<Eigen::Index>(i)), (trace(i, kStep) - trace(i, -kStep)) / (2.0 * kStep), 1e-5);
 }
 
 }  // namespace
