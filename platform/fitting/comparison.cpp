@@ -67,6 +67,7 @@ class Comparer {
   std::vector<FreeRun> free_runs(const std::vector<double>& values) const {
     std::vector<FreeRun> runs(trials());
     parallel_for(trials(), predictor_.workers(), [&](std::size_t trial, int worker) {
+      throw_if_interrupted();
       runs[trial] = free_run(predictor_, states_, trial, values, worker);
     });
     return runs;

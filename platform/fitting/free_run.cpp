@@ -1,7 +1,6 @@
 #include "fitting/free_run.h"
 
 #include "fitting/scores.h"
-#include "foundation/interrupt.h"
 
 #include <cmath>
 
@@ -9,7 +8,6 @@ namespace lacuna {
 
 FreeRun free_run(const TrialPredictor& predictor, const StartStates& states, std::size_t trial,
                  std::span<const double> values, int worker) {
-  throw_if_interrupted();
   const Stretch whole = predictor.whole(trial);
   FreeRun run;
   run.start = fit_head(predictor, states, whole, values, worker);

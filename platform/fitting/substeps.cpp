@@ -3,6 +3,7 @@
 #include "fitting/free_run.h"
 #include "fitting/noise_floor.h"
 #include "fitting/scores.h"
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ class TwoSolutions {
   /// One a channel of the trial; none where it cannot be simulated.
   std::vector<ChannelShare> shares_of(const TrialPredictor& predictor, const TrialPredictor& fine,
                                       const StartStates& states, std::size_t trial, int worker) const {
+    throw_if_asked_to_stop();
     const FreeRun run = free_run(predictor, states, trial, values_, worker);
     Prediction better;
     fine.predict(fine.whole(trial), values_, run.start.start, worker, better);

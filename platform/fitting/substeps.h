@@ -20,9 +20,11 @@ struct Substeps {
 
 /// The fewest substeps, whatever the definition has, with which free runs of `trials` are integrated well enough: two
 /// solutions, one with twice as many, tell the error, for the engine is of second order. Where more bring the solutions
-/// no nearer to each other, as in a chaotic motion, no more are taken. `values`: the model's. One where the model cannot
-/// be simulated; the share is infinite then. One with ode, of which contacts make another model of each step. The same
-/// digits whatever the number of threads. Throws `Interrupted`, and `Error` where the trials do not fit the model.
+/// no nearer to each other, as in a chaotic motion, no more are taken. `values`: the model's. One where the model
+/// cannot be simulated; the share is infinite then. One with ode, of which contacts make another model of each step.
+/// The same digits whatever the number of threads. A time limit does
+/// not end it. Throws `Interrupted`, and `Error` where the trials do not fit the
+/// model.
 ///
 /// Literature: L. F. Richardson, "The deferred approach to the limit", 1927.
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,

@@ -12,6 +12,8 @@
 namespace lacuna {
 namespace {
 
+constexpr const char* kKept = "; what was finished, if anything, is kept";
+
 /// When the first signal came, in ms; 0: none did. Set by a signal, read by any thread; only an atomic without a lock
 /// may be both.
 std::atomic<std::int64_t> requested_at = 0;
@@ -61,9 +63,12 @@ void watch_for_interrupts() {
 
 bool interrupt_requested() { return requested_at != 0 || time_is_up(); }
 
-void throw_if_interrupted() {
-  constexpr const char* kKept = "; what was finished, if anything, is kept";
+void throw_if_asked_to_stop() {
   if (requested_at != 0) throw Interrupted(std::string("interrupted") + kKept);
+}
+
+void throw_if_interrupted() {
+  throw_if_asked_to_stop();
   if (time_is_up()) throw TimeIsUp(stopped_by_time_limit() + kKept);
 }
 

@@ -28,6 +28,8 @@ bool interrupt_requested();
 /// Throws `Interrupted` if the flag is up, `TimeIsUp` if the limit is reached and not lifted. Long work calls it
 /// between its steps.
 void throw_if_interrupted();
+/// The same whatever the time limit: for what is short, and the rest follows from.
+void throw_if_asked_to_stop();
 /// Sleeps; throws as soon as the flag is up.
 void pause_for(double seconds);
 

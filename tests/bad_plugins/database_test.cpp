@@ -40,7 +40,7 @@ class BadPluginAndDatabase : public testing::Test {
     const Outcome first = compare("");
     ASSERT_EQ(first.code, 0) << first.output;
     before_ = history();
-    ASSERT_THAT(before_, testing::EndsWith("mrad"));
+    ASSERT_THAT(before_, testing::EndsWith("rad"));
   }
 
   Outcome compare(const std::string& more) const { return lacuna("compare " + rig() + " --db " + db() + " " + more); }

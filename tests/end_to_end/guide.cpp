@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -76,8 +75,6 @@ void follow_guide(const std::string& document, const Program& program, const std
     const Outcome outcome = program.shell(step.command);
     EXPECT_EQ(outcome.exit_code, step.exit_code) << outcome.errors;
     const std::string& printed = outcome.exit_code == 0 ? outcome.output : outcome.errors;
-    if (const char* dump = std::getenv("LACUNA_DUMP_GUIDES"))
-      std::ofstream(dump, std::ios::app) << "<<<" << document << ":" << step.line << "\n" << printed << ">>>\n";
     EXPECT_EQ(difference(step.lines, lines_of(printed), kFigureTolerance), "") << printed;
   }
 }
