@@ -54,7 +54,7 @@ class BadPluginAndDatabase : public testing::Test {
   std::string history() const {
     const std::string output = lacuna("history " + rig() + " --db " + db()).output;
     std::smatch match;
-    return std::regex_search(output, match, std::regex("rigid +([0-9.]+ mrad)")) ? match[1].str() : output;
+    return std::regex_search(output, match, std::regex("rigid +([0-9.]+ .?.?rad)")) ? match[1].str() : output;
   }
   void expect_database_intact() const {
     EXPECT_THAT(lacuna("sql " + db() + " 'PRAGMA integrity_check'").output, HasSubstr("ok"));

@@ -55,7 +55,7 @@ class Effect : public bad::Effect {
     return {};
   }
   void add_loads(const lacuna::StepView&, const lacuna::EffectContext&, std::span<const double>,
-                   lacuna::StepLoads&) const override {
+                 lacuna::StepLoads&) const override {
     misbehave("add_loads");
   }
 };

@@ -10,7 +10,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class Load : public bad::Effect {
  public:
   void add_loads(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<const double>,
-                   lacuna::StepLoads& loads) const override {
+                 lacuna::StepLoads& loads) const override {
     const int coordinate = view.first_coordinate[static_cast<std::size_t>(context.elements[0])];
     if (view.time >= bad::kOnset) loads.joints[static_cast<std::size_t>(coordinate)].force = kNan;
   }

@@ -27,7 +27,7 @@ class ThrowsWhenDescribed : public bad::Effect {
 class ThrowsInStep : public bad::Effect {
  public:
   void add_loads(const lacuna::StepView& view, const lacuna::EffectContext&, std::span<const double>,
-                   lacuna::StepLoads&) const override {
+                 lacuna::StepLoads&) const override {
     if (view.time >= bad::kOnset) throw Trouble{};
   }
 };

@@ -26,7 +26,7 @@ class Declared : public bad::Effect {
     return description;
   }
   void add_loads(const lacuna::StepView&, const lacuna::EffectContext& context, std::span<const double>,
-                   lacuna::StepLoads& loads) const override {
+                 lacuna::StepLoads& loads) const override {
     loads.joints[0].force += context.parameters[0];
   }
 };

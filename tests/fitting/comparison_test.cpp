@@ -115,7 +115,8 @@ TEST(Compare, NumericalShareIsTheChangeOfThePrediction) {
 TEST(Compare, AsksForSmallerStepsWhereTheyCount) {
   const auto notes = [](double damping) { return compare_with_pushed(0.05, damping).notes; };
   const std::string asks =
-      "the numerical error of angle is not small beside its error and floor; set more engine.substeps, or 0 for as many "
+      "the numerical error of angle is not small beside its error and floor; set more engine.substeps, or 0 for as "
+      "many "
       "as needed";
   // 12.5 mrad at rest, beside an error of 10 that the uncertain start makes.
   EXPECT_THAT(notes(0.5), testing::Contains(asks));

@@ -19,7 +19,8 @@ EffectDescription Kick::describe() const {
   return description;
 }
 
-void Kick::add_loads(const StepView& view, const EffectContext& context, std::span<const double>, StepLoads& loads) const {
+void Kick::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
+                     StepLoads& loads) const {
   if (view.time > 0.75 * context.step) return;
   const auto p = context.parameters;
   for (const int element : context.elements) {

@@ -8,9 +8,9 @@
 
 namespace lacuna {
 
-/// Adds a force that is a smooth function of a joint's position and velocity, law(q, v), with its slopes where it falls.
-/// Down a law as steep and short as tanh(v/0.001) the slope of the chord to v = 0 is taken where that is more, so that
-/// a step brings a joint at most to rest. `law` takes and returns `Dual`; for sgn(v) as a factor there is
+/// Adds a force that is a smooth function of a joint's position and velocity, law(q, v), with its slopes where it
+/// falls. Down a law as steep and short as tanh(v/0.001) the slope of the chord to v = 0 is taken where that is more,
+/// so that a step brings a joint at most to rest. `law` takes and returns `Dual`; for sgn(v) as a factor there is
 /// `add_force_along_motion`.
 template <class Law>
 void add_force_law(JointLoad& load, double q, double v, const Law& law) {

@@ -80,17 +80,17 @@ struct EffectContext {
   double step = 0.0;  ///< length of the step that the call is about, s; in `state_size` of a whole one
 };
 
-/// The mechanical state at one moment. Coordinates are counted over joints in their order (hinge, slider 1; universal 2;
-/// ball 3; fixed 0): `first_coordinate[joint]`.
+/// The mechanical state at one moment. Coordinates are counted over joints in their order (hinge, slider 1; universal
+/// 2; ball 3; fixed 0): `first_coordinate[joint]`.
 struct StepView {
-  double time = 0.0;                        ///< s
-  std::span<const double> positions;        ///< joint coordinates, rad or m
-  std::span<const double> velocities;       ///< rad/s or m/s
-  std::span<const double> actuator_forces;  ///< per actuator, joint side, N·m or N; of a servo, an estimate
-  std::span<const int> first_coordinate;    ///< per joint
-  std::span<const int> actuator_coordinate;                  ///< per actuator, the coordinate that it drives
-  std::span<const Eigen::Vector3d> body_positions;           ///< centres of mass, world, m
-  std::span<const Eigen::Vector3d> body_velocities;          ///< of the centres of mass, world, m/s
+  double time = 0.0;                                 ///< s
+  std::span<const double> positions;                 ///< joint coordinates, rad or m
+  std::span<const double> velocities;                ///< rad/s or m/s
+  std::span<const double> actuator_forces;           ///< per actuator, joint side, N·m or N; of a servo, an estimate
+  std::span<const int> first_coordinate;             ///< per joint
+  std::span<const int> actuator_coordinate;          ///< per actuator, the coordinate that it drives
+  std::span<const Eigen::Vector3d> body_positions;   ///< centres of mass, world, m
+  std::span<const Eigen::Vector3d> body_velocities;  ///< of the centres of mass, world, m/s
   std::span<const Eigen::Quaterniond> body_orientations;     ///< body to world
   std::span<const Eigen::Vector3d> body_angular_velocities;  ///< world, rad/s
 };
@@ -122,8 +122,8 @@ struct JointLoad {
   }
 };
 
-/// Force on a body's centre of mass and torque for the coming step, world frame, at the view's velocities; and slopes as
-/// those of a joint, alike in all directions.
+/// Force on a body's centre of mass and torque for the coming step, world frame, at the view's velocities; and slopes
+/// as those of a joint, alike in all directions.
 struct BodyLoad {
   Eigen::Vector3d force{0.0, 0.0, 0.0};   ///< N
   Eigen::Vector3d torque{0.0, 0.0, 0.0};  ///< N·m
@@ -149,8 +149,8 @@ struct StepLoads {
 /// `command` and `sense` are called once a step of whole length, at its start and at its end. `add_loads` and `advance`
 /// are about a step of length `context.step`, which may be a part of such a one: the engine cuts a step where a joint
 /// comes to rest or meets a stop. `engine = "articulated"` asks for loads in the middle of the step, several times, the
-/// last time at the step's mean velocities, and needs them there to second order: with a memory, its mean over the step.
-/// `engine = "ode"` asks once, at the start of the step, and uses the slopes up to its end.
+/// last time at the step's mean velocities, and needs them there to second order: with a memory, its mean over the
+/// step. `engine = "ode"` asks once, at the start of the step, and uses the slopes up to its end.
 class PhysicalEffect {
  public:
   virtual ~PhysicalEffect() = default;

@@ -7,7 +7,7 @@ namespace lacuna {
 /// dz/dt = input − decay·z through a step, exactly, for an input and a decay that do not change in it:
 /// z after = carried·z + gained·input, mean of z over the step = mean_carried·z + mean_gained·input.
 struct Relaxation {
-  double carried = 1.0, gained = 0.0;           ///< 1, s
+  double carried = 1.0, gained = 0.0;            ///< 1, s
   double mean_carried = 1.0, mean_gained = 0.0;  ///< 1, s
 
   /// `decay`: ≥ 0, 1/s; `step`: s.

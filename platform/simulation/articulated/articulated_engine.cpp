@@ -9,8 +9,8 @@
 namespace lacuna::articulated {
 
 std::string unsuited(const RobotSpec& robot) {
-  const bool has_shapes = std::any_of(robot.bodies.begin(), robot.bodies.end(),
-                                      [](const BodySpec& body) { return !body.shapes.empty(); });
+  const bool has_shapes =
+      std::any_of(robot.bodies.begin(), robot.bodies.end(), [](const BodySpec& body) { return !body.shapes.empty(); });
   if (robot.contact.ground && has_shapes) return "the robot has shapes that may touch the ground";
   return {};
 }

@@ -56,7 +56,8 @@ void ArticulatedMotion::begin(const StartState& start) {
   integrator_->forget();
   Motion& motion = integrator_->motion();
   const Tree& tree = machine_.tree();
-  for (std::vector<double>* numbers : {&motion.configuration, &motion.velocities, &motion.accelerations, &motion.integrals})
+  for (std::vector<double>* numbers :
+       {&motion.configuration, &motion.velocities, &motion.accelerations, &motion.integrals})
     std::fill(numbers->begin(), numbers->end(), 0.0);
   tree.begin(*robot_, start.positions, start.velocities, std::span(motion.configuration).first(tree.positions()),
              std::span(motion.velocities).first(tree.dofs()));

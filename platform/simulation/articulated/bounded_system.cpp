@@ -55,7 +55,13 @@ double inverse_diagonal(std::span<const double> factor, std::size_t size, std::s
 }
 
 BoundedSystem::BoundedSystem(std::size_t dofs, std::size_t laws)
-    : dofs_(dofs), matrix_(dofs * dofs), right_(dofs), factor_(dofs * dofs), pushed_(dofs), regimes_(laws), impulses_(laws) {}
+    : dofs_(dofs),
+      matrix_(dofs * dofs),
+      right_(dofs),
+      factor_(dofs * dofs),
+      pushed_(dofs),
+      regimes_(laws),
+      impulses_(laws) {}
 
 void BoundedSystem::solve(std::span<const VelocityLaw> laws, std::span<double> velocities, bool again) {
   if (!again) {

@@ -7,8 +7,8 @@
 
 namespace lacuna::articulated {
 
-/// A law on one velocity after a step: an impulse within [lower, upper], push − resistance·velocity where that is within.
-/// An infinite resistance holds the velocity at zero, as stiction and stops do.
+/// A law on one velocity after a step: an impulse within [lower, upper], push − resistance·velocity where that is
+/// within. An infinite resistance holds the velocity at zero, as stiction and stops do.
 struct VelocityLaw {
   std::size_t dof = 0;
   double push = 0.0, resistance = 0.0;

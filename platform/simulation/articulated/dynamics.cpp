@@ -222,7 +222,8 @@ void Dynamics::add_drag(std::size_t link, double damping, double angular, std::s
   const std::size_t n = tree_.dofs();
   const Vector3d c = from_reference(link, centres_[link]);
   const auto each_dof = [&](const auto& visit) {
-    for (int index = static_cast<int>(link); index >= 0; index = tree_.links()[static_cast<std::size_t>(index)].parent) {
+    for (int index = static_cast<int>(link); index >= 0;
+         index = tree_.links()[static_cast<std::size_t>(index)].parent) {
       const Link& one = tree_.links()[static_cast<std::size_t>(index)];
       for (int i = 0; i < one.dofs; ++i) visit(static_cast<std::size_t>(one.dof + i));
     }
@@ -231,7 +232,8 @@ void Dynamics::add_drag(std::size_t link, double damping, double angular, std::s
     const Vector3d along = axes_[row].linear + axes_[row].angular.cross(c);
     each_dof([&](std::size_t column) {
       const Vector3d other = axes_[column].linear + axes_[column].angular.cross(c);
-      inertia_like[row * n + column] += damping * along.dot(other) + angular * axes_[row].angular.dot(axes_[column].angular);
+      inertia_like[row * n + column] +=
+          damping * along.dot(other) + angular * axes_[row].angular.dot(axes_[column].angular);
     });
   });
 }

@@ -63,11 +63,12 @@ class Dynamics {
   const bool lone_;
   bool only_coordinate_ = false;  ///< of the lone joint was placed
   double coordinate_ = 0.0, lone_inertia_ = 0.0;
-  Eigen::Vector3d at_zero_{0.0, 0.0, 0.0}, at_quarter_{0.0, 0.0, 0.0};  ///< the mass's moment across the axis, and turned by 90°
+  Eigen::Vector3d at_zero_{0.0, 0.0, 0.0},
+      at_quarter_{0.0, 0.0, 0.0};            ///< the mass's moment across the axis, and turned by 90°
   std::vector<Displacement> displacements_;  // per link
   std::vector<Eigen::Vector3d> centres_, references_;
   std::vector<SpatialInertia> inertias_, composites_;
-  std::vector<Twist> axes_;                       // per dof
+  std::vector<Twist> axes_;                        // per dof
   std::vector<Twist> velocities_, accelerations_;  // per link; accelerations at rest of the dofs
   std::vector<Wrench> forces_;
 };

@@ -14,9 +14,9 @@ struct Event {
   EventKind kind = EventKind::rests;
 };
 
-/// Finds the first moment of a step at which a coordinate with dry friction comes to rest or one meets a stop. The moment
-/// is that of the step itself, taken shorter, to rounding: so dry friction turns round where the velocity does, and a
-/// step that holds such a moment has the order of the others.
+/// Finds the first moment of a step at which a coordinate with dry friction comes to rest or one meets a stop. The
+/// moment is that of the step itself, taken shorter, to rounding: so dry friction turns round where the velocity does,
+/// and a step that holds such a moment has the order of the others.
 class EventSearch {
  public:
   EventSearch(const Machine& machine, Step& step) : machine_(machine), step_(step) {}

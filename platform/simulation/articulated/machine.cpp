@@ -5,7 +5,9 @@
 namespace lacuna::articulated {
 
 Machine::Machine(const RobotSpec& robot, const simulation::JointTree& joints)
-    : tree_(robot, joints), coordinates_(static_cast<std::size_t>(joints.coordinates)), actuators_(robot.actuators.size()) {
+    : tree_(robot, joints),
+      coordinates_(static_cast<std::size_t>(joints.coordinates)),
+      actuators_(robot.actuators.size()) {
   for (const int first : joints.first_coordinate) first_coordinate_.push_back(static_cast<std::size_t>(first));
   for (std::size_t c = 0; c < coordinates_.size(); ++c) {
     CoordinateNumbers& numbers = coordinates_[c];

@@ -24,7 +24,7 @@ struct ActuatorNumbers {
   std::size_t coordinate = 0;
   std::size_t dof = 0, position = 0;  ///< of what it turns
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
-  bool compliant = false;  ///< it turns a rotor; then
+  bool compliant = false;                                                 ///< it turns a rotor; then
   double rotor_inertia = 0.0, stiffness = 0.0, damping = 0.0, gap = 0.0;  ///< at the joint
 };
 

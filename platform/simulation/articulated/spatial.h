@@ -55,7 +55,7 @@ inline Wrench cross(const Twist& velocity, const Wrench& carried) {
 /// Of one body, or of several that move as one.
 struct SpatialInertia {
   double mass = 0.0;
-  Eigen::Vector3d first_moment{0.0, 0.0, 0.0};         ///< mass times the way from the reference to the centre of mass
+  Eigen::Vector3d first_moment{0.0, 0.0, 0.0};        ///< mass times the way from the reference to the centre of mass
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the reference
 
   SpatialInertia& operator+=(const SpatialInertia& other) {

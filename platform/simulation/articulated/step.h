@@ -17,7 +17,7 @@ namespace lacuna::articulated {
 struct Motion {
   std::vector<double> configuration, velocities;
   std::vector<double> accelerations;  ///< of the step before, from which the next one is estimated
-  std::vector<double> integrals;  ///< per actuator, of a PID's error
+  std::vector<double> integrals;      ///< per actuator, of a PID's error
 };
 
 /// How a coordinate meets its stops and its dry friction in a step.
@@ -45,10 +45,10 @@ class Step {
   /// Whether there is anything to ask a source for.
   void ask(simulation::LoadSource* source) { source_ = source; }
 
-  /// `stopped`: per coordinate. `reversals`: whether dry friction may turn round within the step; otherwise it keeps the
-  /// direction that it has at the start of the step, where there is motion, whatever the motion does.
-  void take(const Motion& from, double begin, double length, const Commanded& commanded, std::span<const Contact> stopped,
-            bool reversals, const Eigen::Vector3d& gravity);
+  /// `stopped`: per coordinate. `reversals`: whether dry friction may turn round within the step; otherwise it keeps
+  /// the direction that it has at the start of the step, where there is motion, whatever the motion does.
+  void take(const Motion& from, double begin, double length, const Commanded& commanded,
+            std::span<const Contact> stopped, bool reversals, const Eigen::Vector3d& gravity);
 
   const Motion& after() const { return after_; }
   /// Tells the source that the step was taken.

@@ -27,7 +27,7 @@ struct Link {
   int position = 0;  ///< the first of its numbers in a configuration
   Eigen::Vector3d anchor{0.0, 0.0, 0.0};
   std::array<Eigen::Vector3d, 2> axes;
-  Eigen::Matrix3d parent_frame = Eigen::Matrix3d::Identity();  ///< parent to world
+  Eigen::Matrix3d parent_frame = Eigen::Matrix3d::Identity();       ///< parent to world
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of the body's frame
   double mass = 0.0;
   Eigen::Vector3d com{0.0, 0.0, 0.0};
@@ -38,8 +38,8 @@ struct Link {
 ///
 /// A configuration holds for each link: hinge and slider the coordinate, universal both; ball the unit quaternion
 /// (w, x, y, z) of its turn in the parent's frame; floating the centre of mass in the world and the unit quaternion of
-/// the turn from the zero pose. The velocities: of the coordinates; ball the angular velocity relative to the parent, in
-/// the parent's frame; floating that of the centre of mass, then the angular velocity, both in the world.
+/// the turn from the zero pose. The velocities: of the coordinates; ball the angular velocity relative to the parent,
+/// in the parent's frame; floating that of the centre of mass, then the angular velocity, both in the world.
 class Tree {
  public:
   Tree(const RobotSpec& robot, const simulation::JointTree& joints);

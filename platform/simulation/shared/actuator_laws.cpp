@@ -17,8 +17,7 @@ double beyond_gap(double twist, double gap) {
 ImplicitForce pid_law(const ActuatorSpec& actuator, double command, double rate, double position,
                       const ActuatorMemory& memory, double step) {
   const double error = command - position;
-  return {.force = actuator.kp * error + actuator.ki * (memory.integral + step * error) +
-                   actuator.kd * rate,
+  return {.force = actuator.kp * error + actuator.ki * (memory.integral + step * error) + actuator.kd * rate,
           .slope = actuator.kp * step + actuator.ki * step * step + actuator.kd,
           .limit = actuator.force_limit};
 }

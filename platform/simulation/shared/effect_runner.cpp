@@ -11,9 +11,8 @@ namespace {
 constexpr const char* kRepair = "; repair the plugin, or take the effect out of the model";
 
 bool sound(const JointLoad& load) {
-  return std::isfinite(load.force) && load.friction_lower <= 0.0 &&
-         load.friction_upper >= 0.0 && load.damping >= 0.0 && load.stiffness >= 0.0 && std::isfinite(load.damping) &&
-         std::isfinite(load.stiffness);
+  return std::isfinite(load.force) && load.friction_lower <= 0.0 && load.friction_upper >= 0.0 && load.damping >= 0.0 &&
+         load.stiffness >= 0.0 && std::isfinite(load.damping) && std::isfinite(load.stiffness);
 }
 
 bool sound(const BodyLoad& load) {
@@ -30,8 +29,7 @@ bool sound(const ContactSpec& contact) {
 
 bool sound(const StepLoads& loads) {
   return std::all_of(loads.joints.begin(), loads.joints.end(), [](const JointLoad& load) { return sound(load); }) &&
-         std::all_of(loads.bodies.begin(), loads.bodies.end(),
-                     [](const BodyLoad& load) { return sound(load); }) &&
+         std::all_of(loads.bodies.begin(), loads.bodies.end(), [](const BodyLoad& load) { return sound(load); }) &&
          sound(loads.contact) && loads.gravity.allFinite();
 }
 

@@ -100,7 +100,7 @@ bool EngineModel::has_memory() const {
 std::unique_ptr<Workspace> EngineModel::make_workspace() const { return std::make_unique<EngineWorkspace>(*this); }
 
 void EngineModel::simulate(std::span<const double> parameters, const Test& test, const SimulationOptions& options,
-                        Workspace& workspace, SimulationResult& result) const {
+                           Workspace& workspace, SimulationResult& result) const {
   auto* own = dynamic_cast<EngineWorkspace*>(&workspace);
   if (!own || &own->model() != this)
     throw Error("the workspace belongs to another model; use one that this model made");

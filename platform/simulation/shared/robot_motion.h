@@ -23,7 +23,7 @@ class EngineFailure : public Error {
 
 /// What happens in one step.
 struct StepOrder {
-  double begin = 0.0;               ///< s
+  double begin = 0.0;                ///< s
   std::span<const double> commands;  ///< per actuator, mean over the step, as its law gets it
   std::span<const double> rates;     ///< per actuator, by how much the command changes in a second
   LoadSource* loads = nullptr;       ///< null: nothing acts besides

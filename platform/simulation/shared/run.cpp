@@ -31,7 +31,8 @@ const std::vector<Channel>& centre_of_mass_channels() {
 
 }  // namespace
 
-Run::Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationOptions& options, SimulationResult& result)
+Run::Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationOptions& options,
+         SimulationResult& result)
     : model_(model),
       ws_(workspace),
       options_(options),
@@ -156,7 +157,9 @@ void Run::advance() {
   sense(time(step_));
 }
 
-void Run::add_loads(const StepView& view, double length, StepLoads& loads) { ws_.effects.add_loads(view, length, loads); }
+void Run::add_loads(const StepView& view, double length, StepLoads& loads) {
+  ws_.effects.add_loads(view, length, loads);
+}
 void Run::advance(const StepView& view, double length) { ws_.effects.advance(view, length); }
 
 void Run::take_commands(const StepView& view) {
@@ -219,8 +222,8 @@ bool Run::write_outputs(double before, double now) {
 
 void Run::impair(double now) {
   if (!options_.imperfections) return;
-  add_imperfections(ws_.instance.robot().sensors, ws_.sensors.first_channel(), options_.imperfections->seed,
-                                now, h_, ws_.output_row);
+  add_imperfections(ws_.instance.robot().sensors, ws_.sensors.first_channel(), options_.imperfections->seed, now, h_,
+                    ws_.output_row);
 }
 
 void Run::write_commands(double until) {

@@ -16,14 +16,15 @@ double actuator_force(const StepView& view, std::size_t coordinate) {
   return force;
 }
 
-/// A step of the base under a force of the joint's actuators: its acceleration, from where it is at a share of the step.
+/// A step of the base under a force of the joint's actuators: its acceleration, from where it is at a share of the
+/// step.
 struct BaseStep {
   BaseStep(const EffectContext& context, double w, double velocity, double force) {
     const auto p = context.parameters;
     const double square = p[kFrequency] * p[kFrequency], damping = 2.0 * p[kDampingRatio] * p[kFrequency];
     share = share_of_step(p[kFrequency] * context.step) * context.step;
-    acceleration = (-force - square * (w + share * velocity) - damping * velocity) /
-                   (1.0 + share * (damping + share * square));
+    acceleration =
+        (-force - square * (w + share * velocity) - damping * velocity) / (1.0 + share * (damping + share * square));
   }
   double share = 0.0;  ///< s
   double acceleration = 0.0;

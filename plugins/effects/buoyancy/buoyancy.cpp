@@ -15,7 +15,8 @@ EffectDescription Buoyancy::describe() const {
               {"displaced", "kg", 0.0, 0.0, 10000.0, Scale::linear, "Mass of the medium that the body displaces"}}};
 }
 
-void Buoyancy::add_loads(const StepView&, const EffectContext& context, std::span<const double>, StepLoads& loads) const {
+void Buoyancy::add_loads(const StepView&, const EffectContext& context, std::span<const double>,
+                         StepLoads& loads) const {
   for (const int element : context.elements)
     loads.bodies[static_cast<std::size_t>(element)].force -= context.parameters[0] * loads.gravity;
 }

@@ -23,7 +23,7 @@ EffectDescription CablePull::describe() const {
 }
 
 void CablePull::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                            StepLoads& loads) const {
+                          StepLoads& loads) const {
   const auto p = context.parameters;
   const Eigen::Vector3d point(p[kX], p[kY], p[kZ]);
   for (const int element : context.elements) {

@@ -30,7 +30,7 @@ void Cogging::amend(RobotSpec& robot, const EffectContext& context) const {
 }
 
 void Cogging::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                          StepLoads& loads) const {
+                        StepLoads& loads) const {
   const auto p = context.parameters;
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);

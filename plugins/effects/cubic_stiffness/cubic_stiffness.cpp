@@ -31,7 +31,7 @@ void CubicStiffness::amend(RobotSpec& robot, const EffectContext& context) const
 
 /// The tangent at the present deflection d: −k·d³ − 3·k·d²·(q' − q).
 void CubicStiffness::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                                 StepLoads& loads) const {
+                               StepLoads& loads) const {
   const double stiffness = context.parameters[kStiffness], rest = context.parameters[kRest];
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);

@@ -30,7 +30,7 @@ void DirectionalFriction::amend(RobotSpec& robot, const EffectContext& context) 
 }
 
 void DirectionalFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                                      StepLoads& loads) const {
+                                    StepLoads& loads) const {
   for (const int joint : context.elements) {
     JointLoad& load = loads.joints[coordinate_of(view, joint)];
     load.friction_lower -= context.parameters[kPositive];

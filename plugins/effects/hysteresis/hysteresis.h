@@ -11,7 +11,7 @@ class Hysteresis : public PhysicalEffect {
   int state_size(const EffectContext& context) const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
-                   StepLoads& loads) const override;
+                 StepLoads& loads) const override;
   void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
 };
 

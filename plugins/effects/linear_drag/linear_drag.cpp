@@ -16,7 +16,7 @@ EffectDescription LinearDrag::describe() const {
 }
 
 void LinearDrag::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                             StepLoads& loads) const {
+                           StepLoads& loads) const {
   for (const int element : context.elements) {
     const auto body = static_cast<std::size_t>(element);
     loads.bodies[body].force -= context.parameters[0] * view.body_velocities[body];

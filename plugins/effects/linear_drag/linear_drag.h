@@ -9,7 +9,7 @@ class LinearDrag : public PhysicalEffect {
  public:
   EffectDescription describe() const override;
   void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
-                   StepLoads& loads) const override;
+                 StepLoads& loads) const override;
 };
 
 }  // namespace lacuna

@@ -12,7 +12,7 @@ class LinkFlexibility : public PhysicalEffect {
   void start(const StepView& view, const EffectContext& context, std::span<double> state) const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
-                   StepLoads& loads) const override;
+                 StepLoads& loads) const override;
   void advance(const StepView& view, const EffectContext& context, std::span<double> state) const override;
 };
 

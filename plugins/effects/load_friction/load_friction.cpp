@@ -23,7 +23,7 @@ void LoadFriction::amend(RobotSpec& robot, const EffectContext& context) const {
 }
 
 void LoadFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                               StepLoads& loads) const {
+                             StepLoads& loads) const {
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);
     double load = 0.0;

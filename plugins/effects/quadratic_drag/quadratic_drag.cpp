@@ -24,7 +24,7 @@ EffectDescription QuadraticDrag::describe() const {
 }
 
 void QuadraticDrag::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                                StepLoads& loads) const {
+                              StepLoads& loads) const {
   const double drag = 0.5 * context.parameters[kDensity] * context.parameters[kArea];
   for (const int element : context.elements) {
     const auto body = static_cast<std::size_t>(element);

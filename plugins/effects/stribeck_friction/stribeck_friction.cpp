@@ -33,7 +33,7 @@ void StribeckFriction::amend(RobotSpec& robot, const EffectContext& context) con
 }
 
 void StribeckFriction::add_loads(const StepView& view, const EffectContext& context, std::span<const double>,
-                                   StepLoads& loads) const {
+                                 StepLoads& loads) const {
   for (const int joint : context.elements) {
     const std::size_t coordinate = coordinate_of(view, joint);
     const double ratio = view.velocities[coordinate] / context.parameters[kVelocity];

@@ -10,7 +10,7 @@ class StribeckFriction : public PhysicalEffect {
   EffectDescription describe() const override;
   void amend(RobotSpec& robot, const EffectContext& context) const override;
   void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
-                   StepLoads& loads) const override;
+                 StepLoads& loads) const override;
 };
 
 }  // namespace lacuna

@@ -48,7 +48,7 @@ class WearingFriction : public PhysicalEffect {
     state[1] = view.positions[coordinate(view, context)];
   }
   void add_loads(const StepView& view, const EffectContext& context, std::span<const double> state,
-                   StepLoads& loads) const override {
+                 StepLoads& loads) const override {
     JointLoad& load = loads.joints[coordinate(view, context)];
     load.add_friction(context.parameters[0] * (1.0 + state[0]));
     load.add_spring(0.5, view.positions[coordinate(view, context)] - state[1]);
