@@ -66,10 +66,10 @@ TEST(Limits, OfAMotorThatFallWithTheSpeedAreFoundFromFarAbove) {
 /// From its own place. A search for the place, which acts along one line through the robot, ends in one of several
 /// minima.
 TEST(CablePull, IsFittedToThePredictionOfARightModel) {
-  constexpr PendulumTruth kTruth = {.inertia = 0.03, .damping = 0.02, .tension = 0.4, .cable_x = 0.3, .cable_z = -0.15};
+  const PendulumTruth truth = {.inertia = 0.03, .damping = 0.02, .tension = 0.4, .cable_x = 0.3, .cable_z = -0.15};
   const EffectEntry cable{
       "cable_pull", "cable_pull", {"body.arm"}, {{"tension", 0.4}, {"x", 0.3}, {"y", 0.0}, {"z", -0.15}}, {}};
-  const Diagnosis diagnosis = diagnosed(kTruth, {"joint_offset_torque"}, {cable});
+  const Diagnosis diagnosis = diagnosed(truth, {"joint_offset_torque"}, {cable});
   EXPECT_LT(diagnosis.base_times_floor, 1.1);
   EXPECT_NE(diagnosis.verdict, Verdict::effect_found);
 }

@@ -38,7 +38,7 @@ double deviation_of(const NoiseModel& noise, NoiseComponent::Kind kind) {
 /// with, a priori, the power of the residuals in each direction.
 double minus_two_log_likelihood(const NoiseModel& noise, const std::vector<LinearSegment>& segments,
                                 const std::vector<Eigen::MatrixXd>& columns) {
-  const Eigen::Index rows = kRows * kSegments;
+  const Eigen::Index rows = Eigen::Index{kRows} * kSegments;
   const Eigen::Index explained = segments.front().values.cols() + columns.front().cols();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(rows, rows), span(rows, explained);
   Eigen::VectorXd residual(rows);

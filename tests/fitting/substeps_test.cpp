@@ -1,5 +1,6 @@
 #include "fitting/substeps.h"
 
+#include "evaluation/trial_predictor.h"
 #include "fitting/analytic_models.h"
 #include "fitting/cross_check.h"
 #include "fitting/comparison.h"

@@ -128,8 +128,8 @@ void ArticulatedMotion::check() const {
   const Motion& motion = integrator_->motion();
   for (const Link& link : machine_.tree().links())
     for (int i = 0; i < link.dofs; ++i) {
-      const double velocity = motion.velocities[static_cast<std::size_t>(link.dof + i)];
-      const double position = motion.configuration[static_cast<std::size_t>(link.position + i)];
+      const double velocity = motion.velocities[nth(link.dof, i)];
+      const double position = motion.configuration[nth(link.position, i)];
       if (std::abs(velocity) < kFastest && std::abs(position) < kFarthest) continue;
       throw Error("body \"" + robot_->bodies[static_cast<std::size_t>(link.body)].name + "\" moves at " +
                   std::to_string(velocity) + " (rad/s or m/s) at " + std::to_string(position) +

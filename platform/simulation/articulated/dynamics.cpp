@@ -102,7 +102,7 @@ void Dynamics::place_link(std::size_t index, const double* q) {
     case LinkKind::floating:
       here.turn = turn_of(q + 3);
       for (int i = 0; i < 3; ++i) {
-        axes_[static_cast<std::size_t>(link.dof + i)] = {Vector3d::Zero(), Vector3d::Unit(i)};
+        axes_[nth(link.dof, i)] = {Vector3d::Zero(), Vector3d::Unit(i)};
         set_axis(link.dof + 3 + i, Vector3d::Unit(i), arm);
       }
       break;
@@ -129,7 +129,7 @@ Twist Dynamics::carrier(const Link& link, int i, std::span<const double> velocit
     carrier += velocities[static_cast<std::size_t>(link.dof)] * axes_[static_cast<std::size_t>(link.dof)];
   // The axes of a floating body keep their directions and go along with its centre of mass.
   if (link.kind == LinkKind::floating && i >= 3)
-    for (int k = 0; k < 3; ++k) carrier.linear[k] = velocities[static_cast<std::size_t>(link.dof + k)];
+    for (int k = 0; k < 3; ++k) carrier.linear[k] = velocities[nth(link.dof, k)];
   return carrier;
 }
 
@@ -146,7 +146,7 @@ void Dynamics::move(std::span<const double> velocities) {
       acceleration = accelerations_[static_cast<std::size_t>(link.parent)];
     }
     for (int i = 0; i < link.dofs; ++i) {
-      const auto dof = static_cast<std::size_t>(link.dof + i);
+      const auto dof = nth(link.dof, i);
       const Twist part = velocities[dof] * axes_[dof];
       acceleration += cross(carrier(link, i, velocities), part);
       velocity += part;
@@ -170,7 +170,7 @@ void Dynamics::inertia(std::span<double> out) {
   for (std::size_t index = tree_.links().size(); index-- > 0;) {
     const Link& link = tree_.links()[index];
     for (int i = 0; i < link.dofs; ++i) {
-      const auto dof = static_cast<std::size_t>(link.dof + i);
+      const auto dof = nth(link.dof, i);
       const Wrench momentum = composites_[index] * axes_[dof];
       const auto put = [&](int other) {
         const auto column = static_cast<std::size_t>(other);
@@ -204,7 +204,7 @@ void Dynamics::bias(const Vector3d& gravity, std::span<const BodyForce> forces, 
   for (std::size_t index = tree_.links().size(); index-- > 0;) {
     const Link& link = tree_.links()[index];
     for (int i = 0; i < link.dofs; ++i) {
-      const auto dof = static_cast<std::size_t>(link.dof + i);
+      const auto dof = nth(link.dof, i);
       out[dof] = dot(axes_[dof], forces_[index]);
     }
     if (link.parent >= 0) forces_[static_cast<std::size_t>(link.parent)] += forces_[index];
@@ -225,7 +225,7 @@ void Dynamics::add_drag(std::size_t link, double damping, double angular, std::s
     for (int index = static_cast<int>(link); index >= 0;
          index = tree_.links()[static_cast<std::size_t>(index)].parent) {
       const Link& one = tree_.links()[static_cast<std::size_t>(index)];
-      for (int i = 0; i < one.dofs; ++i) visit(static_cast<std::size_t>(one.dof + i));
+      for (int i = 0; i < one.dofs; ++i) visit(nth(one.dof, i));
     }
   };
   each_dof([&](std::size_t row) {

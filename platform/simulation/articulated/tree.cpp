@@ -96,8 +96,7 @@ Tree::Tree(const RobotSpec& robot, const simulation::JointTree& joints) : link_o
     add(kind_of(robot.joints[joint].kind), joints.child[joint],
         parent < 0 ? -1 : static_cast<int>(link_of_body_[static_cast<std::size_t>(parent)]), index);
     for (int i = 0; i < links_.back().dofs; ++i)
-      dof_of_coordinate_[static_cast<std::size_t>(joints.first_coordinate[joint] + i)] =
-          static_cast<std::size_t>(links_.back().dof + i);
+      dof_of_coordinate_[nth(joints.first_coordinate[joint], i)] = nth(links_.back().dof, i);
   }
   set(robot);
 }
@@ -168,7 +167,7 @@ void Tree::coordinates(std::span<const double> configuration, std::span<double> 
   for (std::size_t c = 0; c < out.size();) {
     const std::size_t dof = dof_of_coordinate_[c];
     const auto link = std::find_if(links_.begin(), links_.end(), [&](const Link& one) {
-      return dof >= static_cast<std::size_t>(one.dof) && dof < static_cast<std::size_t>(one.dof + one.dofs);
+      return dof >= static_cast<std::size_t>(one.dof) && dof < nth(one.dof, one.dofs);
     });
     const double* q = configuration.data() + link->position;
     if (link->kind == LinkKind::ball) {
