@@ -15,6 +15,7 @@ constexpr double kChance = 0.05;                            ///< beyond, the bes
 constexpr std::size_t kRefitsByChance = 2;                  ///< then, to be shown
 constexpr double kComparable = 0.3;                         ///< of the best score: others as good are refitted, too
 constexpr std::size_t kProbeStarts = 2;                     ///< probes that a refit starts from
+constexpr std::size_t kPlaces = 4;                          ///< that as many refits start from
 /// Of the deviance that a rival is worth by its score: a choice between rivals needs no finer fit, and the chosen one
 /// is refitted in the next round.
 constexpr double kFineEnough = 1e-3;
@@ -29,15 +30,17 @@ struct Listed {
   std::vector<ProbeScore> scores;
 };
 
+std::size_t starts_of(const Hypothesis& hypothesis) { return has_place(hypothesis) ? kPlaces : kProbeStarts; }
+
 /// The best score first.
-std::vector<Listed> shortlist(const Screening& screening) {
+std::vector<Listed> shortlist(const std::vector<Hypothesis>& hypotheses, const Screening& screening) {
   std::vector<Listed> list;
   const bool by_chance = screening.p > kChance;
   for (const ProbeScore& score : screening.scores) {
     const auto known =
         std::find_if(list.begin(), list.end(), [&](const Listed& one) { return one.hypothesis == score.hypothesis; });
     if (known != list.end()) {
-      if (known->scores.size() < kProbeStarts) known->scores.push_back(score);
+      if (known->scores.size() < starts_of(hypotheses[score.hypothesis])) known->scores.push_back(score);
       continue;
     }
     const bool comparable = score.deviance >= kComparable * screening.scores.front().deviance;
@@ -65,17 +68,20 @@ void add_simpler(const std::vector<Hypothesis>& hypotheses, const Screening& scr
     const auto known = std::find_if(list.begin(), list.end(), is_it);
     if (known != list.end()) {
       const bool is_new = static_cast<std::size_t>(known - list.begin()) >= listed;
-      if (is_new && known->scores.size() < kProbeStarts) known->scores.push_back(score);
+      const bool has_room = known->scores.size() < starts_of(hypotheses[score.hypothesis]);
+      if (is_new && has_room) known->scores.push_back(score);
     } else if (std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(listed), richer)) {
       list.push_back({score.hypothesis, {score}});
     }
   }
 }
 
-/// Values to start a refit from: the probe, and the probe scaled to the size that its score wants.
+/// Values to start a refit from: the probe, and the probe scaled to the size that its score wants; not where it has a
+/// place, which would be scaled with it.
 void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeScore& score,
                 const std::vector<double>& base, std::vector<std::vector<double>>& starts) {
   starts.push_back(hypothesis.values(base, probe.own));
+  if (has_place(hypothesis)) return;
   const double size = std::clamp(score.size, probe.one_sided ? 0.1 : -3.0, 3.0);
   std::vector<double> scaled = hypothesis.neutral;
   for (std::size_t i = 0; i < scaled.size(); ++i) {
@@ -91,7 +97,7 @@ void add_starts(const Hypothesis& hypothesis, const Probe& probe, const ProbeSco
 class RivalFits {
  public:
   RivalFits(const Round& round, const std::vector<std::vector<Probe>>& probes)
-      : round_(round), probes_(probes), list_(shortlist(round.screening)) {
+      : round_(round), probes_(probes), list_(shortlist(round.hypotheses, round.screening)) {
     add_simpler(round.hypotheses, round.screening, list_);
     rivals_.resize(list_.size());
     scouted_.resize(list_.size());
@@ -136,8 +142,19 @@ class RivalFits {
       add_starts(round_.hypotheses[h], probes_[h][score.probe], score, round_.base.values, starts);
     rivals_[i].hypothesis = h;
     rivals_[i].deviance = scores.front().deviance;
-    rivals_[i].fit = fit(i, starts, round_.base, kScoutIterations);
+    rivals_[i].fit =
+        has_place(round_.hypotheses[h]) ? best_fit(i, starts) : fit(i, starts, round_.base, kScoutIterations);
     scouted_[i] = 1;
+  }
+
+  /// From each start: places have minima of their own, and the cost at a start does not tell which is the deepest.
+  Refit best_fit(std::size_t i, const std::vector<std::vector<double>>& starts) const {
+    Refit best;
+    for (const std::vector<double>& start : starts) {
+      Refit one = fit(i, {start}, round_.base, kScoutIterations);
+      if (one.valid && (!best.valid || one.deviance < best.deviance)) best = std::move(one);
+    }
+    return best;
   }
 
   /// Beyond which a scout goes no further.

@@ -96,6 +96,14 @@ std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::v
 
 }  // namespace
 
+bool is_length(const FreeValue& free) { return free.unit == "m" && free.scale == Scale::linear; }
+
+bool has_place(const Hypothesis& hypothesis) {
+  constexpr std::ptrdiff_t kDimensions = 3;
+  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
+                       [&](std::size_t i) { return is_length(hypothesis.definition.free[i]); }) == kDimensions;
+}
+
 std::string Hypothesis::where() const { return entry.where.empty() ? "world" : entry.where.front(); }
 
 std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const std::vector<double>& of_own) const {

@@ -27,6 +27,12 @@ struct Hypothesis {
   std::vector<double> values(const std::vector<double>& of_base, const std::vector<double>& of_own) const;
 };
 
+bool is_length(const FreeValue& free);
+
+/// Whether an effect acts at a place that is fitted: at the neutral one it may matter, and yet not as it does
+/// elsewhere.
+bool has_place(const Hypothesis& hypothesis);
+
 /// Why an effect cannot be tested here.
 struct Untestable {
   std::string effect;

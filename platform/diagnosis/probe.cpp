@@ -65,17 +65,6 @@ class Bench {
   ShootingProblem problem_;
 };
 
-bool is_length(const FreeValue& free) { return free.unit == "m" && free.scale == Scale::linear; }
-
-/// Whether an effect acts at a place that is fitted: at the neutral one it may matter, and yet not as it does
-/// elsewhere.
-bool has_place(const Hypothesis& hypothesis) {
-  constexpr std::ptrdiff_t kDimensions = 3;
-  const std::vector<FreeValue>& free = hypothesis.definition.free;
-  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
-                       [&](std::size_t i) { return is_length(free[i]); }) == kDimensions;
-}
-
 /// The longest way between two joints or centres of mass, m.
 double size_of(const RobotSpec& robot) {
   std::vector<Eigen::Vector3d> points;
@@ -272,6 +261,20 @@ void climb_beside(Ladder& ladder, const Hypothesis& hypothesis, std::vector<Prob
     }
 }
 
+/// Sizes at places between the axes, where there are places: the directions from one axis to the next are as likely.
+void climb_between_axes(Ladder& ladder, const Hypothesis& hypothesis, std::vector<Probe>& probes) {
+  constexpr unsigned kCorners = 8;
+  std::vector<std::size_t> unused;
+  for (unsigned corner = 0; corner < kCorners; ++corner) {
+    std::vector<double> others = hypothesis.neutral;
+    unsigned axis = 0;
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (is_length(hypothesis.definition.free[hypothesis.own[i]]))
+        others[i] = ladder.beside(i, (corner >> axis++ & 1U) != 0 ? 1.0 : -1.0);
+    climb(ladder, others, probes, unused);
+  }
+}
+
 /// Parameters that matter, where one that only shapes the effect, of which the data suggest no value, is of another
 /// order: a soft stop begins earlier than a stiff one.
 void climb_at_other_orders(Ladder& ladder, const Hypothesis& hypothesis, std::size_t shape,
@@ -311,6 +314,7 @@ std::vector<Probe> sized_probes(Ladder& ladder, const Hypothesis& hypothesis,
   std::vector<std::size_t> shapes, unused;
   const bool enough = climb(ladder, hypothesis.neutral, probes, shapes);
   if (!enough || has_place(hypothesis)) climb_beside(ladder, hypothesis, probes);
+  if (has_place(hypothesis)) climb_between_axes(ladder, hypothesis, probes);
   if (hypothesis.defaults != hypothesis.neutral) {
     probes.push_back({hypothesis.defaults, true, {}});
     climb(ladder, hypothesis.defaults, probes, unused);

@@ -39,6 +39,22 @@ std::size_t simpler_first(const Round& round, std::size_t chosen) {
   return chosen;
 }
 
+bool is_of_sensor(const Round& round, const Rival& rival) {
+  return round.hypotheses[rival.hypothesis].where().starts_with("sensor.");
+}
+
+/// A late sensor and a late drive show the same readings of a rig that rests before: where the data do not tell them
+/// apart, no sensor is blamed for what the rig may do.
+std::size_t rig_before_sensor(const Round& round, std::size_t chosen) {
+  if (!is_of_sensor(round, round.rivals[chosen])) return chosen;
+  for (std::size_t i = 0; i < round.rivals.size(); ++i)
+    if (!is_of_sensor(round, round.rivals[i]) &&
+        freedom(round, round.rivals[i]) <= freedom(round, round.rivals[chosen]) &&
+        round.rivals[i].gain.value >= round.rivals[chosen].gain.value - kTold)
+      return i;
+  return chosen;
+}
+
 /// Probes may miss what a refit finds, where an effect has several parameters: then that there is something to be
 /// explained is shown by the force of any form.
 bool explains_structure(const Round& round, const Rival& rival) {
@@ -77,7 +93,7 @@ std::optional<std::size_t> choose(const Round& round, double level) {
         round.rivals[i].gain.value > 0.0 && freedom(round, round.rivals[i]) < freedom(round, round.rivals[chosen]))
       chosen = i;
   }
-  return simpler_first(round, chosen);
+  return rig_before_sensor(round, simpler_first(round, chosen));
 }
 
 std::vector<std::size_t> inseparable(const Round& round, std::size_t chosen, std::uint64_t seed) {

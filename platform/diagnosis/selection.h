@@ -15,7 +15,8 @@ inline constexpr double kFirstLevel = 0.05, kFurtherLevel = 0.01;  ///< of chanc
 /// part of what a force of any form shows to be there; it predicts what
 /// was left out better than the base by half a nat, and of those within one standard error of the best, or a tenth of
 /// its gain, it is the simplest; a still simpler one goes first if it has half of the best gain, since the next round
-/// may find that it and another one do as well (rejudge.h). Nothing: none of them.
+/// may find that it and another one do as well (rejudge.h). An effect of a sensor goes first only where the data tell
+/// it from those of the rig. Nothing: none of them.
 std::optional<std::size_t> choose(const Round& round, double level);
 
 inline constexpr std::size_t kMostLookAlikes = 6;
