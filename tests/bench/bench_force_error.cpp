@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     const std::vector<double> values = bench.fit_model().result.parameters();
     const Rig& rig = bench.rig();
     for (const Trial& trial : rig.trials) {
-      const ForceError error = force_error(*rig.model, trial, values, rig.definition.engine.step, cutoff);
+      const ForceError error = force_error(*rig.model, trial, values, cutoff);
       fmt::print("{} {}: {:.3g} rms, {:.2f} % of the command's, low-pass {:g} Hz\n",
                  trial.held_out ? "held out" : "fit     ", trial.name, error.rms, 100.0 * error.relative, cutoff);
     }

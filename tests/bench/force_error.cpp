@@ -26,12 +26,11 @@ Motion motion_of(const Eigen::VectorXd& position, double interval) {
   return motion;
 }
 
-/// The model's acceleration over one sample from each state; semi-implicit steps of `step`.
+/// The model's acceleration over one sample from each state.
 Eigen::VectorXd predicted(const CompiledModel& model, const Trial& trial, std::span<const double> values,
-                          const Motion& motion, double interval, double step, Eigen::Index ends) {
+                          const Motion& motion, double interval, Eigen::Index ends) {
   const TrialPredictor predictor(model, {trial}, 1);
-  const double steps = std::max(1.0, std::round(interval / step));
-  const double h = interval / steps, per_acceleration = h * h * steps * (steps + 1.0) / 2.0;
+  const double per_acceleration = 0.5 * interval * interval;
   Eigen::VectorXd found = Eigen::VectorXd::Zero(motion.position.size());
   Prediction prediction;
   for (Eigen::Index i = ends; i < found.size() - ends; ++i) {
@@ -54,8 +53,7 @@ double rms(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-ForceError force_error(const CompiledModel& model, const Trial& trial, std::span<const double> values, double step,
-                       double cutoff) {
+ForceError force_error(const CompiledModel& model, const Trial& trial, std::span<const double> values, double cutoff) {
   const Eigen::VectorXd& times = trial.measured.times;
   const double interval = (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
   const auto ends = static_cast<Eigen::Index>(kEnds / interval);
@@ -64,11 +62,11 @@ ForceError force_error(const CompiledModel& model, const Trial& trial, std::span
   commands.col(0) = low_passed(commands.col(0), interval, cutoff);
   const Motion motion = motion_of(low_passed(trial.measured.samples.col(0), interval, cutoff), interval);
   const auto inner = [&](const Eigen::VectorXd& all) { return all.segment(ends, all.size() - 2 * ends).eval(); };
-  const Eigen::VectorXd now = predicted(model, smooth, values, motion, interval, step, ends);
+  const Eigen::VectorXd now = predicted(model, smooth, values, motion, interval, ends);
   const double size = rms(commands.col(0));
   Trial pushed = smooth;
   pushed.commands.series.samples.array() += 0.1 * size;
-  const Eigen::VectorXd more = predicted(model, pushed, values, motion, interval, step, ends);
+  const Eigen::VectorXd more = predicted(model, pushed, values, motion, interval, ends);
   const double mobility = median(inner(more - now)) / (0.1 * size);
   const double force = rms(inner(motion.acceleration - now)) / mobility;
   return {force, force / rms(inner(commands.col(0)))};

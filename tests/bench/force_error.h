@@ -16,7 +16,6 @@ struct ForceError {
 /// force. Position and command are low-passed without phase (zero_phase.h); from the filtered state of each sample the
 /// model is simulated to the next one under the filtered command, and its acceleration held against the filtered one's.
 /// Accelerations become forces by the command that would change them as much. The first and last 0.2 s are left out.
-ForceError force_error(const CompiledModel& model, const Trial& trial, std::span<const double> values, double step,
-                       double cutoff);
+ForceError force_error(const CompiledModel& model, const Trial& trial, std::span<const double> values, double cutoff);
 
 }  // namespace lacuna
