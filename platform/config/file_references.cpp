@@ -13,7 +13,8 @@ constexpr const char* kNumbers =
     "A number is in the SI unit that its row names, or a text with a unit of the same dimension: `0.12`, `\"120 mm\"`, "
     "`\"3 deg\"`,\n`\"35.15065 N/V\"`. Units are written with `*`, `/` and `^`; `m`, `kg`, `s`, `A`, `N`, `V`, `W`, "
     "`J`, "
-    "`Pa`, `Hz`, `Ohm`, `rad`, `deg`, `rev`,\n`rpm`, `min`, `h`, `%` and SI prefixes are known. \"N*m or N\" means "
+    "`Pa`, `Hz`, `Ohm`, `rad`, `deg`, `rev`,\n`rpm`, `min`, `h`, `%`, `in`, `ft`, `lb`, `oz`, `lbf`, `ozf`, `kip`, "
+    "`kgf`, `psi` and SI prefixes are known. \"N*m or N\" means "
     "that the "
     "joint's kind decides.\n";
 

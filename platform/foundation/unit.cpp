@@ -20,6 +20,8 @@ struct NamedUnit {
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kPound = 0.45359237;  // kg
+constexpr double kGravity = 9.80665;   // m/s², standard
 constexpr NamedUnit kUnits[] = {
     {"1", 1.0, {0, 0, 0, 0}, false},
     {"%", 0.01, {0, 0, 0, 0}, false},
@@ -32,6 +34,15 @@ constexpr NamedUnit kUnits[] = {
     {"kg", 1.0, {0, 1, 0, 0}, false},
     {"g", 1e-3, {0, 1, 0, 0}, true},
     {"m", 1.0, {1, 0, 0, 0}, true},
+    {"in", 0.0254, {1, 0, 0, 0}, false},
+    {"ft", 0.3048, {1, 0, 0, 0}, false},
+    {"lb", kPound, {0, 1, 0, 0}, false},
+    {"oz", kPound / 16.0, {0, 1, 0, 0}, false},
+    {"lbf", kPound* kGravity, {1, 1, -2, 0}, false},
+    {"ozf", kPound* kGravity / 16.0, {1, 1, -2, 0}, false},
+    {"kip", 1e3 * kPound* kGravity, {1, 1, -2, 0}, false},
+    {"kgf", kGravity, {1, 1, -2, 0}, false},
+    {"psi", kPound* kGravity / (0.0254 * 0.0254), {-1, 1, -2, 0}, false},
     {"s", 1.0, {0, 0, 1, 0}, true},
     {"A", 1.0, {0, 0, 0, 1}, true},
     {"N", 1.0, {1, 1, -2, 0}, true},
@@ -137,8 +148,9 @@ bool takes_prefix(const std::string& unit) {
 std::optional<Unit> parse_unit(std::string_view text) { return UnitParser(text).parse(); }
 
 std::string known_units() {
-  return "m, mm, cm, rad, mrad, deg, rev, s, ms, min, kg, g, N, mN, V, mV, A, mA, Hz, rpm, 1, % and products such as "
-         "N*m, kg*m^2, N*m*s/rad";
+  return "m, mm, cm, in, ft, rad, mrad, deg, rev, s, ms, min, kg, g, lb, oz, N, mN, lbf, kip, kgf, ozf, psi, Pa, V, "
+         "mV, A, "
+         "mA, Hz, rpm, 1, % and products such as N*m, kg*m^2, N*m*s/rad, lbf*in";
 }
 
 std::string format_quantity(double value_in_si, const std::string& unit, int digits) {

@@ -47,7 +47,8 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
   TrialClock clock;
   if (rows.empty()) return clock;
   const double first = table.times[rows.front()];
-  clock.origin = (table.time_origin + first) * seconds_per_unit;
+  if (table.dated) seconds_per_unit = 1.0;
+  clock.origin = table.dated ? first - table.times.front() : (table.time_origin + first) * seconds_per_unit;
   for (const std::size_t row : rows) {
     const double time = (table.times[row] - first) * seconds_per_unit;
     if (!clock.times.empty() && time == clock.times.back()) {

@@ -61,7 +61,7 @@ NameAndUnit split_at_bracket(std::string_view name) {
 }
 
 bool unmistakable(std::string_view symbol) {
-  static constexpr std::string_view kOthers[] = {"h", "g", "min", "1", "%"};
+  static constexpr std::string_view kOthers[] = {"h", "g", "min", "in", "1", "%"};
   return !symbol.empty() && !std::isdigit(static_cast<unsigned char>(symbol.front())) &&
          std::find(std::begin(kOthers), std::end(kOthers), symbol) == std::end(kOthers);
 }
@@ -81,7 +81,7 @@ NameAndUnit split_at_underscore(std::string_view name) {
   const std::size_t before_last = name.rfind('_', last - 1);
   if (before_last != name.npos && before_last > 0 && unmistakable(below)) {
     const std::string_view above = name.substr(before_last + 1, last - before_last - 1);
-    const std::string above_unit = unmistakable(above) ? known_unit(above) : "";
+    const std::string above_unit = unmistakable(above) || above == "in" ? known_unit(above) : "";
     if (!above_unit.empty() && below.starts_with('s'))
       if (std::string unit = known_unit(above_unit + "/" + with_power(below)); !unit.empty())
         return {name.substr(0, before_last), std::move(unit)};

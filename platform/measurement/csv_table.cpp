@@ -43,6 +43,7 @@ class TableReader {
       read_row(line, number, reader.at_cut_end());
     }
     table_.time_origin = time_reader_.origin();
+    table_.dated = time_reader_.dated();
     note_missing();
     return std::move(table_);
   }

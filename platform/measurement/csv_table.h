@@ -24,6 +24,7 @@ struct CsvQuery {
 /// Numbers of the wanted columns, as written (no units applied), row by row.
 struct CsvTable {
   double time_origin = 0.0;                  ///< to be added to `times`; see `TimeStampReader`
+  bool dated = false;                        ///< time stamps are dates: `times` are in s
   std::vector<double> times;                 ///< column's unit
   std::vector<std::vector<double>> columns;  ///< as in the query; NaN where the file has no value
   std::vector<int> lines;                    ///< line of each row in the file

@@ -1,5 +1,7 @@
 #include "measurement/number_cell.h"
 
+#include "measurement/date_stamp.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -68,6 +70,9 @@ NumberCell read_number(std::string_view cell, bool decimal_comma) {
 NumberCell TimeStampReader::read(std::string_view cell) {
   constexpr std::int64_t kFarAway = 1'000'000;
   cell = trimmed(cell);
+  const std::optional<DateStamp> date = has_origin_ && !dated_ ? std::nullopt : read_date_stamp(cell);
+  if (date) return read_date(*date);
+  if (dated_) return stands_for_missing(cell) ? read_word(cell) : NumberCell{CellKind::text, kNoNumber};
   std::int64_t whole = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), whole);
   const std::string_view rest = cell.substr(static_cast<std::size_t>(end - cell.data()));
@@ -83,6 +88,12 @@ NumberCell TimeStampReader::read(std::string_view cell) {
   }
   const double fraction = rest.size() > 1 ? read_number(rest, decimal_comma_).value : 0.0;
   return {CellKind::number, static_cast<double>(whole - origin_) + (cell.front() == '-' ? -fraction : fraction)};
+}
+
+NumberCell TimeStampReader::read_date(const DateStamp& date) {
+  if (!dated_) origin_ = date.seconds;
+  dated_ = has_origin_ = true;
+  return {CellKind::number, static_cast<double>(date.seconds - origin_) + date.fraction};
 }
 
 }  // namespace lacuna

@@ -2,11 +2,14 @@
 
 #include "measurement_fixture.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace lacuna {
 namespace {
 
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsNan;
@@ -51,6 +54,26 @@ TEST_F(ReadRecording, GivesSiUnitsUnderTheRobotsNames) {
   EXPECT_TRUE(std::isnan(trial.sensor_noise[0]));
   EXPECT_EQ(trial.sensor_noise[1], 0.01);
   EXPECT_EQ(recording.notes.size(), 0u) << notes_of(recording);
+}
+
+/// Of any zone; a date has its unit in itself.
+TEST_F(ReadRecording, ReadsDatesAsTimeStamps) {
+  RecordingSource source =
+      pendulum_source(folder_.write("run.csv",
+                                    "t,q,u\n2024-02-29T23:59:59.75Z,1,0\n2024-02-29 23:59:59.875,2,0\n"
+                                    "2024-03-01T02:00:00.000001+02:00,3,0\n"));
+  source.time_unit = "ms";
+  const Trial trial = read_pendulum(source).trials.at(0);
+  EXPECT_THAT(std::vector<double>(trial.measured.times.begin(), trial.measured.times.end()),
+              ElementsAre(0.0, 0.125, DoubleNear(0.250001, 1e-12)));
+}
+
+TEST_F(ReadRecording, RefusesTimeStampsOfTwoKinds) {
+  for (const char* stamp : {"1.5", "2024-02-30T00:00:00Z", "2024-02-28T25:00:00Z", "2024-02-28", "yesterday"}) {
+    const std::string rows = fmt::format("t,q,u\n2024-02-27T00:00:00Z,1,0\n{},2,0\n", stamp);
+    const RecordingSource source = pendulum_source(folder_.write("run.csv", rows));
+    EXPECT_THROW(read_pendulum(source), BadInput) << stamp;
+  }
 }
 
 TEST_F(ReadRecording, KeepsMicrosecondsSince1970Exactly) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace lacuna {
+
+/// A moment, in seconds since 1970-01-01T00:00:00 UTC without leap seconds.
+struct DateStamp {
+  std::int64_t seconds = 0;
+  double fraction = 0.0;  ///< s, 0 to 1, after `seconds`
+};
+
+/// Reads a date with a time of day as ISO 8601 writes it: `2024-05-01T12:00:00.25Z`; a space may stand for the T, a
+/// comma for the point, and a zone such as `+02:00` or `+0200` for the Z. Without a zone the time is taken as UTC.
+/// Nothing where the text is something else, or no such day or time of day exists.
+std::optional<DateStamp> read_date_stamp(std::string_view text);
+
+}  // namespace lacuna
