@@ -60,7 +60,7 @@ std::vector<BadFile> refused_files() {
       {"hexadecimal", "t,q,u\n0,1,2\n0.1,0x1F,2\n", "run.csv:3: column `q` has `0x1F`", ""},
       {"empty_time", "t,q,u\n0,1,2\n,1,2\n", "run.csv:3: column `t` has no value here", ""},
       {"nan_time", "t,q,u\n0,1,2\nnan,1,2\n", "run.csv:3: column `t` has no value here (`nan`)", ""},
-      {"date_as_time", "t,q,u\n2024-05-01 10:00:00,1,2\n", "run.csv:2: column `t` has `2024-05-01 10:00:00`", ""},
+      {"day_as_time", "t,q,u\n2024-05-01,1,2\n", "run.csv:2: column `t` has `2024-05-01`", ""},
       {"first_command_missing", "t,q,u\n0,1,\n0.1,1,2\n", "run.csv:2: command column `u` has no value in the trial's",
        ""},
       {"time_back", "t,q,u\n0,1,2\n0.2,1,2\n0.1,1,2\n", "run.csv:4: time goes back from 0.2 s to 0.1 s; sort", ""},
