@@ -21,6 +21,7 @@ constexpr Spelling kWholeWords[] = {
     {"metre", "m"}, {"meters", "m"},       {"metres", "m"},    {"dps", "deg/s"},     {"rps", "rev/s"},
     {"mps", "m/s"}, {"rads", "rad/s"},     {"radps", "rad/s"}, {"degps", "deg/s"},   {"Nms", "N*m*s"},
     {"RPM", "rpm"}, {"1/min", "rpm"},      {"U/min", "rpm"},   {"m/s2", "m/s^2"},    {"rad/s2", "rad/s^2"},
+    {"inch", "in"}, {"inches", "in"},      {"feet", "ft"},     {"lbs", "lb"},        {"lbfin", "lbf*in"},
     {"ohm", "Ohm"}, {"Nm/rad", "N*m/rad"}, {"m/sec", "m/s"},   {"rad/sec", "rad/s"}, {"deg/sec", "deg/s"}};
 
 constexpr Spelling kPieces[] = {{"\u00b0", "deg"}, {"\u00b2", "^2"},     {"\u00b3", "^3"}, {"\u00b7", "*"},

@@ -30,6 +30,7 @@ TEST(UnitInName, IsFoundInBracketsAndAfterUnderscores) {
                                                         {"displacement [in]", "in"},
                                                         {"friction_force_kip", "kip"},
                                                         {"torque_in", ""},
+                                                        {"torque_lbfin", "lbf*in"},
                                                         {"x_1", ""},
                                                         {"joint_min", ""},
                                                         {"angle", ""},
@@ -61,6 +62,14 @@ class GuessRig : public testing::Test {
   }
   TestFolder folder_;
 };
+
+TEST_F(GuessRig, TakesDatesForTheTime) {
+  const RigGuess rig = guess(
+      "logged,q_deg,tau_Nm\n2024-05-01T12:00:00.990Z,1,0\n2024-05-01T12:00:01.000Z,2,1\n"
+      "2024-05-01T12:00:01.010Z,3,0\n");
+  EXPECT_EQ(rig.time.name, "logged");
+  EXPECT_EQ(rig.time.unit, "s");
+}
 
 TEST_F(GuessRig, OfAPendulum) {
   const RigGuess rig = guess("t_s,theta_rad,theta_dot_rad_s,tau_Nm\n0,0,0,1\n0.002,0.1,5,1\n0.004,0.2,5,1\n");
