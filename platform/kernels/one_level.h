@@ -5,6 +5,10 @@
 
 #include "kernels/levels.h"
 
+// For small products Eigen has a second way, which fuses multiplications with additions only where whole registers of
+// the result fit, and thus rounds by where the result lies in memory.
+#define EIGEN_GEMM_TO_COEFFBASED_THRESHOLD 1
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
