@@ -36,6 +36,25 @@ Value<std::vector<TimeRange>> time_ranges() {
       }));
 }
 
+/// A file with what holds for it alone.
+Table<MeasuredFile> recorded_file_keys() {
+  return Table<MeasuredFile>()
+      .required("file", &MeasuredFile::path, existing_file(), "the measured file")
+      .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),
+           "fitted to, or kept from every fit")
+      .key("use", &MeasuredFile::use, time_ranges(), "only these times of it, instead of target.time.use")
+      .key("mask", &MeasuredFile::mask, time_ranges(), "times of it that are not compared, besides target.time.mask")
+      .key("holdout", &MeasuredFile::holdout, time_ranges(),
+           "stretches of a file to fit to that are kept from every fit, [start, end]: each is a trial of its own")
+      .check({"role", "holdout"},
+             [](const TomlNode& node, Reading& reading, MeasuredFile& file) {
+               if (file.held_out && !file.holdout.empty())
+                 reading.problem_at("holdout", node.find("holdout")->location,
+                                    "the whole file is held out already; leave out role or holdout");
+             })
+      .located(&MeasuredFile::location);
+}
+
 /// The unit of a column as written; what it is converted to is the reader's business.
 Value<std::string> unit_name() {
   Value<std::string> value = text();
@@ -198,6 +217,9 @@ Table<RecordingSource> recording_keys() {
                                       "recorded: measured files to fit to; required")
       .key<std::vector<MeasuredFile>>("holdout", measured_files(true, 0), {}, append_files,
                                       "recorded: files kept from every fit; only compare and history read them")
+      .key<std::vector<MeasuredFile>>("recording", list_of(recorded_file_keys().value()), {}, append_files,
+                                      "recorded: files with what holds for each alone, as [[target.recording]]; beside "
+                                      "or instead of files and holdout")
       .key("delimiter", &RecordingSource::delimiter, delimiter(), "between columns; \"auto\": found out")
       .key("decimal_comma", &RecordingSource::decimal_comma, boolean(), "numbers are written as 3,14")
       .key("trial_column", &RecordingSource::trial_column, text(0), "column that tells several trials in a file apart")
@@ -346,8 +368,10 @@ void check_kind(const TomlNode& node, Reading& reading, TargetSection& target) {
       {"recorded", "files", "is missing: measured files to fit to (a list of at least 1, each a file's path)"},
       {"simulated", "robot", "is missing: a robot plugin's name, or file = \"robot.toml\""},
       {"process", "command", "is missing: the program and its arguments, as in [\"python3\", \"rig.py\"]"}};
+  const bool has_recording = target.kind == "recorded" && node.find("recording");
   for (const Need& need : kNeeds)
-    if (target.kind == need.kind && !node.find(need.key) && !(target.kind == "simulated" && node.find("file")))
+    if (target.kind == need.kind && !node.find(need.key) && !has_recording &&
+        !(target.kind == "simulated" && node.find("file")))
       reading.problem_at(need.key, node.location, need.complaint);
 }
 

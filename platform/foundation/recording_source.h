@@ -45,9 +45,12 @@ struct TimeRange {
 };
 
 struct MeasuredFile {
-  std::filesystem::path path;  ///< resolved: relative to the experiment file, variables replaced
+  std::filesystem::path path = {};  ///< resolved: relative to the experiment file, variables replaced
   bool held_out = false;
-  SourceLocation location;  ///< where the experiment names it
+  SourceLocation location = {};         ///< where the experiment names it
+  std::vector<TimeRange> use = {};      ///< of this file; empty: as `RecordingSource::use` says
+  std::vector<TimeRange> mask = {};     ///< of this file, besides `RecordingSource::mask`
+  std::vector<TimeRange> holdout = {};  ///< stretches of a file to fit to that are kept from every fit
 };
 
 /// What is known of an element at the start of each trial, by its name: of a joint its state, of an actuator what it

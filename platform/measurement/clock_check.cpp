@@ -32,6 +32,17 @@ bool is_masked(const RecordingSource& source, double from, double to) {
                      [&](const TimeRange& range) { return range.start <= from && to <= range.end; });
 }
 
+void take_sample(const TrialClock& clock, std::size_t i, TrialClock& piece) {
+  if (piece.times.empty()) piece.origin = clock.origin + clock.times[i];
+  piece.rows.push_back(clock.rows[i]);
+  piece.times.push_back(clock.times[i]);
+}
+
+void begin_at_zero(TrialClock& piece) {
+  const double first = piece.times.front();
+  for (double& time : piece.times) time -= first;
+}
+
 void check_unit(double median, int line, const RecordingSource& source, FileReport& report) {
   if (median <= kSlowestPlausible && median >= kFastestPlausible) return;
   report.doubt("time unit", line, [&] {
@@ -83,18 +94,24 @@ std::vector<TrialClock> cut_to_ranges(const TrialClock& clock, const std::vector
   std::vector<TrialClock> pieces;
   for (const TimeRange& range : ranges) {
     TrialClock piece;
-    for (std::size_t i = 0; i < clock.times.size(); ++i) {
-      if (!is_in({range}, clock.origin + clock.times[i])) continue;
-      if (piece.times.empty()) piece.origin = clock.origin + clock.times[i];
-      piece.rows.push_back(clock.rows[i]);
-      piece.times.push_back(clock.times[i]);
-    }
+    for (std::size_t i = 0; i < clock.times.size(); ++i)
+      if (is_in({range}, clock.origin + clock.times[i])) take_sample(clock, i, piece);
     if (piece.times.empty()) continue;
-    const double first = piece.times.front();
-    for (double& time : piece.times) time -= first;
+    begin_at_zero(piece);
     pieces.push_back(std::move(piece));
   }
   return pieces;
+}
+
+std::vector<ClockPart> cut_at_holdout(const TrialClock& clock, const std::vector<TimeRange>& holdout) {
+  std::vector<ClockPart> parts;
+  for (std::size_t i = 0; i < clock.times.size(); ++i) {
+    const bool held_out = is_in(holdout, clock.origin + clock.times[i]);
+    if (parts.empty() || parts.back().held_out != held_out) parts.push_back({{}, held_out});
+    take_sample(clock, i, parts.back().clock);
+  }
+  for (ClockPart& part : parts) begin_at_zero(part.clock);
+  return parts;
 }
 
 double median_interval(std::span<const double> times) {

@@ -25,6 +25,15 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
 /// Ranges without samples give nothing.
 std::vector<TrialClock> cut_to_ranges(const TrialClock& clock, const std::vector<TimeRange>& ranges);
 
+/// A part of a clock, and whether it is kept from every fit.
+struct ClockPart {
+  TrialClock clock;
+  bool held_out = false;
+};
+
+/// Cuts a clock where held-out stretches begin and end; in order of time.
+std::vector<ClockPart> cut_at_holdout(const TrialClock& clock, const std::vector<TimeRange>& holdout);
+
 /// Median interval between samples, s; NaN with less than two.
 double median_interval(std::span<const double> times);
 

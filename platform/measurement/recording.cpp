@@ -23,7 +23,7 @@ namespace lacuna {
 namespace {
 
 struct WholeSource {
-  const RecordingSource& source;
+  RecordingSource source;  ///< as it holds for the file under way
   const RecordingPlan& plan;
   std::vector<std::string> file_names;  ///< how trials are called: the file's name, or its path where two have one name
   std::set<std::string> trials_seen;    ///< values of the trial column in all files
@@ -82,11 +82,35 @@ void note_initial(const WholeSource& whole, const TrialClock& file, const TrialC
   });
 }
 
-/// The trials of one clock: one, or one a range to be used.
-void add_trials(const WholeSource& whole, const CsvTable& table, const TrialClock& clock, const Trial& prototype,
-                FileReport& report, std::vector<Trial>& trials) {
-  const std::vector<TrialClock> pieces = cut_to_ranges(clock, whole.source.use);
-  for (const TrialClock& piece : pieces) {
+/// A held-out stretch in which nothing was recorded is a mistake: of its numbers, or of the file.
+void check_holdout_ranges(const MeasuredFile& file, const TrialClock& clock, const std::string& trial,
+                          FileReport& report) {
+  const double first = clock.origin, last = clock.origin + clock.times.back();
+  for (const TimeRange& range : file.holdout)
+    if (range.end < first || range.start > last)
+      report.problem("holdout", 0, [&] {
+        return fmt::format(
+            "target.recording.holdout from {:.9g} s to {:.9g} s is outside trial {}, which runs from "
+            "{:.9g} s to {:.9g} s",
+            range.start, range.end, trial, first, last);
+      });
+}
+
+/// Parts of a file that are trials of their own: what is to be used, cut where held-out stretches begin and end.
+std::vector<ClockPart> parts_of(const TrialClock& clock, const std::vector<TimeRange>& use,
+                                const std::vector<TimeRange>& holdout) {
+  std::vector<ClockPart> parts;
+  for (const TrialClock& piece : cut_to_ranges(clock, use))
+    for (ClockPart& part : cut_at_holdout(piece, holdout)) parts.push_back(std::move(part));
+  return parts;
+}
+
+/// The trials of one clock.
+void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTable& table, const TrialClock& clock,
+                const Trial& prototype, FileReport& report, std::vector<Trial>& trials) {
+  const std::vector<ClockPart> pieces = parts_of(clock, whole.source.use, file.holdout);
+  check_holdout_ranges(file, clock, prototype.name, report);
+  for (const auto& [piece, held_out] : pieces) {
     if (piece.times.size() < 2) {
       report.problem("few samples", table.lines[piece.rows.front()], [&] {
         return fmt::format("trial {} has one sample only; a trial needs at least two", prototype.name);
@@ -102,7 +126,7 @@ void add_trials(const WholeSource& whole, const CsvTable& table, const TrialCloc
     trial.name = prototype.name;
     if (pieces.size() > 1)
       trial.name += fmt::format(" from {:.4g} s to {:.4g} s", piece.origin, piece.origin + piece.times.back());
-    trial.held_out = prototype.held_out;
+    trial.held_out = prototype.held_out || held_out;
     check_values(trial, whole.plan, table.lines[piece.rows.front()], report);
     trials.push_back(std::move(trial));
   }
@@ -132,7 +156,8 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
       whole.trials_seen.insert(value);
     }
     const TrialClock clock = read_clock(table, rows[t], whole.plan.seconds_per_time_unit, report);
-    if (!report.has_problems()) add_trials(whole, table, clock, prototype, report, trials);
+    if (!report.has_problems())
+      add_trials(whole, whole.source.files[file_index], table, clock, prototype, report, trials);
   }
 }
 
@@ -173,6 +198,13 @@ void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& pro
 
 bool is_of_joint(const std::string& coordinate, const std::string& joint) {
   return coordinate == joint || coordinate == "joint." + joint || coordinate.starts_with("joint." + joint + ".");
+}
+
+/// What is used and masked in a file.
+void take_own_ranges(const RecordingSource& source, const MeasuredFile& file, RecordingSource& own) {
+  own.use = file.use.empty() ? source.use : file.use;
+  own.mask = source.mask;
+  own.mask.insert(own.mask.end(), file.mask.begin(), file.mask.end());
 }
 
 /// Fills in what is known of the starts, and says what is meant by nothing.
@@ -240,6 +272,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   WholeSource whole{source, plan, names_of_files(source.files), {}};
   Recording recording;
   for (std::size_t i = 0; i < source.files.size(); ++i) {
+    take_own_ranges(source, source.files[i], whole.source);
     FileReport report(source.files[i].path.string());
     read_file(whole, i, report, recording.trials);
     report.move_to(problems, recording.notes);

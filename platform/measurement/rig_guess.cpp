@@ -244,7 +244,7 @@ std::string command_unit(const GuessedJoint& joint) {
 
 RecordingSource source_of(const RigGuess& guess, const std::vector<std::filesystem::path>& files) {
   RecordingSource source;
-  for (const std::filesystem::path& file : files) source.files.push_back({file, false, {}});
+  for (const std::filesystem::path& file : files) source.files.push_back({.path = file});
   source.time_column = guess.time.name;
   source.time_unit = guess.time.unit;
   if (guess.trial) source.trial_column = guess.trial->name;

@@ -39,6 +39,22 @@ TEST(ReadExperiment, ReadsTheTarget) {
   EXPECT_DOUBLE_EQ(source.mask[0].end, 2.5);
 }
 
+TEST(ReadExperiment, ReadsWhatHoldsForOneRecording) {
+  const RecordingSource source = read_experiment(std::string(kGood) + "/recordings.toml").target.recording;
+  ASSERT_EQ(source.files.size(), 2U);
+  const MeasuredFile& sine = source.files[0];
+  EXPECT_EQ(sine.path, std::string(kGood) + "/sine.csv");
+  EXPECT_FALSE(sine.held_out);
+  EXPECT_EQ(sine.location.line, 9);
+  ASSERT_EQ(sine.use.size(), 1U);
+  EXPECT_DOUBLE_EQ(sine.use[0].start, 1.0);
+  ASSERT_EQ(sine.mask.size(), 1U);
+  ASSERT_EQ(sine.holdout.size(), 2U);
+  EXPECT_DOUBLE_EQ(sine.holdout[1].end, 20.0);
+  EXPECT_TRUE(source.files[1].held_out);
+  EXPECT_TRUE(source.files[1].use.empty());
+}
+
 TEST(ReadExperiment, ReadsColumnsInTheOrderOfTheFile) {
   const RecordingSource source = complete().target.recording;
   ASSERT_EQ(source.commands.size(), 1U);

@@ -16,7 +16,7 @@ namespace lacuna {
 /// A hinge with an angle sensor and a torque motor: columns t (s), q (rad), u (N*m).
 inline RecordingSource pendulum_source(const std::filesystem::path& file) {
   RecordingSource source;
-  source.files = {{file, false, {"rig.toml", 3, 10}}};
+  source.files = {{.path = file, .location = {"rig.toml", 3, 10}}};
   source.sensors.resize(1);
   source.sensors[0].channel = "angle";
   source.sensors[0].column = "q";

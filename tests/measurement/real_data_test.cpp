@@ -33,7 +33,7 @@ class RealData : public testing::Test {
 TEST_F(RealData, ReadsEmps) {
   RecordingSource source;
   source.time_column = "t_s";
-  source.files = {{data_ / "emps/test_pulses.csv", true, {}}, {data_ / "emps/train.csv", false, {}}};
+  source.files = {{.path = data_ / "emps/test_pulses.csv", .held_out = true}, {.path = data_ / "emps/train.csv"}};
   source.sensors = {column("position", "qm_m", "m")};
   source.commands = {column("drive", "vir_V", "V")};
   source.commands[0].gain = 35.15065;
@@ -55,8 +55,8 @@ TEST_F(RealData, ReadsEmps) {
 TEST_F(RealData, ReadsThePendulum) {
   RecordingSource source;
   source.time_column = "t_s";
-  source.files = {{data_ / "dfki_pendulum/ddp.csv", false, {}},
-                  {data_ / "dfki_pendulum/direct_collocation.csv", true, {}}};
+  source.files = {{.path = data_ / "dfki_pendulum/ddp.csv"},
+                  {.path = data_ / "dfki_pendulum/direct_collocation.csv", .held_out = true}};
   source.sensors = {column("angle", "theta_rad", "rad"), column("rate", "theta_dot_rad_s", "rad/s")};
   source.commands = {column("motor", "tau_Nm", "N*m")};
   const Recording recording = read_recording(source, kPendulumChannels, kPendulumActuators);

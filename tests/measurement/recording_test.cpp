@@ -56,6 +56,35 @@ TEST_F(ReadRecording, GivesSiUnitsUnderTheRobotsNames) {
   EXPECT_EQ(recording.notes.size(), 0u) << notes_of(recording);
 }
 
+/// Stretches of one file that are held out, beside those that are fitted to.
+TEST_F(ReadRecording, KeepsStretchesOfAFileFromTheFit) {
+  RecordingSource source = pendulum_source(
+      folder_.write("run.csv", "t,q,u\n0,1,0\n1,2,0\n2,3,1\n3,4,1\n4,5,2\n5,6,2\n6,7,3\n7,8,3\n8,9,4\n"));
+  source.mask = {{0.0, 0.0}};
+  source.files.front().use = {{0.0, 7.0}};
+  source.files.front().mask = {{1.0, 1.0}};
+  source.files.front().holdout = {{2.0, 3.5}};
+  source.max_gap = 100.0;
+  const std::vector<Trial> trials = read_pendulum(source).trials;
+  ASSERT_EQ(trials.size(), 3U);
+  EXPECT_EQ(trials[0].name, "run.csv from 0 s to 1 s");
+  EXPECT_EQ(trials[1].name, "run.csv from 4 s to 7 s");
+  EXPECT_EQ(trials[2].name, "run.csv from 2 s to 3 s");
+  EXPECT_EQ(std::vector<bool>({trials[0].held_out, trials[1].held_out, trials[2].held_out}),
+            std::vector<bool>({false, false, true}));
+  EXPECT_TRUE(trials[0].measured.samples.array().isNaN().all());  // the file's mask and that of all
+  EXPECT_EQ(trials[2].measured.times(1), 1.0);
+  EXPECT_EQ(trials[2].measured.samples(0, 0), 3.0);
+  EXPECT_EQ(trials[2].commands.before.at(0), 0.0);
+}
+
+TEST_F(ReadRecording, RefusesAHeldOutStretchBesideTheFile) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,0\n1,2,0\n"));
+  source.files.front().holdout = {{20.0, 30.0}};
+  EXPECT_THAT(complaint_of(source), HasSubstr("holdout from 20 s to 30 s is outside trial run.csv, which runs from 0 s "
+                                              "to 1 s"));
+}
+
 /// Of any zone; a date has its unit in itself.
 TEST_F(ReadRecording, ReadsDatesAsTimeStamps) {
   RecordingSource source =
