@@ -63,7 +63,9 @@ TEST(Substeps, AreAsFewAsKeepTheErrorSmallBesideTheNoise) {
     EXPECT_TRUE(found.enough) << frequency;
     EXPECT_NEAR(change(definition, trial, found.count), found.share * kNoise, 0.2 * found.share * kNoise) << frequency;
     EXPECT_LE(found.share, 0.05) << frequency;
-    if (found.count > 2) EXPECT_GT(change(definition, trial, found.count / 2), 0.05 * kNoise) << frequency;
+    if (found.count > 2) {
+      EXPECT_GT(change(definition, trial, found.count / 2), 0.05 * kNoise) << frequency;
+    }
   }
 }
 
