@@ -80,7 +80,8 @@ std::optional<DateStamp> read_date_stamp(std::string_view text) {
                                          std::chrono::day(static_cast<unsigned>(day))};
   if (!pieces.all_read() || !date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
   const auto days = std::chrono::sys_days(date).time_since_epoch().count();
-  stamp.seconds = static_cast<std::int64_t>(days) * 86400 + hour * 3600 + minute * 60 + second - east;
+  const int of_day = (hour * 60 + minute) * 60 + second;
+  stamp.seconds = static_cast<std::int64_t>(days) * 86400 + of_day - east;
   return stamp;
 }
 
