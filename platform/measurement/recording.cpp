@@ -82,18 +82,20 @@ void note_initial(const WholeSource& whole, const TrialClock& file, const TrialC
   });
 }
 
-/// A held-out stretch in which nothing was recorded is a mistake: of its numbers, or of the file.
-void check_holdout_ranges(const MeasuredFile& file, const TrialClock& clock, const std::string& trial,
-                          FileReport& report) {
-  const double first = clock.origin, last = clock.origin + clock.times.back();
-  for (const TimeRange& range : file.holdout)
-    if (range.end < first || range.start > last)
-      report.problem("holdout", 0, [&] {
-        return fmt::format(
-            "target.recording.holdout from {:.9g} s to {:.9g} s is outside trial {}, which runs from "
-            "{:.9g} s to {:.9g} s",
-            range.start, range.end, trial, first, last);
-      });
+/// A held-out stretch of which nothing is used is a mistake: of its numbers, of the file, or of the times to be used.
+void check_holdout_ranges(const MeasuredFile& file, const std::vector<TrialClock>& held_out, FileReport& report) {
+  for (const TimeRange& range : file.holdout) {
+    const bool is_there = std::any_of(held_out.begin(), held_out.end(), [&](const TrialClock& clock) {
+      return range.start <= clock.origin + clock.times.back() && range.end >= clock.origin;
+    });
+    if (is_there) continue;
+    report.problem("holdout", 0, [&] {
+      return fmt::format(
+          "no sample that is used lies in target.recording.holdout from {:.9g} s to {:.9g} s; these are times of the "
+          "file itself, within what use leaves",
+          range.start, range.end);
+    });
+  }
 }
 
 /// Parts of a file that are trials of their own: what is to be used, cut where held-out stretches begin and end.
@@ -107,10 +109,11 @@ std::vector<ClockPart> parts_of(const TrialClock& clock, const std::vector<TimeR
 
 /// The trials of one clock.
 void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTable& table, const TrialClock& clock,
-                const Trial& prototype, FileReport& report, std::vector<Trial>& trials) {
+                const Trial& prototype, FileReport& report, std::vector<TrialClock>& of_holdout,
+                std::vector<Trial>& trials) {
   const std::vector<ClockPart> pieces = parts_of(clock, whole.source.use, file.holdout);
-  check_holdout_ranges(file, clock, prototype.name, report);
   for (const auto& [piece, held_out] : pieces) {
+    if (held_out) of_holdout.push_back(piece);
     if (piece.times.size() < 2) {
       report.problem("few samples", table.lines[piece.rows.front()], [&] {
         return fmt::format("trial {} has one sample only; a trial needs at least two", prototype.name);
@@ -144,10 +147,12 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
     return;
   }
   const std::vector<std::vector<std::size_t>> rows = rows_by_trial(table);
+  const MeasuredFile& file = whole.source.files[file_index];
+  std::vector<TrialClock> of_holdout;
   for (std::size_t t = 0; t < rows.size(); ++t) {
     Trial prototype;
     prototype.name = whole.file_names[file_index];
-    prototype.held_out = whole.source.files[file_index].held_out;
+    prototype.held_out = file.held_out;
     if (!table.trial_names.empty()) {
       const std::string& value = table.trial_names[t];
       prototype.name += "[" + value + "]";
@@ -156,9 +161,9 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
       whole.trials_seen.insert(value);
     }
     const TrialClock clock = read_clock(table, rows[t], whole.plan.seconds_per_time_unit, report);
-    if (!report.has_problems())
-      add_trials(whole, whole.source.files[file_index], table, clock, prototype, report, trials);
+    if (!report.has_problems()) add_trials(whole, file, table, clock, prototype, report, of_holdout, trials);
   }
+  if (!report.has_problems()) check_holdout_ranges(file, of_holdout, report);
 }
 
 void read_file(WholeSource& whole, std::size_t file_index, FileReport& report, std::vector<Trial>& trials) {

@@ -78,11 +78,26 @@ TEST_F(ReadRecording, KeepsStretchesOfAFileFromTheFit) {
   EXPECT_EQ(trials[2].commands.before.at(0), 0.0);
 }
 
-TEST_F(ReadRecording, RefusesAHeldOutStretchBesideTheFile) {
-  RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,0\n1,2,0\n"));
+TEST_F(ReadRecording, RefusesAHeldOutStretchOfWhichNothingIsUsed) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", "t,q,u\n0,1,0\n1,2,0\n2,3,0\n3,4,0\n"));
   source.files.front().holdout = {{20.0, 30.0}};
-  EXPECT_THAT(complaint_of(source), HasSubstr("holdout from 20 s to 30 s is outside trial run.csv, which runs from 0 s "
-                                              "to 1 s"));
+  EXPECT_THAT(complaint_of(source), HasSubstr("holdout from 20 s to 30 s"));
+  source.files.front().holdout = {{2.0, 3.0}};
+  EXPECT_EQ(complaint_of(source), "");
+  source.files.front().use = {{0.0, 1.0}};
+  EXPECT_THAT(complaint_of(source), HasSubstr("holdout from 2 s to 3 s"));
+}
+
+/// A trial that is shorter than the others has no part of it.
+TEST_F(ReadRecording, HoldsStretchesOutOfTheTrialsThatHaveThem) {
+  RecordingSource source =
+      pendulum_source(folder_.write("run.csv", "t,q,u,n\n0,1,0,1\n1,2,0,1\n2,3,0,1\n3,4,0,1\n0,1,0,2\n1,2,0,2\n"));
+  source.trial_column = "n";
+  source.files.front().holdout = {{2.0, 3.0}};
+  const std::vector<Trial> trials = read_pendulum(source).trials;
+  ASSERT_EQ(trials.size(), 3U);
+  EXPECT_FALSE(trials[1].held_out);
+  EXPECT_TRUE(trials[2].held_out);
 }
 
 /// Of any zone; a date has its unit in itself.
