@@ -11,7 +11,7 @@
 namespace lacuna {
 namespace {
 
-/// Rigs that others have measured (experiments/*.toml); LACUNA_DATA says where the recordings are. The library is
+/// Rigs that others have measured (experiments/real/*.toml); LACUNA_DATA says where the recordings are. The library is
 /// narrowed and the recordings are cut short, so that this takes seconds.
 class MeasuredRig : public ::testing::Test {
  protected:
@@ -21,7 +21,7 @@ class MeasuredRig : public ::testing::Test {
 
   /// `duration`: what is kept of each recording, s.
   static Diagnosis diagnose_file(const std::string& file, double duration, std::vector<std::string> among) {
-    const Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/" + file);
+    const Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/real/" + file);
     const ModelDefinition definition = define_model(experiment, built_catalog());
     const std::unique_ptr<CompiledModel> model = compile(definition.structure, definition.engine);
     const RobotSpec& robot = definition.structure.robot;

@@ -12,11 +12,11 @@
 namespace lacuna {
 namespace {
 
-// The rig of experiments/emps.toml with a mass alone; published are viscous and Coulomb friction (Janot, Gautier and
-// Brunot, 2019). Its recordings are not part of the project.
+// The rig of experiments/real/emps.toml with a mass alone; published are viscous and Coulomb friction (Janot, Gautier
+// and Brunot, 2019). Its recordings are not part of the project.
 TEST(WhereItFails, EmpsFromItsMassAloneDependsOnVelocityAndDirectionOfMotion) {
   if (!std::getenv("LACUNA_DATA")) GTEST_SKIP() << "LACUNA_DATA is not set";
-  Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/emps.toml");
+  Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/real/emps.toml");
   experiment.fit.method = "free_run";
   experiment.fit.starts = 1;
   const ModelDefinition definition = define_model(experiment, PluginCatalog(plugin_search_path({})));

@@ -12,12 +12,13 @@
 namespace lacuna {
 namespace {
 
-/// The rig of `experiments/emps.toml`; its recordings are not part of the project, LACUNA_DATA says where they are.
+/// The rig of `experiments/real/emps.toml`; its recordings are not part of the project, LACUNA_DATA says where they
+/// are.
 class Emps : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::getenv("LACUNA_DATA")) GTEST_SKIP() << "LACUNA_DATA is not set";
-    experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/emps.toml");
+    experiment_ = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/real/emps.toml");
   }
 
   /// Fits the experiment's model with these effects, by one free run from the model's own start.
