@@ -16,7 +16,7 @@ std::vector<std::string> single_coordinates(const RobotSpec& robot) {
   std::vector<std::string> joints;
   for (const JointSpec& joint : robot.joints) {
     if (joint.kind == JointKind::hinge || joint.kind == JointKind::slider) joints.push_back(joint.name);
-    if (joint.kind == JointKind::ball || joint.kind == JointKind::universal) return {};
+    if (joint.kind == JointKind::ball || joint.kind == JointKind::universal || joint.kind == JointKind::free) return {};
   }
   return has_floating_body(robot) ? std::vector<std::string>() : joints;
 }

@@ -24,6 +24,8 @@ class RobotChecker {
     check_forest();
     for (const ActuatorSpec& actuator : file_.actuators)
       if (is_sound("actuator", actuator.name)) check_actuator(actuator);
+    for (const CouplingSpec& coupling : file_.couplings)
+      if (is_sound("coupling", coupling.name)) check_coupling(coupling);
     for (const SensorInFile& sensor : file_.sensors)
       if (is_sound("sensor", sensor.spec.name)) check_sensor(sensor);
   }
@@ -58,6 +60,8 @@ class RobotChecker {
     if (spec.parent != kWorld) expect_name(path + ".parent", "body", spec.parent, bodies_);
     expect_name(path + ".child", "body", spec.child, bodies_);
     if (!(spec.lower < spec.upper)) problem(path + ".lower", "the lower stop must lie below the upper one");
+    if (spec.kind == JointKind::free && spec.parent != kWorld)
+      problem(path + ".parent", "a free joint holds nothing: its body floats in the world; leave parent out");
     const bool universal = spec.kind == JointKind::universal;
     if (joint.axis2 && !universal) problem(path + ".axis2", "only a universal joint has a second axis");
     if (!joint.axis2 && universal) problem(path + ".axis2", "is missing: a universal joint has two axes");
@@ -98,7 +102,7 @@ class RobotChecker {
     check_name("actuator", actuator.name);
     expect_name(path + ".joint", "joint", actuator.joint, joints_);
     const JointSpec* joint = find_joint(actuator.joint);
-    if (joint && (joint->kind == JointKind::fixed || joint->kind == JointKind::ball))
+    if (joint && (joint->kind == JointKind::fixed || joint->kind == JointKind::ball || joint->kind == JointKind::free))
       problem(path + ".joint", "an actuator drives a hinge, a slider or the first axis of a universal joint, and " +
                                    actuator.joint + " is none of these");
     if (!(actuator.command_lower < actuator.command_upper))
@@ -108,8 +112,10 @@ class RobotChecker {
   }
 
   void check_gains(const ActuatorSpec& actuator, const std::string& path) {
-    const bool by_position = actuator.kind == ActuatorKind::position_servo || actuator.kind == ActuatorKind::pid;
-    const bool is_force = actuator.kind == ActuatorKind::force;
+    const bool by_position = actuator.kind == ActuatorKind::position_servo || actuator.kind == ActuatorKind::pid ||
+                             actuator.kind == ActuatorKind::voltage_servo;
+    const bool has_no_gains = actuator.kind == ActuatorKind::force || actuator.kind == ActuatorKind::voltage ||
+                              actuator.kind == ActuatorKind::motion;
     if (by_position && actuator.kp == 0.0 && actuator.ki == 0.0)
       problem(path + ".kp", "is missing: without it a servo of this kind does nothing");
     if (actuator.kind == ActuatorKind::velocity_servo && actuator.kd == 0.0)
@@ -117,14 +123,52 @@ class RobotChecker {
     if (!by_position && actuator.kp != 0.0) problem(path + ".kp", "means nothing for an actuator of this kind");
     if (actuator.kind != ActuatorKind::pid && actuator.ki != 0.0)
       problem(path + ".ki", "means nothing for an actuator of this kind; a pid has it");
-    if (is_force && actuator.kd != 0.0) problem(path + ".kd", "means nothing for an actuator of this kind");
+    if (has_no_gains && actuator.kd != 0.0) problem(path + ".kd", "means nothing for an actuator of this kind");
+    check_motor(actuator, path);
+  }
+
+  void check_motor(const ActuatorSpec& actuator, const std::string& path) {
+    const bool is_servo = actuator.kind == ActuatorKind::voltage_servo;
+    if (!is_servo && actuator.kind != ActuatorKind::voltage) {
+      if (locations_.count(path + ".motor") > 0)
+        problem(path + ".motor",
+                "means nothing for an actuator of this kind; write kind = \"voltage_servo\", whose "
+                "command is a position, or \"voltage\"");
+      return;
+    }
+    if (actuator.motor.torque_constant == 0.0)
+      problem(path + ".motor.torque_constant", "is missing: the torque at the joint per current");
+    if (locations_.count(path + ".motor.resistance") == 0)
+      problem(path + ".motor.resistance", "is missing: the resistance of the winding and its driver");
+    if (is_servo && !std::isfinite(actuator.motor.supply))
+      problem(path + ".motor.supply", "is missing: the voltage of the supply, of which the servo puts out a share");
+  }
+
+  void check_coupling(const CouplingSpec& coupling) {
+    const std::string path = "coupling." + coupling.name;
+    check_name("coupling", coupling.name);
+    for (const auto& [key, name] : {std::pair(".joint", &coupling.joint), std::pair(".follows", &coupling.follows)}) {
+      expect_name(path + key, "joint", *name, joints_);
+      const JointSpec* joint = find_joint(*name);
+      if (joint && joint->kind != JointKind::hinge && joint->kind != JointKind::slider)
+        problem(path + key, *name + " is neither a hinge nor a slider");
+    }
+    if (coupling.joint == coupling.follows) problem(path + ".follows", "a joint cannot follow itself");
+    for (const CouplingSpec& other : file_.couplings) {
+      if (&other != &coupling && other.joint == coupling.joint)
+        problem(path + ".joint", coupling.joint + " follows another joint already, in coupling." + other.name);
+      if (other.joint == coupling.follows)
+        problem(path + ".follows", coupling.follows + " follows " + other.follows + " itself; follow that one");
+    }
   }
 
   void check_sensor(const SensorInFile& sensor) {
     const std::string path = "sensor." + sensor.spec.name;
     check_name("sensor", sensor.spec.name);
     const bool of_joint = sensor.spec.kind == SensorKind::joint_position ||
-                          sensor.spec.kind == SensorKind::joint_velocity || sensor.spec.kind == SensorKind::joint_force;
+                          sensor.spec.kind == SensorKind::joint_velocity ||
+                          sensor.spec.kind == SensorKind::joint_force || sensor.spec.kind == SensorKind::drive_force ||
+                          sensor.spec.kind == SensorKind::link_angle || sensor.spec.kind == SensorKind::link_velocity;
     const std::string wanted = of_joint ? "joint" : "body";
     const std::string& name = of_joint ? sensor.joint : sensor.body;
     const std::string& other = of_joint ? sensor.body : sensor.joint;
@@ -138,6 +182,10 @@ class RobotChecker {
     const JointSpec* joint = of_joint ? find_joint(name) : nullptr;
     if (joint && joint->kind == JointKind::fixed)
       problem(path + ".joint", name + " is a fixed joint, which has nothing to read");
+    if (joint && joint->kind == JointKind::free)
+      problem(path + ".joint", name +
+                                   " is a free joint; sensors of its body read how it moves (body_position, "
+                                   "body_orientation, body_velocity, body_angular_velocity)");
     if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
       problem(path + ".beacon", "is missing: the place from which distance is measured, [x, y, z] in m");
   }

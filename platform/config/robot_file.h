@@ -51,6 +51,7 @@ struct RobotInFile {
   std::vector<BodyInFile> bodies;
   std::vector<JointInFile> joints;
   std::vector<ActuatorSpec> actuators;
+  std::vector<CouplingSpec> couplings;
   std::vector<SensorInFile> sensors;
   ContactSpec contact;
 };

@@ -23,6 +23,7 @@ RobotSpec assembled(const RobotInFile& file, const Locations& locations, Reading
   robot.gravity = file.gravity;
   robot.contact = file.contact;
   robot.actuators = file.actuators;
+  robot.couplings = file.couplings;
   for (const BodyInFile& body : file.bodies) {
     const bool is_readable = !reading.is_troubled("body." + body.spec.name);
     robot.bodies.push_back(is_readable ? resolve_body(body, locations, reading) : body.spec);

@@ -115,6 +115,7 @@ Table<JointSpec> joint_law_keys() {
                               {"slider", JointKind::slider},
                               {"fixed", JointKind::fixed},
                               {"ball", JointKind::ball},
+                              {"free", JointKind::free},
                               {"universal", JointKind::universal}}),
            "what it lets move")
       .key("parent", &JointSpec::parent, element_name(), "a body, or \"world\"")
@@ -150,6 +151,21 @@ Table<TransmissionSpec> transmission_keys() {
       .key("gap", &TransmissionSpec::gap, number("rad or m").at_least(0.0), "full width of the backlash at the joint");
 }
 
+Table<MotorSpec> motor_keys() {
+  return Table<MotorSpec>()
+      .key("torque_constant", &MotorSpec::torque_constant, number("N*m/A or N/A").above(0.0),
+           "torque at the joint per current")
+      .key("resistance", &MotorSpec::resistance, number("Ohm").above(0.0), "of the winding and its driver")
+      .key("back_emf", &MotorSpec::back_emf, number("1").at_least(0.0),
+           "voltage per joint velocity over the torque constant; 1: nothing is lost in between")
+      .key("supply", &MotorSpec::supply, number("V").above(0.0).or_infinite(),
+           "voltage of the supply; a servo needs it")
+      .key("duty_limit", &MotorSpec::duty_limit, number("1").above(0.0),
+           "largest share of the supply that the driver puts out")
+      .key("gain_unit", &MotorSpec::gain_unit, number("1/rad or 1/m").above(0.0),
+           "of a servo: share of the supply per rad or m that one count of kp stands for");
+}
+
 Table<ActuatorSpec> actuator_keys() {
   const std::string command = "";  // force, velocity or position: the kind decides
   return Table<ActuatorSpec>()
@@ -158,21 +174,37 @@ Table<ActuatorSpec> actuator_keys() {
            choice<ActuatorKind>({{"force", ActuatorKind::force},
                                  {"velocity_servo", ActuatorKind::velocity_servo},
                                  {"position_servo", ActuatorKind::position_servo},
-                                 {"pid", ActuatorKind::pid}}),
-           "what a command means")
+                                 {"pid", ActuatorKind::pid},
+                                 {"voltage", ActuatorKind::voltage},
+                                 {"voltage_servo", ActuatorKind::voltage_servo},
+                                 {"motion", ActuatorKind::motion}}),
+           "what a command means: a force, a velocity, a position (both servos and pid), a voltage on a motor, a "
+           "position "
+           "that a servo reaches by a voltage on its motor, or motion: the velocity that is imposed on the joint")
       .key("gain", &ActuatorSpec::gain, number("1"), "multiplies the command before anything else")
       .key("relative", &ActuatorSpec::relative, boolean(),
            "the command has no unit; the gain makes a position or force of a share of 1")
       .key("offset", &ActuatorSpec::offset, number(command), "added to the command after the gain")
       .key("delay", &ActuatorSpec::delay, number("s").at_least(0.0), "of the command")
-      .key("kp", &ActuatorSpec::kp, number("N*m/rad or N/m").at_least(0.0), "of position servo and pid")
+      .key("kp", &ActuatorSpec::kp, number("N*m/rad or N/m").at_least(0.0),
+           "of position servo and pid; of a voltage servo in counts of its own (motor.gain_unit)")
       .key("ki", &ActuatorSpec::ki, number("N*m/(rad*s) or N/(m*s)").at_least(0.0), "of pid")
-      .key("kd", &ActuatorSpec::kd, number("N*m*s/rad or N*s/m").at_least(0.0), "of servos and pid")
+      .key("kd", &ActuatorSpec::kd, number("N*m*s/rad or N*s/m").at_least(0.0),
+           "of servos and pid; of a voltage servo in counts and s")
       .key("force_limit", &ActuatorSpec::force_limit, number("N*m or N").at_least(0.0).or_infinite(), "at the joint")
       .key("command_lower", &ActuatorSpec::command_lower, number(command).or_infinite(), "commands are clipped to this")
       .key("command_upper", &ActuatorSpec::command_upper, number(command).or_infinite(), "commands are clipped to this")
       .key("transmission", &ActuatorSpec::transmission, transmission_keys().value(),
-           "What lies between motor and joint.");
+           "What lies between motor and joint.")
+      .key("motor", &ActuatorSpec::motor, motor_keys().value(), "Of kinds voltage and voltage_servo: the motor.");
+}
+
+Table<CouplingSpec> coupling_keys() {
+  return Table<CouplingSpec>()
+      .required("joint", &CouplingSpec::joint, element_name(), "a hinge or slider that follows another")
+      .required("follows", &CouplingSpec::follows, element_name(), "the hinge or slider that it follows")
+      .key("ratio", &CouplingSpec::ratio, number("1, rad/m or m/rad"), "of its coordinate to the other's")
+      .key("offset", &CouplingSpec::offset, number("rad or m"), "its coordinate where the other's is zero");
 }
 
 Table<SensorInFile> sensor_keys() {
@@ -189,7 +221,10 @@ Table<SensorInFile> sensor_keys() {
                                         {"body_orientation", SensorKind::body_orientation},
                                         {"body_angular_velocity", SensorKind::body_angular_velocity},
                                         {"beacon_range", SensorKind::beacon_range},
-                                        {"contact_force", SensorKind::contact_force}}),
+                                        {"contact_force", SensorKind::contact_force},
+                                        {"drive_force", SensorKind::drive_force},
+                                        {"link_angle", SensorKind::link_angle},
+                                        {"link_velocity", SensorKind::link_velocity}}),
                     "what it reads")
           .key("beacon", &SensorSpec::beacon, vector3("m"),
                "of beacon_range: the place from which distance is measured")
@@ -202,7 +237,9 @@ Table<SensorInFile> sensor_keys() {
           .key("quantum", &SensorSpec::quantum, number(channel).at_least(0.0), "step of the quantiser; 0: none");
   return Table<SensorInFile>()
       .merged(&SensorInFile::spec, spec)
-      .key("joint", &SensorInFile::joint, element_name(), "the joint that a joint_* sensor reads")
+      .key("joint", &SensorInFile::joint, element_name(),
+           "the joint that a joint_*, drive_* or link_* sensor reads: joint_* against its parent, link_* against the "
+           "world")
       .key("body", &SensorInFile::body, element_name(), "the body that any other sensor reads");
 }
 
@@ -260,6 +297,9 @@ Table<RobotInFile> robot_keys() {
       .key("actuator", &RobotInFile::actuators,
            elements<ActuatorSpec>("ACTUATOR", actuator_keys(), [](ActuatorSpec& a) -> std::string& { return a.name; }),
            "What drives joints.")
+      .key("coupling", &RobotInFile::couplings,
+           elements<CouplingSpec>("COUPLING", coupling_keys(), [](CouplingSpec& c) -> std::string& { return c.name; }),
+           "Gears, belts and linkages that hold two joints together: q(joint) = ratio * q(follows) + offset.")
       .key("sensor", &RobotInFile::sensors,
            elements<SensorInFile>("SENSOR", sensor_keys(), [](SensorInFile& s) -> std::string& { return s.spec.name; }),
            "What is read.")

@@ -51,11 +51,29 @@ void append(std::string& key, const JointSpec& joint) {
 
 void append(std::string& key, const ActuatorSpec& actuator) {
   const TransmissionSpec& transmission = actuator.transmission;
+  const MotorSpec& motor = actuator.motor;
   append(key, static_cast<double>(actuator.kind));
   append(key, actuator.joint);
-  for (const double law : {actuator.gain, actuator.offset, actuator.delay, actuator.kp, actuator.ki, actuator.kd,
-                           actuator.force_limit, actuator.command_lower, actuator.command_upper, transmission.ratio,
-                           transmission.rotor_inertia, transmission.stiffness, transmission.damping, transmission.gap})
+  for (const double law : {actuator.gain,
+                           actuator.offset,
+                           actuator.delay,
+                           actuator.kp,
+                           actuator.ki,
+                           actuator.kd,
+                           actuator.force_limit,
+                           actuator.command_lower,
+                           actuator.command_upper,
+                           transmission.ratio,
+                           transmission.rotor_inertia,
+                           transmission.stiffness,
+                           transmission.damping,
+                           transmission.gap,
+                           motor.torque_constant,
+                           motor.resistance,
+                           motor.back_emf,
+                           motor.supply,
+                           motor.duty_limit,
+                           motor.gain_unit})
     append(key, law);
 }
 
@@ -95,7 +113,8 @@ std::string misfit_of(const std::vector<Element>& built, const std::vector<Eleme
 }
 
 bool reads_joint(SensorKind kind) {
-  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
+  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force ||
+         kind == SensorKind::drive_force || kind == SensorKind::link_angle || kind == SensorKind::link_velocity;
 }
 
 std::optional<JointKind> kind_of_joint(const RobotSpec& robot, const std::string& name) {
@@ -126,6 +145,12 @@ void append_key(const RobotSpec& robot, std::string& key) {
   for (const JointSpec& joint : robot.joints) append(key, joint);
   for (const ActuatorSpec& actuator : robot.actuators) append(key, actuator);
   for (const SensorSpec& sensor : robot.sensors) append(key, sensor);
+  for (const CouplingSpec& coupling : robot.couplings) {
+    append(key, coupling.joint);
+    append(key, coupling.follows);
+    append(key, coupling.ratio);
+    append(key, coupling.offset);
+  }
   append(key, robot.contact);
   append(key, robot.gravity);
 }

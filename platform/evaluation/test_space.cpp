@@ -14,6 +14,10 @@ std::pair<double, double> command_range(const ActuatorSpec& actuator) {
   if (actuator.kind == ActuatorKind::force) {
     lower = std::max(lower, -actuator.force_limit);
     upper = std::min(upper, actuator.force_limit);
+  } else if (actuator.kind == ActuatorKind::voltage) {
+    const double most = actuator.motor.duty_limit * actuator.motor.supply;
+    lower = std::max(lower, -most);
+    upper = std::min(upper, most);
   }
   lower = (lower - actuator.offset) / actuator.gain;
   upper = (upper - actuator.offset) / actuator.gain;

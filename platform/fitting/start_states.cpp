@@ -2,6 +2,7 @@
 
 #include "fitting/local_polynomial.h"
 #include "foundation/address.h"
+#include "foundation/link_angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,29 @@ namespace {
 /// Coordinates are named `joint.hinge`, or `joint.wrist.2` where a joint has several.
 std::string coordinate_name(const SensorSpec& sensor, std::size_t which, std::size_t channels) {
   return "joint." + sensor.element + (channels == 1 ? "" : "." + std::to_string(which + 1));
+}
+
+std::vector<int> first_coordinates(const RobotSpec& robot) {
+  std::vector<int> first;
+  int next = 0;
+  for (const JointSpec& joint : robot.joints) {
+    first.push_back(next);
+    next += coordinate_count(joint.kind);
+  }
+  return first;
+}
+
+std::size_t index_of_joint(const RobotSpec& robot, const std::string& name) {
+  const auto found =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const JointSpec& j) { return j.name == name; });
+  return static_cast<std::size_t>(found - robot.joints.begin());
+}
+
+/// How many joints lie between a joint and the world.
+std::size_t depth_of(const RobotSpec& robot, const JointSpec& joint) {
+  const auto above = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const JointSpec& one) { return one.child == joint.parent; });
+  return above == robot.joints.end() ? 0 : 1 + depth_of(robot, *above);
 }
 
 /// What a robot's state holds besides its joint coordinates and what was commanded.
@@ -66,7 +90,21 @@ StartStates::StartStates(const RobotSpec& robot, const TrialPredictor& predictor
     : trials_(predictor.trials()), coordinates_(static_cast<int>(predictor.model().coordinates().size())) {
   hidden_ = hidden_state(robot, predictor.model().state_layout());
   for (const Coordinate& coordinate : predictor.model().coordinates()) names_.push_back(coordinate.name);
+  order_outward(robot);
   for (const Trial& trial : trials_) readings_.push_back(readings_of(robot, trial, noise));
+}
+
+void StartStates::order_outward(const RobotSpec& robot) {
+  const std::vector<int> first = first_coordinates(robot);
+  std::vector<std::pair<std::size_t, int>> depths;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j)
+    for (int c = 0; c < coordinate_count(robot.joints[j].kind); ++c)
+      depths.emplace_back(depth_of(robot, robot.joints[j]), first[j] + c);
+  std::stable_sort(depths.begin(), depths.end());
+  for (const auto& [depth, coordinate] : depths) outward_.push_back(coordinate);
+  for (const CouplingSpec& coupling : robot.couplings)
+    followers_.push_back({first[index_of_joint(robot, coupling.joint)], first[index_of_joint(robot, coupling.follows)],
+                          coupling.ratio, coupling.offset});
 }
 
 StartStates::TrialReadings StartStates::readings_of(const RobotSpec& robot, const Trial& trial,
@@ -78,9 +116,14 @@ StartStates::TrialReadings StartStates::readings_of(const RobotSpec& robot, cons
     for (const ChannelNoise& known : noise)
       if (known.channel == channel.name) readings.deviations.push_back(known.deviation);
 
+  const std::vector<int> first = first_coordinates(robot);
+  for (std::size_t j = 0; j < robot.joints.size(); ++j)
+    if (robot.joints[j].kind == JointKind::free)
+      readings.free.emplace_back(first[j], FreeReading(robot, robot.joints[j], trial.measured, readings.deviations));
   for (const SensorSpec& sensor : robot.sensors) {
-    const bool position = sensor.kind == SensorKind::joint_position;
-    if ((!position && sensor.kind != SensorKind::joint_velocity) || sensor.scale == 0.0) continue;
+    const bool of_link = sensor.kind == SensorKind::link_angle || sensor.kind == SensorKind::link_velocity;
+    const bool position = sensor.kind == SensorKind::joint_position || sensor.kind == SensorKind::link_angle;
+    if ((!position && !of_link && sensor.kind != SensorKind::joint_velocity) || sensor.scale == 0.0) continue;
     const std::vector<Channel> channels = sensor_channels(robot, sensor);
     for (std::size_t which = 0; which < channels.size(); ++which) {
       const auto column = std::find(trial.measured.channels.begin(), trial.measured.channels.end(), channels[which]);
@@ -88,7 +131,13 @@ StartStates::TrialReadings StartStates::readings_of(const RobotSpec& robot, cons
       if (column == trial.measured.channels.end() || name == names_.end()) continue;
       auto& slots = position ? readings.positions : readings.velocities;
       auto& slot = slots[static_cast<std::size_t>(name - names_.begin())];
-      if (!slot) slot = Reading{column - trial.measured.channels.begin(), sensor.scale, sensor.offset};
+      if (slot) continue;
+      slot = Reading{column - trial.measured.channels.begin(), sensor.scale, sensor.offset, {}};
+      if (!of_link) continue;
+      const std::vector<LinkTurn> turns = turns_of_link(robot, sensor.element);
+      for (const LinkTurn& turn : turns)
+        if (first[static_cast<std::size_t>(turn.joint)] != name - names_.begin())
+          slot->others.emplace_back(first[static_cast<std::size_t>(turn.joint)], turn.sign);
     }
   }
   return readings;
@@ -102,8 +151,31 @@ std::string StartStates::obstacle(std::size_t trial) const {
 std::vector<std::string> StartStates::unmeasured(std::size_t trial) const {
   std::vector<std::string> missing;
   for (std::size_t c = 0; c < names_.size(); ++c)
-    if (!readings_[trial].positions[c]) missing.push_back(names_[c]);
+    if (!readings_[trial].positions[c] && !follows(static_cast<int>(c)) && !told_by_body(trial, static_cast<int>(c)))
+      missing.push_back(names_[c]);
   return missing;
+}
+
+bool StartStates::follows(int coordinate) const {
+  return std::any_of(followers_.begin(), followers_.end(),
+                     [&](const Follower& one) { return one.coordinate == coordinate; });
+}
+
+/// What follows starts where the engine puts it: that is known, and no unknown of its own.
+void StartStates::follow(StartEstimate& estimate) const {
+  for (const Follower& one : followers_) {
+    const auto own = static_cast<std::size_t>(one.coordinate), leader = static_cast<std::size_t>(one.leader);
+    estimate.start.positions[own] = one.ratio * estimate.start.positions[leader] + one.offset;
+    estimate.start.velocities[own] = one.ratio * estimate.start.velocities[leader];
+    estimate.deviation(one.coordinate) = estimate.deviation(coordinates_ + one.coordinate) = 0.0;
+  }
+}
+
+bool StartStates::told_by_body(std::size_t trial, int coordinate) const {
+  return std::any_of(readings_[trial].free.begin(), readings_[trial].free.end(), [&](const auto& free) {
+    const int own = coordinate - free.first;
+    return own >= 0 && own < 6 && free.second.tells(own);
+  });
 }
 
 double StartStates::deviation(std::size_t trial, Eigen::Index channel) const {
@@ -124,7 +196,7 @@ StartEstimate StartStates::from_samples(const Stretch& stretch, Eigen::Index sam
   estimate.start.velocities.assign(n, 0.0);
   estimate.deviation =
       Eigen::VectorXd::Constant(Eigen::Index{2} * coordinates_, std::numeric_limits<double>::infinity());
-  for (int c = 0; c < coordinates_; ++c) {
+  for (const int c : outward_) {
     const auto i = static_cast<std::size_t>(c);
     if (sample == 0 && !trial.initial.empty()) {
       estimate.start.positions[i] = trial.initial[i].position;
@@ -135,8 +207,26 @@ StartEstimate StartStates::from_samples(const Stretch& stretch, Eigen::Index sam
     else
       read_coordinate(stretch, sample, c, estimate);
   }
+  read_free_joints(stretch, sample, estimate);
+  follow(estimate);
   estimate.axes = estimate.deviation.unaryExpr([](double d) { return std::isfinite(d) ? d : 0.0; }).asDiagonal();
   return estimate;
+}
+
+void StartStates::read_free_joints(const Stretch& stretch, Eigen::Index sample, StartEstimate& estimate) const {
+  const Trial& trial = trials_[stretch.trial];
+  for (const auto& [first, reading] : readings_[stretch.trial].free) {
+    const auto told = reading.at(trial.measured, {stretch.first, stretch.last}, sample, kHead);
+    for (int i = 0; i < 6; ++i) {
+      const std::optional<CoordinateReading>& one = told[static_cast<std::size_t>(i)];
+      const int position = first + i, velocity = coordinates_ + first + i;
+      if (!one || (sample == 0 && given(trial, position))) continue;
+      set_component(estimate.start, position, one->position);
+      set_component(estimate.start, velocity, one->velocity);
+      estimate.deviation(position) = one->position_deviation;
+      estimate.deviation(velocity) = one->velocity_deviation;
+    }
+  }
 }
 
 void StartStates::read_coordinate(const Stretch& stretch, Eigen::Index sample, int c, StartEstimate& estimate) const {
@@ -148,20 +238,35 @@ void StartStates::read_coordinate(const Stretch& stretch, Eigen::Index sample, i
     set_component(estimate.start, index, value);
     estimate.deviation(index) = deviation;
   };
+  // Of a link's angle the joints before it have their share, with their uncertainty.
+  const auto without_others = [&](const Reading& reading, bool rate, double value, double& deviation) {
+    for (const auto& [other, sign] : reading.others) {
+      const int index = rate ? coordinates_ + other : other;
+      value -= sign * component(estimate.start, index);
+      deviation = std::hypot(deviation, estimate.deviation(index));
+    }
+    return value;
+  };
+  const auto tell_of = [&](const Reading& reading, bool rate, double value, double deviation) {
+    value = without_others(reading, rate, value, deviation);
+    tell(rate ? velocity : c, value, deviation);
+  };
   if (const auto& reading = readings_[stretch.trial].positions[i]) {
     const double noise = deviation(stretch.trial, reading->channel);
     const double unit = std::abs(reading->scale);
     const LocalPolynomial line =
         fit_local_polynomial(measured, reading->channel, {stretch.first, stretch.last}, sample, 2, kHead, noise);
-    if (line.points > 0) tell(c, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
-    if (line.points > 1) tell(velocity, line.slope / reading->scale, line.slope_deviation / unit);
+    if (line.points > 0)
+      tell_of(*reading, false, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
+    if (line.points > 1) tell_of(*reading, true, line.slope / reading->scale, line.slope_deviation / unit);
   }
   if (const auto& reading = readings_[stretch.trial].velocities[i]) {
     const double noise = deviation(stretch.trial, reading->channel);
     const double unit = std::abs(reading->scale);
     const LocalPolynomial line =
         fit_local_polynomial(measured, reading->channel, {stretch.first, stretch.last}, sample, 1, kHead, noise);
-    if (line.points > 0) tell(velocity, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
+    if (line.points > 0)
+      tell_of(*reading, true, (line.value - reading->offset) / reading->scale, line.value_deviation / unit);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <lacuna/robot_spec.h>
 
 #include "evaluation/trial_predictor.h"
+#include "fitting/free_reading.h"
 #include "fitting/noise_floor.h"
 
 #include <cmath>
@@ -37,7 +38,7 @@ struct StartEstimate {
 /// The start `times` standard deviations off along one of its axes.
 StartState moved_along(const StartEstimate& estimate, Eigen::Index axis, double times = 1.0);
 
-/// Whether a body hangs on no joint.
+/// Whether a body hangs on no joint, not even a free one.
 bool has_floating_body(const RobotSpec& robot);
 
 double component(const StartState& start, int index);
@@ -75,18 +76,33 @@ class StartStates {
     Eigen::Index channel = -1;
     double scale = 1.0;
     double offset = 0.0;
+    std::vector<std::pair<int, double>> others = {};  ///< of a link's angle: further coordinates in it, and their signs
+  };
+  /// A coordinate that follows another.
+  struct Follower {
+    int coordinate = 0, leader = 0;
+    double ratio = 1.0, offset = 0.0;
   };
   struct TrialReadings {
     std::vector<std::optional<Reading>> positions, velocities;  ///< per coordinate
+    std::vector<std::pair<int, FreeReading>> free;              ///< first coordinate of each free joint
     std::vector<double> deviations;                             ///< per measured channel
   };
 
   TrialReadings readings_of(const RobotSpec& robot, const Trial& trial, const std::vector<ChannelNoise>& noise) const;
+  void order_outward(const RobotSpec& robot);
+  bool follows(int coordinate) const;
+  bool told_by_body(std::size_t trial, int coordinate) const;
   /// Writes what the channels say about coordinate `c`.
   void read_coordinate(const Stretch& stretch, Eigen::Index sample, int c, StartEstimate& estimate) const;
+  void follow(StartEstimate& estimate) const;
+  /// Of all coordinates of free joints that are not given.
+  void read_free_joints(const Stretch& stretch, Eigen::Index sample, StartEstimate& estimate) const;
 
   const std::vector<Trial>& trials_;
   int coordinates_ = 0;
+  std::vector<int> outward_;  ///< coordinates in an order in which those of a link's angle come before the link's own
+  std::vector<Follower> followers_;
   std::string hidden_;  ///< what of the model no measurement tells; empty: nothing
   std::vector<std::string> names_;
   std::vector<TrialReadings> readings_;

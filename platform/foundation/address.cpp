@@ -59,7 +59,21 @@ JointUnits units_of(JointKind kind) {
 
 std::string command_unit(ActuatorKind kind, const JointUnits& units) {
   if (kind == ActuatorKind::force) return units.force;
-  return kind == ActuatorKind::velocity_servo ? units.position + "/s" : units.position;
+  if (kind == ActuatorKind::voltage) return "V";
+  return kind == ActuatorKind::velocity_servo || kind == ActuatorKind::motion ? units.position + "/s" : units.position;
+}
+
+/// Gains of a servo that makes a voltage are plain counts; a count of kp stands for `gain_unit`.
+template <class Collector, class Actuator>
+void collect_motor(Collector& collector, Actuator& actuator, const JointUnits& units) {
+  const bool is_servo = actuator.kind == ActuatorKind::voltage_servo;
+  if (!is_servo && actuator.kind != ActuatorKind::voltage) return;
+  collector.add("motor.torque_constant", units.force + "/A", actuator.motor.torque_constant, 0.0);
+  collector.add("motor.resistance", "Ohm", actuator.motor.resistance, kSmallest);
+  collector.add("motor.back_emf", "1", actuator.motor.back_emf, 0.0);
+  collector.add("motor.supply", "V", actuator.motor.supply, 0.0, kInfinity, kMayBeInfinite);
+  collector.add("motor.duty_limit", "1", actuator.motor.duty_limit, 0.0);
+  if (is_servo) collector.add("motor.gain_unit", "1/" + units.position, actuator.motor.gain_unit, 0.0);
 }
 
 template <class Collector, class Body>
@@ -95,9 +109,10 @@ void collect_actuator(Collector& collector, Actuator& actuator, const JointUnits
   collector.add("gain", "1", actuator.gain);
   collector.add("offset", command, actuator.offset);
   collector.add("delay", "s", actuator.delay, 0.0);
-  collector.add("kp", units.per_position(), actuator.kp, 0.0);
+  const bool counts = actuator.kind == ActuatorKind::voltage_servo;
+  collector.add("kp", counts ? "1" : units.per_position(), actuator.kp, 0.0);
   collector.add("ki", units.position == "m" ? "N/(m*s)" : "N*m/(rad*s)", actuator.ki, 0.0);
-  collector.add("kd", units.per_velocity(), actuator.kd, 0.0);
+  collector.add("kd", counts ? "s" : units.per_velocity(), actuator.kd, 0.0);
   collector.add("force_limit", units.force, actuator.force_limit, 0.0, kInfinity, kMayBeInfinite);
   collector.add("command_lower", command, actuator.command_lower, -kInfinity, kInfinity, kMayBeInfinite);
   collector.add("command_upper", command, actuator.command_upper, -kInfinity, kInfinity, kMayBeInfinite);
@@ -107,6 +122,7 @@ void collect_actuator(Collector& collector, Actuator& actuator, const JointUnits
                 kMayBeInfinite);
   collector.add("transmission.damping", units.per_velocity(), actuator.transmission.damping, 0.0);
   collector.add("transmission.gap", units.position, actuator.transmission.gap, 0.0);
+  collect_motor(collector, actuator, units);
 }
 
 template <class Collector, class Sensor>
@@ -135,7 +151,8 @@ std::string channel_unit(const SensorSpec& sensor, JointKind joint) {
   switch (sensor.kind) {
     case SensorKind::joint_position: return units.position;
     case SensorKind::joint_velocity: return units.position + "/s";
-    case SensorKind::joint_force: return units.force;
+    case SensorKind::joint_force:
+    case SensorKind::drive_force: return units.force;
     case SensorKind::touch: return "1";
     case SensorKind::body_position: return "m";
     case SensorKind::body_velocity: return "m/s";
@@ -143,6 +160,8 @@ std::string channel_unit(const SensorSpec& sensor, JointKind joint) {
     case SensorKind::body_angular_velocity: return "rad/s";
     case SensorKind::beacon_range: return "m";
     case SensorKind::contact_force: return "N";
+    case SensorKind::link_angle: return "rad";
+    case SensorKind::link_velocity: return "rad/s";
   }
   return "1";
 }
@@ -164,6 +183,13 @@ void collect(Collector& collector, Robot& robot) {
   for (auto& sensor : robot.sensors) {
     collector.element("sensor", sensor.name);
     collect_sensor(collector, sensor, channel_unit(sensor, joint_kind(robot, sensor.element)));
+  }
+  for (auto& coupling : robot.couplings) {
+    const JointUnits own = units_of(joint_kind(robot, coupling.joint)),
+                     other = units_of(joint_kind(robot, coupling.follows));
+    collector.element("coupling", coupling.name);
+    collector.add("ratio", own.position == other.position ? "1" : own.position + "/" + other.position, coupling.ratio);
+    collector.add("offset", own.position, coupling.offset);
   }
   collector.element("contact", {});
   collector.add("stiffness", "N/m", robot.contact.stiffness, kSmallest, kInfinity, kMayBeInfinite);
@@ -208,6 +234,18 @@ std::string nothing_matches(const std::string& pattern, const std::vector<NamedE
 
 }  // namespace
 
+int coordinate_count(JointKind kind) {
+  switch (kind) {
+    case JointKind::hinge:
+    case JointKind::slider: return 1;
+    case JointKind::universal: return 2;
+    case JointKind::ball: return 3;
+    case JointKind::free: return 6;
+    case JointKind::fixed: return 0;
+  }
+  return 0;
+}
+
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor) {
   const JointKind joint = joint_kind(robot, sensor.element);
   const std::string unit = channel_unit(sensor, joint);
@@ -228,6 +266,9 @@ std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& s
       else
         suffixes = {""};
       break;
+    case SensorKind::drive_force:
+    case SensorKind::link_angle:
+    case SensorKind::link_velocity:
     case SensorKind::touch:
     case SensorKind::beacon_range: suffixes = {""}; break;
   }
@@ -281,6 +322,12 @@ bool matches(std::string_view pattern, std::string_view address) {
 std::string effect_address(std::string_view id, std::string_view parameter) {
   return fmt::format("{}{}.{}", kOfEffects, id, parameter);
 }
+
+std::string address_in_setup(std::string_view address, std::string_view setup) {
+  return std::string(address) + "@" + std::string(setup);
+}
+
+std::string_view without_setup(std::string_view address) { return address.substr(0, address.find('@')); }
 
 bool is_of_effect(std::string_view address) { return address.starts_with(kOfEffects); }
 

@@ -37,6 +37,14 @@ std::string effect_address(std::string_view id, std::string_view parameter);
 bool is_of_effect(std::string_view address);
 bool is_of_effect(std::string_view address, std::string_view id);
 
+/// The address of a value that belongs to one setup alone: `body.load.mass@heavy`.
+std::string address_in_setup(std::string_view address, std::string_view setup);
+/// `body.load.mass` of it, and of an address that belongs to no setup.
+std::string_view without_setup(std::string_view address);
+
+/// Coordinates of a joint: hinge and slider 1, universal 2, ball 3, free 6, fixed 0.
+int coordinate_count(JointKind kind);
+
 /// Channels of a sensor, and of all sensors in spec order: names and SI units.
 std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& sensor);
 std::vector<Channel> sensor_channels(const RobotSpec& robot);

@@ -32,17 +32,22 @@ ColumnRole role_of(SensorKind kind) {
   switch (kind) {
     case SensorKind::joint_position:
     case SensorKind::body_position:
+    case SensorKind::link_angle:
     case SensorKind::beacon_range: return ColumnRole::position;
     case SensorKind::joint_velocity:
+    case SensorKind::link_velocity:
     case SensorKind::body_velocity:
     case SensorKind::body_angular_velocity: return ColumnRole::velocity;
     case SensorKind::joint_force:
+    case SensorKind::drive_force:
     case SensorKind::contact_force:
     case SensorKind::touch:
     case SensorKind::body_orientation: return ColumnRole::other;
   }
   return ColumnRole::other;
 }
+
+bool is_servo(ActuatorKind kind) { return kind != ActuatorKind::force && kind != ActuatorKind::voltage; }
 
 std::vector<OpenChannel> open_channels(const RobotSpec& robot) {
   const auto words = [](const std::string& name, const std::string& element) {
@@ -52,7 +57,7 @@ std::vector<OpenChannel> open_channels(const RobotSpec& robot) {
   };
   std::vector<OpenChannel> slots;
   for (const ActuatorSpec& actuator : robot.actuators)
-    slots.push_back({command_channel(robot, actuator), ColumnRole::command, true, actuator.kind != ActuatorKind::force,
+    slots.push_back({command_channel(robot, actuator), ColumnRole::command, true, is_servo(actuator.kind),
                      words(actuator.name, actuator.joint), std::nullopt});
   for (const SensorSpec& sensor : robot.sensors)
     for (const Channel& channel : sensor_channels(robot, sensor))

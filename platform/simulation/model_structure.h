@@ -4,6 +4,7 @@
 
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_spec.h>
+#include <lacuna/setup.h>
 
 #include <filesystem>
 #include <string>
@@ -33,6 +34,8 @@ struct VariableParameter {
   std::string address;
   double lower = 0.0;  ///< bounds the size of delay lines and effect states
   double upper = 0.0;
+  std::string setup =
+      {};  ///< the only setup that it belongs to; empty: all that give the address no value of their own
 };
 
 /// What an engine compiles. All strings are resolved then; none is looked at afterwards.
@@ -40,6 +43,7 @@ struct ModelStructure {
   RobotSpec robot;
   std::vector<PlacedEffect> effects;          ///< any order; the engine sorts them
   std::vector<VariableParameter> parameters;  ///< defines the order of the values given to `simulate`
+  std::vector<Setup> setups = {};  ///< with full addresses; every setup that a parameter belongs to is one of them
 };
 
 }  // namespace lacuna

@@ -90,6 +90,13 @@ Json actuator(const ActuatorSpec& a) {
                  {"damping", number(t.damping)},
                  {"gap", number(t.gap)}}}};
   if (a.relative) text["relative"] = true;
+  if (a.kind == ActuatorKind::voltage || a.kind == ActuatorKind::voltage_servo)
+    text["motor"] = {{"torque_constant", number(a.motor.torque_constant)},
+                     {"resistance", number(a.motor.resistance)},
+                     {"back_emf", number(a.motor.back_emf)},
+                     {"supply", number(a.motor.supply)},
+                     {"duty_limit", number(a.motor.duty_limit)},
+                     {"gain_unit", number(a.motor.gain_unit)}};
   return text;
 }
 
@@ -141,14 +148,20 @@ Json contact(const ContactSpec& c) {
 }  // namespace
 
 std::string canonical_text(const RobotSpec& robot) {
-  return Json{{"name", robot.name},
-              {"bodies", list(robot.bodies, body)},
-              {"joints", list(robot.joints, joint)},
-              {"actuators", list(robot.actuators, actuator)},
-              {"sensors", list(robot.sensors, sensor)},
-              {"contact", contact(robot.contact)},
-              {"gravity", vector(robot.gravity)}}
-      .dump();
+  Json text{{"name", robot.name},
+            {"bodies", list(robot.bodies, body)},
+            {"joints", list(robot.joints, joint)},
+            {"actuators", list(robot.actuators, actuator)},
+            {"sensors", list(robot.sensors, sensor)},
+            {"contact", contact(robot.contact)},
+            {"gravity", vector(robot.gravity)}};
+  for (const CouplingSpec& c : robot.couplings)
+    text["couplings"].push_back({{"name", c.name},
+                                 {"joint", c.joint},
+                                 {"follows", c.follows},
+                                 {"ratio", number(c.ratio)},
+                                 {"offset", number(c.offset)}});
+  return text.dump();
 }
 
 std::string canonical_text(const EffectList& effects) {

@@ -14,8 +14,11 @@ namespace lacuna {
 /// nobody chose.
 inline JointSpec& joint_with_laws(RobotSpec& robot, int joint) {
   JointSpec& spec = robot.joints[static_cast<std::size_t>(joint)];
-  if (spec.kind == JointKind::fixed || spec.kind == JointKind::ball)
-    throw Error("joint." + spec.name + " is a " + (spec.kind == JointKind::fixed ? "fixed" : "ball") +
+  if (spec.kind == JointKind::fixed || spec.kind == JointKind::ball || spec.kind == JointKind::free)
+    throw Error("joint." + spec.name + " is a " +
+                (spec.kind == JointKind::fixed  ? "fixed"
+                 : spec.kind == JointKind::ball ? "ball"
+                                                : "free") +
                 " joint; place the effect on hinges, sliders and universal joints");
   return spec;
 }

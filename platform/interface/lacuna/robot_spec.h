@@ -47,12 +47,15 @@ struct BodySpec {
   std::vector<ShapeSpec> shapes;                                    ///< empty: touches nothing
 };
 
-enum class JointKind { hinge, slider, fixed, ball, universal };
+enum class JointKind { hinge, slider, fixed, ball, universal, free };
 
 /// A joint between `parent` and `child`. Hinge and slider have one coordinate (rad, m),
 /// a universal joint two, a ball joint three (rotation vector of child relative to parent,
 /// in the parent frame); positive is right-handed about, or along, the axis, child relative
-/// to parent. The laws below act on each coordinate; a ball joint has no stops.
+/// to parent. The laws below act on each coordinate; a ball joint has no stops. A free joint holds nothing: it gives a
+/// body that floats in the world six coordinates, so that its start can be stated and measured. They are the
+/// displacement of the centre of mass (x, y, z, m) and the rotation vector (rad) from the zero configuration, world
+/// frame; their rates the velocity of the centre of mass and the angular velocity. It has no laws.
 struct JointSpec {
   std::string name;
   JointKind kind = JointKind::hinge;
@@ -85,7 +88,21 @@ enum class ActuatorKind {
   force,           ///< command is the force or torque
   velocity_servo,  ///< command is a velocity; torque = kd·(command − v)
   position_servo,  ///< command is a position; torque = kp·(command − q) − kd·v
-  pid              ///< command is a position; adds ki·∫(command − q)dt; kd acts on the error
+  pid,             ///< command is a position; adds ki·∫(command − q)dt; kd acts on the error
+  voltage,  ///< command is a voltage U on a motor; torque = kt·(U − back_emf·kt·v)/R, |U| ≤ duty_limit·supply
+  voltage_servo,  ///< command is a position; the same of the voltage duty·supply, |duty| ≤ duty_limit, where
+                  ///< duty = gain_unit·(kp·(command − q) − kd·v)
+  motion          ///< command is the velocity that is imposed on the joint, whatever force it takes
+};
+
+/// A motor that is driven by a voltage; all at the joint, the transmission included.
+struct MotorSpec {
+  double torque_constant = 0.0;  ///< kt, N·m/A or N/A
+  double resistance = 1.0;       ///< R, Ohm
+  double back_emf = 1.0;         ///< voltage per velocity over the torque constant; 1: nothing is lost in between
+  double supply = kInfinity;     ///< V; a servo's must be finite
+  double duty_limit = 1.0;       ///< largest share of the supply that the driver puts out
+  double gain_unit = 1.0;        ///< what one count of a servo's kp stands for: share of the supply per rad or m
 };
 
 struct ActuatorSpec {
@@ -103,6 +120,7 @@ struct ActuatorSpec {
   double command_lower = -kInfinity;  ///< commands are clipped to this range
   double command_upper = kInfinity;
   TransmissionSpec transmission;
+  MotorSpec motor;  ///< of kinds voltage and voltage_servo
 };
 
 enum class SensorKind {
@@ -115,7 +133,10 @@ enum class SensorKind {
   body_orientation,       ///< body to world, quaternion w, x, y, z with w ≥ 0
   body_angular_velocity,  ///< world, rad/s: x, y, z
   beacon_range,           ///< distance of the body frame's origin to `beacon`, m
-  contact_force           ///< force of the ground on the body in the last step (0 at first), world, N: x, y, z
+  contact_force,          ///< force of the ground on the body in the last step (0 at first), world, N: x, y, z
+  drive_force,            ///< of actuators alone along the coordinate in the last step (0 at first), N·m or N
+  link_angle,             ///< of a hinge's child about its axis, from the zero configuration, turns counted, rad
+  link_velocity           ///< its rate, rad/s
 };
 
 /// A sensor reads `element` (a joint's or a body's name). Its channels are called by its
@@ -148,6 +169,16 @@ struct ContactSpec {
   double creep = 0.0;            ///< sliding velocity per tangential force of a contact point, m/(N·s)
 };
 
+/// Two coordinates that a gear, a belt or a linkage holds together: q(joint) = ratio·q(follows) + offset. Both joints
+/// are hinges or sliders; one that follows is followed by none.
+struct CouplingSpec {
+  std::string name;
+  std::string joint;
+  std::string follows;
+  double ratio = 1.0;   ///< 1, rad/m or m/rad
+  double offset = 0.0;  ///< rad or m
+};
+
 struct RobotSpec {
   std::string name;
   std::vector<BodySpec> bodies;
@@ -156,6 +187,7 @@ struct RobotSpec {
   std::vector<SensorSpec> sensors;
   ContactSpec contact;
   Eigen::Vector3d gravity{0.0, 0.0, -9.81};  ///< m/s²
+  std::vector<CouplingSpec> couplings = {};
 };
 
 }  // namespace lacuna

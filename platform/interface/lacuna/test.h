@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct CommandSeries {
   /// What was commanded before the first sample, by channel: what delays and lags hold at the start. NaN, or no value
   /// at all: the first sample's.
   std::vector<double> before = {};
+  bool may_be_off = false;  ///< NaN in a sample means that the actuator is off; else it is a mistake
 
   /// The command of a channel before the first sample.
   double before_first(Eigen::Index channel) const {
@@ -34,6 +36,8 @@ class Controller {
  public:
   virtual ~Controller() = default;
   virtual int state_size() const { return 0; }
+  /// A text that is another one for another law, where trials are driven by it: part of their digests.
+  virtual std::string identity() const { return {}; }
   /// `sensors`: one value a sensor channel; `commands`: one an actuator, to be written; time in s.
   virtual void act(double time, std::span<const double> sensors, std::span<double> state,
                    std::span<double> commands) const = 0;
@@ -52,6 +56,7 @@ struct Test {
       drive;              ///< shared: a controller outlives the genome it came from and is used by several trials
   double duration = 0.0;  ///< s
   StartState start;
+  std::string setup = {};  ///< of the rig, one that the model knows, such as "heavy_load"; empty: the model as it is
 };
 
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <lacuna/setup.h>
 #include <lacuna/test.h>
 
 #include <string>
@@ -31,6 +32,7 @@ struct Trial {
   bool held_out = false;              ///< kept from every fit
   /// What made the commands from the readings, where that is known; shared by copies of the trial.
   std::shared_ptr<const Controller> controller;
+  Setup setup = {};          ///< what was different on the rig, as far as it is known
   bool closed_loop = false;  ///< models are driven by `controller` instead of by `commands`
   /// Path of the whole robot's centre of mass as an onlooker tracks it: columns x, y, z, world frame, m; empty where
   /// nobody does. Models are never scored by it.

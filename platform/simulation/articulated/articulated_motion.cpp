@@ -61,6 +61,10 @@ void ArticulatedMotion::begin(const StartState& start) {
     std::fill(numbers->begin(), numbers->end(), 0.0);
   tree.begin(*robot_, start.positions, start.velocities, std::span(motion.configuration).first(tree.positions()),
              std::span(motion.velocities).first(tree.dofs()));
+  for (const CouplingNumbers& c : machine_.couplings()) {
+    motion.configuration[c.position] = c.ratio * motion.configuration[c.leading_position] + c.offset;
+    motion.velocities[c.dof] = c.ratio * motion.velocities[c.leading_dof];
+  }
   for (const ActuatorNumbers& actuator : machine_.actuators()) {
     if (!actuator.compliant) continue;
     const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
@@ -76,7 +80,8 @@ const StepView& ArticulatedMotion::look(double time, bool at_bodies) {
 
 void ArticulatedMotion::advance(const simulation::StepOrder& order) {
   integrator_->step().ask(order.loads);
-  integrator_->advance(order.begin, length_, {.values = order.commands, .rates = order.rates}, robot_->gravity);
+  integrator_->advance(order.begin, length_,
+                       {.values = order.commands, .rates = order.rates, .end = order.begin + length_}, robot_->gravity);
   check();
 }
 

@@ -98,8 +98,12 @@ void BoundedSystem::solve_in_regimes(std::span<const VelocityLaw> laws, std::spa
     if (regimes_[l] == Regime::within && !law.rigid()) pushed_[law.dof] += law.push;
   }
   std::copy(pushed_.begin(), pushed_.end(), velocities.begin());
+  for (std::size_t l = 0; l < laws.size(); ++l) {
+    if (regimes_[l] != Regime::within || !laws[l].rigid() || laws[l].held_at == 0.0) continue;
+    for (std::size_t i = 0; i < dofs_; ++i) velocities[i] -= matrix_[i * dofs_ + laws[l].dof] * laws[l].held_at;
+  }
   for (std::size_t l = 0; l < laws.size(); ++l)
-    if (regimes_[l] == Regime::within && laws[l].rigid()) velocities[laws[l].dof] = 0.0;
+    if (regimes_[l] == Regime::within && laws[l].rigid()) velocities[laws[l].dof] = laws[l].held_at;
   solve_in_place(factor_, dofs_, velocities);
 }
 
@@ -114,7 +118,7 @@ double BoundedSystem::needed(const VelocityLaw& law, std::span<const double> vel
 BoundedSystem::Regime BoundedSystem::regime_at(const VelocityLaw& law, Regime now, double impulse,
                                                double velocity) const {
   if (law.rigid() && now != Regime::within) {
-    const bool yields = now == Regime::at_lower ? velocity >= 0.0 : velocity <= 0.0;
+    const bool yields = now == Regime::at_lower ? velocity >= law.held_at : velocity <= law.held_at;
     return yields ? now : Regime::within;
   }
   if (impulse > law.upper) return Regime::at_upper;

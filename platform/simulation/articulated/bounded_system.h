@@ -8,11 +8,13 @@
 namespace lacuna::articulated {
 
 /// A law on one velocity after a step: an impulse within [lower, upper], push − resistance·velocity where that is
-/// within. An infinite resistance holds the velocity at zero, as stiction and stops do.
+/// within. An infinite resistance holds the velocity at `held_at`: at zero, as stiction and stops do, or at what an
+/// imposed motion gives.
 struct VelocityLaw {
   std::size_t dof = 0;
   double push = 0.0, resistance = 0.0;
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  double held_at = 0.0;
 
   bool rigid() const { return resistance == std::numeric_limits<double>::infinity(); }
 };

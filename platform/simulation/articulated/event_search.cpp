@@ -38,7 +38,7 @@ std::optional<Event> EventSearch::earliest(const Setting& setting) const {
     found = event;
   };
   for (std::size_t c = 0; c < machine_.coordinates().size(); ++c) {
-    if (setting.stopped[c] != Contact::free) continue;
+    if (setting.stopped[c] != Contact::free || machine_.coordinates()[c].imposed) continue;
     if (step_.rubs(c)) consider({c, EventKind::rests});
     if (machine_.coordinates()[c].ball) continue;
     consider({c, EventKind::meets_lower});

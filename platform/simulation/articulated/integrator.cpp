@@ -1,6 +1,7 @@
 #include "simulation/articulated/integrator.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna::articulated {
 namespace {
@@ -31,7 +32,7 @@ void Integrator::look_at_stops() {
   for (std::size_t c = 0; c < stopped_.size(); ++c) {
     const CoordinateNumbers& numbers = machine_.coordinates()[c];
     stopped_[c] = Contact::free;
-    if (numbers.ball) continue;
+    if (numbers.ball || numbers.imposed) continue;
     const double position = motion_.configuration[numbers.position];
     const double velocity = motion_.velocities[numbers.dof];
     if (position >= numbers.upper && velocity >= 0.0)
@@ -41,8 +42,16 @@ void Integrator::look_at_stops() {
   }
 }
 
+/// A start may say otherwise.
+void Integrator::begin_imposed(double length, const Commanded& commanded) {
+  for (std::size_t a = 0; a < machine_.actuators().size(); ++a)
+    if (machine_.actuators()[a].kind == ActuatorKind::motion && !std::isnan(commanded.values[a]))
+      motion_.velocities[machine_.actuators()[a].dof] = commanded.values[a] - length * commanded.rates[a];
+}
+
 void Integrator::advance(double begin, double length, const Commanded& commanded, const Eigen::Vector3d& gravity) {
   std::fill(coordinate_forces_.begin(), coordinate_forces_.end(), 0.0);
+  begin_imposed(length, commanded);
   double left = length;
   for (int events = 0; left > 0.0; ++events) {
     look_at_stops();

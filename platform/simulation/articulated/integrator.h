@@ -26,6 +26,7 @@ class Integrator {
   void forget();
 
  private:
+  void begin_imposed(double length, const Commanded& commanded);
   void look_at_stops();
   void keep(double length, double whole, const Commanded& commanded);
   void carry_out(const Event& event);

@@ -12,20 +12,30 @@ namespace lacuna::articulated {
 /// A joint coordinate with its own laws.
 struct CoordinateNumbers {
   std::size_t dof = 0;
-  std::size_t position = 0;  ///< in a configuration; not of ball joints
-  bool ball = false;         ///< the position is part of a rotation vector
+  std::size_t position = 0;  ///< in a configuration; not of ball and free joints
+  bool ball = false;         ///< of a ball or a free joint: no number of a configuration
   double force = 0.0, damping = 0.0, stiffness = 0.0, rest = 0.0, dry_friction = 0.0, armature = 0.0;
   double lower = -kInfinity, upper = kInfinity;
+  bool imposed = false;  ///< its velocity is given, whatever acts on it
 };
 
 /// An actuator and what it turns: its joint's coordinate, or a rotor of its own behind an elastic transmission.
 struct ActuatorNumbers {
-  ActuatorKind kind = ActuatorKind::force;
+  ActuatorKind kind = ActuatorKind::force;  ///< with forces instead of voltages
+  double push = 1.0;                        ///< force per command, of kind force
+  double drag = 0.0;                        ///< of back-EMF; not within the limit
   std::size_t coordinate = 0;
   std::size_t dof = 0, position = 0;  ///< of what it turns
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
   bool compliant = false;                                                 ///< it turns a rotor; then
   double rotor_inertia = 0.0, stiffness = 0.0, damping = 0.0, gap = 0.0;  ///< at the joint
+};
+
+/// Two coordinates that go together: q(leads)·ratio + offset = q(follows), by their places.
+struct CouplingNumbers {
+  std::size_t dof = 0, position = 0;  ///< of what follows
+  std::size_t leading_dof = 0, leading_position = 0;
+  double ratio = 1.0, offset = 0.0;
 };
 
 /// A robot's numbers as the integrator reads them: the tree, then the rotors that have velocities of their own, counted
@@ -40,6 +50,7 @@ class Machine {
   const Tree& tree() const { return tree_; }
   const std::vector<CoordinateNumbers>& coordinates() const { return coordinates_; }
   const std::vector<ActuatorNumbers>& actuators() const { return actuators_; }
+  const std::vector<CouplingNumbers>& couplings() const { return couplings_; }
   /// With rotors.
   std::size_t dofs() const { return tree_.dofs() + rotors_; }
   std::size_t positions() const { return tree_.positions() + rotors_; }
@@ -56,6 +67,7 @@ class Machine {
   std::vector<std::size_t> first_coordinate_;  ///< per joint
   std::vector<CoordinateNumbers> coordinates_;
   std::vector<ActuatorNumbers> actuators_;
+  std::vector<CouplingNumbers> couplings_;
   std::size_t rotors_ = 0;
   bool has_coriolis_forces_ = false, has_balls_ = false;
 };

@@ -10,25 +10,10 @@
 namespace lacuna::articulated {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr int kMostRepeats = 10;
 constexpr double kSettled = 1e-10;  ///< of the velocities; each repeat brings them closer by a factor of some tens
 /// Of the joint's inertia, for a rotor that has none: it follows what acts on it within a step.
 constexpr double kLeastRotor = 1e-9;
-
-double beyond_gap(double twist, double gap) {
-  const double half = 0.5 * gap;
-  if (twist > half) return twist - half;
-  return twist < -half ? twist + half : 0.0;
-}
-
-/// Of an even way through `twist`, `way` long, how much is beyond the gap.
-double share_beyond_gap(double twist, double way, double gap) {
-  const double half = 0.5 * gap, reach = 0.5 * std::abs(way);
-  if (reach == 0.0) return std::abs(twist) > half ? 1.0 : 0.0;
-  const double within = std::min(twist + reach, half) - std::max(twist - reach, -half);
-  return 1.0 - std::clamp(within / (2.0 * reach), 0.0, 1.0);
-}
 
 }  // namespace
 
@@ -114,16 +99,18 @@ void Step::find_inertia(std::span<const double> configuration) {
   if (!factor_in_place(factor_, dofs_)) throw Error("the robot's inertia is not positive");
 }
 
-void Step::find_weights(double length) {
+void Step::find_weights(double length, const Commanded& commanded) {
   std::fill(damping_of_dof_.begin(), damping_of_dof_.end(), 0.0);
   std::fill(stiffness_of_dof_.begin(), stiffness_of_dof_.end(), 0.0);
   for (std::size_t c = 0; c < loads_.size(); ++c) {
     damping_of_dof_[machine_.coordinates()[c].dof] += loads_[c].damping;
     stiffness_of_dof_[machine_.coordinates()[c].dof] += loads_[c].stiffness;
   }
-  for (const ActuatorNumbers& a : machine_.actuators()) {
+  for (std::size_t i = 0; i < machine_.actuators().size(); ++i) {
+    const ActuatorNumbers& a = machine_.actuators()[i];
+    if (std::isnan(commanded.values[i]) || a.kind == ActuatorKind::motion) continue;
     const bool position = a.kind == ActuatorKind::position_servo || a.kind == ActuatorKind::pid;
-    if (a.kind != ActuatorKind::force) damping_of_dof_[a.dof] += a.kd;
+    damping_of_dof_[a.dof] += a.drag + (a.kind == ActuatorKind::force ? 0.0 : a.kd);
     if (position) stiffness_of_dof_[a.dof] += a.kp + 0.5 * length * a.ki;
   }
   for (std::size_t i = 0; i < dofs_; ++i) {
@@ -150,6 +137,7 @@ void Step::add_coordinate(std::size_t c, const Motion& from, double length, Cont
   const double before = from.velocities[numbers.dof];
   add_linear(numbers.dof, load.force + load.damping * asked_[numbers.dof], load.damping, load.stiffness, from, length);
   friction_law_[c] = kNone;
+  if (numbers.imposed) return;
   double lower = length * load.friction_lower, upper = length * load.friction_upper;
   if (before != 0.0 && !reversals && stopped == Contact::free) {
     system_.right()[numbers.dof] += before > 0.0 ? lower : upper;
@@ -160,64 +148,6 @@ void Step::add_coordinate(std::size_t c, const Motion& from, double length, Cont
   if (lower == 0.0 && upper == 0.0) return;
   friction_law_[c] = laws_.size();
   laws_.push_back({.dof = numbers.dof, .resistance = kInfinity, .lower = lower, .upper = upper});
-}
-
-void Step::add_actuator(std::size_t a, const Motion& from, double length, const Commanded& commanded) {
-  const ActuatorNumbers& actuator = machine_.actuators()[a];
-  const double command = commanded.values[a];
-  servo_law_[a] = kNone;
-  if (actuator.kind == ActuatorKind::force) {
-    actuator_forces_[a] = std::clamp(command, -actuator.limit, actuator.limit);
-    system_.right()[actuator.dof] += length * actuator_forces_[a];
-    return;
-  }
-  double force = actuator.kd * command, stiffness = 0.0;
-  if (actuator.kind != ActuatorKind::velocity_servo) {
-    const double error = command - middle_[actuator.position];
-    force = actuator.kp * error;
-    stiffness = actuator.kp;
-    if (actuator.kind == ActuatorKind::pid) {
-      force += actuator.ki * (from.integrals[a] + 0.5 * length * error) + actuator.kd * commanded.rates[a];
-      stiffness += 0.5 * length * actuator.ki;
-    }
-  }
-  const Weights& w = weights_[actuator.dof];
-  const double before = from.velocities[actuator.dof];
-  servo_law_[a] = laws_.size();
-  laws_.push_back({.dof = actuator.dof,
-                   .push = length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
-                   .resistance = length * (actuator.kd * w.late + stiffness * w.after * length),
-                   .lower = -length * actuator.limit,
-                   .upper = length * actuator.limit});
-}
-
-void Step::add_transmission(std::size_t a, const Motion& from, double length) {
-  const ActuatorNumbers& actuator = machine_.actuators()[a];
-  if (!actuator.compliant) return;
-  const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
-  const double twist = middle_[actuator.position] - middle_[joint.position];
-  const double stretch = beyond_gap(twist, actuator.gap);
-  double stiffness = actuator.stiffness, flank_damping = actuator.damping;
-  if (actuator.gap > 0.0) {
-    // A flank that is met or left within the step resists for its part of it: the damping jumps there.
-    flank_damping *= share_beyond_gap(twist, length * (mean_[actuator.dof] - mean_[joint.dof]), actuator.gap);
-    if (stretch == 0.0) stiffness = 0.0;
-    if (stiffness == 0.0 && flank_damping == 0.0) return;
-  }
-  const double mobility = mobility_[actuator.dof] + mobility_[joint.dof];
-  const SpringWeights spring = spring_weights(length * length * stiffness * mobility);
-  const double late = late_damping(length * flank_damping * mobility);
-  const double twisting = from.velocities[actuator.dof] - from.velocities[joint.dof];
-  const double force =
-      stiffness * stretch + (flank_damping * (1.0 - late) + stiffness * spring.before * length) * twisting;
-  const double resistance = length * (flank_damping * late + stiffness * spring.after * length);
-  const std::span<double> right = system_.right(), matrix = system_.matrix();
-  right[joint.dof] += length * force;
-  right[actuator.dof] -= length * force;
-  matrix[joint.dof * (dofs_ + 1)] += resistance;
-  matrix[actuator.dof * (dofs_ + 1)] += resistance;
-  matrix[joint.dof * dofs_ + actuator.dof] -= resistance;
-  matrix[actuator.dof * dofs_ + joint.dof] -= resistance;
 }
 
 void Step::gather(double length, const Eigen::Vector3d& gravity) {
@@ -288,10 +218,10 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
     dynamics_.move(mean_);
     if (source_ != nullptr || machine_.has_balls()) fill_view(middle_, mean_, middle_time_, look_at_bodies_);
     gather(length, gravity);
-    find_weights(length);
+    find_weights(length, commanded);
     assemble(from, length, commanded, stopped, reversals);
     settle(from, length, ask == asks && machine_.has_coriolis_forces());
-    measure(from, length);
+    measure(from, length, commanded);
   }
   for (std::size_t i = 0; i < dofs_; ++i)
     after_.accelerations[i] = (after_.velocities[i] - from.velocities[i]) / length;
@@ -312,6 +242,7 @@ void Step::assemble(const Motion& from, double length, const Commanded& commande
   std::copy(inertia_.begin(), inertia_.end(), system_.matrix().begin());
   std::copy(momentum_.begin(), momentum_.end(), system_.right().begin());
   if (has_drag_) add_drag(from, length);
+  couple();
   laws_.clear();
   for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
   for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
@@ -342,14 +273,14 @@ void Step::settle(const Motion& from, double length, bool exactly) {
 
 double Step::integral_rate(std::size_t a, double command) const {
   const ActuatorNumbers& actuator = machine_.actuators()[a];
-  if (actuator.kind != ActuatorKind::pid) return 0.0;
+  if (actuator.kind != ActuatorKind::pid || std::isnan(command)) return 0.0;
   const double error = command - middle_[actuator.position];
   const bool saturated = std::abs(actuator_forces_[a]) >= actuator.limit && actuator_forces_[a] * error > 0.0;
   return saturated ? 0.0 : error;
 }
 
 /// What acted, from what the laws gave for the velocities after the step.
-void Step::measure(const Motion& from, double length) {
+void Step::measure(const Motion& from, double length, const Commanded& commanded) {
   for (std::size_t c = 0; c < loads_.size(); ++c) {
     const std::size_t dof = machine_.coordinates()[c].dof;
     const JointLoad& load = loads_[c];
@@ -360,12 +291,19 @@ void Step::measure(const Motion& from, double length) {
     coordinate_forces_[c] = load.force - load.damping * (late - asked_[dof]) - load.stiffness * way;
     if (friction_law_[c] != kNone)
       coordinate_forces_[c] += system_.impulse(friction_law_[c]) / length;
+    else if (machine_.coordinates()[c].imposed)
+      coordinate_forces_[c] += imposed_friction(c, before, after);
     else if (rubs(c))
       coordinate_forces_[c] += before > 0.0 ? load.friction_lower : load.friction_upper;
   }
   for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
     const ActuatorNumbers& actuator = machine_.actuators()[a];
     if (servo_law_[a] != kNone) actuator_forces_[a] = system_.impulse(servo_law_[a]) / length;
+    if (actuator.drag > 0.0 && !std::isnan(commanded.values[a])) {
+      const double late = weights_[actuator.dof].late;
+      actuator_forces_[a] -=
+          actuator.drag * ((1.0 - late) * from.velocities[actuator.dof] + late * after_.velocities[actuator.dof]);
+    }
     coordinate_forces_[actuator.coordinate] += actuator_forces_[a];
   }
 }

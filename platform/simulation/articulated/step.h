@@ -23,10 +23,11 @@ struct Motion {
 /// How a coordinate meets its stops and its dry friction in a step.
 enum class Contact : unsigned char { free, at_lower, at_upper };
 
-/// What commands do in a step; constant within it.
+/// What commands do in a step; constant within it but for imposed velocities, which go on evenly.
 struct Commanded {
-  std::span<const double> values;  ///< per actuator
-  std::span<const double> rates;   ///< per actuator, its change over time; of a PID
+  std::span<const double> values;  ///< per actuator; NaN: it is off; of an imposed velocity that at the step's end
+  std::span<const double> rates;   ///< per actuator, its change over time; of a PID and of an imposed velocity
+  double end = 0.0;                ///< s, of the step
 };
 
 /// One step of a machine, tried from a motion. In the middle of the step, where half of it at the velocities before has
@@ -58,6 +59,7 @@ class Step {
 
   /// Whether dry friction acts on a coordinate.
   bool rubs(std::size_t coordinate) const {
+    if (machine_.coordinates()[coordinate].imposed) return false;
     return loads_[coordinate].friction_lower < 0.0 || loads_[coordinate].friction_upper > 0.0;
   }
   /// Of a PID's integral over the step; 0 where the force is at its limit and would be driven further into it.
@@ -72,6 +74,8 @@ class Step {
   std::span<double> actuator_forces() { return actuator_forces_; }
 
  private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
   struct Weights {
     double late = 0.5;
     double before = -0.25, after = 0.25;
@@ -80,19 +84,23 @@ class Step {
   void place_in_middle(const Motion& from, double length);
   void drift(std::span<const double> velocities, double time, std::span<double> configuration) const;
   void find_inertia(std::span<const double> configuration);
-  void find_weights(double length);
+  void find_weights(double length, const Commanded& commanded);
   void gather(double length, const Eigen::Vector3d& gravity);
   void add_coordinate(std::size_t coordinate, const Motion& from, double length, Contact stopped, bool reversals);
   void add_actuator(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
+  void impose(std::size_t actuator, const Motion& from, double length, const Commanded& commanded);
   void add_transmission(std::size_t actuator, const Motion& from, double length);
+  /// Of dry friction on a coordinate whose velocities are imposed, over the step: it turns round with them.
+  double imposed_friction(std::size_t coordinate, double before, double after) const;
   void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
+  void couple();
   void find_drag();
   void add_drag(const Motion& from, double length);
   void find_momentum(const Motion& from);
   void assemble(const Motion& from, double length, const Commanded& commanded, std::span<const Contact> stopped,
                 bool reversals);
   void settle(const Motion& from, double length, bool exactly);
-  void measure(const Motion& from, double length);
+  void measure(const Motion& from, double length, const Commanded& commanded);
   void fill_view(std::span<const double> configuration, std::span<const double> velocities, double time,
                  bool with_bodies);
 

@@ -17,6 +17,7 @@ LinkKind kind_of(JointKind kind) {
     case JointKind::slider: return LinkKind::slider;
     case JointKind::universal: return LinkKind::universal;
     case JointKind::ball: return LinkKind::ball;
+    case JointKind::free: return LinkKind::floating;
     case JointKind::fixed: break;
   }
   return LinkKind::fixed;
@@ -153,8 +154,8 @@ void Tree::begin(const RobotSpec& robot, std::span<const double> coordinates, st
     if (link.kind == LinkKind::floating) {
       const BodySpec& body = robot.bodies[static_cast<std::size_t>(link.body)];
       const Vector3d com = body.position + body.orientation.normalized() * body.com;
-      std::copy(com.begin(), com.end(), q);
-      put(Quaterniond::Identity(), q + 3);
+      for (int axis = 0; axis < 3; ++axis) q[axis] = com[axis] + from[axis];
+      put(turn_by(Vector3d(from[3], from[4], from[5])), q + 3);
     } else if (link.kind == LinkKind::ball) {
       put(turn_by(Vector3d(from[0], from[1], from[2])), q);
     } else {
@@ -173,6 +174,12 @@ void Tree::coordinates(std::span<const double> configuration, std::span<double> 
     if (link->kind == LinkKind::ball) {
       const Vector3d turn = rotation_vector(quaternion_at(q));
       std::copy(turn.begin(), turn.end(), out.begin() + static_cast<std::ptrdiff_t>(c));
+    } else if (link->kind == LinkKind::floating) {
+      const Vector3d turn = rotation_vector(quaternion_at(q + 3));
+      for (std::size_t i = 0; i < 3; ++i) {
+        out[c + i] = q[i] - link->com[static_cast<Eigen::Index>(i)];
+        out[c + 3 + i] = turn[static_cast<Eigen::Index>(i)];
+      }
     } else {
       std::copy(q, q + link->dofs, out.begin() + static_cast<std::ptrdiff_t>(c));
     }

@@ -16,7 +16,7 @@ namespace lacuna::articulated {
 /// The place of the `i`th of what begins at `first`.
 inline std::size_t nth(int first, int i) { return static_cast<std::size_t>(first) + static_cast<std::size_t>(i); }
 
-/// How a link moves against its parent. `floating`: no joint holds it.
+/// How a link moves against its parent. `floating`: no joint holds it, but a free one may give it coordinates.
 enum class LinkKind { hinge, slider, universal, ball, fixed, floating };
 
 /// A body with what holds it. Everything is of the zero configuration, in the world's axes.

@@ -53,6 +53,7 @@ dJointID make_joint(dWorldID world, const JointSpec& spec, dBodyID child, dBodyI
       dJointAttach(joint, child, parent);
       dJointSetBallAnchor(joint, a.x(), a.y(), a.z());
       break;
+    case JointKind::free: break;  // holds nothing
     case JointKind::fixed:
       joint = dJointCreateFixed(world, nullptr);
       dJointAttach(joint, child, parent);
@@ -91,23 +92,26 @@ void Joints::create_one(dWorldID world, const JointSpec& spec, int joint, const 
   g.axis_c = to_child * axis, g.u_c = to_child * u, g.w_c = to_child * w;
   g.zero_rotation = to_parent * g.child.R();
   g.offset = axis.dot(g.child.x() - g.parent.x());
+  g.zero_place = g.child.x();
   geometry_.push_back(g);
 
   const int count = simulation::coordinate_count(spec.kind);
   for (int i = 0; i < count; ++i)
-    coordinates_[g.first + static_cast<std::size_t>(i)] = {.linear = spec.kind == JointKind::slider,
-                                                           .axis_on_child = spec.kind == JointKind::universal && i == 1,
-                                                           .joint = ids_.back(),
-                                                           .child_id = bodies.id(child),
-                                                           .parent_id = bodies.id(parent),
-                                                           .child = g.child,
-                                                           .parent = g.parent,
-                                                           .axis = Vector3d::Zero(),
-                                                           .arm = Vector3d::Zero()};
+    coordinates_[g.first + static_cast<std::size_t>(i)] = {
+        .linear = spec.kind == JointKind::slider || (spec.kind == JointKind::free && i < 3),
+        .axis_on_child = spec.kind == JointKind::universal && i == 1,
+        .joint = ids_.back(),
+        .child_id = bodies.id(child),
+        .parent_id = bodies.id(parent),
+        .child = g.child,
+        .parent = g.parent,
+        .axis = Vector3d::Zero(),
+        .arm = Vector3d::Zero()};
 }
 
 void Joints::destroy() {
-  for (const dJointID joint : ids_) dJointDestroy(joint);
+  for (const dJointID joint : ids_)
+    if (joint != nullptr) dJointDestroy(joint);
   ids_.clear();
   geometry_.clear();
   coordinates_.clear();
@@ -124,6 +128,7 @@ void Joints::update() {
       case JointKind::slider: update_slider(g); break;
       case JointKind::universal: update_universal(g); break;
       case JointKind::ball: update_ball(g); break;
+      case JointKind::free: update_free(g); break;
       case JointKind::fixed: break;
     }
   }
@@ -167,6 +172,17 @@ void Joints::update_ball(const Geometry& g) {
     coordinates_[coordinate].axis = g.parent.R().col(i);
     positions_[coordinate] = q[i];
     velocities_[coordinate] = row_velocity(coordinate);
+  }
+}
+
+void Joints::update_free(const Geometry& g) {
+  const Vector3d turn = rotation_vector(g.child.R() * g.zero_rotation.transpose());
+  const Vector3d place = g.child.x() - g.zero_place;
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t coordinate = g.first + static_cast<std::size_t>(i);
+    coordinates_[coordinate].axis = Vector3d::Unit(i % 3);
+    positions_[coordinate] = i < 3 ? place[i] : turn[i - 3];
+    velocities_[coordinate] = i < 3 ? g.child.v()[i] : g.child.w()[i - 3];
   }
 }
 

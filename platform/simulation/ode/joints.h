@@ -53,6 +53,7 @@ class Joints {
     Eigen::Vector3d axis_c{}, u_c{}, w_c{};  // the same directions in the child
     Eigen::Matrix3d zero_rotation{};         // ball: child to parent at zero
     double offset = 0.0;                     // slider
+    Eigen::Vector3d zero_place{};            // free: of the child's centre of mass
   };
   struct CoordinateData {
     bool linear = false;
@@ -69,6 +70,7 @@ class Joints {
   void update_slider(const Geometry& g);
   void update_universal(const Geometry& g);
   void update_ball(const Geometry& g);
+  void update_free(const Geometry& g);
 
   const simulation::JointTree& tree_;
   std::vector<dJointID> ids_;

@@ -54,6 +54,7 @@ void Mechanism::build(const RobotSpec& robot, const MechanismNeeds& needs, std::
 
 void Mechanism::create_rows(const RobotSpec& robot, std::span<const ActuatorPlace> actuators) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    if (robot.joints[j].kind == JointKind::free) continue;  // nothing acts on its coordinates
     const auto first = static_cast<std::size_t>(tree_.first_coordinate[j]);
     const auto count = static_cast<std::size_t>(simulation::coordinate_count(robot.joints[j].kind));
     for (std::size_t i = first; i < first + count; ++i) {

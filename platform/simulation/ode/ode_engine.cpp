@@ -2,9 +2,28 @@
 
 #include "simulation/ode/ode_motion.h"
 
+#include <lacuna/error.h>
+
 namespace lacuna::ode {
+namespace {
+
+bool is_known(ActuatorKind kind) {
+  return kind == ActuatorKind::force || kind == ActuatorKind::velocity_servo || kind == ActuatorKind::position_servo ||
+         kind == ActuatorKind::pid;
+}
+
+}  // namespace
 
 std::unique_ptr<CompiledModel> compile(ModelStructure structure, const EngineSettings& settings) {
+  for (const ActuatorSpec& actuator : structure.robot.actuators)
+    if (!is_known(actuator.kind))
+      throw Error("actuator \"" + actuator.name +
+                  "\": the engine \"ode\" has no motors on a voltage and no imposed motion; the engine \"articulated\" "
+                  "has, for robots that touch nothing");
+  if (!structure.robot.couplings.empty())
+    throw Error(
+        "coupling \"" + structure.robot.couplings.front().name +
+        "\": the engine \"ode\" couples no joints; the engine \"articulated\" does, for robots that touch nothing");
   return std::make_unique<simulation::EngineModel>(
       std::move(structure), settings,
       [](const simulation::EngineModel& model) { return std::make_unique<OdeMotion>(model); });

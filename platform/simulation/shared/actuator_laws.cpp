@@ -40,6 +40,9 @@ ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double 
               .slope = actuator.kd + step * actuator.kp,
               .limit = actuator.force_limit};
     case ActuatorKind::pid: return pid_law(actuator, command, rate, position, memory, step);
+    case ActuatorKind::voltage:
+    case ActuatorKind::voltage_servo:
+    case ActuatorKind::motion: break;  // refused by ode_engine.cpp
   }
   return {};
 }

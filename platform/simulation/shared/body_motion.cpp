@@ -60,10 +60,19 @@ JointMotion motion_of(const JointSpec& joint, const Matrix3d& parent_frame, cons
       motion.rotation = exponential(parent_frame * Vector3d(q[0], q[1], q[2]));
       motion.angular_velocity = parent_frame * Vector3d(v[0], v[1], v[2]);
       break;
+    case JointKind::free:
+      motion.translation = Vector3d(q[0], q[1], q[2]);
+      motion.rotation = exponential(Vector3d(q[3], q[4], q[5]));
+      motion.velocity = Vector3d(v[0], v[1], v[2]);
+      motion.angular_velocity = Vector3d(v[3], v[4], v[5]);
+      break;
     case JointKind::fixed: break;
   }
   return motion;
 }
+
+/// In the zero configuration, world.
+Vector3d centre_of_mass(const BodySpec& body) { return body.position + body.orientation.normalized() * body.com; }
 
 /// Puts a joint's motion on top of its parent's displacement.
 Displacement compose(const Displacement& parent, const JointMotion& motion, const Vector3d& anchor) {
@@ -81,7 +90,7 @@ Displacement compose(const Displacement& parent, const JointMotion& motion, cons
 
 void place_bodies(const RobotSpec& robot, const JointTree& tree, const StartState& start,
                   std::span<BodyMotion> bodies) {
-  static constexpr std::array<double, 3> kZero{};
+  static constexpr std::array<double, 6> kZero{};
   std::vector<Displacement> displacements(robot.bodies.size());
   const Displacement still;
   for (const int index : tree.outward) {
@@ -94,8 +103,10 @@ void place_bodies(const RobotSpec& robot, const JointTree& tree, const StartStat
     const double* q = start.positions.empty() ? kZero.data() : start.positions.data() + first;
     const double* v = start.velocities.empty() ? kZero.data() : start.velocities.data() + first;
     const JointMotion motion = motion_of(robot.joints[joint], parent_frame, q, v);
-    displacements[static_cast<std::size_t>(tree.child[joint])] =
-        compose(held_by_world ? still : displacements[parent], motion, robot.joints[joint].anchor);
+    const auto child = static_cast<std::size_t>(tree.child[joint]);
+    const Vector3d anchor =
+        robot.joints[joint].kind == JointKind::free ? centre_of_mass(robot.bodies[child]) : robot.joints[joint].anchor;
+    displacements[child] = compose(held_by_world ? still : displacements[parent], motion, anchor);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodySpec& body = robot.bodies[i];

@@ -12,14 +12,20 @@ constexpr double kClockTolerance = 1e-9;  // control periods: n·h/period may mi
 }  // namespace
 
 Drive::Drive(std::span<const Delay> longest, const EngineSettings& settings)
-    : settings_(settings), h_(settings.step / settings.substeps), delays_(longest.size()), held_(longest.size(), 0.0) {
+    : settings_(settings),
+      h_(settings.step / settings.substeps),
+      delays_(longest.size()),
+      of_step_end_(longest.size()),
+      held_(longest.size(), 0.0) {
   for (const Delay& delay : longest) lines_.emplace_back(delay);
 }
 
 void Drive::open_source(const Test& test, const RobotSpec& robot) {
   controller_ = nullptr;
+  may_be_off_ = false;
   controller_state_.clear();
   if (const auto* series = std::get_if<CommandSeries>(&test.drive)) {
+    may_be_off_ = series->may_be_off;
     recorded_.open(*series, robot);
     sent_.open(*series, robot);
   } else {
@@ -39,6 +45,7 @@ void Drive::open_delays(const RobotSpec& robot) {
     if (!(actuator.delay >= 0.0 && actuator.delay < kInfinity))
       throw Error("actuator \"" + actuator.name + "\": its delay is " + std::to_string(actuator.delay) + " s");
     delays_[i] = make_delay(actuator.delay, settings_);
+    of_step_end_[i] = actuator.kind == ActuatorKind::motion;
     if (!lines_[i].reaches(delays_[i]))
       throw Error("actuator \"" + actuator.name + "\": its delay of " + std::to_string(actuator.delay) +
                   " s is longer than its parameters' upper bounds allow");
@@ -80,6 +87,7 @@ double Drive::command_before(std::size_t actuator, double time) { return recorde
 double Drive::recorded(std::size_t actuator, double step_begin) {
   const Delay& delay = delays_[actuator];
   const double begin = step_begin - (static_cast<double>(delay.whole) + delay.fraction) * h_;
+  if (of_step_end_[actuator]) return recorded_.at(actuator, begin + h_);
   return recorded_.mean(actuator, begin, begin + h_);
 }
 

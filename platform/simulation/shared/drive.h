@@ -24,6 +24,7 @@ class Drive {
   /// Takes over a simulation's delays. Throws `Error` for one that is longer than declared.
   void open_delays(const RobotSpec& robot);
   bool closed_loop() const { return controller_ != nullptr; }
+  bool may_be_off() const { return may_be_off_; }
   std::size_t controller_state_size() const { return controller_state_.size(); }
 
   /// Does the controller act before step `step`?
@@ -50,9 +51,11 @@ class Drive {
   EngineSettings settings_;
   double h_;
   const Controller* controller_ = nullptr;
+  bool may_be_off_ = false;
   RecordedCommands recorded_, sent_;  // two, since each is asked with ascending times
   double step_begin_ = 0.0;
   std::vector<Delay> delays_;
+  std::vector<bool> of_step_end_;  // per actuator: its command is that at the end of a step, not the mean
   std::vector<DelayLine> lines_;
   std::vector<double> held_;  // per actuator, of the controller
   std::vector<double> controller_state_;

@@ -26,6 +26,11 @@ bool shorter(const Delay& a, const Delay& b) {
   return a.whole != b.whole ? a.whole < b.whole : a.fraction < b.fraction;
 }
 
+void keep_larger(std::vector<double>& largest, std::span<const double> values) {
+  if (largest.empty()) largest.assign(values.begin(), values.end());
+  for (std::size_t i = 0; i < values.size(); ++i) largest[i] = std::max(largest[i], values[i]);
+}
+
 void lengthen(Delay& longest, double seconds, const EngineSettings& settings) {
   if (!(seconds >= 0.0 && seconds < kInfinity))
     throw Error("a delay may become " + std::to_string(seconds) + " s; give its parameter a finite upper bound");
@@ -57,28 +62,32 @@ void EngineModel::size_memory() {
     upper.push_back(parameter.upper);
   }
   ModelInstance instance(structure_, slots_);
-  instance.set(upper);
-  std::vector<std::vector<double>> largest;
-  for (std::size_t i = 0; i < structure_.effects.size(); ++i) {
-    const auto values = instance.effect_values(i);
-    largest.emplace_back(values.begin(), values.end());
+  std::vector<std::vector<double>> largest(structure_.effects.size());
+  for (const ParameterSlots::Slots& slots : slots_.by_setup()) {
+    instance.set(upper, slots);
+    for (std::size_t i = 0; i < structure_.effects.size(); ++i) keep_larger(largest[i], instance.effect_values(i));
   }
   effects_.size_states(largest);
 
   EffectRunner runner(effects_, instance);
-  for (const std::vector<double>* values : {&upper, &lower}) {
-    instance.set(*values);
-    try {
-      runner.amend(instance.robot());
-    } catch (...) {
-      throw Error(runner.explain());
+  for (const ParameterSlots::Slots& slots : slots_.by_setup())
+    for (const std::vector<double>* values : {&upper, &lower}) {
+      instance.set(*values, slots);
+      lengthen_delays(instance, runner);
     }
-    const RobotSpec& robot = instance.robot();
-    for (std::size_t i = 0; i < robot.sensors.size(); ++i)
-      lengthen(longest_sensor_delays_[i], robot.sensors[i].delay, settings_);
-    for (std::size_t i = 0; i < robot.actuators.size(); ++i)
-      lengthen(longest_command_delays_[i], robot.actuators[i].delay, settings_);
+}
+
+void EngineModel::lengthen_delays(ModelInstance& instance, EffectRunner& runner) {
+  try {
+    runner.amend(instance.robot());
+  } catch (...) {
+    throw Error(runner.explain());
   }
+  const RobotSpec& robot = instance.robot();
+  for (std::size_t i = 0; i < robot.sensors.size(); ++i)
+    lengthen(longest_sensor_delays_[i], robot.sensors[i].delay, settings_);
+  for (std::size_t i = 0; i < robot.actuators.size(); ++i)
+    lengthen(longest_command_delays_[i], robot.actuators[i].delay, settings_);
 }
 
 void EngineModel::lay_out_state() {

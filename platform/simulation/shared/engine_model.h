@@ -13,6 +13,8 @@
 
 namespace lacuna::simulation {
 
+class EffectRunner;
+
 /// A model structure compiled for an engine: everything that does not depend on parameter values.
 class EngineModel : public CompiledModel {
  public:
@@ -46,6 +48,7 @@ class EngineModel : public CompiledModel {
   /// Finds the longest delays and the effects' state sizes that parameters within their bounds
   /// can ask for.
   void size_memory();
+  void lengthen_delays(ModelInstance& instance, EffectRunner& runner);
   void lay_out_state();
 
   ModelStructure structure_;  // effects in canonical order

@@ -21,8 +21,8 @@ EngineWorkspace::EngineWorkspace(const EngineModel& model)
   output_row.resize(model.channels().size());
 }
 
-void EngineWorkspace::build(std::span<const double> parameters) {
-  instance.set(parameters);
+void EngineWorkspace::build(std::span<const double> parameters, const ParameterSlots::Slots& slots) {
+  instance.set(parameters, slots);
   RobotSpec& robot = instance.robot();
   effects.amend(robot);
   if (const std::string complaint = unphysical(robot); !complaint.empty()) throw Error(complaint);

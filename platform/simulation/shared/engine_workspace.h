@@ -23,7 +23,7 @@ class EngineWorkspace : public Workspace {
 
   /// Takes the values over, amends the robot and builds it. Throws `Error` for numbers that no
   /// robot can have.
-  void build(std::span<const double> parameters);
+  void build(std::span<const double> parameters, const ParameterSlots::Slots& slots);
   /// After a failure inside the engine: the next `build` makes a new motion.
   void drop_motion() { motion.reset(); }
 

@@ -62,17 +62,6 @@ void order_outward(const RobotSpec& robot, const std::vector<int>& holder, Joint
 
 }  // namespace
 
-int coordinate_count(JointKind kind) {
-  switch (kind) {
-    case JointKind::hinge:
-    case JointKind::slider: return 1;
-    case JointKind::universal: return 2;
-    case JointKind::ball: return 3;
-    case JointKind::fixed: return 0;
-  }
-  return 0;
-}
-
 JointTree make_joint_tree(const RobotSpec& robot) {
   JointTree tree;
   ProblemList problems;
@@ -93,8 +82,9 @@ std::vector<Coordinate> name_coordinates(const RobotSpec& robot) {
   for (const JointSpec& joint : robot.joints) {
     const int count = coordinate_count(joint.kind);
     for (int i = 1; i <= count; ++i)
-      coordinates.push_back({"joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""),
-                             joint.kind == JointKind::slider ? "m" : "rad"});
+      coordinates.push_back(
+          {"joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""),
+           joint.kind == JointKind::slider || (joint.kind == JointKind::free && i <= 3) ? "m" : "rad"});
   }
   return coordinates;
 }

@@ -2,6 +2,7 @@
 
 #include <lacuna/robot_spec.h>
 
+#include "foundation/address.h"
 #include "simulation/compiled_model.h"
 
 #include <vector>
@@ -21,8 +22,7 @@ struct JointTree {
   int coordinates = 0;
 };
 
-/// Coordinates of a joint: hinge and slider 1, universal 2, ball 3, fixed 0.
-int coordinate_count(JointKind kind);
+using lacuna::coordinate_count;
 
 /// Throws `BadInput` where joints name unknown bodies, a body is the child of two joints, or
 /// joints form a cycle.

@@ -61,53 +61,126 @@ std::string bounds_complaint(const VariableParameter& parameter, const Place& pl
   return {};
 }
 
+/// Finds the slots of a structure's parameters and setups.
+class SlotFinder {
+ public:
+  explicit SlotFinder(const ModelStructure& structure) : structure_(structure) {
+    add_robot_places(structure, places_);
+    add_effect_places(structure, places_);
+  }
+
+  /// Of one setup, none being that of tests without: what it sets, what belongs to it alone, and of the parameters of
+  /// all what remains.
+  ParameterSlots::Slots of(const Setup& setup) {
+    ParameterSlots::Slots slots;
+    std::set<std::string> seen;
+    for (const Setup::Value& value : setup.values) add_constant(setup, value, seen, slots);
+    add_parameters(setup.name, seen, slots);
+    std::set<std::string> given = seen;
+    if (!setup.name.empty()) add_parameters({}, given, slots, seen);
+    std::stable_partition(slots.begin(), slots.end(),
+                          [](const ParameterSlots::Slot& slot) { return slot.scaled_body >= 0; });
+    return slots;
+  }
+
+  void check_setups() {
+    for (const VariableParameter& parameter : structure_.parameters)
+      if (!parameter.setup.empty() && std::none_of(structure_.setups.begin(), structure_.setups.end(),
+                                                   [&](const Setup& one) { return one.name == parameter.setup; }))
+        problems_.add({}, "the parameter \"" + parameter.address + "\" belongs to the setup \"" + parameter.setup +
+                              "\", which the model does not have");
+  }
+
+  void throw_if_any() const { problems_.throw_if_any(); }
+
+ private:
+  const Place* find(const std::string& address) {
+    const auto place = std::find_if(places_.begin(), places_.end(),
+                                    [&](const Place& candidate) { return candidate.address == address; });
+    if (place != places_.end()) return &*place;
+    problems_.add({}, unknown_address(address, places_));
+    return nullptr;
+  }
+
+  void add_constant(const Setup& setup, const Setup::Value& value, std::set<std::string>& seen,
+                    ParameterSlots::Slots& slots) {
+    const Place* place = find(value.address);
+    if (!place) return;
+    if (!seen.insert(value.address).second)
+      problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" twice");
+    if (!(value.value >= place->lower && value.value <= place->upper))
+      problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" the value " +
+                            std::to_string(value.value) + ", which it may not have");
+    slots.push_back(place->slot);
+    slots.back().constant = value.value;
+  }
+
+  /// Those that belong to `setup`; an address in `elsewhere` has its slot already.
+  void add_parameters(const std::string& setup, std::set<std::string>& seen, ParameterSlots::Slots& slots,
+                      const std::set<std::string>& elsewhere = {}) {
+    for (std::size_t i = 0; i < structure_.parameters.size(); ++i) {
+      const VariableParameter& parameter = structure_.parameters[i];
+      if (parameter.setup != setup || elsewhere.contains(parameter.address)) continue;
+      const Place* place = find(parameter.address);
+      if (!place) continue;
+      if (!seen.insert(parameter.address).second)
+        problems_.add({}, "the parameter \"" + parameter.address + "\" is listed twice");
+      if (const std::string complaint = bounds_complaint(parameter, *place); !complaint.empty())
+        problems_.add({}, complaint);
+      slots.push_back(place->slot);
+      slots.back().parameter = static_cast<int>(i);
+    }
+  }
+
+  const ModelStructure& structure_;
+  std::vector<Place> places_;
+  ProblemList problems_;
+};
+
 }  // namespace
 
-ParameterSlots::ParameterSlots(const ModelStructure& structure) : parameters_(structure.parameters) {
-  if (parameters_.empty()) return;  // a robot of its own a simulation: hundreds of addresses that nobody asks for
-  std::vector<Place> places;
-  add_robot_places(structure, places);
-  add_effect_places(structure, places);
-  ProblemList problems;
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    const VariableParameter& parameter = parameters_[i];
-    const auto place = std::find_if(places.begin(), places.end(),
-                                    [&](const Place& candidate) { return candidate.address == parameter.address; });
-    if (place == places.end()) {
-      problems.add({}, unknown_address(parameter.address, places));
-      continue;
-    }
-    if (!seen.insert(parameter.address).second)
-      problems.add({}, "the parameter \"" + parameter.address + "\" is listed twice");
-    if (const std::string complaint = bounds_complaint(parameter, *place); !complaint.empty())
-      problems.add({}, complaint);
-    slots_.push_back(place->slot);
-    slots_.back().parameter = i;
-  }
-  problems.throw_if_any();
-  std::stable_partition(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scaled_body >= 0; });
+ParameterSlots::ParameterSlots(const ModelStructure& structure)
+    : by_setup_(1 + structure.setups.size()), parameters_(structure.parameters) {
+  for (const Setup& setup : structure.setups) setups_.push_back(setup.name);
+  // A robot of its own a simulation has hundreds of addresses that nobody asks for.
+  if (parameters_.empty() && setups_.empty()) return;
+  SlotFinder finder(structure);
+  finder.check_setups();
+  by_setup_.front() = finder.of({});
+  finder.throw_if_any();
+  for (std::size_t i = 0; i < setups_.size(); ++i) by_setup_[i + 1] = finder.of(structure.setups[i]);
+  finder.throw_if_any();
+}
+
+const ParameterSlots::Slots& ParameterSlots::of(const std::string& setup) const {
+  if (setup.empty()) return by_setup_.front();
+  const auto found = std::find(setups_.begin(), setups_.end(), setup);
+  if (found == setups_.end()) throw Error("a test has the setup \"" + setup + "\", which the model does not have");
+  return by_setup_[static_cast<std::size_t>(found - setups_.begin()) + 1];
 }
 
 ModelInstance::ModelInstance(const ModelStructure& structure, const ParameterSlots& slots)
     : structure_(structure), slots_(slots), robot_(structure.robot) {
-  if (!slots_.slots().empty())
+  if (std::any_of(slots_.by_setup().begin(), slots_.by_setup().end(), [](const auto& slots) { return !slots.empty(); }))
     for (const AddressedValue& value : addressed_values(robot_)) robot_values_.push_back(value.value);
   for (const PlacedEffect& effect : structure.effects) effect_values_.push_back(effect.values);
 }
 
-void ModelInstance::set(std::span<const double> parameters) {
+double ModelInstance::checked_value(std::span<const double> parameters, int index) const {
+  const auto i = static_cast<std::size_t>(index);
+  const VariableParameter& declared = slots_.parameters()[i];
+  const double margin = kBoundTolerance * std::max({1.0, std::abs(declared.lower), std::abs(declared.upper)});
+  if (parameters[i] >= declared.lower - margin && parameters[i] <= declared.upper + margin) return parameters[i];
+  throw Error("the parameter \"" + declared.address + "\" is " + std::to_string(parameters[i]) +
+              ", outside of its bounds " + std::to_string(declared.lower) + " to " + std::to_string(declared.upper));
+}
+
+void ModelInstance::set(std::span<const double> parameters, const ParameterSlots::Slots& slots) {
   // Assigning vectors of equal size keeps their storage, so robot_values_ stay valid.
   robot_ = structure_.robot;
   for (std::size_t i = 0; i < effect_values_.size(); ++i) effect_values_[i] = structure_.effects[i].values;
-  for (const ParameterSlots::Slot& slot : slots_.slots()) {
-    const VariableParameter& declared = slots_.parameters()[slot.parameter];
-    const double value = parameters[slot.parameter];
-    const double margin = kBoundTolerance * std::max({1.0, std::abs(declared.lower), std::abs(declared.upper)});
-    if (!(value >= declared.lower - margin && value <= declared.upper + margin))
-      throw Error("the parameter \"" + declared.address + "\" is " + std::to_string(value) +
-                  ", outside of its bounds " + std::to_string(declared.lower) + " to " +
-                  std::to_string(declared.upper));
+  for (const ParameterSlots::Slot& slot : slots) {
+    const double value = slot.parameter < 0 ? slot.constant : checked_value(parameters, slot.parameter);
     if (slot.robot_value < 0) {
       effect_values_[static_cast<std::size_t>(slot.effect)][slot.value] = value;
       continue;

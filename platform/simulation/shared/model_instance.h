@@ -8,26 +8,33 @@
 
 namespace lacuna::simulation {
 
-/// Where the values given to a simulation go, resolved once: no string is looked at afterwards.
+/// Where the values given to a simulation go, resolved once: no string is looked at afterwards but a setup's name.
 class ParameterSlots {
  public:
-  /// Throws `BadInput` for addresses that match nothing, repeated addresses and bounds that are
-  /// the wrong way round or beyond what the address allows.
+  /// Throws `BadInput` for addresses that match nothing, repeated addresses, setups that are not there, values out of
+  /// bounds, and bounds that are the wrong way round or beyond what the address allows.
   explicit ParameterSlots(const ModelStructure& structure);
 
   struct Slot {
-    std::size_t parameter = 0;  ///< index into the values given
-    int robot_value = -1;       ///< index into `addressed_values`, or −1 for an effect's
-    int effect = -1;            ///< index into the structure's effects
-    std::size_t value = 0;      ///< index into that effect's values
-    int scaled_body = -1;       ///< a mass that takes the body's inertia with it
+    int parameter = -1;  ///< index into the values given, or −1: `constant`
+    double constant = 0.0;
+    int robot_value = -1;   ///< index into `addressed_values`, or −1 for an effect's
+    int effect = -1;        ///< index into the structure's effects
+    std::size_t value = 0;  ///< index into that effect's values
+    int scaled_body = -1;   ///< a mass that takes the body's inertia with it
   };
-  /// Masses first, so that a moment of inertia that is a parameter too has the last word.
-  const std::vector<Slot>& slots() const { return slots_; }
+  /// Masses first, so that a moment of inertia that is given too has the last word. An address has one slot.
+  using Slots = std::vector<Slot>;
+
+  /// Of tests without a setup, then of the structure's setups in their order.
+  const std::vector<Slots>& by_setup() const { return by_setup_; }
+  /// The slots of tests of that setup; empty: of none. Throws `Error` where the model has no such setup.
+  const Slots& of(const std::string& setup) const;
   const std::vector<VariableParameter>& parameters() const { return parameters_; }
 
  private:
-  std::vector<Slot> slots_;
+  std::vector<std::string> setups_;
+  std::vector<Slots> by_setup_;
   std::vector<VariableParameter> parameters_;
 };
 
@@ -39,15 +46,17 @@ class ModelInstance {
   ModelInstance(const ModelInstance&) = delete;
   ModelInstance& operator=(const ModelInstance&) = delete;
 
-  /// Starts again from the structure's numbers with these parameters, not yet amended. Throws
-  /// `Error` for a value that is not finite or out of its bounds.
-  void set(std::span<const double> parameters);
+  /// Starts again from the structure's numbers with these parameters, not yet amended; `slots` are those of a setup.
+  /// Throws `Error` for a value that is not finite or out of its bounds.
+  void set(std::span<const double> parameters, const ParameterSlots::Slots& slots);
 
   RobotSpec& robot() { return robot_; }
   const RobotSpec& robot() const { return robot_; }
   std::span<const double> effect_values(std::size_t effect) const { return effect_values_[effect]; }
 
  private:
+  double checked_value(std::span<const double> parameters, int index) const;
+
   const ModelStructure& structure_;
   const ParameterSlots& slots_;
   RobotSpec robot_;

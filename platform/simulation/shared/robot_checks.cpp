@@ -1,6 +1,7 @@
 #include "simulation/shared/robot_checks.h"
 
 #include "foundation/address.h"
+#include "foundation/link_angle.h"
 #include "foundation/problem.h"
 #include "simulation/shared/joint_tree.h"
 #include "simulation/shared/sensor_bank.h"
@@ -83,7 +84,10 @@ void check_bodies(const RobotSpec& robot, ProblemList& problems) {
 void check_joints(const RobotSpec& robot, ProblemList& problems) {
   for (const JointSpec& joint : robot.joints) {
     const std::string where = "joint \"" + joint.name + "\": ";
-    const bool has_axis = joint.kind != JointKind::ball && joint.kind != JointKind::fixed;
+    const bool has_axis =
+        joint.kind != JointKind::ball && joint.kind != JointKind::fixed && joint.kind != JointKind::free;
+    if (joint.kind == JointKind::free && joint.parent != kWorld)
+      problems.add({}, where + "a free joint holds its body to nothing, so that its parent must be the world");
     if (!joint.anchor.allFinite()) problems.add({}, where + "its anchor is not finite");
     if (has_axis && !(std::abs(joint.axis.norm() - 1.0) < kAxisTolerance))
       problems.add({}, where + "its axis is not a unit vector");
@@ -104,10 +108,11 @@ void check_actuators(const RobotSpec& robot, ProblemList& problems) {
       continue;
     }
     const JointKind kind = robot.joints[static_cast<std::size_t>(joint)].kind;
-    if (kind == JointKind::ball || kind == JointKind::fixed)
-      problems.add({}, where + "its joint \"" + actuator.joint +
-                           "\" is a ball or fixed joint; actuators drive hinges, sliders and the first coordinate of "
-                           "universal joints");
+    if (kind == JointKind::ball || kind == JointKind::fixed || kind == JointKind::free)
+      problems.add({},
+                   where + "its joint \"" + actuator.joint +
+                       "\" is a ball, free or fixed joint; actuators drive hinges, sliders and the first coordinate of "
+                       "universal joints");
     if (!(actuator.command_lower <= actuator.command_upper))
       problems.add({}, where + "its command_lower is above its command_upper");
     if (const std::string complaint = gap_complaint(actuator); !complaint.empty()) problems.add({}, complaint);
@@ -126,6 +131,34 @@ void check_sensors(const RobotSpec& robot, ProblemList& problems) {
                            did_you_mean(sensor.element, known));
     else if (reads_joint(sensor.kind) && robot.joints[static_cast<std::size_t>(element)].kind == JointKind::fixed)
       problems.add({}, where + "it reads the fixed joint \"" + sensor.element + "\", which has no coordinate");
+    else if (reads_joint(sensor.kind) && robot.joints[static_cast<std::size_t>(element)].kind == JointKind::free)
+      problems.add({}, where + "it reads the free joint \"" + sensor.element + "\"; read its body instead");
+  }
+}
+
+void check_couplings(const RobotSpec& robot, ProblemList& problems) {
+  for (const CouplingSpec& coupling : robot.couplings) {
+    const std::string where = "coupling \"" + coupling.name + "\": ";
+    for (const std::string* name : {&coupling.joint, &coupling.follows}) {
+      const int joint = index_of(robot.joints, *name);
+      const JointKind kind = joint < 0 ? JointKind::fixed : robot.joints[static_cast<std::size_t>(joint)].kind;
+      if (kind != JointKind::hinge && kind != JointKind::slider)
+        problems.add({}, where + "\"" + *name + "\" is neither a hinge nor a slider of the robot");
+    }
+    for (const CouplingSpec& other : robot.couplings)
+      if (other.joint == coupling.follows || (&other != &coupling && other.joint == coupling.joint))
+        problems.add({}, where + "a joint follows one other, which follows none");
+  }
+}
+
+void check_link_angles(const RobotSpec& robot, ProblemList& problems) {
+  for (const SensorSpec& sensor : robot.sensors) {
+    if (sensor.kind != SensorKind::link_angle && sensor.kind != SensorKind::link_velocity) continue;
+    try {
+      turns_of_link(robot, sensor.element);
+    } catch (const Error& error) {
+      problems.add({}, "sensor \"" + sensor.name + "\": " + error.what());
+    }
   }
 }
 
@@ -154,6 +187,8 @@ void check_robot(const RobotSpec& robot) {
   check_joints(robot, problems);
   check_actuators(robot, problems);
   check_sensors(robot, problems);
+  if (problems.empty()) check_link_angles(robot, problems);
+  check_couplings(robot, problems);
   check_values(robot, problems);
   problems.throw_if_any();
 }

@@ -44,12 +44,13 @@ Run::Run(const EngineModel& model, EngineWorkspace& workspace, const SimulationO
 
 void Run::carry_out(std::span<const double> parameters, const Test& test) {
   check_arguments(parameters);
+  const ParameterSlots::Slots& slots = model_.slots().of(test.setup);
   ws_.drive.open_source(test, model_.structure().robot);
   if (options_.from) read_saved_clock();
   check_output_times(time(step_));
   prepare_result();
   try {
-    ws_.build(parameters);
+    ws_.build(parameters, slots);
     ws_.drive.open_delays(ws_.instance.robot());
     begin();
     bool wanted = write_outputs(time(step_), time(step_));
@@ -173,6 +174,7 @@ void Run::take_commands(const StepView& view) {
 }
 
 double Run::received(std::size_t a, double sent, const StepView& view) {
+  if (std::isnan(sent) && ws_.drive.may_be_off()) return sent;
   const ActuatorSpec& actuator = ws_.instance.robot().actuators[a];
   const double passed_on = ws_.effects.command(a, actuator.gain * sent + actuator.offset, view);
   return std::clamp(passed_on, actuator.command_lower, actuator.command_upper);
@@ -180,12 +182,14 @@ double Run::received(std::size_t a, double sent, const StepView& view) {
 
 void Run::take_command(std::size_t a, const StepView& view) {
   const double command = received(a, ws_.drive.command(a), view);
-  if (!std::isfinite(command))
+  const bool is_off = std::isnan(command) && ws_.drive.may_be_off();
+  if (!std::isfinite(command) && !is_off)
     throw Error("the command of actuator \"" + ws_.instance.robot().actuators[a].name + "\" is " +
                 std::to_string(command));
   ws_.commands[a] = command;
   if (step_ == 0 && ws_.drive.closed_loop()) ws_.last_commands[a] = command;
-  ws_.command_rates[a] = (command - ws_.last_commands[a]) / h_;
+  const double rate = (command - ws_.last_commands[a]) / h_;
+  ws_.command_rates[a] = std::isnan(rate) ? 0.0 : rate;
 }
 
 void Run::sense(double now) {

@@ -29,6 +29,8 @@ SensorBank::SensorBank(const RobotSpec& robot, std::span<const Delay> longest) :
     const int element =
         reads_joint(sensor.kind) ? index_of(robot.joints, sensor.element) : index_of(robot.bodies, sensor.element);
     elements_.push_back(static_cast<std::size_t>(element));
+    const bool of_link = sensor.kind == SensorKind::link_angle || sensor.kind == SensorKind::link_velocity;
+    turns_.push_back(of_link ? turns_of_link(robot, sensor.element) : std::vector<LinkTurn>{});
     first_channel_.push_back(readings_.size());
     const std::size_t channels = sensor_channels(robot, sensor).size();
     readings_.resize(readings_.size() + channels);
@@ -71,12 +73,20 @@ void SensorBank::advance(const StepView& view, const SensedForces& forces, Effec
 
 void SensorBank::read(const StepView& view, const SensedForces& forces) {
   for (std::size_t i = 0; i < elements_.size(); ++i)
-    read_one(robot_->sensors[i], elements_[i], view, forces,
+    read_one(i, view, forces,
              std::span(readings_).subspan(first_channel_[i], first_channel_[i + 1] - first_channel_[i]));
 }
 
-void SensorBank::read_one(const SensorSpec& sensor, std::size_t element, const StepView& view,
-                          const SensedForces& forces, std::span<double> out) const {
+void SensorBank::read_one(std::size_t index, const StepView& view, const SensedForces& forces,
+                          std::span<double> out) const {
+  const SensorSpec& sensor = robot_->sensors[index];
+  const std::size_t element = elements_[index];
+  const auto sum_over_turns = [&](std::span<const double> values) {
+    out[0] = 0.0;
+    for (const LinkTurn& turn : turns_[index])
+      out[0] +=
+          turn.sign * values[static_cast<std::size_t>(view.first_coordinate[static_cast<std::size_t>(turn.joint)])];
+  };
   const auto copy_coordinates = [&](std::span<const double> values) {
     const auto first = static_cast<std::size_t>(view.first_coordinate[element]);
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
@@ -85,6 +95,13 @@ void SensorBank::read_one(const SensorSpec& sensor, std::size_t element, const S
     case SensorKind::joint_position: copy_coordinates(view.positions); break;
     case SensorKind::joint_velocity: copy_coordinates(view.velocities); break;
     case SensorKind::joint_force: copy_coordinates(forces.joint_forces); break;
+    case SensorKind::link_angle: sum_over_turns(view.positions); break;
+    case SensorKind::link_velocity: sum_over_turns(view.velocities); break;
+    case SensorKind::drive_force:
+      std::fill(out.begin(), out.end(), 0.0);
+      for (std::size_t a = 0; a < view.actuator_forces.size(); ++a)
+        if (view.actuator_coordinate[a] == view.first_coordinate[element]) out[0] += view.actuator_forces[a];
+      break;
     case SensorKind::touch: out[0] = forces.touching[element] ? 1.0 : -1.0; break;
     case SensorKind::body_position: put(view.body_positions[element] - arm(*robot_, element, view), out); break;
     case SensorKind::body_velocity:

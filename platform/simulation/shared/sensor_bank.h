@@ -4,6 +4,7 @@
 #include <lacuna/physical_effect.h>
 #include <lacuna/time_series.h>
 
+#include "foundation/link_angle.h"
 #include "simulation/shared/delay_line.h"
 #include "simulation/shared/effect_runner.h"
 
@@ -14,7 +15,8 @@ namespace lacuna::simulation {
 
 /// Whether sensors of that kind belong to a joint; the others belong to a body.
 inline bool reads_joint(SensorKind kind) {
-  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force;
+  return kind == SensorKind::joint_position || kind == SensorKind::joint_velocity || kind == SensorKind::joint_force ||
+         kind == SensorKind::drive_force || kind == SensorKind::link_angle || kind == SensorKind::link_velocity;
 }
 
 /// What sensors read besides the `StepView`.
@@ -53,16 +55,16 @@ class SensorBank {
 
  private:
   void read(const StepView& view, const SensedForces& forces);
-  void read_one(const SensorSpec& sensor, std::size_t element, const StepView& view, const SensedForces& forces,
-                std::span<double> out) const;
+  void read_one(std::size_t index, const StepView& view, const SensedForces& forces, std::span<double> out) const;
   void refine(const StepView& view, EffectRunner& effects);
 
   const RobotSpec* robot_ = nullptr;
-  std::vector<std::size_t> elements_;       // per sensor: joint or body
-  std::vector<std::size_t> first_channel_;  // per sensor, one more
-  std::vector<DelayLine> lines_;            // per channel
-  std::vector<Delay> delays_;               // per sensor
-  std::vector<double> readings_;            // per channel
+  std::vector<std::size_t> elements_;         // per sensor: joint or body
+  std::vector<std::vector<LinkTurn>> turns_;  // per sensor of a link
+  std::vector<std::size_t> first_channel_;    // per sensor, one more
+  std::vector<DelayLine> lines_;              // per channel
+  std::vector<Delay> delays_;                 // per sensor
+  std::vector<double> readings_;              // per channel
   bool reads_bodies_ = false;
   bool has_memory_ = false;
 };

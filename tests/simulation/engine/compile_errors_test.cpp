@@ -86,7 +86,7 @@ TEST(CompileErrors, ActuatorsOnJointsWithoutAnAxis) {
     RobotSpec robot = pendulum();
     robot.joints[0].kind = kind;
     robot.sensors.clear();
-    EXPECT_THAT(complaint(robot), HasSubstr("actuator \"motor\": its joint \"hinge\" is a ball or fixed joint"));
+    EXPECT_THAT(complaint(robot), HasSubstr("actuator \"motor\": its joint \"hinge\" is a ball, free or fixed joint"));
   }
 }
 
