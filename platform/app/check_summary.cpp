@@ -127,6 +127,27 @@ std::string channel_lines(const RecordingSource& source, const std::vector<Trial
   return text;
 }
 
+/// What makes a model move: of each actuator with a column, or its controller.
+std::string drive_lines(const RecordingSource& source, const RobotSpec& robot) {
+  std::string text;
+  for (const ColumnMapping& command : source.commands) {
+    const auto actuator = std::find_if(robot.actuators.begin(), robot.actuators.end(),
+                                       [&](const ActuatorSpec& one) { return one.name == command.channel; });
+    if (actuator == robot.actuators.end()) continue;
+    const bool has_law = std::any_of(source.controllers.begin(), source.controllers.end(),
+                                     [&](const ControllerMapping& law) { return law.actuator == command.channel; });
+    const char* how = ": by the recorded command, open loop";
+    if (source.by_controllers && has_law)
+      how = ": by its controller, closed loop";
+    else if (actuator->kind == ActuatorKind::motion)
+      how = ": its motion is imposed";
+    else if (actuator->kind != ActuatorKind::force && actuator->kind != ActuatorKind::voltage)
+      how = ": a servo on the recorded goal, closed loop";
+    text += summary_line(text.empty() ? "driven" : "", command.channel + how);
+  }
+  return text;
+}
+
 std::string note_lines(const std::vector<ReadingNote>& notes) {
   std::string text;
   for (const ReadingNote& note : notes) text += summary_line("note", to_string(note.location) + ": " + note.message);
@@ -143,7 +164,7 @@ std::string check_summary(const Experiment& experiment, const ModelDefinition& d
          summary_line("joints", names(robot.joints)) + summary_line("actuators", names(robot.actuators)) +
          summary_line("sensors", names(robot.sensors)) + free_lines(definition.free) +
          effect_lines(definition.effects) + trial_lines(trials) + channel_lines(experiment.target.recording, trials) +
-         note_lines(notes);
+         drive_lines(experiment.target.recording, robot) + note_lines(notes);
 }
 
 }  // namespace lacuna

@@ -25,7 +25,8 @@ TrialRecord trial_record(const Trial& trial) {
           .digest = digest_of(trial),
           .held_out = trial.held_out,
           .duration = times.size() > 0 ? times[times.size() - 1] - times[0] : 0.0,
-          .samples = times.size()};
+          .samples = times.size(),
+          .setup = trial.setup};
 }
 
 namespace {

@@ -16,7 +16,7 @@ std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& def
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
     Test drive = rows[i].test
                      ? definition.drive_of(definition.decode_test(store.test(*rows[i].test)->genome), trials[i])
-                     : Test{trials[i].commands, end, {}};
+                     : Test{trials[i].commands, end, {}, trials[i].setup.name};
     stored.push_back({std::move(rows[i]), std::move(drive), with_known_start(definition, std::move(trials[i]))});
   }
   return stored;

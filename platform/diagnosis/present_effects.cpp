@@ -16,6 +16,10 @@ Contender without_effects(const Contender& plain, const PluginCatalog& catalog) 
   model.effects.clear();
   std::erase_if(model.free, [](const FreeRange& free) { return is_of_effect(free.pattern); });
   std::erase_if(model.set, [](const auto& value) { return is_of_effect(value.first); });
+  for (MeasuredFile& file : bare.experiment.target.recording.files) {
+    std::erase_if(file.own, [](const std::string& pattern) { return is_of_effect(pattern); });
+    std::erase_if(file.setup.values, [](const Setup::Value& value) { return is_of_effect(value.address); });
+  }
   bare.definition = define_model(bare.experiment, catalog);
   bare.model = compile(bare.definition.structure, bare.definition.engine);
   std::map<std::string, double> known;

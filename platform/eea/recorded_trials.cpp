@@ -44,7 +44,7 @@ std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::v
     Trial& trial = trials[i];
     if (!states_its_start(trial)) fix_start(trial, states.from_samples(predictor.whole(i), 0).start);
     const double end = trial.measured.times(trial.measured.times.size() - 1);
-    recorded.push_back({0, Test{trial.commands, end, {}}, std::move(trial)});
+    recorded.push_back({0, Test{trial.commands, end, {}, trial.setup.name}, std::move(trial)});
   }
   return recorded;
 }

@@ -19,8 +19,8 @@ constexpr int kMostIterations = 4;   ///< friction and limits bend what is linea
 class FromRest {
  public:
   FromRest(const CompiledModel& model, std::span<const double> values, const std::vector<Channel>& channels,
-           const std::vector<double>& positions, Workspace& workspace)
-      : model_(model), values_(values), workspace_(workspace) {
+           const std::vector<double>& positions, std::string setup, Workspace& workspace)
+      : model_(model), values_(values), setup_(std::move(setup)), workspace_(workspace) {
     options_.start.positions = positions;
     options_.start.velocities.assign(positions.size(), 0.0);
     options_.save_final_state = true;
@@ -33,7 +33,7 @@ class FromRest {
   bool velocities(const Eigen::VectorXd& commands, Eigen::VectorXd& after, double time = kOneStep) {
     commands_.series.samples = commands.transpose();
     options_.end_time = time;
-    model_.simulate(values_, Test{commands_, time, {}}, options_, workspace_, result_);
+    model_.simulate(values_, Test{commands_, time, {}, setup_}, options_, workspace_, result_);
     if (result_.ending != Ending::completed) return false;
     after = Eigen::Map<const Eigen::VectorXd>(result_.final_state.values.data() + velocities_.offset,
                                               static_cast<Eigen::Index>(velocities_.size));
@@ -43,6 +43,7 @@ class FromRest {
  private:
   const CompiledModel& model_;
   std::span<const double> values_;
+  std::string setup_;
   Workspace& workspace_;
   SimulationOptions options_;
   CommandSeries commands_;
@@ -69,7 +70,8 @@ bool slopes(FromRest& from_rest, const Eigen::VectorXd& commands, const std::vec
 
 std::optional<std::vector<double>> holding_commands(const CompiledModel& model, std::span<const double> values,
                                                     const std::vector<Channel>& channels, std::vector<double> known,
-                                                    const std::vector<double>& positions, Workspace& workspace) {
+                                                    const std::vector<double>& positions, const std::string& setup,
+                                                    Workspace& workspace) {
   std::vector<Eigen::Index> sought;
   Eigen::VectorXd commands(static_cast<Eigen::Index>(known.size()));
   for (Eigen::Index c = 0; c < commands.size(); ++c) {
@@ -77,7 +79,7 @@ std::optional<std::vector<double>> holding_commands(const CompiledModel& model, 
     if (std::isnan(value)) sought.push_back(c);
     commands(c) = std::isnan(value) ? 0.0 : value;
   }
-  FromRest from_rest(model, values, channels, positions, workspace);
+  FromRest from_rest(model, values, channels, positions, setup, workspace);
   const Eigen::VectorXd without = commands;
   Eigen::VectorXd velocities;
   if (!from_rest.velocities(commands, velocities)) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lacuna {
@@ -11,10 +12,12 @@ namespace lacuna {
 /// The commands that hold a robot at rest: constant, long since given, at joint coordinates `positions` they leave
 /// every velocity at zero. Of a robot that friction or a brake holds without them they are zero, and of several that
 /// hold it they are the smallest. `known`: by channel of `channels`, NaN where it is sought; in the unit of the
-/// commands, SI. Nothing where no commands hold it, or it cannot be simulated. Found by Gauss-Newton steps on the
-/// velocities after a single integration step, which are linear in the commands but for friction and limits.
+/// commands, SI; `setup`: the rig's. Nothing where no commands hold it, or it cannot be simulated. Found by
+/// Gauss-Newton steps on the velocities after a single integration step, which are linear in the commands but for
+/// friction and limits.
 std::optional<std::vector<double>> holding_commands(const CompiledModel& model, std::span<const double> values,
                                                     const std::vector<Channel>& channels, std::vector<double> known,
-                                                    const std::vector<double>& positions, Workspace& workspace);
+                                                    const std::vector<double>& positions, const std::string& setup,
+                                                    Workspace& workspace);
 
 }  // namespace lacuna

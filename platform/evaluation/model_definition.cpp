@@ -2,8 +2,10 @@
 
 #include "evaluation/component_choice.h"
 #include "evaluation/effect_placement.h"
+#include "evaluation/recorded_setups.h"
 #include "evaluation/robot_values.h"
 #include "evaluation/target_check.h"
+#include "foundation/address.h"
 #include "simulation/robot_problems.h"
 
 namespace lacuna {
@@ -44,7 +46,8 @@ ModelDefinition define_system(const SystemSource& source, const EngineSettings& 
 
 void name_parameters(ModelDefinition& definition) {
   for (const FreeValue& value : definition.free)
-    definition.structure.parameters.push_back({value.address, value.lower, value.upper});
+    definition.structure.parameters.push_back(
+        {std::string(without_setup(value.address)), value.lower, value.upper, value.setup});
 }
 
 }  // namespace
@@ -61,6 +64,8 @@ ModelDefinition define_model(const Experiment& experiment, const PluginCatalog& 
   ModelDefinition definition = define_system(source, experiment.engine, catalog, complaints);
   if (!definition.structure.robot.bodies.empty()) check_target(definition.structure.robot, experiment, complaints);
   place_effects(definition, source, catalog, complaints);
+  complaints.throw_if_any();
+  add_setups(definition, experiment.target.recording, complaints);
   complaints.throw_if_any();
   name_parameters(definition);
   return definition;

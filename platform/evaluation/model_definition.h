@@ -12,7 +12,7 @@ namespace lacuna {
 
 /// A value that a fit may change.
 struct FreeValue {
-  std::string address;  ///< `body.arm.mass`, `effect.friction.torque`
+  std::string address;  ///< `body.arm.mass`, `effect.friction.torque`; of one setup alone: `body.load.mass@heavy`
   std::string unit;
   double lower = 0.0;
   double upper = 0.0;
@@ -22,11 +22,12 @@ struct FreeValue {
   /// What the robot has where no file gives a start and that value lies outside the bounds; `start` is the nearest
   /// bound.
   std::optional<double> own = {};
+  std::string setup = {};  ///< the only one that it belongs to; empty: all
 };
 
 /// The model section of an experiment with its plugins: what is compiled, fitted and stored.
 struct ModelDefinition {
-  ModelStructure structure;     ///< its `parameters` are `free`, in this order
+  ModelStructure structure;     ///< its `parameters` are `free`, in this order; its `setups` those of the target
   std::vector<FreeValue> free;  ///< the robot's first, then the effects' in canonical order
   EffectList effects;  ///< canonical: sorted by effect, where, id; elements named singly, start values complete
   EngineSettings engine;

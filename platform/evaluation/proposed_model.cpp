@@ -56,12 +56,17 @@ std::vector<double> structure_values(const ModelProposal& proposal, const ModelD
 
 ModelStructure structure_of(const ModelProposal& proposal, const ModelDefinition& definition) {
   const ModelStructure& whole = definition.structure;
-  ModelStructure structure{proposal.robot ? *proposal.robot : whole.robot, {}, {}};
+  ModelStructure structure{proposal.robot ? *proposal.robot : whole.robot, {}, {}, whole.setups};
   for (std::size_t i = 0; i < whole.effects.size(); ++i)
     if (!std::binary_search(proposal.without.begin(), proposal.without.end(), i))
       structure.effects.push_back(whole.effects[i]);
   for (const std::size_t value : kept_values(proposal, definition))
     structure.parameters.push_back(whole.parameters[value]);
+  for (const std::size_t effect : proposal.without)
+    for (Setup& setup : structure.setups)
+      std::erase_if(setup.values, [&](const Setup::Value& value) {
+        return is_of_effect(value.address, definition.effects[effect].id);
+      });
   return structure;
 }
 

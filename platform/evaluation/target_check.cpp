@@ -25,8 +25,10 @@ void check_initial(const RobotSpec& robot, const RecordingSource& source, Compla
     complaints.check_unit("target.initial." + joint.name + ".position", unit);
     complaints.check_unit("target.initial." + joint.name + ".velocity", unit + "/s");
   }
-  for (const Channel& command : command_channels(robot))
+  for (const Channel& command : command_channels(robot)) {
     complaints.check_unit("target.initial." + command.name + ".command", command.unit);
+    complaints.check_unit("target.controllers." + command.name + ".limit", command.unit);
+  }
 }
 
 void check_process_noise(const RobotSpec& robot, const NoiseSection& noise, Complaints& complaints) {

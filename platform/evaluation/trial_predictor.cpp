@@ -35,6 +35,20 @@ bool starts_at_rest(const Trial& trial) {
   });
 }
 
+/// First channels of quaternions: `turn.w`, `turn.x`, `turn.y`, `turn.z`.
+std::vector<Eigen::Index> quaternions_in(const std::vector<Channel>& channels) {
+  std::vector<Eigen::Index> first;
+  for (std::size_t c = 0; c + 3 < channels.size(); ++c) {
+    const std::string& name = channels[c].name;
+    if (!name.ends_with(".w")) continue;
+    const std::string sensor = name.substr(0, name.size() - 1);
+    if (channels[c + 1].name == sensor + "x" && channels[c + 2].name == sensor + "y" &&
+        channels[c + 3].name == sensor + "z")
+      first.push_back(static_cast<Eigen::Index>(c));
+  }
+  return first;
+}
+
 bool is_force(const std::string& unit) { return unit == "N*m" || unit == "N"; }
 
 }  // namespace
@@ -51,7 +65,8 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
     check_shape(trial, model_);
     pasts_.push_back(past_of(trial));
     map_.push_back(match_channels(trial, model_.channels()));
-    Test test{trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}};
+    orientations_.push_back(quaternions_in(trial.measured.channels));
+    Test test{trial.commands, trial.measured.times(trial.measured.times.size() - 1), {}, trial.setup.name};
     if (trial.closed_loop) test.drive = trial.controller;
     tests_.push_back(std::move(test));
   }
@@ -91,7 +106,8 @@ const Test& TrialPredictor::test_for(Desk& desk, const Stretch& stretch, std::sp
   if (!held_still) return desk.own;
   std::vector<double> positions;
   for (const InitialValue& value : trial.initial) positions.push_back(value.position);
-  own.before = holding_commands(model_, values, recorded->series.channels, recorded->before, positions, *desk.workspace)
+  own.before = holding_commands(model_, values, recorded->series.channels, recorded->before, positions, test.setup,
+                                *desk.workspace)
                    .value_or(recorded->before);
   return desk.own;
 }
@@ -117,10 +133,20 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   if (!prediction.valid) return;
   for (std::size_t channel = 0; channel < map.size(); ++channel)
     prediction.samples.col(static_cast<Eigen::Index>(channel)) = desk.result.readings.samples.col(map[channel]);
+  align_orientations(stretch, prediction.samples);
   if (!prediction.samples.allFinite()) {
     prediction.valid = false;
     prediction.reason = "the model reads values that are not finite";
   }
+}
+
+void TrialPredictor::align_orientations(const Stretch& stretch, TimeSeries::Samples& samples) const {
+  for (const Eigen::Index first : orientations_[stretch.trial])
+    for (Eigen::Index row = 0; row < stretch.size(); ++row) {
+      const auto measured = trials_[stretch.trial].measured.samples.row(stretch.first + row).segment(first, 4);
+      auto predicted = samples.row(row).segment(first, 4);
+      if (measured.dot(predicted) < 0.0) predicted = -predicted;
+    }
 }
 
 void TrialPredictor::residuals(const Stretch& stretch, const Prediction& prediction,

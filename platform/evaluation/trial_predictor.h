@@ -92,15 +92,18 @@ class TrialPredictor {
   };
 
   Past past_of(Trial& trial) const;
+  /// A quaternion and its opposite are the same orientation: the predicted one takes the measured one's side.
+  void align_orientations(const Stretch& stretch, TimeSeries::Samples& samples) const;
   /// The trial's test, its commands so much later, in command intervals, and before them what held the robot still.
   const Test& test_for(Desk& desk, const Stretch& stretch, std::span<const double> values, double lateness) const;
 
   const CompiledModel& model_;
   std::vector<Trial> trials_;
   Timing timing_;
-  std::vector<Past> pasts_;                     ///< one a trial
-  std::vector<Test> tests_;                     ///< one a trial: its commands
-  std::vector<std::vector<Eigen::Index>> map_;  ///< per trial: measured channel → model channel
+  std::vector<Past> pasts_;                              ///< one a trial
+  std::vector<Test> tests_;                              ///< one a trial: its commands
+  std::vector<std::vector<Eigen::Index>> map_;           ///< per trial: measured channel → model channel
+  std::vector<std::vector<Eigen::Index>> orientations_;  ///< per trial: first measured channel of each quaternion
   std::vector<std::unique_ptr<Desk>> desks_;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <lacuna/setup.h>
 #include <lacuna/trial.h>
 
+#include "foundation/encoding.h"
 #include "foundation/problem.h"
 
 #include <filesystem>
@@ -15,7 +17,7 @@ namespace lacuna {
 
 /// How measured files are to be read: what `[target]` of kind "recorded" says.
 
-/// A column of a file and what it means. SI value = column × unit × gain + offset.
+/// A column of a file and what it means. SI value = column × unit × gain + offset, or the rate of change of that.
 struct ColumnMapping {
   std::string channel;  ///< the sensor's channel or the actuator it stands for
   std::string column;   ///< header name
@@ -24,18 +26,27 @@ struct ColumnMapping {
   std::string gain_unit;  ///< unit in which `gain` was written, e.g. "mN/V"; empty: none given
   double offset = 0.0;    ///< channel unit, added after the gain
   double noise = std::numeric_limits<double>::quiet_NaN();  ///< declared standard deviation, channel unit
+  bool derivative = false;  ///< of a command: the channel is the rate of change of the column, by central differences
+  Encoding encoding;        ///< of the numbers as written
+  bool keeps_glitches = false;  ///< of a sensor: compares readings that look like glitches
+  bool keeps_repeats = false;   ///< of a sensor: takes each row for a reading, also where it repeats the one before
+  std::string enabled_by;       ///< of a command: a column that is 0 while the actuator is off; empty: it never is
   SourceLocation location;
 };
 
 /// The law by which a controller made an actuator's commands from a sensor's readings (recorded_controller.h).
 struct ControllerMapping {
   std::string actuator;
-  std::string sensor;             ///< the channel that it reads
-  ColumnMapping reference;        ///< what that channel should be
-  double proportional = 0.0;      ///< command's unit per sensor's unit
-  double derivative = 0.0;        ///< command's unit × s per sensor's unit
+  std::string sensor;                                      ///< the channel that it reads
+  ColumnMapping reference;                                 ///< what that channel should be
+  double proportional = 0.0;                               ///< command's unit per sensor's unit
+  double derivative = 0.0;                                 ///< command's unit × s per sensor's unit
+  double integral = 0.0;                                   ///< command's unit per sensor's unit and s
+  double limit = std::numeric_limits<double>::infinity();  ///< of the command's size, its unit
+  double filter = 0.0;            ///< s, time constant of a low-pass on what the derivative sees; 0: none
   std::string proportional_unit;  ///< as written; empty: none
   std::string derivative_unit;
+  std::string integral_unit;
   SourceLocation location;
 };
 
@@ -51,6 +62,9 @@ struct MeasuredFile {
   std::vector<TimeRange> use = {};      ///< of this file; empty: as `RecordingSource::use` says
   std::vector<TimeRange> mask = {};     ///< of this file, besides `RecordingSource::mask`
   std::vector<TimeRange> holdout = {};  ///< stretches of a file to fit to that are kept from every fit
+  Setup setup = {};                     ///< named after the file where it sets something or has own values
+  std::vector<std::string> own = {};    ///< address patterns: unknown, and of this file alone
+  std::string key = {};                 ///< "target.recording[0]"
 };
 
 /// What is known of an element at the start of each trial, by its name: of a joint its state, of an actuator what it
@@ -64,8 +78,10 @@ struct KnownStart {
 
 struct RecordingSource {
   std::vector<MeasuredFile> files;
+  bool may_split = false;  ///< nothing is said of what is held out: the last quarter of one trial alone is to be
   std::string time_column = "t";
   std::string time_unit = "s";
+  Encoding time_encoding;
   std::string trial_column;                 ///< non-empty: tells several trials in a file apart
   std::vector<std::string> holdout_trials;  ///< values of `trial_column` that are held out
   char delimiter = '\0';                    ///< '\0': found out
@@ -73,6 +89,7 @@ struct RecordingSource {
   std::vector<ColumnMapping> sensors;
   std::vector<ColumnMapping> commands;
   std::vector<ControllerMapping> controllers;  ///< of actuators whose commands were made by feedback
+  bool by_controllers = false;                 ///< models are driven by the controllers, not by the recorded commands
   Hold hold = Hold::zero_order;
   std::vector<TimeRange> use;   ///< empty: everything
   std::vector<TimeRange> mask;  ///< not compared

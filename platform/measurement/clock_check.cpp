@@ -107,7 +107,7 @@ std::vector<ClockPart> cut_at_holdout(const TrialClock& clock, const std::vector
   std::vector<ClockPart> parts;
   for (std::size_t i = 0; i < clock.times.size(); ++i) {
     const bool held_out = is_in(holdout, clock.origin + clock.times[i]);
-    if (parts.empty() || parts.back().held_out != held_out) parts.push_back({{}, held_out});
+    if (parts.empty() || parts.back().held_out != held_out) parts.push_back({{}, held_out, i > 0});
     take_sample(clock, i, parts.back().clock);
   }
   for (ClockPart& part : parts) begin_at_zero(part.clock);

@@ -29,6 +29,7 @@ std::vector<TrialClock> cut_to_ranges(const TrialClock& clock, const std::vector
 struct ClockPart {
   TrialClock clock;
   bool held_out = false;
+  bool goes_on = false;  ///< the samples just before it are another part's
 };
 
 /// Cuts a clock where held-out stretches begin and end; in order of time.

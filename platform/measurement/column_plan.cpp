@@ -12,6 +12,7 @@ namespace {
 std::string column_and_unit(const ColumnMapping& mapping) {
   std::string text = fmt::format("column `{}` in {}", mapping.column, mapping.unit);
   if (!mapping.gain_unit.empty()) text += fmt::format(" times a gain in {}", mapping.gain_unit);
+  if (mapping.derivative) text += ", its rate of change,";
   return text;
 }
 
@@ -32,7 +33,9 @@ double conversion(const ColumnMapping& mapping, const Channel& channel, ProblemL
     if (!*unit) problems.add(mapping.location, fmt::format("`{}` is not a unit; known are {}", *text, known_units()));
   if (!column || !gain || !wanted) return 1.0;
   Unit product = *column;
-  for (std::size_t i = 0; i < product.exponents.size(); ++i) product.exponents[i] += gain->exponents[i];
+  const Unit second = *parse_unit("s");
+  for (std::size_t i = 0; i < product.exponents.size(); ++i)
+    product.exponents[i] += gain->exponents[i] - (mapping.derivative ? second.exponents[i] : 0);
   if (product.exponents != wanted->exponents) problems.add(mapping.location, wrong_dimension(mapping, channel));
   return column->to_si * mapping.gain;
 }

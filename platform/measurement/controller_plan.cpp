@@ -29,20 +29,21 @@ std::string known(const std::vector<PlannedColumn>& planned) {
   return names.empty() ? "none" : names;
 }
 
-/// `command`/`sensor`, and with the derivative times s.
-void check_gain(const std::string& written, const Channel& command, const Channel& sensor, bool derivative,
-                const char* key, const ControllerMapping& mapping, ProblemList& problems) {
+/// `command`·s^`seconds`/`sensor`.
+void check_gain(const std::string& written, const Channel& command, const Channel& sensor, int seconds, const char* key,
+                const ControllerMapping& mapping, ProblemList& problems) {
   const std::optional<Unit> gain = parse_unit(written.empty() ? "1" : written), wanted = parse_unit(command.unit),
                             per = parse_unit(sensor.unit), second = parse_unit("s");
   if (!gain || !wanted || !per) return;
   Unit product = *gain;
   for (std::size_t i = 0; i < product.exponents.size(); ++i)
-    product.exponents[i] += per->exponents[i] - (derivative ? second->exponents[i] : 0);
+    product.exponents[i] += per->exponents[i] - seconds * second->exponents[i];
   if (product.exponents == wanted->exponents) return;
+  const std::string unit = fmt::format("{}{}/{}", command.unit, seconds > 0 ? "*s" : "",
+                                       seconds < 0 ? fmt::format("({}*s)", sensor.unit) : sensor.unit);
   problems.add(mapping.location,
-               fmt::format("{} of the controller of {} turns {} into {}: its unit is {}{}/{}, as in \"8 {}{}/{}\"", key,
-                           mapping.actuator, sensor.unit, command.unit, command.unit, derivative ? "*s" : "",
-                           sensor.unit, command.unit, derivative ? "*s" : "", sensor.unit));
+               fmt::format("{} of the controller of {} turns {} into {}: its unit is {}, as in \"8 {}\"", key,
+                           mapping.actuator, sensor.unit, command.unit, unit, unit));
 }
 
 }  // namespace
@@ -68,14 +69,15 @@ void plan_controllers(const std::vector<ControllerMapping>& controllers, const s
     const Channel &sensor = plan.sensors[static_cast<std::size_t>(*reading)].channel,
                   &driven = plan.commands[static_cast<std::size_t>(*command)].channel;
     if (mapping.proportional != 0.0)
-      check_gain(mapping.proportional_unit, driven, sensor, false, "proportional", mapping, problems);
+      check_gain(mapping.proportional_unit, driven, sensor, 0, "proportional", mapping, problems);
     if (mapping.derivative != 0.0)
-      check_gain(mapping.derivative_unit, driven, sensor, true, "derivative", mapping, problems);
+      check_gain(mapping.derivative_unit, driven, sensor, 1, "derivative", mapping, problems);
+    if (mapping.integral != 0.0) check_gain(mapping.integral_unit, driven, sensor, -1, "integral", mapping, problems);
     const std::vector<PlannedColumn> reference =
         plan_columns({mapping.reference}, {{mapping.actuator, sensor.unit}}, "controller", problems);
     plan.references.push_back({reference.front().channel, &mapping.reference, reference.front().factor});
     plan.laws.push_back({index_of(actuators, mapping.actuator), index_of(channels, mapping.sensor), *command, *reading,
-                         mapping.proportional, mapping.derivative});
+                         mapping.proportional, mapping.derivative, mapping.integral, mapping.limit, mapping.filter});
   }
 }
 

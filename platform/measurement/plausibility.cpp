@@ -76,6 +76,7 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, FileReport
 
 void check_size(const PlannedColumn& column, const SignalShape& shape, int line, FileReport& report) {
   const ColumnMapping& mapping = *column.mapping;
+  if (same_unit(unit_in_name(mapping.column), mapping.unit)) return;  // the file says so itself
   const double size = std::max(std::abs(shape.lowest), std::abs(shape.highest));
   for (const PlausibleSize& plausible : kPlausibleSizes) {
     if (column.channel.unit != plausible.unit || size <= plausible.largest) continue;

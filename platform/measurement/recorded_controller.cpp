@@ -1,5 +1,7 @@
 #include "measurement/recorded_controller.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,23 +17,56 @@ constexpr double kClockTolerance = 1e-9;  // s
 RecordedController::RecordedController(std::vector<ControlLaw> laws, RecordedSignals signals)
     : laws_(std::move(laws)), signals_(std::move(signals)) {}
 
+std::string RecordedController::identity() const {
+  std::string text;
+  for (const ControlLaw& law : laws_)
+    text += fmt::format("{} {} {} {} {} {} {};", law.actuator, law.sensor, law.proportional, law.derivative,
+                        law.integral, law.limit, law.filter);
+  for (const double reference : signals_.references.samples.reshaped()) text += fmt::format(" {}", reference);
+  return text;
+}
+
 Eigen::Index RecordedController::sample_at(double time) const {
   const Eigen::VectorXd& times = signals_.measured.times;
   const auto next = std::upper_bound(times.begin(), times.end(), time + kClockTolerance);
   return std::max<Eigen::Index>(0, next - times.begin() - 1);
 }
 
-double RecordedController::measured_before(std::size_t law, Eigen::Index sample, double reading) const {
-  if (sample == 0) return reading;
-  const double before = signals_.measured.samples(sample - 1, laws_[law].reading_column);
-  return std::isfinite(before) ? before : reading;
+double RecordedController::interval_before(Eigen::Index sample) const {
+  const Eigen::VectorXd& times = signals_.measured.times;
+  return sample > 0 ? times(sample) - times(sample - 1) : 0.0;
 }
 
-double RecordedController::command(std::size_t law, Eigen::Index sample, double reading, double before) const {
-  const Eigen::VectorXd& times = signals_.measured.times;
-  const double rate = sample > 0 ? (reading - before) / (times(sample) - times(sample - 1)) : 0.0;
-  const double reference = signals_.references.samples(sample, static_cast<Eigen::Index>(law));
-  return laws_[law].proportional * (reference - reading) - laws_[law].derivative * rate;
+double RecordedController::error(std::size_t law, Eigen::Index sample, double reading) const {
+  return signals_.references.samples(sample, static_cast<Eigen::Index>(law)) - reading;
+}
+
+RecordedController::Memory RecordedController::memory_at(std::size_t index, Eigen::Index sample, double reading) const {
+  const ControlLaw& law = laws_[index];
+  Memory memory{reading, 0.0};
+  if (sample > 0) {
+    const double before = signals_.measured.samples(sample - 1, law.reading_column);
+    if (std::isfinite(before)) memory.smooth = before;
+  }
+  if (law.integral == 0.0) return memory;
+  Memory without = memory;
+  const double sent = signals_.commands.series.samples(sample, law.command_column);
+  const double rest = sent - command(index, sample, reading, without);
+  if (std::isfinite(rest)) memory.integral = rest;
+  return memory;
+}
+
+double RecordedController::command(std::size_t index, Eigen::Index sample, double reading, Memory& memory) const {
+  const ControlLaw& law = laws_[index];
+  const double interval = interval_before(sample), error = this->error(index, sample, reading);
+  const double share = law.filter > 0.0 ? -std::expm1(-interval / law.filter) : 1.0;
+  const double smooth = memory.smooth + share * (reading - memory.smooth);
+  const double rate = interval > 0.0 ? (smooth - memory.smooth) / interval : 0.0;
+  const double asked = law.proportional * error + memory.integral - law.derivative * rate;
+  if (std::abs(asked) < law.limit || asked * error * law.integral < 0.0)
+    memory.integral += law.integral * error * interval;
+  memory.smooth = smooth;
+  return std::clamp(asked, -law.limit, law.limit);
 }
 
 void RecordedController::act(double time, std::span<const double> sensors, std::span<double> state,
@@ -43,9 +78,11 @@ void RecordedController::act(double time, std::span<const double> sensors, std::
     commands[signals_.actuator_of[c]] = signals_.commands.series.samples(sample, static_cast<Eigen::Index>(c));
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     const double reading = sensors[laws_[law].sensor];
-    const double before = last < 0.0 ? measured_before(law, sample, reading) : state[1 + law];
-    commands[laws_[law].actuator] = command(law, sample, reading, before);
-    state[1 + law] = reading;
+    double* const kept = &state[1 + kMemory * law];
+    Memory memory = last < 0.0 ? memory_at(law, sample, reading) : Memory{kept[0], kept[1]};
+    commands[laws_[law].actuator] = command(law, sample, reading, memory);
+    kept[0] = memory.smooth;
+    kept[1] = memory.integral;
   }
   state[0] = static_cast<double>(sample) + 1.0;
 }
@@ -53,8 +90,12 @@ void RecordedController::act(double time, std::span<const double> sensors, std::
 Eigen::VectorXd RecordedController::of_recorded_readings(std::size_t law) const {
   const auto readings = signals_.measured.samples.col(laws_[law].reading_column);
   Eigen::VectorXd commands(readings.size());
-  for (Eigen::Index i = 0; i < readings.size(); ++i)
-    commands(i) = command(law, i, readings(i), i > 0 ? readings(i - 1) : readings(i));
+  Memory memory = memory_at(law, 0, readings(0));
+  for (Eigen::Index i = 0; i < readings.size(); ++i) {
+    const Memory before = memory;
+    commands(i) = command(law, i, readings(i), memory);
+    if (!std::isfinite(readings(i))) memory = before;
+  }
   return commands;
 }
 

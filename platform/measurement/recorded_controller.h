@@ -1,5 +1,6 @@
 #pragma once
 
+#include <lacuna/robot_spec.h>
 #include <lacuna/test.h>
 
 #include <cstddef>
@@ -7,8 +8,10 @@
 
 namespace lacuna {
 
-/// A proportional-derivative law on one reading: command = proportional · (reference − reading) − derivative · (change
-/// of the reading since the sample before / time since then). It knows no limits; those are the actuator's.
+/// A law on one reading: command = proportional · e + ∫ integral · e dt − derivative · dy/dt, within ±limit, where e is
+/// the reference less the reading and y the reading behind a first-order low-pass. It is evaluated at the trial's
+/// samples: dy/dt is a backward difference, and the integral stands still while the command is at its limit and would
+/// be driven further into it.
 struct ControlLaw {
   std::size_t actuator = 0;         ///< among all of the robot's
   std::size_t sensor = 0;           ///< channel, among all of the robot's
@@ -16,6 +19,9 @@ struct ControlLaw {
   Eigen::Index reading_column = 0;  ///< in what the trial measured
   double proportional = 0.0;        ///< command's unit per sensor's unit
   double derivative = 0.0;          ///< command's unit × s per sensor's unit
+  double integral = 0.0;            ///< command's unit per sensor's unit and s
+  double limit = kInfinity;         ///< command's unit
+  double filter = 0.0;              ///< s, time constant of the low-pass; 0: none
 };
 
 /// What a trial recorded, all with the same times.
@@ -28,12 +34,13 @@ struct RecordedSignals {
 
 /// The controller of a recorded trial: acts at the trial's own samples, whatever the integration step, and replays what
 /// was recorded of actuators without a law. Where a simulation begins in the middle of the trial, the reading before is
-/// what was measured then.
+/// what was measured then, and an integral is what makes the command that was recorded.
 class RecordedController : public Controller {
  public:
   RecordedController(std::vector<ControlLaw> laws, RecordedSignals signals);
 
-  int state_size() const override { return 1 + static_cast<int>(laws_.size()); }
+  std::string identity() const override;
+  int state_size() const override { return 1 + kMemory * static_cast<int>(laws_.size()); }
   void act(double time, std::span<const double> sensors, std::span<double> state,
            std::span<double> commands) const override;
 
@@ -43,9 +50,20 @@ class RecordedController : public Controller {
   Eigen::VectorXd of_recorded_readings(std::size_t law) const;
 
  private:
+  static constexpr int kMemory = 2;
+  /// What a law remembers from sample to sample.
+  struct Memory {
+    double smooth = 0.0;    ///< the reading behind the low-pass
+    double integral = 0.0;  ///< command's unit
+  };
+
   Eigen::Index sample_at(double time) const;
-  double command(std::size_t law, Eigen::Index sample, double reading, double before) const;
-  double measured_before(std::size_t law, Eigen::Index sample, double reading) const;
+  double interval_before(Eigen::Index sample) const;
+  /// Of a simulation that begins at a sample with a reading.
+  Memory memory_at(std::size_t law, Eigen::Index sample, double reading) const;
+  /// Steps the memory on to the sample.
+  double command(std::size_t law, Eigen::Index sample, double reading, Memory& memory) const;
+  double error(std::size_t law, Eigen::Index sample, double reading) const;
 
   const std::vector<ControlLaw> laws_;
   const RecordedSignals signals_;

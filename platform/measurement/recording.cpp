@@ -5,10 +5,9 @@
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
 #include "measurement/controller_plan.h"
-#include "measurement/csv_format.h"
-#include "measurement/csv_table.h"
 #include "measurement/plausibility.h"
-#include "measurement/measured_text.h"
+#include "measurement/read_tables.h"
+#include "measurement/reading_check.h"
 #include "measurement/trial_builder.h"
 
 #include <fmt/format.h>
@@ -27,40 +26,10 @@ struct WholeSource {
   const RecordingPlan& plan;
   std::vector<std::string> file_names;  ///< how trials are called: the file's name, or its path where two have one name
   std::set<std::string> trials_seen;    ///< values of the trial column in all files
+  bool has_one_trial = false;           ///< of which nobody says whether some of it is held out
 };
 
-CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
-  CsvQuery query{source.time_column, source.trial_column, {}};
-  for (const auto* planned : {&plan.sensors, &plan.commands, &plan.references})
-    for (const PlannedColumn& column : *planned) query.columns.push_back({column.mapping->column});
-  return query;
-}
-
-/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
-bool has_columns(const CsvFormat& format, const CsvQuery& query, FileReport& report) {
-  std::vector<std::string> wanted{query.time_column};
-  if (!query.trial_column.empty()) wanted.push_back(query.trial_column);
-  for (const WantedColumn& column : query.columns) wanted.push_back(column.name);
-  std::set<std::string> told;
-  for (const std::string& name : wanted) {
-    const auto found = std::count(format.names.begin(), format.names.end(), name);
-    if (found == 1 || !told.insert(name).second) continue;
-    report.problem("column " + name, format.header_line, [&] {
-      if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
-      return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, format.names),
-                         listed(format.names));
-    });
-  }
-  return !report.has_problems();
-}
-
-/// Row numbers of each trial in a table.
-std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
-  std::vector<std::vector<std::size_t>> rows(std::max<std::size_t>(table.trial_names.size(), 1));
-  for (std::size_t row = 0; row < table.times.size(); ++row)
-    rows[table.trials.empty() ? 0 : static_cast<std::size_t>(table.trials[row])].push_back(row);
-  return rows;
-}
+constexpr std::size_t kFewestToSplit = 40;  ///< samples: a quarter of fewer shows nothing
 
 void note_start(const TrialClock& clock, const CsvTable& table, FileReport& report) {
   if (clock.origin == 0.0) return;
@@ -107,12 +76,45 @@ std::vector<ClockPart> parts_of(const TrialClock& clock, const std::vector<TimeR
   return parts;
 }
 
+/// Of a trial that is the only one, its last quarter; of one that is too short for it, nothing.
+std::vector<TimeRange> last_quarter(const TrialClock& clock, const std::vector<TimeRange>& use) {
+  const std::vector<TrialClock> pieces = cut_to_ranges(clock, use);
+  if (pieces.size() != 1 || pieces.front().times.size() < kFewestToSplit) return {};
+  const std::vector<double>& times = pieces.front().times;
+  return {{pieces.front().origin + times[times.size() - times.size() / 4], kInfinity}};
+}
+
+void note_split(const TimeRange& held_out, int line, FileReport& report) {
+  report.note("split", line, [&] {
+    return fmt::format(
+        "the only recording: its last quarter, from {:.9g} s on, is held out. For another stretch write "
+        "[[target.recording]] "
+        "with holdout = [[from, to]]; to fit to all of it write holdout = [] in [target]",
+        held_out.start);
+  });
+}
+
+/// A part that goes on where another ended starts from its own readings, not from what is given for the file's start.
+void forget_given_start(Trial& trial) {
+  for (InitialValue& value : trial.initial)
+    if (value.knowledge == InitialKnowledge::given) value = {};
+}
+
+std::vector<int> lines_of(const TrialClock& clock, const CsvTable& table) {
+  std::vector<int> lines;
+  for (const std::size_t row : clock.rows) lines.push_back(table.lines[row]);
+  return lines;
+}
+
 /// The trials of one clock.
 void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTable& table, const TrialClock& clock,
                 const Trial& prototype, FileReport& report, std::vector<TrialClock>& of_holdout,
                 std::vector<Trial>& trials) {
-  const std::vector<ClockPart> pieces = parts_of(clock, whole.source.use, file.holdout);
-  for (const auto& [piece, held_out] : pieces) {
+  const std::vector<TimeRange> quarter =
+      whole.has_one_trial ? last_quarter(clock, whole.source.use) : std::vector<TimeRange>{};
+  const std::vector<ClockPart> pieces = parts_of(clock, whole.source.use, quarter.empty() ? file.holdout : quarter);
+  if (!quarter.empty()) note_split(quarter.front(), table.lines[pieces.back().clock.rows.front()], report);
+  for (const auto& [piece, held_out, goes_on] : pieces) {
     if (held_out) of_holdout.push_back(piece);
     if (piece.times.size() < 2) {
       report.problem("few samples", table.lines[piece.rows.front()], [&] {
@@ -121,16 +123,20 @@ void add_trials(const WholeSource& whole, const MeasuredFile& file, const CsvTab
       continue;
     }
     check_intervals(piece, table, whole.source, report);
-    note_start(piece, table, report);
-    note_initial(whole, clock, piece, table, report);
+    if (!goes_on) note_start(piece, table, report);
+    if (!goes_on) note_initial(whole, clock, piece, table, report);
     Trial trial = build_trial(whole.plan, whole.source, table, piece, report);
     const auto first = std::find(clock.rows.begin(), clock.rows.end(), piece.rows.front());
     if (first != clock.rows.begin()) take_commands_before(whole.plan, table, *std::prev(first), trial);
+    if (goes_on) forget_given_start(trial);
     trial.name = prototype.name;
     if (pieces.size() > 1)
       trial.name += fmt::format(" from {:.4g} s to {:.4g} s", piece.origin, piece.origin + piece.times.back());
     trial.held_out = prototype.held_out || held_out;
+    trial.setup = prototype.setup;
     check_values(trial, whole.plan, table.lines[piece.rows.front()], report);
+    check_commands(trial, whole.plan, table.lines[piece.rows.front()], report);
+    leave_out_false_readings(trial, whole.plan, lines_of(piece, table), piece.origin, report);
     trials.push_back(std::move(trial));
   }
   if (pieces.empty())
@@ -153,6 +159,7 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
     Trial prototype;
     prototype.name = whole.file_names[file_index];
     prototype.held_out = file.held_out;
+    prototype.setup = file.setup;
     if (!table.trial_names.empty()) {
       const std::string& value = table.trial_names[t];
       prototype.name += "[" + value + "]";
@@ -164,19 +171,6 @@ void read_table_into(const CsvTable& table, WholeSource& whole, std::size_t file
     if (!report.has_problems()) add_trials(whole, file, table, clock, prototype, report, of_holdout, trials);
   }
   if (!report.has_problems()) check_holdout_ranges(file, of_holdout, report);
-}
-
-void read_file(WholeSource& whole, std::size_t file_index, FileReport& report, std::vector<Trial>& trials) {
-  const RecordingSource& source = whole.source;
-  const std::string text = read_measured_text(source.files[file_index].path, report);
-  if (report.has_problems()) return;
-  const CsvFormat format = find_csv_format(text, {source.time_column, source.delimiter, source.decimal_comma}, report);
-  if (report.has_problems()) return;
-  const CsvQuery query = query_for(source, whole.plan);
-  if (!has_columns(format, query, report)) return;
-  check_units(whole.plan, format, report);
-  const CsvTable table = read_csv_table(text, format, query, report);
-  if (!report.has_problems()) read_table_into(table, whole, file_index, report, trials);
 }
 
 std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) {
@@ -270,16 +264,22 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   RecordingPlan plan;
   plan.sensors = plan_columns(source.sensors, channels, "sensor channel", problems);
   plan.commands = plan_columns(source.commands, actuators, "actuator", problems);
+  for (std::size_t c = 0; c < plan.commands.size(); ++c)
+    if (const std::string& column = plan.commands[c].mapping->enabled_by; !column.empty())
+      plan.switches.push_back({c, column});
   plan_controllers(source.controllers, channels, actuators, plan, problems);
   plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
   plan_starts(source, coordinates, plan, problems);
 
   WholeSource whole{source, plan, names_of_files(source.files), {}};
+  whole.has_one_trial = source.may_split && source.files.size() == 1 && !source.files.front().held_out &&
+                        source.files.front().holdout.empty();
   Recording recording;
-  for (std::size_t i = 0; i < source.files.size(); ++i) {
+  std::vector<ReadTable> tables = read_tables(source, plan);
+  for (std::size_t i = 0; i < tables.size(); ++i) {
     take_own_ranges(source, source.files[i], whole.source);
-    FileReport report(source.files[i].path.string());
-    read_file(whole, i, report, recording.trials);
+    FileReport& report = tables[i].report;
+    if (!report.has_problems()) read_table_into(tables[i].table, whole, i, report, recording.trials);
     report.move_to(problems, recording.notes);
   }
   check_holdout(whole, recording.trials, location, problems);
@@ -292,10 +292,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
 Recording read_recording(const RecordingSource& source, const RobotSpec& robot) {
   std::vector<std::string> coordinates;
   for (const JointSpec& joint : robot.joints) {
-    const int count = joint.kind == JointKind::fixed       ? 0
-                      : joint.kind == JointKind::ball      ? 3
-                      : joint.kind == JointKind::universal ? 2
-                                                           : 1;
+    const int count = coordinate_count(joint.kind);
     for (int i = 1; i <= count; ++i)
       coordinates.push_back("joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""));
   }

@@ -2,10 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
 namespace {
+
+/// By central differences between known samples, one-sided at the ends. Where a position is then integrated by the
+/// trapezium rule, it stays where it was measured to be.
+void differentiate(const Eigen::VectorXd& times, Eigen::Ref<Eigen::VectorXd, 0, Eigen::InnerStride<>> values) {
+  std::vector<Eigen::Index> known;
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (std::isfinite(values(i))) known.push_back(i);
+  const Eigen::VectorXd before = values;
+  values.setConstant(std::nan(""));
+  for (std::size_t k = 0; known.size() > 1 && k < known.size(); ++k) {
+    const Eigen::Index from = known[k > 0 ? k - 1 : 0], to = known[std::min(k + 1, known.size() - 1)];
+    values(known[k]) = (before(to) - before(from)) / (times(to) - times(from));
+  }
+}
 
 TimeSeries take_columns(const std::vector<PlannedColumn>& planned, std::size_t first_column, const CsvTable& table,
                         const TrialClock& clock) {
@@ -19,6 +34,7 @@ TimeSeries take_columns(const std::vector<PlannedColumn>& planned, std::size_t f
     for (Eigen::Index i = 0; i < rows; ++i)
       series.samples(i, static_cast<Eigen::Index>(c)) =
           column[clock.rows[static_cast<std::size_t>(i)]] * planned[c].factor + planned[c].mapping->offset;
+    if (planned[c].mapping->derivative) differentiate(series.times, series.samples.col(static_cast<Eigen::Index>(c)));
   }
   return series;
 }
@@ -69,6 +85,20 @@ void fill_commands(CommandSeries& commands, const std::vector<PlannedColumn>& pl
   }
 }
 
+/// Missing: as before.
+void switch_off(const RecordingPlan& plan, const CsvTable& table, const TrialClock& clock, TimeSeries& commands) {
+  for (std::size_t s = 0; s < plan.switches.size(); ++s) {
+    const std::size_t column = plan.sensors.size() + plan.commands.size() + plan.references.size() + s;
+    const auto command = static_cast<Eigen::Index>(plan.switches[s].command);
+    bool is_on = true;
+    for (std::size_t i = 0; i < clock.rows.size(); ++i) {
+      const double value = table.columns[column][clock.rows[i]];
+      if (std::isfinite(value)) is_on = value != 0.0;
+      if (!is_on) commands.samples(static_cast<Eigen::Index>(i), command) = std::nan("");
+    }
+  }
+}
+
 }  // namespace
 
 Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
@@ -80,6 +110,8 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
   trial.commands.hold = source.hold;
   trial.commands.before = plan.commanded_before;
   fill_commands(trial.commands, plan.commands, table, clock, report);
+  trial.commands.may_be_off = !plan.switches.empty();
+  switch_off(plan, table, clock, trial.commands.series);
   if (!plan.laws.empty()) {
     const std::size_t first = plan.sensors.size() + plan.commands.size();
     CommandSeries references{take_columns(plan.references, first, table, clock), source.hold};
@@ -87,6 +119,7 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
     trial.controller = std::make_shared<RecordedController>(
         plan.laws, RecordedSignals{references.series, trial.commands, plan.actuator_of, trial.measured});
   }
+  trial.closed_loop = source.by_controllers && trial.controller != nullptr;
   trial.initial = plan.initial;
   trial.sensor_noise = declared_noise(plan.sensors);
   trial.command_noise = declared_noise(plan.commands);
@@ -96,7 +129,7 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
 void take_commands_before(const RecordingPlan& plan, const CsvTable& table, std::size_t row, Trial& trial) {
   for (std::size_t c = 0; c < plan.commands.size(); ++c) {
     const double known = table.columns[plan.sensors.size() + c][row];
-    if (!std::isfinite(known)) continue;
+    if (!std::isfinite(known) || plan.commands[c].mapping->derivative) continue;
     trial.commands.before[c] = known * plan.commands[c].factor + plan.commands[c].mapping->offset;
   }
 }

@@ -7,11 +7,18 @@
 
 namespace lacuna {
 
-/// Columns of a table in the order sensors, commands, references.
+/// A column that tells when an actuator is off.
+struct PlannedSwitch {
+  std::size_t command = 0;  ///< index into the plan's commands
+  std::string column;
+};
+
+/// Columns of a table in the order sensors, commands, references, switches.
 struct RecordingPlan {
   std::vector<PlannedColumn> sensors;
   std::vector<PlannedColumn> commands;
   std::vector<PlannedColumn> references;  ///< one a law
+  std::vector<PlannedSwitch> switches;
   std::vector<ControlLaw> laws;
   std::vector<std::size_t> actuator_of;  ///< by command: among all of the robot's
   double seconds_per_time_unit = 1.0;
@@ -20,8 +27,8 @@ struct RecordingPlan {
 };
 
 /// Makes a trial of the clock's rows: SI units, masked readings NaN, missing commands filled in as
-/// the hold convention says (the value before; the line between its neighbours). A command without
-/// a first value is a problem.
+/// the hold convention says (the value before; the line between its neighbours), and NaN while the
+/// actuator is off. A command without a first value is a problem.
 Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, const CsvTable& table,
                   const TrialClock& clock, FileReport& report);
 

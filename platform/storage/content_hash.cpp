@@ -55,7 +55,11 @@ constexpr Content kContents[] = {
      "SELECT target_trial.number, test - (?1 << 40), for_transfer, predicted_fitness, measured_fitness, surprise,"
      " digest,"
      " held_out, duration, samples, hold, initial, sensor_noise,"
-     " CASE commanded_before WHEN '[]' THEN command_noise ELSE command_noise || commanded_before END FROM target_trial"
+     " CASE commanded_before WHEN '[]' THEN command_noise ELSE command_noise || commanded_before END || trial.setup ||"
+     " coalesce((SELECT group_concat(position || address || printf('%!.17g', value)) FROM"
+     " (SELECT position, address, value FROM trial_setting WHERE trial_setting.trial = trial.id ORDER BY position)), "
+     "'')"
+     " FROM target_trial"
      " JOIN trial ON trial.id = target_trial.trial JOIN trial_condition ON trial_condition.trial = trial.id"
      " WHERE run = ?1 ORDER BY target_trial.number"},
     {"model",

@@ -20,7 +20,8 @@ TrialRecord trial_record(RunId run, const TargetTrialRow& row, const Trial& tria
           .digest = digest_of(trial),
           .held_out = trial.held_out,
           .duration = times.size() > 0 ? times[times.size() - 1] - times[0] : 0.0,
-          .samples = times.size()};
+          .samples = times.size(),
+          .setup = trial.setup};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <lacuna/effect_list.h>
 #include <lacuna/engine_settings.h>
+#include <lacuna/setup.h>
 #include <lacuna/time_series.h>
 
 #include <compare>
@@ -98,6 +99,7 @@ struct TrialRecord {
   bool held_out = false;
   double duration = 0.0;  ///< s
   std::int64_t samples = 0;
+  Setup setup = {};
 };
 
 enum class TraceKind { measured, commands, predicted, centre_of_mass };

@@ -19,7 +19,7 @@ TrialId ResultStore::find_or_add_trial(ExperimentId experiment, const TrialRecor
 std::vector<StoredTrial> ResultStore::trials(ExperimentId experiment) const {
   Statement row(
       database_,
-      "SELECT id, name, file, digest, held_out, duration, samples FROM trial WHERE experiment = ? ORDER BY id");
+      "SELECT id, name, file, digest, held_out, duration, samples, setup FROM trial WHERE experiment = ? ORDER BY id");
   row.with(experiment);
   std::vector<StoredTrial> trials;
   while (row.step()) {
@@ -29,7 +29,8 @@ std::vector<StoredTrial> ResultStore::trials(ExperimentId experiment) const {
                        .digest = row.text(3),
                        .held_out = row.flag(4),
                        .duration = row.real(5),
-                       .samples = row.integer(6)}});
+                       .samples = row.integer(6),
+                       .setup = {row.text(7), read_settings(database_, {row.integer(0)})}}});
   }
   return trials;
 }

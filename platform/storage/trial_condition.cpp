@@ -50,8 +50,8 @@ void write_trial_condition(const Database& database, TrialId trial, const Trial&
 
 Trial read_trial(const Database& database, TrialId id) {
   Statement row(database,
-                "SELECT name, held_out, digest, hold, initial, sensor_noise, command_noise, commanded_before"
-                " FROM trial"
+                "SELECT name, held_out, digest, hold, initial, sensor_noise, command_noise, commanded_before,"
+                " setup FROM trial"
                 " JOIN trial_condition ON trial_condition.trial = trial.id WHERE trial.id = ?");
   if (!row.with(id).step()) throw Error(database.file().string() + ": has no trial " + std::to_string(id.value));
   Trial trial;
@@ -62,8 +62,10 @@ Trial read_trial(const Database& database, TrialId id) {
   trial.sensor_noise = numbers_from(row.text(5));
   trial.command_noise = numbers_from(row.text(6));
   trial.commands.before = numbers_from(row.text(7));
+  trial.setup = {row.text(8), read_settings(database, id)};
   trial.measured = series_of(database, id, TraceKind::measured);
   trial.commands.series = series_of(database, id, TraceKind::commands);
+  trial.commands.may_be_off = trial.commands.series.samples.hasNaN();
   trial.centre_of_mass = series_of(database, id, TraceKind::centre_of_mass);
   if (digest_of(trial) != row.text(2)) {
     throw Error(database.file().string() + ": trial \"" + trial.name +

@@ -44,8 +44,15 @@ std::string digest_of(const Trial& trial) {
   // Where it is not known it adds nothing, so that digests of trials from before it could be stated stay.
   if (std::any_of(trial.commands.before.begin(), trial.commands.before.end(), [](double v) { return !std::isnan(v); }))
     rest.add(trial.commands.before);
+  std::string setup;  // that there is none adds nothing either
+  if (!trial.setup.name.empty()) setup = '\n' + trial.setup.name;
+  for (const Setup::Value& value : trial.setup.values) {
+    setup += '\n' + value.address;
+    rest.add(value.value);
+  }
+  if (trial.closed_loop && trial.controller) setup += "\nclosed loop " + trial.controller->identity();
   return sha256(encode_trace(trial.commands.series, TracePrecision::float64).digest + '\n' +
-                encode_trace(trial.measured, TracePrecision::float64).digest + '\n' + rest.text());
+                encode_trace(trial.measured, TracePrecision::float64).digest + '\n' + rest.text() + setup);
 }
 
 std::string digest_of_trials(std::span<const Trial> trials) {

@@ -6,6 +6,14 @@
 
 namespace lacuna {
 
+std::vector<Setup::Value> read_settings(const Database& database, TrialId trial) {
+  Statement row(database, "SELECT address, value FROM trial_setting WHERE trial = ? ORDER BY position");
+  row.with(trial);
+  std::vector<Setup::Value> values;
+  while (row.step()) values.push_back({row.text(0), row.real(1)});
+  return values;
+}
+
 std::optional<TraceId> find_trace(const Database& database, const TraceOwner& owner) {
   Statement row(database,
                 "SELECT id FROM trace WHERE trial = ? AND kind = ? AND comparison IS ? AND model IS ?"
@@ -32,13 +40,20 @@ TraceId write_trace(const Database& database, RunId run, const TraceOwner& owner
 
 TrialId write_trial(const Database& database, RunId run, ExperimentId experiment, const TrialRecord& record) {
   Statement(database,
-            "INSERT INTO trial (id, experiment, name, file, digest, held_out, duration, samples)"
-            " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (experiment, digest, name, held_out) DO NOTHING")
+            "INSERT INTO trial (id, experiment, name, file, digest, held_out, duration, samples, setup)"
+            " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (experiment, digest, name, held_out) DO NOTHING")
       .run_with(next_key(database, "trial", run), experiment, record.name, record.file, record.digest, record.held_out,
-                record.duration, record.samples);
+                record.duration, record.samples, record.setup.name);
   Statement find(database, "SELECT id FROM trial WHERE experiment = ? AND digest = ? AND name = ? AND held_out = ?");
   find.with(experiment, record.digest, record.name, record.held_out).step();
-  return TrialId{find.integer(0)};
+  const TrialId trial{find.integer(0)};
+  std::int64_t position = 0;
+  for (const Setup::Value& value : record.setup.values)
+    Statement(database,
+              "INSERT INTO trial_setting (trial, position, address, value) VALUES (?, ?, ?, ?)"
+              " ON CONFLICT (trial, position) DO NOTHING")
+        .run_with(trial, position++, value.address, value.value);
+  return trial;
 }
 
 }  // namespace lacuna

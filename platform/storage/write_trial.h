@@ -20,6 +20,9 @@ std::optional<TraceId> find_trace(const Database& database, const TraceOwner& ow
 TraceId write_trace(const Database& database, RunId run, const TraceOwner& owner, const TimeSeries& series,
                     TracePrecision precision);
 
+/// What was different on the rig, in the order in which it was stated.
+std::vector<Setup::Value> read_settings(const Database& database, TrialId trial);
+
 /// Finds the trial by name, digest and whether it is held out, or adds it. In the caller's transaction.
 TrialId write_trial(const Database& database, RunId run, ExperimentId experiment, const TrialRecord& record);
 

@@ -29,7 +29,7 @@ RobotSpec arm() { return pendulum(kMass, kLength, kInertia); }
 std::optional<std::vector<double>> holding(const RobotSpec& robot, double position, double known = std::nan("")) {
   const auto model = compiled(robot);
   const auto workspace = model->make_workspace();
-  return holding_commands(*model, {}, command_channels(robot), {known}, {position}, *workspace);
+  return holding_commands(*model, {}, command_channels(robot), {known}, {position}, {}, *workspace);
 }
 
 TEST(HoldingCommands, AreZeroWhereGravityDoesNotPull) { EXPECT_EQ(holding(arm(), 0.0), std::vector{0.0}); }

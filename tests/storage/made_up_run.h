@@ -107,6 +107,7 @@ struct MadeUpRun {
     trial.commands.series.channels = {{"motor.knee", "rad"}};
     trial.commands.hold = Hold::first_order;
     trial.initial = {{InitialKnowledge::given, 0.1, -0.0}};
+    trial.setup = {"heavy", {{"body.load.mass", 1.5}, {"actuator.motor.kp", 400.0}}};
     trial.sensor_noise = {0.002};
     trial.command_noise = {kNotKnown};
     trial.centre_of_mass.channels = {{"x", "m"}, {"y", "m"}, {"z", "m"}};

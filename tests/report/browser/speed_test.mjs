@@ -37,7 +37,8 @@ function manyScores(database) {
   database.run(insertModels, [farGenome]);
   database.run(`
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 14)
-  INSERT INTO trial SELECT 100 + i, experiment, 'made up ' || i, '', printf('%064d', i), 0, 1.0, 10 FROM n, (SELECT experiment FROM trial LIMIT 1);
+  INSERT INTO trial (id, experiment, name, file, digest, held_out, duration, samples)
+  SELECT 100 + i, experiment, 'made up ' || i, '', printf('%064d', i), 0, 1.0, 10 FROM n, (SELECT experiment FROM trial LIMIT 1);
   WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 14)
   INSERT OR IGNORE INTO model_score SELECT model.id, 100 + i, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, n;
   INSERT OR IGNORE INTO model_score SELECT model.id, trial.id, (SELECT metric FROM model_score LIMIT 1), abs(random() % 1000000) / 1e6 FROM model, trial WHERE trial.id >> 40 = 1;`);

@@ -1,0 +1,233 @@
+#include "measurement/read_tables.h"
+
+#include "foundation/counted.h"
+#include "measurement/csv_format.h"
+#include "measurement/decode.h"
+#include "measurement/encoding_guess.h"
+#include "measurement/measured_text.h"
+#include "measurement/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+constexpr double kSmallestNumber = 1e-290;  ///< below it a number is memory that nobody wrote to
+constexpr double kLongestTick = 20.0;       ///< median intervals: a clock that wraps goes on that soon
+
+using PlannedColumns = std::vector<const PlannedColumn*>;
+
+PlannedColumns columns_of(const RecordingPlan& plan) {
+  PlannedColumns columns;
+  for (const auto* planned : {&plan.sensors, &plan.commands, &plan.references})
+    for (const PlannedColumn& column : *planned) columns.push_back(&column);
+  return columns;
+}
+
+CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
+  CsvQuery query{source.time_column, source.trial_column, {}};
+  for (const PlannedColumn* column : columns_of(plan)) query.columns.push_back({column->mapping->column});
+  for (const PlannedSwitch& one : plan.switches) query.columns.push_back({one.column});
+  return query;
+}
+
+/// PlannedColumns that are not there are the experiment's mistake as often as the file's: the line says both.
+bool has_columns(const CsvFormat& format, const CsvQuery& query, FileReport& report) {
+  std::vector<std::string> wanted{query.time_column};
+  if (!query.trial_column.empty()) wanted.push_back(query.trial_column);
+  for (const WantedColumn& column : query.columns) wanted.push_back(column.name);
+  std::set<std::string> told;
+  for (const std::string& name : wanted) {
+    const auto found = std::count(format.names.begin(), format.names.end(), name);
+    if (found == 1 || !told.insert(name).second) continue;
+    report.problem("column " + name, format.header_line, [&] {
+      if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
+      return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, format.names),
+                         listed(format.names));
+    });
+  }
+  return !report.has_problems();
+}
+
+void read_table(const RecordingSource& source, const RecordingPlan& plan, const std::filesystem::path& file,
+                ReadTable& read) {
+  const std::string text = read_measured_text(file, read.report);
+  if (read.report.has_problems()) return;
+  const CsvFormat format =
+      find_csv_format(text, {source.time_column, source.delimiter, source.decimal_comma}, read.report);
+  if (read.report.has_problems()) return;
+  const CsvQuery query = query_for(source, plan);
+  if (!has_columns(format, query, read.report)) return;
+  check_units(plan, format, read.report);
+  read.table = read_csv_table(text, format, query, read.report);
+}
+
+void drop_unwritten(const PlannedColumns& planned, ReadTable& read) {
+  for (std::size_t c = 0; c < planned.size(); ++c) {
+    std::size_t count = 0, first = 0;
+    for (std::size_t row = 0; row < read.table.columns[c].size(); ++row) {
+      double& value = read.table.columns[c][row];
+      if (value == 0.0 || !(std::abs(value) < kSmallestNumber)) continue;
+      if (count++ == 0) first = row;
+      value = std::nan("");
+    }
+    if (count == 0) continue;
+    read.report.doubt("unwritten " + planned[c]->mapping->column, read.table.lines[first], [&] {
+      return fmt::format("column `{}` has {} below 1e-290, which no device measures: taken as missing",
+                         planned[c]->mapping->column, counted(count, "number"));
+    });
+  }
+}
+
+/// A column of all good tables, a vector for each trial.
+struct ColumnParts {
+  std::vector<std::vector<double>> values;
+  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> from;  ///< table and rows of each
+};
+
+ColumnParts parts_of(const std::vector<ReadTable>& tables, std::size_t column) {
+  ColumnParts parts;
+  for (std::size_t t = 0; t < tables.size(); ++t) {
+    if (tables[t].report.has_problems()) continue;
+    for (std::vector<std::size_t>& rows : rows_by_trial(tables[t].table)) {
+      std::vector<double> values;
+      for (const std::size_t row : rows) values.push_back(tables[t].table.columns[column][row]);
+      parts.values.push_back(std::move(values));
+      parts.from.emplace_back(t, std::move(rows));
+    }
+  }
+  return parts;
+}
+
+std::string meaning_of(const Encoding& encoding) {
+  switch (encoding.kind) {
+    case EncodingKind::sign_bit:
+      return fmt::format("negative values are written as {:.0f} + their size", encoding.modulus);
+    case EncodingKind::twos_complement:
+      return fmt::format("negative values are written as {:.0f} less", encoding.modulus);
+    case EncodingKind::wraps: return fmt::format("it starts again at {:.6g}", encoding.modulus);
+    case EncodingKind::automatic:
+    case EncodingKind::plain: break;
+  }
+  return {};
+}
+
+void note_encoding(const ColumnMapping& mapping, const std::string& section, const FoundEncoding& found,
+                   const ColumnParts& parts, std::vector<ReadTable>& tables) {
+  std::size_t place = found.first;
+  for (std::size_t p = 0; p < parts.values.size(); ++p) {
+    if (place >= parts.values[p].size()) {
+      place -= parts.values[p].size();
+      continue;
+    }
+    ReadTable& read = tables[parts.from[p].first];
+    read.report.doubt("encoding of " + mapping.column, read.table.lines[parts.from[p].second[place]], [&] {
+      return fmt::format(
+          "column `{}` jumps {}, here for the first time, because {}; read so. State it in target.{}.{}: encoding = "
+          "\"{}\"; if it is wrong, encoding = \"plain\"",
+          mapping.column, counted(found.jumps, "time"), meaning_of(found.encoding), section, mapping.channel,
+          to_string(found.encoding));
+    });
+    return;
+  }
+}
+
+/// Of one column, in all tables.
+void decode_column(std::size_t column, const PlannedColumn& planned, const std::string& section,
+                   std::vector<ReadTable>& tables) {
+  Encoding encoding = planned.mapping->encoding;
+  if (encoding.kind == EncodingKind::plain) return;
+  ColumnParts parts = parts_of(tables, column);
+  if (encoding.kind == EncodingKind::automatic) {
+    const std::optional<FoundEncoding> found = guess_encoding(parts.values, planned.mapping->unit);
+    if (!found) return;
+    note_encoding(*planned.mapping, section, *found, parts, tables);
+    encoding = found->encoding;
+  }
+  for (std::size_t p = 0; p < parts.values.size(); ++p) {
+    decode(encoding, parts.values[p]);
+    std::vector<double>& values = tables[parts.from[p].first].table.columns[column];
+    for (std::size_t i = 0; i < parts.values[p].size(); ++i) values[parts.from[p].second[i]] = parts.values[p][i];
+  }
+}
+
+double median_step(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// A power of two by which every step back goes on soon; 0: none.
+double wrap_of_clock(const std::vector<double>& times) {
+  const double step = median_step(times);
+  for (const int bits : {10, 15, 16, 24, 31, 32}) {
+    const double modulus = std::ldexp(1.0, bits);
+    std::size_t wraps = 0;
+    bool all = true;
+    for (std::size_t i = 1; i < times.size() && all; ++i) {
+      if (times[i] >= times[i - 1]) continue;
+      const double on = times[i] - times[i - 1] + modulus;
+      all = on > 0.0 && on < kLongestTick * step;
+      ++wraps;
+    }
+    if (all && wraps > 0) return modulus;
+  }
+  return 0.0;
+}
+
+/// Time stamps that start again go on; without a statement where they clearly do.
+void decode_clock(const RecordingSource& source, ReadTable& read) {
+  Encoding encoding = source.time_encoding;
+  std::vector<double>& times = read.table.times;
+  if (encoding.kind == EncodingKind::automatic && !read.table.dated && read.table.trial_names.empty()) {
+    const double modulus = wrap_of_clock(times);
+    if (modulus == 0.0) return;
+    encoding = {EncodingKind::wraps, modulus};
+    const auto back = std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return b < a; });
+    read.report.doubt("clock", read.table.lines[static_cast<std::size_t>(back - times.begin()) + 1], [&] {
+      return fmt::format(
+          "the clock, column `{}`, starts again at {:.0f}; read so. State it in target.time: encoding = \"{}\"; if it "
+          "is "
+          "wrong, encoding = \"plain\"",
+          source.time_column, modulus, to_string(encoding));
+    });
+  }
+  if (encoding.kind == EncodingKind::wraps) decode(encoding, times);
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
+  std::vector<std::vector<std::size_t>> rows(std::max<std::size_t>(table.trial_names.size(), 1));
+  for (std::size_t row = 0; row < table.times.size(); ++row)
+    rows[table.trials.empty() ? 0 : static_cast<std::size_t>(table.trials[row])].push_back(row);
+  return rows;
+}
+
+std::vector<ReadTable> read_tables(const RecordingSource& source, const RecordingPlan& plan) {
+  const PlannedColumns planned = columns_of(plan);
+  std::vector<ReadTable> tables;
+  for (const MeasuredFile& file : source.files) {
+    tables.push_back({FileReport(file.path.string()), {}});
+    read_table(source, plan, file.path, tables.back());
+    if (tables.back().report.has_problems()) continue;
+    drop_unwritten(planned, tables.back());
+    decode_clock(source, tables.back());
+  }
+  for (std::size_t c = 0; c < planned.size(); ++c) {
+    const bool is_sensor = c < plan.sensors.size(),
+               is_command = !is_sensor && c < plan.sensors.size() + plan.commands.size();
+    decode_column(c, *planned[c], is_sensor ? "sensors" : is_command ? "commands" : "controllers", tables);
+  }
+  return tables;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,135 @@
+#include "measurement/reading_check.h"
+
+#include "foundation/counted.h"
+#include "foundation/unit.h"
+#include "measurement/glitches.h"
+#include "measurement/repeats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kSameSignal = 1e-6;         ///< of the deviation: a copy is exact but for its digits
+constexpr Eigen::Index kFewestSamples = 20;  ///< few numbers are alike by chance
+constexpr std::size_t kFewestTurns = 4;
+constexpr double kNearZero = 0.05;  ///< of the signal's size
+constexpr double kHigh = 0.25;
+constexpr double kStraight = 0.4;  ///< of the height at twice the distance; a smooth minimum has a quarter
+
+bool is_motion(const std::string& unit) { return unit == "rad" || unit == "m" || unit == "rad/s" || unit == "m/s"; }
+
+std::vector<double> column_of(const TimeSeries& series, std::size_t c) {
+  const auto column = series.samples.col(static_cast<Eigen::Index>(c));
+  return {column.begin(), column.end()};
+}
+
+void leave_out_repeats(TimeSeries& measured, std::size_t c, const ColumnMapping& mapping, int line,
+                       FileReport& report) {
+  const Repeats repeats = find_repeats(column_of(measured, c));
+  if (repeats.every == 0) return;
+  for (const std::size_t i : repeats.repeated)
+    measured.samples(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) = std::nan("");
+  const double interval =
+      (measured.times(measured.times.size() - 1) - measured.times(0)) / static_cast<double>(measured.times.size() - 1);
+  report.note("repeats of " + mapping.column, line, [&] {
+    return fmt::format(
+        "column `{}` has a new reading every {} rows ({:.3g} s) and repeats it in between: each reading is used once; "
+        "keep = [\"repeats\"] in target.sensors.{} uses all rows",
+        mapping.column, repeats.every, static_cast<double>(repeats.every) * interval, mapping.channel);
+  });
+}
+
+void leave_out_glitches(TimeSeries& measured, std::size_t c, const ColumnMapping& mapping,
+                        const std::vector<int>& lines, double origin, FileReport& report) {
+  const auto column = static_cast<Eigen::Index>(c);
+  const std::vector<std::size_t> glitches = find_glitches(column_of(measured, c));
+  for (const std::size_t i : glitches) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double value = measured.samples(row, column);
+    const double before = measured.samples(std::max<Eigen::Index>(row - 1, 0), column);
+    report.doubt("glitch of " + mapping.column, lines[i], [&] {
+      return fmt::format(
+          "column `{}` at {:.9g} s: {} for one to three readings, {} before: a glitch, left out; keep = [\"glitches\"] "
+          "in "
+          "target.sensors.{} compares it",
+          mapping.column, origin + measured.times(row), format_quantity(value, measured.channels[c].unit),
+          format_quantity(before, measured.channels[c].unit), mapping.channel);
+    });
+  }
+  for (const std::size_t i : glitches) measured.samples(static_cast<Eigen::Index>(i), column) = std::nan("");
+}
+
+/// Whether b = scale·a + offset, but for the digits that were written.
+bool is_copy(const std::vector<double>& a, const std::vector<double>& b) {
+  const Eigen::Map<const Eigen::ArrayXd> x(a.data(), static_cast<Eigen::Index>(a.size())),
+      y(b.data(), static_cast<Eigen::Index>(b.size()));
+  if (x.size() < kFewestSamples || !x.isFinite().all() || !y.isFinite().all()) return false;
+  const Eigen::ArrayXd dx = x - x.mean(), dy = y - y.mean();
+  const double xx = dx.square().sum(), yy = dy.square().sum(), xy = (dx * dy).sum();
+  if (!(xx > 0.0) || !(yy > 0.0)) return false;
+  return (dy - xy / xx * dx).square().sum() < kSameSignal * kSameSignal * yy;
+}
+
+/// How often a signal that is never negative falls straight to zero and rises straight again, as a size does whose sign
+/// is lost.
+std::size_t folded_turns(const std::vector<double>& values) {
+  if (!std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; })) return 0;
+  const double size = *std::max_element(values.begin(), values.end());
+  std::size_t turns = 0;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+    if (values[i] > kNearZero * size || values[i] > values[i - 1] || values[i] > values[i + 1]) continue;
+    std::size_t reach = 1;
+    while (reach <= i && i + reach < values.size() &&
+           (values[i - reach] < kHigh * size || values[i + reach] < kHigh * size) && reach < values.size() / 8)
+      ++reach;
+    if (reach > i || i + reach >= values.size()) continue;
+    if (values[i - reach] < kHigh * size || values[i + reach] < kHigh * size) continue;
+    const std::size_t half = reach / 2;
+    if (half == 0 ||
+        (values[i - half] > kStraight * values[i - reach] && values[i + half] > kStraight * values[i + reach]))
+      ++turns;
+    i += reach;
+  }
+  return turns;
+}
+
+}  // namespace
+
+void leave_out_false_readings(Trial& trial, const RecordingPlan& plan, const std::vector<int>& lines, double origin,
+                              FileReport& report) {
+  for (std::size_t c = 0; c < plan.sensors.size(); ++c) {
+    const ColumnMapping& mapping = *plan.sensors[c].mapping;
+    if (!mapping.keeps_repeats) leave_out_repeats(trial.measured, c, mapping, lines.front(), report);
+    if (!mapping.keeps_glitches && is_motion(plan.sensors[c].channel.unit))
+      leave_out_glitches(trial.measured, c, mapping, lines, origin, report);
+  }
+}
+
+void check_commands(const Trial& trial, const RecordingPlan& plan, int line, FileReport& report) {
+  for (std::size_t c = 0; c < plan.commands.size(); ++c) {
+    const ColumnMapping& mapping = *plan.commands[c].mapping;
+    const std::vector<double> command = column_of(trial.commands.series, c);
+    for (std::size_t s = 0; s < plan.sensors.size(); ++s) {
+      if (!is_copy(column_of(trial.measured, s), command)) continue;
+      report.doubt("copy " + mapping.column, line, [&] {
+        return fmt::format("the command column `{}` is a copy of the reading `{}`: name the column that was commanded",
+                           mapping.column, plan.sensors[s].mapping->column);
+      });
+    }
+    const std::string& unit = plan.commands[c].channel.unit;
+    const bool pushes = unit == "N*m" || unit == "N" || unit == "V" || unit == "1";
+    if (!pushes || folded_turns(command) < kFewestTurns) continue;
+    report.doubt("sign of " + mapping.column, line, [&] {
+      return fmt::format(
+          "the command column `{}` is never negative and turns sharply at zero {}: its sign is lost, as in a current's "
+          "size; record the signed command",
+          mapping.column, counted(folded_turns(command), "time"));
+    });
+  }
+}
+
+}  // namespace lacuna
