@@ -91,7 +91,7 @@ TEST_F(RecordedSetups, AHeldOutRecordingMustBeToldWhatAllOthersFindForThemselves
 }
 
 TEST_F(RecordedSetups, AFreeValueThatEveryRecordingSetsIsAProblem) {
-  for (const std::size_t file : {0, 1}) set(file, "body.body.mass", 1.0);
+  for (const std::size_t file : {std::size_t{0}, std::size_t{1}}) set(file, "body.body.mass", 1.0);
   EXPECT_THAT(problem(), HasSubstr("body.body.mass is set by every recording to be fitted"));
 }
 
