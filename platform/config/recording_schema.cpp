@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace lacuna {
 namespace {
+
+constexpr double kTurn = 2.0 * M_PI;  // rad
 
 Value<std::vector<MeasuredFile>> measured_files(bool held_out, std::size_t fewest) {
   const Value<std::filesystem::path> path = existing_file();
@@ -46,6 +50,17 @@ std::string setup_name(const std::filesystem::path& file) {
 void check_drive(const TomlNode& node, Reading& reading, RecordingSource& source) {
   if (source.by_controllers && source.controllers.empty())
     reading.problem_at("drive", node.find("drive")->location, "needs target.controllers, which say the laws");
+  for (const ColumnMapping& command : source.commands)
+    if (source.by_controllers && !command.enabled_by.empty())
+      reading.problem_at("commands." + command.channel, command.location,
+                         "enabled_by takes drive = \"commands\": a controller does not know when the actuator is off");
+}
+
+void check_clock(const TomlNode& node, Reading& reading, RecordingSource& source) {
+  const EncodingKind kind = source.time_encoding.kind;
+  if (kind == EncodingKind::sign_bit || kind == EncodingKind::twos_complement)
+    reading.problem_at("encoding", node.find("encoding")->location,
+                       "a clock is \"plain\" or \"wraps\" at a number, as in \"wraps 2^32\"");
 }
 
 /// An empty list says that nothing is to be held out.
@@ -54,41 +69,13 @@ void look_for_holdout(const TomlNode& node, Reading&, RecordingSource& source) {
 }
 
 void name_setups(const TomlNode&, Reading&, RecordingSource& source) {
-  std::map<std::string, int> uses;
+  std::set<std::string> used;
   for (MeasuredFile& file : source.files) {
     if (file.setup.values.empty() && file.own.empty()) continue;
-    file.setup.name = setup_name(file.path);
-    if (const int before = uses[file.setup.name]++; before > 0) file.setup.name += "_" + std::to_string(before + 1);
+    const std::string name = setup_name(file.path);
+    file.setup.name = name;
+    for (int i = 2; !used.insert(file.setup.name).second; ++i) file.setup.name = name + "_" + std::to_string(i);
   }
-}
-
-/// A file with what holds for it alone.
-Table<MeasuredFile> recorded_file_keys() {
-  return Table<MeasuredFile>()
-      .required("file", &MeasuredFile::path, existing_file(), "the measured file")
-      .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),
-           "fitted to, or kept from every fit")
-      .key("use", &MeasuredFile::use, time_ranges(), "only these times of it, instead of target.time.use")
-      .key("mask", &MeasuredFile::mask, time_ranges(), "times of it that are not compared, besides target.time.mask")
-      .key("holdout", &MeasuredFile::holdout, time_ranges(),
-           "stretches of a file to fit to that are kept from every fit, [start, end]: each is a trial of its own")
-      .key<std::map<std::string, double>>(
-          "set", map_of("ADDRESS", number("").or_infinite()), {},
-          [](MeasuredFile& file, std::map<std::string, double>&& read) {
-            for (const auto& [address, value] : read) file.setup.values.push_back({address, value});
-          },
-          "what was different in this file and is known, as in { \"body.load.mass\" = \"0.49 kg\" }")
-      .key("own", &MeasuredFile::own, list_of(text()),
-           "addresses of values that are unknown and of this file alone, as in [\"body.load.mass\"]: each is fitted to "
-           "this file's trials within the bounds of model.free")
-      .check({"role", "holdout"},
-             [](const TomlNode& node, Reading& reading, MeasuredFile& file) {
-               if (file.held_out && !file.holdout.empty())
-                 reading.problem_at("holdout", node.find("holdout")->location,
-                                    "the whole file is held out already; leave out role or holdout");
-             })
-      .check({}, [](const TomlNode&, Reading& reading, MeasuredFile& file) { file.key = reading.path(); })
-      .located(&MeasuredFile::location);
 }
 
 /// The unit of a column as written; what it is converted to is the reader's business.
@@ -169,6 +156,19 @@ Table<ColumnMapping> column_keys() {
             mapping.gain_unit = read.unit;
           },
           "the channel is the column times this, as in \"35.15065 N/V\"")
+      .key<double>(
+          "counts_per_turn", mapped<double, double>(number("1").above(0.0), [](double&& read) { return read; }), {},
+          [](ColumnMapping& mapping, double&& read) {
+            mapping.gain = kTurn / read;
+            mapping.gain_unit = "rad";
+          },
+          "instead of gain: the column, with unit = \"1\", is a count of which a turn has so many")
+      .check({"gain", "counts_per_turn"},
+             [](const TomlNode& node, Reading& reading, ColumnMapping&) {
+               const TomlNode* counts = node.find("counts_per_turn");
+               if (counts && node.find("gain"))
+                 reading.problem_at("counts_per_turn", counts->location, "gain says the same; keep one of them");
+             })
       .key("offset", &ColumnMapping::offset, number(""), "added after the gain, in the channel's unit")
       .key(
           "encoding", &ColumnMapping::encoding, encoding(),
@@ -263,7 +263,8 @@ Table<RecordingSource> time_keys() {
       .key("max_gap", &RecordingSource::max_gap, number("s").at_least(0.0),
            "a longer pause between samples is a problem; 0: ten times the median interval")
       .key("use", &RecordingSource::use, time_ranges(), "only these times, [start, end]; empty: all")
-      .key("mask", &RecordingSource::mask, time_ranges(), "times that are not compared");
+      .key("mask", &RecordingSource::mask, time_ranges(), "times that are not compared")
+      .check({"encoding"}, check_clock);
 }
 
 Table<InitialValue> joint_start_keys() {
@@ -294,6 +295,38 @@ Table<KnownStart> initial_keys() {
                  start.states_joint = start.states_joint || node.find(key) != nullptr;
              })
       .located(&KnownStart::location);
+}
+
+/// A file with what holds for it alone.
+Table<MeasuredFile> recorded_file_keys() {
+  return Table<MeasuredFile>()
+      .required("file", &MeasuredFile::path, existing_file(), "the measured file")
+      .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),
+           "fitted to, or kept from every fit")
+      .key("use", &MeasuredFile::use, time_ranges(), "only these times of it, instead of target.time.use")
+      .key("mask", &MeasuredFile::mask, time_ranges(), "times of it that are not compared, besides target.time.mask")
+      .key("holdout", &MeasuredFile::holdout, time_ranges(),
+           "stretches of a file to fit to that are kept from every fit, [start, end]: each is a trial of its own")
+      .key<std::map<std::string, double>>(
+          "set", map_of("ADDRESS", number("").or_infinite()), {},
+          [](MeasuredFile& file, std::map<std::string, double>&& read) {
+            for (const auto& [address, value] : read) file.setup.values.push_back({address, value});
+          },
+          "what was different in this file and is known, as in { \"body.load.mass\" = \"0.49 kg\" }")
+      .key("initial", &MeasuredFile::initial, map_of("JOINT_OR_ACTUATOR", initial_keys().value()),
+           "what is known at the start of this file, of the joints and actuators for which it differs from "
+           "target.initial")
+      .key("own", &MeasuredFile::own, list_of(text()),
+           "addresses of values that are unknown and of this file alone, as in [\"body.load.mass\"]: each is fitted to "
+           "this file's trials within the bounds of model.free")
+      .check({"role", "holdout"},
+             [](const TomlNode& node, Reading& reading, MeasuredFile& file) {
+               if (file.held_out && !file.holdout.empty())
+                 reading.problem_at("holdout", node.find("holdout")->location,
+                                    "the whole file is held out already; leave out role or holdout");
+             })
+      .check({}, [](const TomlNode&, Reading& reading, MeasuredFile& file) { file.key = reading.path(); })
+      .located(&MeasuredFile::location);
 }
 
 Value<char> delimiter() { return choice<char>({{"auto", '\0'}, {",", ','}, {";", ';'}, {"\t", '\t'}, {" ", ' '}}); }
@@ -341,7 +374,7 @@ Table<RecordingSource> recording_keys() {
       .check({"holdout_trials", "trial_column"}, check_trials)
       .check({"files", "holdout", "recording"}, name_setups)
       .check({}, look_for_holdout)
-      .check({"drive", "controllers"}, check_drive);
+      .check({"drive", "controllers", "commands"}, check_drive);
 }
 
 }  // namespace lacuna

@@ -74,7 +74,8 @@ std::string difference(const FittedValue& replayed, const FittedValue& looped) {
 }  // namespace
 
 bool has_controller(const std::vector<Trial>& trials) {
-  return std::any_of(trials.begin(), trials.end(), [](const Trial& trial) { return controller_of(trial) != nullptr; });
+  return std::any_of(trials.begin(), trials.end(),
+                     [](const Trial& trial) { return !trial.closed_loop && controller_of(trial) != nullptr; });
 }
 
 std::vector<std::string> feedback_bias(const FitTask& task) {

@@ -45,6 +45,10 @@ ModelStates::ModelStates(const ModelDefinition& definition) {
       for (const Channel& channel : sensor_channels(robot, sensor)) extra_.push_back(channel);
     }
   };
+  Eigen::Index coordinate = 0;
+  for (const JointSpec& joint : robot.joints)
+    for (int c = 0; c < coordinate_count(joint.kind); ++c, ++coordinate)
+      if (joint.kind != JointKind::free) read_.push_back(coordinate);
   add(joint_sensors(robot, SensorKind::joint_position, "state_of_position"));
   add(joint_sensors(robot, SensorKind::joint_velocity, "state_of_velocity"));
   add(joint_sensors(robot, SensorKind::joint_force, "state_of_load"));
@@ -63,10 +67,16 @@ std::optional<ModelState> ModelStates::of(const Trial& trial, const StartState& 
   Prediction prediction;
   predictor.predict(predictor.whole(0), values, start, 0, prediction);
   if (!prediction.valid) return std::nullopt;
-  const auto n = static_cast<Eigen::Index>(coordinates().size());
-  return ModelState{prediction.samples.leftCols(n), prediction.samples.middleCols(n, n),
-                    prediction.samples.middleCols(2 * n, n),
+  return ModelState{of_all_coordinates(prediction.samples, 0), of_all_coordinates(prediction.samples, 1),
+                    of_all_coordinates(prediction.samples, 2),
                     prediction.samples.rightCols(static_cast<Eigen::Index>(bodies_.size()))};
+}
+
+Eigen::MatrixXd ModelStates::of_all_coordinates(const TimeSeries::Samples& samples, Eigen::Index block) const {
+  const auto read = static_cast<Eigen::Index>(read_.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(samples.rows(), static_cast<Eigen::Index>(coordinates().size()));
+  for (Eigen::Index i = 0; i < read; ++i) all.col(read_[static_cast<std::size_t>(i)]) = samples.col(block * read + i);
+  return all;
 }
 
 }  // namespace lacuna

@@ -8,6 +8,7 @@
 namespace lacuna {
 
 /// What the model says happens inside the robot during a free run; samples of the trial × coordinates or bodies, SI.
+/// Coordinates of free joints stay at zero.
 struct ModelState {
   Eigen::MatrixXd positions, velocities;
   Eigen::MatrixXd loads;  ///< generalised force of actuators and joint laws in the last step
@@ -28,7 +29,11 @@ class ModelStates {
   std::optional<ModelState> of(const Trial& trial, const StartState& start, const std::vector<double>& values) const;
 
  private:
-  std::vector<Channel> extra_;  ///< positions, velocities, loads, contacts
+  /// Of a block of readings of joints, in the order of coordinates.
+  Eigen::MatrixXd of_all_coordinates(const TimeSeries::Samples& samples, Eigen::Index block) const;
+
+  std::vector<Eigen::Index> read_;  ///< coordinates that sensors of joints read
+  std::vector<Channel> extra_;      ///< positions, velocities, loads, contacts
   std::vector<std::string> bodies_;
   std::unique_ptr<CompiledModel> model_;
 };

@@ -36,6 +36,10 @@ Trial with_known_start(const EeaDefinition& definition, Trial trial) {
 }
 
 std::vector<TargetTrial> recorded_trials(const EeaDefinition& definition, std::vector<Trial> trials) {
+  if (std::any_of(trials.begin(), trials.end(), [](const Trial& trial) { return trial.closed_loop; }))
+    throw Error(
+        "target.drive is \"controllers\", but lacuna run drives models by the recorded commands; run with "
+        "--set 'target.drive=\"commands\"'");
   const TrialPredictor predictor(*definition.compiled, trials, 1);
   const RobotSpec& robot = definition.model.structure.robot;
   const StartStates states(robot, predictor, sensor_noise(robot, predictor.trials()));

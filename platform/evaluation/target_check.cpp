@@ -18,17 +18,22 @@ void check_columns(const std::string& section, const std::vector<ColumnMapping>&
   }
 }
 
-void check_initial(const RobotSpec& robot, const RecordingSource& source, Complaints& complaints) {
+void check_starts(const RobotSpec& robot, const std::string& key, Complaints& complaints) {
   for (const JointSpec& joint : robot.joints) {
-    if (!source.initial.contains(joint.name)) continue;
     const std::string unit = joint.kind == JointKind::slider ? "m" : "rad";
-    complaints.check_unit("target.initial." + joint.name + ".position", unit);
-    complaints.check_unit("target.initial." + joint.name + ".velocity", unit + "/s");
+    complaints.check_unit(key + joint.name + ".position", unit);
+    complaints.check_unit(key + joint.name + ".velocity", unit + "/s");
   }
-  for (const Channel& command : command_channels(robot)) {
-    complaints.check_unit("target.initial." + command.name + ".command", command.unit);
+  for (const Channel& command : command_channels(robot))
+    complaints.check_unit(key + command.name + ".command", command.unit);
+}
+
+void check_initial(const RobotSpec& robot, const RecordingSource& source, Complaints& complaints) {
+  check_starts(robot, "target.initial.", complaints);
+  for (const MeasuredFile& file : source.files)
+    if (!file.initial.empty()) check_starts(robot, file.key + ".initial.", complaints);
+  for (const Channel& command : command_channels(robot))
     complaints.check_unit("target.controllers." + command.name + ".limit", command.unit);
-  }
 }
 
 void check_process_noise(const RobotSpec& robot, const NoiseSection& noise, Complaints& complaints) {

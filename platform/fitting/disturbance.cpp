@@ -101,6 +101,7 @@ CommandSeries with_random_forces(const CommandSeries& commands, const std::vecto
   CommandSeries disturbed;
   disturbed.hold = commands.hold;
   disturbed.before = commands.before;
+  disturbed.may_be_off = commands.may_be_off;
   disturbed.series.times = merged_times(commands.series.times, step, begin, end);
   disturbed.series.channels = commands.series.channels;
   const auto recorded = static_cast<Eigen::Index>(commands.series.channels.size());
@@ -144,6 +145,7 @@ CommandSeries with_force_pulses(const CommandSeries& commands, const DisturbedJo
   CommandSeries pulsed;
   pulsed.hold = commands.hold;
   pulsed.before = with_another(commands.before);
+  pulsed.may_be_off = commands.may_be_off;
   pulsed.series.channels = commands.series.channels;
   pulsed.series.channels.push_back({joint.actuator, "N"});
   const auto rows = static_cast<Eigen::Index>(times.size()), recorded = commands.series.samples.cols();

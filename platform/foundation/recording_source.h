@@ -55,18 +55,6 @@ struct TimeRange {
   double end = 0.0;    ///< s, inclusive
 };
 
-struct MeasuredFile {
-  std::filesystem::path path = {};  ///< resolved: relative to the experiment file, variables replaced
-  bool held_out = false;
-  SourceLocation location = {};         ///< where the experiment names it
-  std::vector<TimeRange> use = {};      ///< of this file; empty: as `RecordingSource::use` says
-  std::vector<TimeRange> mask = {};     ///< of this file, besides `RecordingSource::mask`
-  std::vector<TimeRange> holdout = {};  ///< stretches of a file to fit to that are kept from every fit
-  Setup setup = {};                     ///< named after the file where it sets something or has own values
-  std::vector<std::string> own = {};    ///< address patterns: unknown, and of this file alone
-  std::string key = {};                 ///< "target.recording[0]"
-};
-
 /// What is known of an element at the start of each trial, by its name: of a joint its state, of an actuator what it
 /// was commanded before.
 struct KnownStart {
@@ -74,6 +62,19 @@ struct KnownStart {
   std::optional<double> command = {};  ///< the actuator's unit, SI; none: not known
   bool states_joint = true;            ///< whether something is said of a joint
   SourceLocation location = {};
+};
+
+struct MeasuredFile {
+  std::filesystem::path path = {};  ///< resolved: relative to the experiment file, variables replaced
+  bool held_out = false;
+  SourceLocation location = {};                    ///< where the experiment names it
+  std::vector<TimeRange> use = {};                 ///< of this file; empty: as `RecordingSource::use` says
+  std::vector<TimeRange> mask = {};                ///< of this file, besides `RecordingSource::mask`
+  std::vector<TimeRange> holdout = {};             ///< stretches of a file to fit to that are kept from every fit
+  Setup setup = {};                                ///< named after the file where it sets something or has own values
+  std::vector<std::string> own = {};               ///< address patterns: unknown, and of this file alone
+  std::map<std::string, KnownStart> initial = {};  ///< of this file, where they differ from `RecordingSource::initial`
+  std::string key = {};                            ///< "target.recording[0]"
 };
 
 struct RecordingSource {

@@ -13,6 +13,7 @@ constexpr double kSmall = 4.0;              ///< a decoded change over the usual
 constexpr double kUsual = 0.99;             ///< quantile of the changes that are no jumps
 constexpr double kMostJumps = 0.1;          ///< of all changes
 constexpr std::size_t kFewestDecoded = 20;  ///< of what a moving robot reads; a switched command has fewer
+constexpr std::size_t kFewestOfASide = 5;   ///< on either side of what parts the values
 constexpr int kBits[] = {10, 12, 14, 15, 16, 20, 24, 31, 32};
 
 using Files = std::span<const std::vector<double>>;
@@ -55,6 +56,18 @@ double usual_change(const std::vector<Change>& changes, double modulus, bool who
   return whole ? std::max(*at, 1.0) : *at;
 }
 
+/// Whether the column takes several values on either side of what parts them: a single zero before the first reading,
+/// or a signal that only reaches the boundary, shows no encoding.
+bool moves_on_both_sides(Files files, double half, const Encoding& encoding) {
+  const bool from_zero = all_values(files, [](double value) { return value >= 0.0; });
+  const double between = encoding.kind == EncodingKind::sign_bit ? 2.0 * half : from_zero ? half : 0.0;
+  std::set<double> below, above;
+  for (const std::vector<double>& file : files)
+    for (const double value : file)
+      if (!std::isnan(value)) (value < between ? below : above).insert(value);
+  return below.size() >= kFewestOfASide && above.size() >= kFewestOfASide;
+}
+
 std::optional<FoundEncoding> test(const Encoding& encoding, double jump, Files files, bool whole) {
   const std::vector<Change> before = changes_of(files);
   FoundEncoding found{encoding};
@@ -65,6 +78,7 @@ std::optional<FoundEncoding> test(const Encoding& encoding, double jump, Files f
   if (found.jumps == 0 || static_cast<double>(found.jumps) > kMostJumps * static_cast<double>(before.size()))
     return std::nullopt;
   std::vector<std::vector<double>> decoded(files.begin(), files.end());
+  if (!moves_on_both_sides(files, 0.5 * jump, encoding)) return std::nullopt;
   std::set<double> levels;
   for (std::vector<double>& file : decoded) {
     decode(encoding, file);

@@ -13,10 +13,11 @@ constexpr double kBack = 0.25;        ///< of the departure: how far the signal 
 constexpr double kMostOfAll = 0.005;  ///< of all readings; more are no accidents but the signal
 constexpr std::size_t kFewestValues = 50;
 
-double usual_change(const std::vector<double>& values) {
+/// A quantile of the changes from one reading to the next.
+double change_at(const std::vector<double>& values, double share) {
   std::vector<double> sizes;
   for (std::size_t i = 1; i < values.size(); ++i) sizes.push_back(std::abs(values[i] - values[i - 1]));
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(kUsualShare * static_cast<double>(sizes.size() - 1));
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   return *at;
 }
@@ -35,6 +36,8 @@ std::size_t length_of_glitch(const std::vector<double>& values, std::size_t i, d
   const double away = values[i] - values[i - 1];
   if (std::abs(away) <= far) return 0;
   for (std::size_t n = 1; n <= kLongest && i + n < values.size(); ++n) {
+    // Further readings of a glitch stay where the first one went; a motion would not.
+    if (n > 1 && std::abs(values[i + n - 1] - values[i + n - 2]) > far / kFar) return 0;
     const double back = values[i + n - 1] - values[i + n], on = values[i + n] - values[i - 1];
     if (back * away > 0.0 && std::abs(back) > far && std::abs(on) < kBack * std::abs(away)) return n;
   }
@@ -52,7 +55,8 @@ std::vector<std::size_t> find_glitches(std::span<const double> all) {
     places.push_back(i);
   }
   if (values.size() < kFewestValues) return {};
-  const double far = kFar * std::max(usual_change(values), smallest_change(values));
+  const double usual = change_at(values, kUsualShare);
+  const double far = kFar * std::max(usual, smallest_change(values));
   std::vector<std::size_t> glitches;
   for (std::size_t i = 1; i + 1 < values.size(); ++i)
     for (std::size_t n = length_of_glitch(values, i, far); n > 0; --n) glitches.push_back(places[i++]);

@@ -35,7 +35,7 @@ CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
   return query;
 }
 
-/// PlannedColumns that are not there are the experiment's mistake as often as the file's: the line says both.
+/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
 bool has_columns(const CsvFormat& format, const CsvQuery& query, FileReport& report) {
   std::vector<std::string> wanted{query.time_column};
   if (!query.trial_column.empty()) wanted.push_back(query.trial_column);
@@ -108,7 +108,7 @@ std::string meaning_of(const Encoding& encoding) {
     case EncodingKind::sign_bit:
       return fmt::format("negative values are written as {:.0f} + their size", encoding.modulus);
     case EncodingKind::twos_complement:
-      return fmt::format("negative values are written as {:.0f} less", encoding.modulus);
+      return fmt::format("negative values are written as {:.0f} minus their size", encoding.modulus);
     case EncodingKind::wraps: return fmt::format("it starts again at {:.6g}", encoding.modulus);
     case EncodingKind::automatic:
     case EncodingKind::plain: break;
@@ -165,17 +165,20 @@ double median_step(const std::vector<double>& times) {
   return *middle;
 }
 
-/// A power of two by which every step back goes on soon; 0: none.
-double wrap_of_clock(const std::vector<double>& times) {
-  const double step = median_step(times);
-  for (const int bits : {10, 15, 16, 24, 31, 32}) {
+/// A power of two that whole stamps stay below, come near, and start again from 0 at; 0: none.
+double wrap_of_clock(const CsvTable& table) {
+  const std::vector<double>& times = table.times;
+  const double near = kLongestTick * median_step(times);
+  const bool whole = std::all_of(times.begin(), times.end(), [](double time) { return time == std::round(time); });
+  for (const int bits : {16, 24, 31, 32}) {
     const double modulus = std::ldexp(1.0, bits);
     std::size_t wraps = 0;
-    bool all = true;
-    for (std::size_t i = 1; i < times.size() && all; ++i) {
-      if (times[i] >= times[i - 1]) continue;
-      const double on = times[i] - times[i - 1] + modulus;
-      all = on > 0.0 && on < kLongestTick * step;
+    bool all = whole;
+    for (std::size_t i = 0; i < times.size() && all; ++i) {
+      const double stamp = table.time_origin + times[i];
+      all = stamp >= 0.0 && stamp < modulus;
+      if (i == 0 || times[i] >= times[i - 1]) continue;
+      all = all && stamp < near && table.time_origin + times[i - 1] > modulus - near;
       ++wraps;
     }
     if (all && wraps > 0) return modulus;
@@ -183,12 +186,22 @@ double wrap_of_clock(const std::vector<double>& times) {
   return 0.0;
 }
 
+/// A clock never goes back: each step back is one more turn, however long the pause.
+void unwrap_clock(double modulus, std::vector<double>& times) {
+  double turns = 0.0, before = times.empty() ? 0.0 : times.front();
+  for (double& time : times) {
+    if (time < before) turns += 1.0;
+    before = time;
+    time += turns * modulus;
+  }
+}
+
 /// Time stamps that start again go on; without a statement where they clearly do.
 void decode_clock(const RecordingSource& source, ReadTable& read) {
   Encoding encoding = source.time_encoding;
   std::vector<double>& times = read.table.times;
   if (encoding.kind == EncodingKind::automatic && !read.table.dated && read.table.trial_names.empty()) {
-    const double modulus = wrap_of_clock(times);
+    const double modulus = wrap_of_clock(read.table);
     if (modulus == 0.0) return;
     encoding = {EncodingKind::wraps, modulus};
     const auto back = std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return b < a; });
@@ -200,7 +213,7 @@ void decode_clock(const RecordingSource& source, ReadTable& read) {
           source.time_column, modulus, to_string(encoding));
     });
   }
-  if (encoding.kind == EncodingKind::wraps) decode(encoding, times);
+  if (encoding.kind == EncodingKind::wraps) unwrap_clock(encoding.modulus, times);
 }
 
 }  // namespace
@@ -222,11 +235,9 @@ std::vector<ReadTable> read_tables(const RecordingSource& source, const Recordin
     drop_unwritten(planned, tables.back());
     decode_clock(source, tables.back());
   }
-  for (std::size_t c = 0; c < planned.size(); ++c) {
-    const bool is_sensor = c < plan.sensors.size(),
-               is_command = !is_sensor && c < plan.sensors.size() + plan.commands.size();
-    decode_column(c, *planned[c], is_sensor ? "sensors" : is_command ? "commands" : "controllers", tables);
-  }
+  const std::size_t sensors = plan.sensors.size();
+  for (std::size_t c = 0; c < sensors + plan.commands.size(); ++c)
+    decode_column(c, *planned[c], c < sensors ? "sensors" : "commands", tables);
   return tables;
 }
 

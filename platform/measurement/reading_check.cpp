@@ -43,14 +43,22 @@ void leave_out_repeats(TimeSeries& measured, std::size_t c, const ColumnMapping&
   });
 }
 
+Eigen::VectorXd without(Eigen::VectorXd column, const std::vector<std::size_t>& left_out) {
+  for (const std::size_t i : left_out) column(static_cast<Eigen::Index>(i)) = std::nan("");
+  return column;
+}
+
 void leave_out_glitches(TimeSeries& measured, std::size_t c, const ColumnMapping& mapping,
                         const std::vector<int>& lines, double origin, FileReport& report) {
   const auto column = static_cast<Eigen::Index>(c);
   const std::vector<std::size_t> glitches = find_glitches(column_of(measured, c));
+  const Eigen::VectorXd kept = without(measured.samples.col(column), glitches);
   for (const std::size_t i : glitches) {
     const auto row = static_cast<Eigen::Index>(i);
     const double value = measured.samples(row, column);
-    const double before = measured.samples(std::max<Eigen::Index>(row - 1, 0), column);
+    Eigen::Index last = row;
+    while (last > 0 && !std::isfinite(kept(last))) --last;
+    const double before = kept(last);
     report.doubt("glitch of " + mapping.column, lines[i], [&] {
       return fmt::format(
           "column `{}` at {:.9g} s: {} for one to three readings, {} before: a glitch, left out; keep = [\"glitches\"] "
@@ -60,7 +68,7 @@ void leave_out_glitches(TimeSeries& measured, std::size_t c, const ColumnMapping
           format_quantity(before, measured.channels[c].unit), mapping.channel);
     });
   }
-  for (const std::size_t i : glitches) measured.samples(static_cast<Eigen::Index>(i), column) = std::nan("");
+  measured.samples.col(column) = kept;
 }
 
 /// Whether b = scale·a + offset, but for the digits that were written.
@@ -79,6 +87,7 @@ bool is_copy(const std::vector<double>& a, const std::vector<double>& b) {
 std::size_t folded_turns(const std::vector<double>& values) {
   if (!std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0; })) return 0;
   const double size = *std::max_element(values.begin(), values.end());
+  if (size == 0.0) return 0;
   std::size_t turns = 0;
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     if (values[i] > kNearZero * size || values[i] > values[i - 1] || values[i] > values[i + 1]) continue;
@@ -89,9 +98,10 @@ std::size_t folded_turns(const std::vector<double>& values) {
     if (reach > i || i + reach >= values.size()) continue;
     if (values[i - reach] < kHigh * size || values[i + reach] < kHigh * size) continue;
     const std::size_t half = reach / 2;
-    if (half == 0 ||
-        (values[i - half] > kStraight * values[i - reach] && values[i + half] > kStraight * values[i + reach]))
-      ++turns;
+    const auto is_straight = [&](std::size_t near, std::size_t far) {
+      return values[near] > kStraight * values[far] && values[near] < values[far];
+    };
+    if (half > 0 && is_straight(i - half, i - reach) && is_straight(i + half, i + reach)) ++turns;
     i += reach;
   }
   return turns;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace lacuna {
@@ -49,24 +50,33 @@ RecordedController::Memory RecordedController::memory_at(std::size_t index, Eige
     if (std::isfinite(before)) memory.smooth = before;
   }
   if (law.integral == 0.0) return memory;
-  Memory without = memory;
   const double sent = signals_.commands.series.samples(sample, law.command_column);
-  const double rest = sent - command(index, sample, reading, without);
+  const double rest = sent - asked(index, sample, reading, memory);
   if (std::isfinite(rest)) memory.integral = rest;
   return memory;
 }
 
+double RecordedController::smoothed(std::size_t index, Eigen::Index sample, double reading,
+                                    const Memory& memory) const {
+  const double filter = laws_[index].filter;
+  const double share = filter > 0.0 ? -std::expm1(-interval_before(sample) / filter) : 1.0;
+  return memory.smooth + share * (reading - memory.smooth);
+}
+
+double RecordedController::asked(std::size_t index, Eigen::Index sample, double reading, const Memory& memory) const {
+  const ControlLaw& law = laws_[index];
+  const double interval = interval_before(sample);
+  const double rate = interval > 0.0 ? (smoothed(index, sample, reading, memory) - memory.smooth) / interval : 0.0;
+  return law.proportional * error(index, sample, reading) + memory.integral - law.derivative * rate;
+}
+
 double RecordedController::command(std::size_t index, Eigen::Index sample, double reading, Memory& memory) const {
   const ControlLaw& law = laws_[index];
-  const double interval = interval_before(sample), error = this->error(index, sample, reading);
-  const double share = law.filter > 0.0 ? -std::expm1(-interval / law.filter) : 1.0;
-  const double smooth = memory.smooth + share * (reading - memory.smooth);
-  const double rate = interval > 0.0 ? (smooth - memory.smooth) / interval : 0.0;
-  const double asked = law.proportional * error + memory.integral - law.derivative * rate;
-  if (std::abs(asked) < law.limit || asked * error * law.integral < 0.0)
-    memory.integral += law.integral * error * interval;
-  memory.smooth = smooth;
-  return std::clamp(asked, -law.limit, law.limit);
+  const double error = this->error(index, sample, reading), wanted = asked(index, sample, reading, memory);
+  if (std::abs(wanted) < law.limit || wanted * error * law.integral < 0.0)
+    memory.integral += law.integral * error * interval_before(sample);
+  memory.smooth = smoothed(index, sample, reading, memory);
+  return std::clamp(wanted, -law.limit, law.limit);
 }
 
 void RecordedController::act(double time, std::span<const double> sensors, std::span<double> state,
@@ -90,11 +100,12 @@ void RecordedController::act(double time, std::span<const double> sensors, std::
 Eigen::VectorXd RecordedController::of_recorded_readings(std::size_t law) const {
   const auto readings = signals_.measured.samples.col(laws_[law].reading_column);
   Eigen::VectorXd commands(readings.size());
-  Memory memory = memory_at(law, 0, readings(0));
+  commands.setConstant(std::nan(""));
+  std::optional<Memory> memory;
   for (Eigen::Index i = 0; i < readings.size(); ++i) {
-    const Memory before = memory;
-    commands(i) = command(law, i, readings(i), memory);
-    if (!std::isfinite(readings(i))) memory = before;
+    if (!std::isfinite(readings(i))) continue;
+    if (!memory) memory = memory_at(law, i, readings(i));
+    commands(i) = command(law, i, readings(i), *memory);
   }
   return commands;
 }

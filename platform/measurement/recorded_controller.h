@@ -63,6 +63,9 @@ class RecordedController : public Controller {
   Memory memory_at(std::size_t law, Eigen::Index sample, double reading) const;
   /// Steps the memory on to the sample.
   double command(std::size_t law, Eigen::Index sample, double reading, Memory& memory) const;
+  /// The same without the limit.
+  double asked(std::size_t law, Eigen::Index sample, double reading, const Memory& memory) const;
+  double smoothed(std::size_t law, Eigen::Index sample, double reading, const Memory& memory) const;
   double error(std::size_t law, Eigen::Index sample, double reading) const;
 
   const std::vector<ControlLaw> laws_;

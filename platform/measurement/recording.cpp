@@ -22,8 +22,8 @@ namespace lacuna {
 namespace {
 
 struct WholeSource {
-  RecordingSource source;  ///< as it holds for the file under way
-  const RecordingPlan& plan;
+  RecordingSource source;               ///< as it holds for the file under way
+  RecordingPlan plan;                   ///< the same
   std::vector<std::string> file_names;  ///< how trials are called: the file's name, or its path where two have one name
   std::set<std::string> trials_seen;    ///< values of the trial column in all files
   bool has_one_trial = false;           ///< of which nobody says whether some of it is held out
@@ -206,16 +206,31 @@ void take_own_ranges(const RecordingSource& source, const MeasuredFile& file, Re
   own.mask.insert(own.mask.end(), file.mask.begin(), file.mask.end());
 }
 
+/// What is known of the starts of a file.
+std::map<std::string, KnownStart> starts_of(const RecordingSource& source, const MeasuredFile& file) {
+  std::map<std::string, KnownStart> starts = file.initial;
+  for (const auto& [name, start] : source.initial) {
+    const auto [own, is_new] = starts.emplace(name, start);
+    if (is_new) continue;
+    if (!own->second.states_joint && start.states_joint) {
+      own->second.joint = start.joint;
+      own->second.states_joint = true;
+    }
+    if (!own->second.command) own->second.command = start.command;
+  }
+  return starts;
+}
+
 /// Fills in what is known of the starts, and says what is meant by nothing.
-void plan_starts(const RecordingSource& source, const std::vector<std::string>& coordinates, RecordingPlan& plan,
-                 ProblemList& problems) {
-  if (std::any_of(source.initial.begin(), source.initial.end(),
-                  [](const auto& one) { return one.second.states_joint; }))
+void plan_starts(const std::map<std::string, KnownStart>& initial, const std::vector<std::string>& coordinates,
+                 RecordingPlan& plan, ProblemList& problems) {
+  plan.initial.clear();
+  if (std::any_of(initial.begin(), initial.end(), [](const auto& one) { return one.second.states_joint; }))
     plan.initial.resize(coordinates.size());
   plan.commanded_before.assign(plan.commands.size(), std::nan(""));
   std::vector<std::string> actuators;
   for (const PlannedColumn& command : plan.commands) actuators.push_back(command.channel.name);
-  for (const auto& [name, start] : source.initial) {
+  for (const auto& [name, start] : initial) {
     bool is_joint = false;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
       if (!is_of_joint(coordinates[i], name)) continue;
@@ -269,7 +284,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
       plan.switches.push_back({c, column});
   plan_controllers(source.controllers, channels, actuators, plan, problems);
   plan.seconds_per_time_unit = seconds_per_time_unit(source, problems);
-  plan_starts(source, coordinates, plan, problems);
+  plan_starts(source.initial, coordinates, plan, problems);
 
   WholeSource whole{source, plan, names_of_files(source.files), {}};
   whole.has_one_trial = source.may_split && source.files.size() == 1 && !source.files.front().held_out &&
@@ -278,6 +293,10 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   std::vector<ReadTable> tables = read_tables(source, plan);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     take_own_ranges(source, source.files[i], whole.source);
+    if (!source.files[i].initial.empty())
+      plan_starts(starts_of(source, source.files[i]), coordinates, whole.plan, problems);
+    else
+      whole.plan = plan;
     FileReport& report = tables[i].report;
     if (!report.has_problems()) read_table_into(tables[i].table, whole, i, report, recording.trials);
     report.move_to(problems, recording.notes);

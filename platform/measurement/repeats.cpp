@@ -32,7 +32,14 @@ Changes changes_of(std::span<const double> values) {
 
 }  // namespace
 
-Repeats find_repeats(std::span<const double> values) {
+Repeats find_repeats(std::span<const double> all) {
+  std::vector<double> values;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!std::isfinite(all[i])) continue;
+    values.push_back(all[i]);
+    places.push_back(i);
+  }
   const Changes changes = changes_of(values);
   if (changes.places.size() < kFewestChanges) return {};
   std::vector<std::size_t> intervals;
@@ -60,7 +67,7 @@ Repeats find_repeats(std::span<const double> values) {
     if (changed || i == 0 || i - since > usual)
       since = i;
     else
-      repeats.repeated.push_back(i);
+      repeats.repeated.push_back(places[i]);
   }
   return repeats;
 }

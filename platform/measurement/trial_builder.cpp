@@ -85,8 +85,9 @@ void fill_commands(CommandSeries& commands, const std::vector<PlannedColumn>& pl
   }
 }
 
-/// Missing: as before.
-void switch_off(const RecordingPlan& plan, const CsvTable& table, const TrialClock& clock, TimeSeries& commands) {
+/// Missing: as before. Called with 0 before gaps are filled, and with NaN after.
+void switch_off(const RecordingPlan& plan, const CsvTable& table, const TrialClock& clock, double off,
+                TimeSeries& commands) {
   for (std::size_t s = 0; s < plan.switches.size(); ++s) {
     const std::size_t column = plan.sensors.size() + plan.commands.size() + plan.references.size() + s;
     const auto command = static_cast<Eigen::Index>(plan.switches[s].command);
@@ -94,7 +95,7 @@ void switch_off(const RecordingPlan& plan, const CsvTable& table, const TrialClo
     for (std::size_t i = 0; i < clock.rows.size(); ++i) {
       const double value = table.columns[column][clock.rows[i]];
       if (std::isfinite(value)) is_on = value != 0.0;
-      if (!is_on) commands.samples(static_cast<Eigen::Index>(i), command) = std::nan("");
+      if (!is_on) commands.samples(static_cast<Eigen::Index>(i), command) = off;
     }
   }
 }
@@ -109,9 +110,10 @@ Trial build_trial(const RecordingPlan& plan, const RecordingSource& source, cons
   trial.commands.series = take_columns(plan.commands, plan.sensors.size(), table, clock);
   trial.commands.hold = source.hold;
   trial.commands.before = plan.commanded_before;
+  switch_off(plan, table, clock, 0.0, trial.commands.series);
   fill_commands(trial.commands, plan.commands, table, clock, report);
   trial.commands.may_be_off = !plan.switches.empty();
-  switch_off(plan, table, clock, trial.commands.series);
+  switch_off(plan, table, clock, std::nan(""), trial.commands.series);
   if (!plan.laws.empty()) {
     const std::size_t first = plan.sensors.size() + plan.commands.size();
     CommandSeries references{take_columns(plan.references, first, table, clock), source.hold};

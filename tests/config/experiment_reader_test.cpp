@@ -53,6 +53,11 @@ TEST(ReadExperiment, ReadsWhatHoldsForOneRecording) {
   EXPECT_DOUBLE_EQ(sine.holdout[1].end, 20.0);
   EXPECT_TRUE(source.files[1].held_out);
   EXPECT_TRUE(source.files[1].use.empty());
+  EXPECT_EQ(source.files[1].setup, (lacuna::Setup{"chirp", {{"body.torso.mass", 0.8}}}));
+  EXPECT_EQ(source.files[1].initial.at("motor").command, 0.3);
+  EXPECT_TRUE(sine.setup.name.empty());
+  EXPECT_DOUBLE_EQ(source.sensors[0].gain, 2.0 * M_PI / 4096);
+  EXPECT_EQ(source.sensors[0].gain_unit, "rad");
 }
 
 TEST(ReadExperiment, ReadsColumnsInTheOrderOfTheFile) {

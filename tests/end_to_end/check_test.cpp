@@ -1,5 +1,6 @@
 #include "end_to_end/program.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,6 +88,30 @@ TEST_F(Check, RefusesARunThatWouldMeanNothing) {
   EXPECT_THAT(refused("test.duration=\"5 ms\""), HasSubstr("is shorter than one control period of 10.0 ms"));
   EXPECT_THAT(refused("target.parameters.arms_in_middle=0.3"), HasSubstr("arms_in_middle is to be 0"));
   EXPECT_THAT(refused("model.encoding_parameters.lift=0.4"), HasSubstr("lift is to be 0 or 1"));
+}
+
+/// A ball that was thrown: its start is read off its first readings, and nothing is amiss.
+TEST(FreeBody, IsCompared) {
+  const Program program;
+  std::string readings = "t,x,z\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.01 * i;
+    readings += fmt::format("{:.2f},{:.9f},{:.9f}\n", t, 0.2 + 1.5 * t, 1.0 + 3.0 * t - 0.5 * 9.81 * t * t);
+  }
+  program.write("throw.csv", readings);
+  program.write("ball.toml",
+                "[robot]\nname = \"ball\"\n[body.ball]\nmass = 0.1\ninertia = [1e-5, 1e-5, 1e-5]\n"
+                "[joint.flight]\nkind = \"free\"\nchild = \"ball\"\n"
+                "[sensor.place]\nkind = \"body_position\"\nbody = \"ball\"\n");
+  program.write("throw.toml",
+                "[experiment]\nname = \"throw\"\n[target]\nkind = \"recorded\"\nfiles = [\"throw.csv\"]\n"
+                "holdout = []\n[target.time]\ncolumn = \"t\"\n[target.sensors]\n"
+                "\"place.x\" = { column = \"x\", unit = \"m\", noise = 0.001 }\n"
+                "\"place.z\" = { column = \"z\", unit = \"m\", noise = 0.001 }\n"
+                "[model]\nfile = \"ball.toml\"\n");
+  const Outcome outcome = program.run({"compare", "throw.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("place.z"));
 }
 
 }  // namespace

@@ -95,6 +95,16 @@ TEST(Encodings, SignalsThatWereWrittenAsTheyAreHaveNone) {
   for (const auto& column : {swung_counts(), switched, steps, noise, high}) EXPECT_EQ(guessed(column), "none");
 }
 
+/// A servo at rest around half its range, whose log begins with the zero of a register that nobody had written yet.
+TEST(Encodings, OneReadingOnTheOtherSideShowsNone) {
+  std::vector<double> late = {0.0};
+  for (int i = 1; i < kReadings; ++i) late.push_back(2050.0 + std::round(300.0 * (1.0 - std::cos(0.03 * i))));
+  EXPECT_EQ(guessed(late), "none");
+  std::vector<double> high = {0.0};
+  for (int i = 1; i < kReadings; ++i) high.push_back(4000.0 + std::round(40.0 * std::sin(0.1 * i)));
+  EXPECT_EQ(guessed(high), "none");
+}
+
 class EncodedFile : public testing::Test {
  protected:
   std::string file(const auto& write, const char* time = nullptr) {

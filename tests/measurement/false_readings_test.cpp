@@ -61,6 +61,21 @@ TEST(Repeats, AQuantiserAndARestAreNone) {
   EXPECT_EQ(find_repeats(signal([](int i) { return i < 300 ? 0.0 : noisy_swing(i); })).every, 0u);
 }
 
+/// What was not measured in between repeats nothing.
+TEST(Repeats, EmptyCellsAreNone) {
+  const Repeats repeats = find_repeats(signal([](int i) { return i % 5 == 0 ? noisy_swing(i) : std::nan(""); }));
+  EXPECT_EQ(repeats.every, 0u);
+}
+
+/// A kick of a rig that is filmed slowly, from rest to rest.
+TEST(Glitches, AKickFromRestIsMotion) {
+  std::vector<double> kick = signal([](int i) { return 1e-4 * ripple(i); });
+  kick[300] = 0.05;
+  kick[301] = 0.09;
+  kick[302] = 0.04;
+  EXPECT_THAT(find_glitches(kick), IsEmpty());
+}
+
 class FalseReadings : public testing::Test {
  protected:
   Recording read(const auto& angle, const auto& command) {
@@ -103,6 +118,7 @@ TEST_F(FalseReadings, ACopyAndALostSignAreNoCommands) {
   EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return std::abs(torque(i)); })), HasSubstr("its sign is lost"));
   EXPECT_THAT(notes_of(read(noisy_swing, torque)), IsEmpty());
   EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return 1.0 + torque(i); })), IsEmpty());
+  EXPECT_THAT(notes_of(read(noisy_swing, [](int i) { return i / 40 % 2 == 0 ? 0.0 : 1.0; })), IsEmpty());
 }
 
 }  // namespace

@@ -72,6 +72,45 @@ TEST_F(ARecordedController, BeginsInTheMiddleWithWhatWasMeasuredBefore) {
   EXPECT_DOUBLE_EQ(commands[0], 8.0 * (2.0 * kRight - 0.5) - 0.5 * (0.5 - 0.2) / 0.1);
 }
 
+/// The integral of the error, at the law's samples; it stands still while the command is at its limit.
+TEST_F(ARecordedController, IntegratesWithinItsLimit) {
+  RecordingSource with_integral = source();
+  ControllerMapping& law = with_integral.controllers.front();
+  law.derivative = 0.0;
+  law.integral = 20.0;
+  law.integral_unit = "N*m/(rad*s)";
+  law.limit = 12.0;
+  const Recording recording = read_pendulum(with_integral);
+  const auto& controller = dynamic_cast<const RecordedController&>(*recording.trials.front().controller);
+  std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0);
+  std::array commands = {0.0};
+  const auto act = [&](double time, double angle) {
+    const std::array readings = {angle, 0.0};
+    controller.act(time, readings, state, commands);
+    return commands[0];
+  };
+  EXPECT_NEAR(act(0.0, kRight - 0.1), 1.0, 1e-12) << "it begins with what was commanded";
+  EXPECT_NEAR(act(0.1, kRight - 0.2), 0.2 + 1.6, 1e-12) << "0.2 of the integral";
+  EXPECT_EQ(act(0.2, 0.0), 12.0);
+}
+
+TEST_F(ARecordedController, SmoothsWhatItsDerivativeSees) {
+  RecordingSource smooth = source();
+  smooth.controllers.front().proportional = 0.0;
+  smooth.controllers.front().filter = 0.1;
+  const Recording recording = read_pendulum(smooth);
+  const auto& controller = dynamic_cast<const RecordedController&>(*recording.trials.front().controller);
+  const Eigen::VectorXd made = controller.of_recorded_readings(0);
+  EXPECT_NEAR(made(1), -0.5 * (1.0 - std::exp(-1.0)) * 0.1 / 0.1, 1e-12);
+}
+
+TEST_F(ARecordedController, DrivesModelsWhereTheSourceSaysSo) {
+  RecordingSource driven = source();
+  EXPECT_FALSE(read_pendulum(driven).trials.front().closed_loop);
+  driven.by_controllers = true;
+  EXPECT_TRUE(read_pendulum(driven).trials.front().closed_loop);
+}
+
 TEST_F(ARecordedController, IsRefusedWithoutItsColumnsAndInOtherUnits) {
   RecordingSource wrong = source();
   wrong.controllers.front().sensor = "rate";

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace lacuna {
@@ -215,6 +216,81 @@ TEST_F(ReadRecording, KeepsWhatWasCommandedBefore) {
   const Trial trial = read_pendulum(source).trials[0];
   EXPECT_THAT(trial.commands.before, ElementsAre(-0.5));
   EXPECT_TRUE(trial.initial.empty()) << "of joints nothing is said";
+}
+
+TEST_F(ReadRecording, KnowsStartsFileByFile) {
+  RecordingSource source = pendulum_source(folder_.write("a.csv", "t,q,u\n0,1,2\n1,1,2\n"));
+  source.files.push_back({.path = folder_.write("b.csv", "t,q,u\n0,1,2\n1,1,2\n")});
+  source.initial["motor"] = commanded(-0.5);
+  source.initial["hinge"] = {.joint = {InitialKnowledge::given, 1.0, 0.0}};
+  source.files[1].initial["motor"] = commanded(0.75);
+  const std::vector<Trial> trials = read_pendulum(source).trials;
+  EXPECT_THAT(trials[0].commands.before, ElementsAre(-0.5));
+  EXPECT_THAT(trials[1].commands.before, ElementsAre(0.75));
+  EXPECT_EQ(trials[1].initial.front().position, 1.0) << "what a file does not say holds as for all";
+  source.files[1].initial["mtor"] = commanded(0.75);
+  EXPECT_THAT(complaint_of(source), HasSubstr("has no actuator `mtor` (did you mean \"motor\"?)"));
+}
+
+std::string swing_rows(int samples) {
+  std::string text = "t,q,u,on\n";
+  for (int i = 0; i < samples; ++i)
+    text += fmt::format("{},{},{},{}\n", 0.01 * i, 0.3 * std::sin(0.2 * i), 0.1 * std::cos(0.2 * i), i < 5 ? 1 : 0);
+  return text;
+}
+
+TEST_F(ReadRecording, SplitsTheOnlyRecordingAndSaysSo) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", swing_rows(80)));
+  EXPECT_EQ(read_pendulum(source).trials.size(), 1u) << "nothing was left to the program";
+  source.may_split = true;
+  source.initial["hinge"] = {.joint = {InitialKnowledge::given, 0.0, 0.0}};
+  const Recording recording = read_pendulum(source);
+  ASSERT_EQ(recording.trials.size(), 2u);
+  EXPECT_EQ(recording.trials[0].measured.times.size(), 60);
+  EXPECT_FALSE(recording.trials[0].held_out);
+  EXPECT_TRUE(recording.trials[1].held_out);
+  EXPECT_EQ(recording.trials[0].initial.front().knowledge, InitialKnowledge::given);
+  EXPECT_EQ(recording.trials[1].initial.front().knowledge, InitialKnowledge::from_data) << "it starts elsewhere";
+  EXPECT_THAT(notes_of(recording), HasSubstr("the only recording: its last quarter, from 0.6 s on, is held out"));
+}
+
+TEST_F(ReadRecording, SplitsNothingThatIsTooShort) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", swing_rows(39)));
+  source.may_split = true;
+  EXPECT_EQ(read_pendulum(source).trials.size(), 1u);
+}
+
+TEST_F(ReadRecording, ATrialHasItsFilesSetup) {
+  RecordingSource source = pendulum_source(folder_.write("heavy.csv", swing_rows(20)));
+  source.files.front().setup = {"heavy", {{"body.load.mass", 1.5}}};
+  EXPECT_EQ(read_pendulum(source).trials.front().setup, source.files.front().setup);
+}
+
+TEST_F(ReadRecording, ACommandIsOffWhileItsColumnSaysSo) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", swing_rows(20)));
+  EXPECT_FALSE(read_pendulum(source).trials.front().commands.may_be_off);
+  source.commands.front().enabled_by = "on";
+  const CommandSeries commands = read_pendulum(source).trials.front().commands;
+  EXPECT_TRUE(commands.may_be_off);
+  EXPECT_FALSE(std::isnan(commands.series.samples(4, 0)));
+  EXPECT_TRUE(commands.series.samples.bottomRows(15).array().isNaN().all());
+}
+
+/// Its sums by the trapezium rule lead back to the positions.
+TEST_F(ReadRecording, ACommandMayBeTheRateOfAColumn) {
+  RecordingSource source = pendulum_source(folder_.write("run.csv", swing_rows(200)));
+  source.commands.front() = source.sensors.front();
+  source.commands.front().channel = "bench";
+  source.commands.front().derivative = true;
+  const Trial trial = read_recording(source, kPendulumChannels, {{"bench", "rad/s"}}, {"joint.hinge"}).trials.front();
+  double position = trial.measured.samples(0, 0);
+  for (Eigen::Index i = 1; i < 200; ++i) {
+    const auto rate = trial.commands.series.samples.col(0);
+    position += 0.005 * (rate(i - 1) + rate(i));
+    EXPECT_NEAR(position, trial.measured.samples(i, 0), 0.004) << i;  // a hundredth of the swing
+  }
+  source.commands.front().derivative = false;
+  EXPECT_THROW(read_recording(source, kPendulumChannels, {{"bench", "rad/s"}}, {"joint.hinge"}), BadInput);
 }
 
 TEST_F(ReadRecording, ATrialFromTheMiddleOfAFileKnowsWhatWasCommandedBefore) {

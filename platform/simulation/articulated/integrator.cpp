@@ -75,6 +75,10 @@ void Integrator::keep(double length, double whole, const Commanded& commanded) {
   std::copy(after.configuration.begin(), after.configuration.end(), motion_.configuration.begin());
   std::copy(after.velocities.begin(), after.velocities.end(), motion_.velocities.begin());
   std::copy(after.accelerations.begin(), after.accelerations.end(), motion_.accelerations.begin());
+  for (const CouplingNumbers& c : machine_.couplings()) {
+    motion_.configuration[c.position] = c.ratio * motion_.configuration[c.leading_position] + c.offset;
+    motion_.velocities[c.dof] = c.ratio * motion_.velocities[c.leading_dof];
+  }
   for (std::size_t a = 0; a < motion_.integrals.size(); ++a)
     motion_.integrals[a] += length * step_.integral_rate(a, commanded.values[a]);
 }

@@ -242,7 +242,7 @@ void Step::assemble(const Motion& from, double length, const Commanded& commande
   std::copy(inertia_.begin(), inertia_.end(), system_.matrix().begin());
   std::copy(momentum_.begin(), momentum_.end(), system_.right().begin());
   if (has_drag_) add_drag(from, length);
-  couple();
+  couple(system_.matrix());
   laws_.clear();
   for (std::size_t c = 0; c < loads_.size(); ++c) add_coordinate(c, from, length, stopped[c], reversals);
   for (std::size_t a = 0; a < machine_.actuators().size(); ++a) {
@@ -318,6 +318,11 @@ void Step::keep() {
 void Step::stop(std::size_t coordinate, Motion& motion) {
   const std::size_t dof = machine_.coordinates()[coordinate].dof;
   find_inertia(motion.configuration);
+  if (!machine_.couplings().empty()) {
+    std::copy(inertia_.begin(), inertia_.end(), factor_.begin());
+    couple(factor_);
+    factor_in_place(factor_, dofs_);
+  }
   std::fill(memory_.begin(), memory_.end(), 0.0);
   memory_[dof] = 1.0;
   solve_in_place(factor_, dofs_, memory_);

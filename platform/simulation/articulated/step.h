@@ -93,7 +93,7 @@ class Step {
   /// Of dry friction on a coordinate whose velocities are imposed, over the step: it turns round with them.
   double imposed_friction(std::size_t coordinate, double before, double after) const;
   void add_linear(std::size_t dof, double force, double damping, double stiffness, const Motion& from, double length);
-  void couple();
+  void couple(std::span<double> matrix) const;
   void find_drag();
   void add_drag(const Motion& from, double length);
   void find_momentum(const Motion& from);

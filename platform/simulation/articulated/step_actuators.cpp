@@ -7,7 +7,7 @@
 namespace lacuna::articulated {
 namespace {
 
-constexpr double kCoupled = 1e5;  ///< times the larger of two coupled inertias
+constexpr double kCoupled = 1e6;  ///< times the larger of two coupled inertias
 constexpr double kLeastRatio = 1e-6;
 
 double beyond_gap(double twist, double gap) {
@@ -110,13 +110,12 @@ void Step::add_transmission(std::size_t a, const Motion& from, double length) {
   matrix[actuator.dof * dofs_ + joint.dof] -= resistance;
 }
 
-/// An inertia against the velocity at which two coupled coordinates would part: so large that they do not, to rounding
-/// of the positions, and no larger, so that the system can be solved.
-void Step::couple() {
+/// An inertia against the velocity at which two coupled coordinates would part: so large that they hardly do, and no
+/// larger, so that the system can be solved. What is left of it is taken off the positions after the step.
+void Step::couple(std::span<double> matrix) const {
   for (const CouplingNumbers& c : machine_.couplings()) {
     const double own = inertia_[c.dof * (dofs_ + 1)], leading = inertia_[c.leading_dof * (dofs_ + 1)];
     const double heavy = kCoupled * std::max(own, leading / std::max(c.ratio * c.ratio, kLeastRatio));
-    const std::span<double> matrix = system_.matrix();
     matrix[c.dof * (dofs_ + 1)] += heavy;
     matrix[c.leading_dof * (dofs_ + 1)] += heavy * c.ratio * c.ratio;
     matrix[c.dof * dofs_ + c.leading_dof] -= heavy * c.ratio;

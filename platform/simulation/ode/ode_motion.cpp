@@ -126,6 +126,11 @@ double OdeMotion::position_of(std::size_t a) const {
 void OdeMotion::set_laws(const simulation::StepOrder& order) {
   for (std::size_t a = 0; a < laws_.size(); ++a) {
     const ActuatorSpec& actuator = robot_->actuators[a];
+    if (std::isnan(order.commands[a])) {  // off
+      laws_[a] = {};
+      actuator_forces_[a] = memories_[a].force = 0.0;
+      continue;
+    }
     laws_[a] = simulation::actuator_law(actuator, order.commands[a], order.rates[a], position_of(a), memories_[a], h_);
     if (!places_[a].compliant && actuator.kind == ActuatorKind::force)
       actuator_forces_[a] = memories_[a].force = laws_[a].force;
@@ -177,7 +182,7 @@ void OdeMotion::settle_actuators(const simulation::StepOrder& order) {
       transmissions_[a]->advance(velocity, memory);
       motor_force = laws_[a].at(memory.rotor_velocity);
     }
-    if (actuator.kind != ActuatorKind::pid) continue;
+    if (actuator.kind != ActuatorKind::pid || std::isnan(order.commands[a])) continue;
     simulation::remember_pid(actuator, order.commands[a], position_of(a), motor_force, h_, memory);
   }
 }

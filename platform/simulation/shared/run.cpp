@@ -183,6 +183,8 @@ double Run::received(std::size_t a, double sent, const StepView& view) {
 void Run::take_command(std::size_t a, const StepView& view) {
   const double command = received(a, ws_.drive.command(a), view);
   const bool is_off = std::isnan(command) && ws_.drive.may_be_off();
+  if (is_off && ws_.instance.robot().actuators[a].kind == ActuatorKind::motion)
+    throw Error("actuator \"" + ws_.instance.robot().actuators[a].name + "\" imposes a motion and cannot be off");
   if (!std::isfinite(command) && !is_off)
     throw Error("the command of actuator \"" + ws_.instance.robot().actuators[a].name + "\" is " +
                 std::to_string(command));

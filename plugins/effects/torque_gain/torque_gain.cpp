@@ -20,6 +20,8 @@ void TorqueGain::amend(RobotSpec& robot, const EffectContext& context) const {
     ActuatorSpec& actuator = robot.actuators[static_cast<std::size_t>(element)];
     if (actuator.kind == ActuatorKind::force) {
       actuator.gain *= gain;
+    } else if (actuator.kind == ActuatorKind::voltage || actuator.kind == ActuatorKind::voltage_servo) {
+      actuator.motor.resistance /= gain;
     } else {
       actuator.kp *= gain;
       actuator.ki *= gain;

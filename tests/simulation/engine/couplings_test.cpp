@@ -46,6 +46,18 @@ TEST(Couplings, TheLeaderDecidesTheStart) {
   EXPECT_NEAR(rig.result.readings.samples(1, 1), 3.3, 1e-6);
 }
 
+/// A gripper whose follower meets its stop: both fingers stop, and stay together.
+TEST(Couplings, AStopOfTheFollowerStopsBoth) {
+  RobotSpec robot = geared_wheels(1.0);
+  robot.joints[1].upper = 0.5;
+  Rig rig(robot, step_of(0.001));
+  rig.run(constant("motor", 0.5), grid(0.0, 3.0, 0.1));
+  ASSERT_EQ(rig.result.ending, Ending::completed) << rig.result.reason;
+  const auto& samples = rig.result.readings.samples;
+  for (Eigen::Index i = 0; i < samples.rows(); ++i) EXPECT_NEAR(samples(i, 1), samples(i, 0) + 0.3, 1e-5) << i;
+  EXPECT_NEAR(samples(samples.rows() - 1, 1), 0.5, 1e-3);
+}
+
 TEST(Couplings, ThatCannotBeAreRefused) {
   const auto compiles = [](const RobotSpec& robot, const std::string& engine) {
     EngineSettings settings = step_of(0.001);
