@@ -8,7 +8,7 @@ namespace lacuna {
 /// The keys of each section of an experiment file, each declared once.
 Table<TargetSection> target_keys();
 Table<RecordingSource> recording_keys();  ///< of a recorded target
-Table<ProcessSource> process_keys();  ///< of a target that is a program
+Table<ProcessSource> process_keys();      ///< of a target that is a program
 Table<ModelSection> model_keys();
 Table<EffectEntry> effect_keys();        ///< of a simulated target
 Table<EffectEntry> model_effect_keys();  ///< the same, and what a model alone may say
