@@ -20,8 +20,12 @@ std::string wrong_dimension(const ColumnMapping& mapping, const Channel& channel
   if (!mapping.gain_unit.empty())
     return fmt::format("{} does not give {}, the unit of {}; the gain must be in {}/({})", column_and_unit(mapping),
                        channel.unit, channel.name, channel.unit, mapping.unit);
-  return fmt::format("{} cannot stand for {}, which is in {}; correct the unit, or give a gain with its unit, {}/({})",
-                     column_and_unit(mapping), channel.name, channel.unit, channel.unit, mapping.unit);
+  const std::optional<Unit> column = parse_unit(mapping.unit), rate = parse_unit(channel.unit + "*s");
+  const bool of_position = column && rate && column->same_dimension(*rate);
+  return fmt::format(
+      "{} cannot stand for {}, which is in {}; correct the unit, {}or give a gain with its unit, {}/({})",
+      column_and_unit(mapping), channel.name, channel.unit,
+      of_position ? "write derivative = true for the rate of a command's column, " : "", channel.unit, mapping.unit);
 }
 
 /// The factor from the column to the channel; 1 where the units do not allow one.

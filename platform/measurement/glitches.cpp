@@ -1,5 +1,7 @@
 #include "measurement/glitches.h"
 
+#include "measurement/known_readings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,13 +49,7 @@ std::size_t length_of_glitch(const std::vector<double>& values, std::size_t i, d
 }  // namespace
 
 std::vector<std::size_t> find_glitches(std::span<const double> all) {
-  std::vector<double> values;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!std::isfinite(all[i])) continue;
-    values.push_back(all[i]);
-    places.push_back(i);
-  }
+  const auto [values, places] = KnownReadings(all);
   if (values.size() < kFewestValues) return {};
   const double usual = change_at(values, kUsualShare);
   const double far = kFar * std::max(usual, smallest_change(values));

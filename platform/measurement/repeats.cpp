@@ -1,5 +1,7 @@
 #include "measurement/repeats.h"
 
+#include "measurement/known_readings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,16 +18,12 @@ struct Changes {
   std::vector<double> sizes;
 };
 
-Changes changes_of(std::span<const double> values) {
+Changes changes_of(const std::vector<double>& values) {
   Changes changes;
-  double before = std::nan("");
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) continue;
-    if (!std::isnan(before) && values[i] != before) {
-      changes.places.push_back(i);
-      changes.sizes.push_back(std::abs(values[i] - before));
-    }
-    before = values[i];
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] == values[i - 1]) continue;
+    changes.places.push_back(i);
+    changes.sizes.push_back(std::abs(values[i] - values[i - 1]));
   }
   return changes;
 }
@@ -33,13 +31,7 @@ Changes changes_of(std::span<const double> values) {
 }  // namespace
 
 Repeats find_repeats(std::span<const double> all) {
-  std::vector<double> values;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!std::isfinite(all[i])) continue;
-    values.push_back(all[i]);
-    places.push_back(i);
-  }
+  const auto [values, places] = KnownReadings(all);
   const Changes changes = changes_of(values);
   if (changes.places.size() < kFewestChanges) return {};
   std::vector<std::size_t> intervals;

@@ -48,16 +48,20 @@ TEST_F(ARecordedController, MakesItsCommandsOfTheRecordedReadings) {
                           DoubleEq(8.0 * (2.0 * kRight - 0.4) - 0.5 * 0.2 / 0.1)));
 }
 
-/// However often the engine asks: it acts at its samples and holds in between.
-TEST_F(ARecordedController, ActsAtTheSamplesOfTheTrial) {
-  const RecordedController& controller = read();
-  std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0);
-  std::array commands = {0.0};
-  const auto act = [&](double time, double angle) {
+/// The controller at work from a state of zeros: its command by time and angle.
+auto actor(const RecordedController& controller) {
+  std::vector<double> at_none(static_cast<std::size_t>(controller.state_size()), 0.0);
+  return [&controller, state = std::move(at_none), commands = std::array{0.0}](double time, double angle) mutable {
     const std::array readings = {angle, 0.0};
     controller.act(time, readings, state, commands);
     return commands[0];
   };
+}
+
+/// However often the engine asks: it acts at its samples and holds in between.
+TEST_F(ARecordedController, ActsAtTheSamplesOfTheTrial) {
+  const RecordedController& controller = read();
+  auto act = actor(controller);
   EXPECT_DOUBLE_EQ(act(0.0, 0.3), 8.0 * (kRight - 0.3));
   EXPECT_DOUBLE_EQ(act(0.05, 0.9), 8.0 * (kRight - 0.3));
   EXPECT_DOUBLE_EQ(act(0.1, 0.5), 8.0 * (kRight - 0.5) - 0.5 * 0.2 / 0.1);
@@ -82,13 +86,7 @@ TEST_F(ARecordedController, IntegratesWithinItsLimit) {
   law.limit = 12.0;
   const Recording recording = read_pendulum(with_integral);
   const auto& controller = dynamic_cast<const RecordedController&>(*recording.trials.front().controller);
-  std::vector<double> state(static_cast<std::size_t>(controller.state_size()), 0.0);
-  std::array commands = {0.0};
-  const auto act = [&](double time, double angle) {
-    const std::array readings = {angle, 0.0};
-    controller.act(time, readings, state, commands);
-    return commands[0];
-  };
+  auto act = actor(controller);
   EXPECT_NEAR(act(0.0, kRight - 0.1), 1.0, 1e-12) << "it begins with what was commanded";
   EXPECT_NEAR(act(0.1, kRight - 0.2), 0.2 + 1.6, 1e-12) << "0.2 of the integral";
   EXPECT_EQ(act(0.2, 0.0), 12.0);
