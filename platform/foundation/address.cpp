@@ -73,7 +73,9 @@ void collect_motor(Collector& collector, Actuator& actuator, const JointUnits& u
   collector.add("motor.back_emf", "1", actuator.motor.back_emf, 0.0);
   collector.add("motor.supply", "V", actuator.motor.supply, 0.0, kInfinity, kMayBeInfinite);
   collector.add("motor.duty_limit", "1", actuator.motor.duty_limit, 0.0);
-  if (is_servo) collector.add("motor.gain_unit", "1/" + units.position, actuator.motor.gain_unit, 0.0);
+  if (!is_servo) return;
+  collector.add("motor.gain_unit", "1/" + units.position, actuator.motor.gain_unit, 0.0);
+  collector.add("motor.sample_time", "s", actuator.motor.sample_time, 0.0);
 }
 
 template <class Collector, class Body>

@@ -97,6 +97,7 @@ Json actuator(const ActuatorSpec& a) {
                      {"supply", number(a.motor.supply)},
                      {"duty_limit", number(a.motor.duty_limit)},
                      {"gain_unit", number(a.motor.gain_unit)}};
+  if (a.motor.sample_time > 0.0) text["motor"]["sample_time"] = number(a.motor.sample_time);
   return text;
 }
 

@@ -45,5 +45,25 @@ TEST(Diagnose, InterruptedGoesOnToTheSameAnswer) {
   EXPECT_THAT(unfinished(parts), HasSubstr("\n0"));
 }
 
+/// A servo's friction that grows with the load, its motor constant unknown, by recordings that an independent program
+/// made (experiments/data/lifting_servo).
+TEST(Diagnose, TwoKnownLoadsTellLoadFrictionFromTheMotorsConstant) {
+  const Program program;
+  program.copy_lifting_servo();
+  const Outcome outcome = program.run({"diagnose", "lifting-servo.toml", "--json=found.json", "--among",
+                                       "load_friction", "coulomb_friction", "viscous_friction", "torque_saturation"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const nlohmann::json document = found(program);
+  EXPECT_EQ(document["verdict"], "effect_found");
+  const nlohmann::json& best = document["ranking"][0];
+  ASSERT_EQ(best["effects"].size(), 1U);
+  EXPECT_EQ(best["effects"][0]["effect"], "load_friction");
+  const auto covers = [](const nlohmann::json& value, double truth) {
+    return value["ci95"][0] < truth && truth < value["ci95"][1];
+  };
+  EXPECT_TRUE(covers(best["effects"][0]["parameters"]["ratio"], 0.22)) << best;
+  EXPECT_TRUE(covers(document["values"]["actuator.servo.motor.torque_constant"], 0.32)) << document["values"];
+}
+
 }  // namespace
 }  // namespace lacuna

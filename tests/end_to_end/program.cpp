@@ -69,6 +69,9 @@ void Program::copy_servo_pendulum() const {
 }
 void Program::copy_first_steps() const { copy_experiment("first-steps.toml", "servo-pendulum.toml", "servo_pendulum"); }
 void Program::copy_damped_flap() const { copy_experiment("damped-flap.toml", "damped-flap.toml", "damped_flap"); }
+void Program::copy_lifting_servo() const {
+  copy_experiment("lifting-servo.toml", "lifting-servo.toml", "lifting_servo");
+}
 
 Outcome Program::install(const std::string& prefix) {
   const Outcome outcome = shell("cmake --install " LACUNA_BINARY_DIRECTORY " --prefix " + prefix);

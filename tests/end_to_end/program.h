@@ -33,6 +33,8 @@ class Program {
   void copy_first_steps() const;
   /// Copies experiments/damped-flap.toml with its robot and recordings.
   void copy_damped_flap() const;
+  /// Copies experiments/lifting-servo.toml with its robot and recordings.
+  void copy_lifting_servo() const;
   /// Copies the experiments whose target is a program, with their robots and the programs that need no compiler.
   void copy_outside_targets() const;
   /// Installs this build into the subfolder `prefix`, whose `lacuna` is the one that `shell` runs from then on.

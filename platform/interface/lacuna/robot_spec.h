@@ -103,6 +103,7 @@ struct MotorSpec {
   double supply = kInfinity;     ///< V; a servo's must be finite
   double duty_limit = 1.0;       ///< largest share of the supply that the driver puts out
   double gain_unit = 1.0;        ///< what one count of a servo's kp stands for: share of the supply per rad or m
+  double sample_time = 0.0;      ///< s; a servo reads its position so often and holds the voltage; 0: at all times
 };
 
 struct ActuatorSpec {

@@ -12,6 +12,8 @@ namespace {
 constexpr double kFarthest = 1e6;  // rad or m
 constexpr double kFastest = 1e6;   // rad/s or m/s
 
+constexpr double kSameTime = 1e-6;  // integration steps
+
 std::vector<int> coordinates_of_actuators(const RobotSpec& robot, const simulation::JointTree& tree) {
   std::vector<int> coordinates;
   for (const ActuatorSpec& actuator : robot.actuators)
@@ -65,6 +67,8 @@ void ArticulatedMotion::begin(const StartState& start) {
     motion.configuration[c.position] = c.ratio * motion.configuration[c.leading_position] + c.offset;
     motion.velocities[c.dof] = c.ratio * motion.velocities[c.leading_dof];
   }
+  for (std::size_t a = 0; a < motion.integrals.size(); ++a)
+    if (machine_.actuators()[a].sample_time > 0.0) motion.integrals[a] = std::nan("");  // nothing read yet
   for (const ActuatorNumbers& actuator : machine_.actuators()) {
     if (!actuator.compliant) continue;
     const CoordinateNumbers& joint = machine_.coordinates()[actuator.coordinate];
@@ -78,7 +82,23 @@ const StepView& ArticulatedMotion::look(double time, bool at_bodies) {
   return integrator_->step().look(integrator_->motion(), time, at_bodies);
 }
 
+/// A servo with a sample time holds the force that it found when it last read its position.
+void ArticulatedMotion::sample_servos(const simulation::StepOrder& order) {
+  Motion& motion = integrator_->motion();
+  for (std::size_t a = 0; a < motion.integrals.size(); ++a) {
+    const ActuatorNumbers& servo = machine_.actuators()[a];
+    if (servo.sample_time == 0.0) continue;
+    double& held = motion.integrals[a];
+    const double now = (order.begin + kSameTime * length_) / servo.sample_time;
+    const bool samples = std::isnan(held) || std::floor(now) > std::floor(now - length_ / servo.sample_time);
+    if (!samples) continue;
+    const double error = order.commands[a] - motion.configuration[servo.position];
+    held = std::clamp(servo.kp * error - servo.kd * motion.velocities[servo.dof], -servo.limit, servo.limit);
+  }
+}
+
 void ArticulatedMotion::advance(const simulation::StepOrder& order) {
+  sample_servos(order);
   integrator_->step().ask(order.loads);
   integrator_->advance(order.begin, length_,
                        {.values = order.commands, .rates = order.rates, .end = order.begin + length_}, robot_->gravity);

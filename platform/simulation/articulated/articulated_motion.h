@@ -26,6 +26,7 @@ class ArticulatedMotion : public simulation::RobotMotion {
 
  private:
   void make_integrator();
+  void sample_servos(const simulation::StepOrder& order);
   void check() const;
 
   double length_;

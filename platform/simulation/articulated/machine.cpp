@@ -15,6 +15,7 @@ void set_law(const ActuatorSpec& actuator, ActuatorNumbers& numbers) {
   numbers.limit = actuator.force_limit;
   numbers.push = 1.0;
   numbers.drag = 0.0;
+  numbers.sample_time = 0.0;
   const bool is_servo = actuator.kind == ActuatorKind::voltage_servo;
   if (!is_servo && actuator.kind != ActuatorKind::voltage) return;
   const MotorSpec& motor = actuator.motor;
@@ -26,6 +27,7 @@ void set_law(const ActuatorSpec& actuator, ActuatorNumbers& numbers) {
   numbers.kd = is_servo ? actuator.kd * force_per_count : 0.0;
   numbers.limit = std::min(actuator.force_limit, motor.duty_limit * motor.supply * force_per_volt);
   numbers.drag = motor.back_emf * motor.torque_constant * force_per_volt;
+  numbers.sample_time = is_servo ? motor.sample_time : 0.0;
 }
 
 }  // namespace

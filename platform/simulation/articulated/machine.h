@@ -24,6 +24,7 @@ struct ActuatorNumbers {
   ActuatorKind kind = ActuatorKind::force;  ///< with forces instead of voltages
   double push = 1.0;                        ///< force per command, of kind force
   double drag = 0.0;                        ///< of back-EMF; not within the limit
+  double sample_time = 0.0;                 ///< s; of a servo that holds its force in between; 0: it does not
   std::size_t coordinate = 0;
   std::size_t dof = 0, position = 0;  ///< of what it turns
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;

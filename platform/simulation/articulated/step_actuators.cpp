@@ -61,6 +61,11 @@ void Step::add_actuator(std::size_t a, const Motion& from, double length, const 
     system_.right()[actuator.dof] += length * actuator_forces_[a];
     return;
   }
+  if (actuator.sample_time > 0.0) {
+    actuator_forces_[a] = from.integrals[a];
+    system_.right()[actuator.dof] += length * actuator_forces_[a];
+    return;
+  }
   double force = actuator.kd * command, stiffness = 0.0;
   if (actuator.kind != ActuatorKind::velocity_servo) {
     const double error = command - middle_[actuator.position];

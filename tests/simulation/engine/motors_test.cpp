@@ -79,6 +79,28 @@ TEST(Motors, AtItsDutyLimitAServoIsAMotorOnThatVoltage) {
   EXPECT_LT((read(servo, "angle") - read(motor, "angle")).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+/// Between two looks at its position a servo holds its torque, and a mass under it falls freely.
+TEST(Motors, AServoWithASampleTimeHoldsItsVoltage) {
+  RobotSpec robot = wheel(ActuatorKind::voltage_servo);
+  MotorSpec& motor = robot.actuators[0].motor;
+  robot.actuators[0].kp = 400.0;
+  motor.gain_unit = 0.001;
+  motor.back_emf = 0.0;
+  motor.sample_time = 0.02;
+  Rig servo(robot, step_of(0.001));
+  servo.run(constant("motor", 0.5), grid(0.0, 1.0, 0.02));
+  ASSERT_EQ(servo.result.ending, Ending::completed) << servo.result.reason;
+  const Eigen::VectorXd angle = read(servo, "angle");
+  const double stiffness = 400.0 * 0.001 * kSupply * kConstant / kResistance;
+  double q = 0.0, v = 0.0;
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
+    EXPECT_NEAR(angle(i), q, 1e-9) << i;
+    const double acceleration = stiffness * (0.5 - q) / kInertia;
+    q += 0.02 * v + 0.5 * 0.02 * 0.02 * acceleration;
+    v += 0.02 * acceleration;
+  }
+}
+
 /// While its torque is off a servo exerts nothing, no back-EMF either.
 TEST(Motors, AServoThatIsOffExertsNothing) {
   RobotSpec robot = wheel(ActuatorKind::voltage_servo);
