@@ -24,7 +24,10 @@ namespace {
 /// Everything that a command reads of an experiment, except for its database.
 std::vector<std::filesystem::path> files_of(const Experiment& experiment) {
   std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file};
-  for (const MeasuredFile& file : experiment.target.recording.files) files.push_back(file.path);
+  for (const MeasuredFile& file : experiment.target.recording.files) {
+    files.push_back(file.path);
+    for (const FurtherFile& further : file.with) files.push_back(further.path);
+  }
   std::erase(files, std::filesystem::path());
   return files;
 }

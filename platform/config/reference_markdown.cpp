@@ -50,9 +50,11 @@ std::string row(const KeyShape& key) {
          cell(key.description) + " |\n";
 }
 
-std::string heading_of(const std::string& path, const Shape& shape) {
-  if (shape.kind == Shape::Kind::list) return "`[[" + path.substr(0, path.find("[]")) + "]]`";
-  return "`[" + path + "]`";
+/// In TOML a list of tables is named without brackets of its own.
+std::string heading_of(std::string path, const Shape& shape) {
+  if (shape.kind != Shape::Kind::list) return "`[" + path + "]`";
+  for (std::size_t at = path.find("[]"); at != std::string::npos; at = path.find("[]")) path.erase(at, 2);
+  return "`[[" + path + "]]`";
 }
 
 void collect(const Shape& table, const std::string& path, std::vector<Section>& sections) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -64,6 +65,23 @@ struct KnownStart {
   SourceLocation location = {};
 };
 
+/// What is known of a clock's number: its value, or nothing, and then it is found in the readings.
+using KnownOrFound = std::optional<double>;
+
+/// A further file of a trial, by another logger with a clock of its own: what that clock shows at the time t of the
+/// first file is t − offset − skew·(t since this file's first sample), both small.
+struct FurtherFile {
+  std::filesystem::path path = {};
+  std::vector<std::string> columns = {};  ///< taken from this file, also where the first has them; empty: what it has
+  std::string time_column = {};           ///< empty: as `RecordingSource::time_column`
+  std::string time_unit = {};             ///< empty: as `RecordingSource::time_unit`
+  KnownOrFound offset = 0.0;              ///< s, added to this file's time stamps
+  KnownOrFound skew = 0.0;                ///< 1, of the time since its first sample, added too
+  std::pair<double, double> between = {-std::numeric_limits<double>::infinity(),
+                                       std::numeric_limits<double>::infinity()};  ///< s, where an offset is looked for
+  SourceLocation location = {};
+};
+
 struct MeasuredFile {
   std::filesystem::path path = {};  ///< resolved: relative to the experiment file, variables replaced
   bool held_out = false;
@@ -75,6 +93,7 @@ struct MeasuredFile {
   std::vector<std::string> own = {};               ///< address patterns: unknown, and of this file alone
   std::map<std::string, KnownStart> initial = {};  ///< of this file, where they differ from `RecordingSource::initial`
   std::string key = {};                            ///< "target.recording[0]"
+  std::vector<FurtherFile> with = {};              ///< of the same trial
 };
 
 struct RecordingSource {

@@ -43,6 +43,18 @@ void begin_at_zero(TrialClock& piece) {
   for (double& time : piece.times) time -= first;
 }
 
+/// Rows of a joined table that are another file's have no line.
+TrialClock rows_of_first_file(const TrialClock& clock, const CsvTable& table) {
+  TrialClock own;
+  own.origin = clock.origin;
+  for (std::size_t i = 0; i < clock.rows.size(); ++i) {
+    if (table.lines[clock.rows[i]] == 0) continue;
+    own.rows.push_back(clock.rows[i]);
+    own.times.push_back(clock.times[i]);
+  }
+  return own;
+}
+
 void check_unit(double median, int line, const RecordingSource& source, FileReport& report) {
   if (median <= kSlowestPlausible && median >= kFastestPlausible) return;
   report.doubt("time unit", line, [&] {
@@ -123,8 +135,9 @@ double median_interval(std::span<const double> times) {
   return *middle;
 }
 
-void check_intervals(const TrialClock& clock, const CsvTable& table, const RecordingSource& source,
+void check_intervals(const TrialClock& whole, const CsvTable& table, const RecordingSource& source,
                      FileReport& report) {
+  const TrialClock clock = rows_of_first_file(whole, table);
   const double median = median_interval(clock.times);
   if (!(median > 0.0)) return;
   const double longest = source.max_gap > 0.0 ? source.max_gap : kGapInIntervals * median;

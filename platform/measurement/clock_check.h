@@ -39,8 +39,8 @@ std::vector<ClockPart> cut_at_holdout(const TrialClock& clock, const std::vector
 double median_interval(std::span<const double> times);
 
 /// Pauses are problems unless a mask covers them; dropped samples, jitter and intervals that
-/// look like another unit are notes.
-void check_intervals(const TrialClock& clock, const CsvTable& table, const RecordingSource& source, FileReport& report);
+/// look like another unit are notes. Of a table that was joined (join_tables.h) the first file's rows are looked at.
+void check_intervals(const TrialClock& whole, const CsvTable& table, const RecordingSource& source, FileReport& report);
 
 /// Whether the file's own time `time` lies in one of the ranges.
 bool is_in(const std::vector<TimeRange>& ranges, double time);

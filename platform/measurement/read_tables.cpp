@@ -1,9 +1,8 @@
 #include "measurement/read_tables.h"
 
-#include "foundation/counted.h"
 #include "measurement/csv_format.h"
-#include "measurement/decode.h"
-#include "measurement/encoding_guess.h"
+#include "measurement/decode_tables.h"
+#include "measurement/join_tables.h"
 #include "measurement/measured_text.h"
 #include "measurement/plausibility.h"
 
@@ -11,212 +10,123 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace lacuna {
 namespace {
 
-constexpr double kSmallestNumber = 1e-290;  ///< below it a number is memory that nobody wrote to
-constexpr double kLongestTick = 20.0;       ///< median intervals: a clock that wraps goes on that soon
+/// A file whose header is known.
+struct OpenedFile {
+  std::filesystem::path path;
+  FileReport report;
+  std::string time_column;
+  std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are wanted
+  std::string text = {};
+  CsvFormat format = {};
+  std::vector<std::size_t> given = {};  ///< which of the wanted columns it gives
 
-using PlannedColumns = std::vector<const PlannedColumn*>;
+  bool has(const std::string& name) const {
+    return std::find(format.names.begin(), format.names.end(), name) != format.names.end();
+  }
+  bool is_named(const std::string& name) const { return std::find(only.begin(), only.end(), name) != only.end(); }
+};
 
-PlannedColumns columns_of(const RecordingPlan& plan) {
-  PlannedColumns columns;
+std::vector<std::string> names_of_columns(const RecordingPlan& plan) {
+  std::vector<std::string> names;
+  for (const PlannedColumn* column : columns_of(plan)) names.push_back(column->mapping->column);
+  for (const PlannedSwitch& one : plan.switches) names.push_back(one.column);
+  return names;
+}
+
+void open(const RecordingSource& source, const RecordingPlan& plan, OpenedFile& file) {
+  file.text = read_measured_text(file.path, file.report);
+  if (file.report.has_problems()) return;
+  file.format = find_csv_format(file.text, {file.time_column, source.delimiter, source.decimal_comma}, file.report);
+  if (!file.report.has_problems()) check_units(plan, file.format, file.report);
+}
+
+std::vector<OpenedFile> open_files(const RecordingSource& source, const RecordingPlan& plan, const MeasuredFile& file) {
+  std::vector<OpenedFile> files = {{file.path, FileReport(file.path.string()), source.time_column, {}}};
+  for (const FurtherFile& further : file.with)
+    files.push_back({further.path, FileReport(further.path.string()),
+                     further.time_column.empty() ? source.time_column : further.time_column, further.columns});
+  for (OpenedFile& one : files) open(source, plan, one);
+  return files;
+}
+
+/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
+void check_column(const std::string& name, OpenedFile& file, std::set<std::string>& told) {
+  const std::vector<std::string>& names = file.format.names;
+  const auto found = std::count(names.begin(), names.end(), name);
+  if (found == 1 || !told.insert(name).second) return;
+  file.report.problem("column " + name, file.format.header_line, [&] {
+    if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
+    return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, names), listed(names));
+  });
+}
+
+/// The file that a column is taken from: the one that names it, else the first, else the only other one that has it.
+std::size_t file_of(const std::string& name, std::vector<OpenedFile>& files) {
+  std::vector<std::size_t> naming, having;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    if (files[f].is_named(name)) naming.push_back(f);
+    if (f > 0 && files[f].only.empty() && files[f].has(name)) having.push_back(f);
+  }
+  std::vector<std::size_t>& found = naming.empty() ? having : naming;
+  if (naming.empty() && files.front().has(name)) return 0;
+  if (found.size() > 1)
+    files[found.front()].report.problem("column " + name, files[found.front()].format.header_line, [&] {
+      return fmt::format("column `{}` is also in {}; say with columns = [...] which file it is taken from",
+                         excerpt(name), files[found[1]].path.string());
+    });
+  return found.empty() ? 0 : found.front();
+}
+
+void allot_columns(const std::vector<std::string>& wanted, const std::string& trial_column,
+                   std::vector<OpenedFile>& files) {
+  std::vector<std::set<std::string>> told(files.size());
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    check_column(files[f].time_column, files[f], told[f]);
+    for (const std::string& name : files[f].only)
+      if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) check_column(name, files[f], told[f]);
+  }
+  if (!trial_column.empty()) check_column(trial_column, files.front(), told.front());
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    const std::size_t f = file_of(wanted[c], files);
+    check_column(wanted[c], files[f], told[f]);
+    files[f].given.push_back(c);
+  }
+}
+
+/// Empties the file's text, which is of no more use.
+ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted, OpenedFile& file) {
+  ReadTable read{std::move(file.report), {}};
+  const std::string text = std::move(file.text);
+  if (read.report.has_problems()) return read;
+  CsvQuery query{file.time_column, source.trial_column, {}};
+  for (const std::size_t c : file.given) query.columns.push_back({wanted[c]});
+  read.table = read_csv_table(text, file.format, query, read.report);
+  std::vector<std::vector<double>> columns(wanted.size());
+  for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);
+  read.table.columns = std::move(columns);
+  if (!read.report.has_problems()) decode_clock(source.time_encoding, file.time_column, read);
+  return read;
+}
+
+}  // namespace
+
+bool ReadRecording::has_problems() const {
+  return report.has_problems() ||
+         std::any_of(further.begin(), further.end(), [](const FileReport& one) { return one.has_problems(); });
+}
+
+std::vector<const PlannedColumn*> columns_of(const RecordingPlan& plan) {
+  std::vector<const PlannedColumn*> columns;
   for (const auto* planned : {&plan.sensors, &plan.commands, &plan.references})
     for (const PlannedColumn& column : *planned) columns.push_back(&column);
   return columns;
 }
-
-CsvQuery query_for(const RecordingSource& source, const RecordingPlan& plan) {
-  CsvQuery query{source.time_column, source.trial_column, {}};
-  for (const PlannedColumn* column : columns_of(plan)) query.columns.push_back({column->mapping->column});
-  for (const PlannedSwitch& one : plan.switches) query.columns.push_back({one.column});
-  return query;
-}
-
-/// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
-bool has_columns(const CsvFormat& format, const CsvQuery& query, FileReport& report) {
-  std::vector<std::string> wanted{query.time_column};
-  if (!query.trial_column.empty()) wanted.push_back(query.trial_column);
-  for (const WantedColumn& column : query.columns) wanted.push_back(column.name);
-  std::set<std::string> told;
-  for (const std::string& name : wanted) {
-    const auto found = std::count(format.names.begin(), format.names.end(), name);
-    if (found == 1 || !told.insert(name).second) continue;
-    report.problem("column " + name, format.header_line, [&] {
-      if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
-      return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, format.names),
-                         listed(format.names));
-    });
-  }
-  return !report.has_problems();
-}
-
-void read_table(const RecordingSource& source, const RecordingPlan& plan, const std::filesystem::path& file,
-                ReadTable& read) {
-  const std::string text = read_measured_text(file, read.report);
-  if (read.report.has_problems()) return;
-  const CsvFormat format =
-      find_csv_format(text, {source.time_column, source.delimiter, source.decimal_comma}, read.report);
-  if (read.report.has_problems()) return;
-  const CsvQuery query = query_for(source, plan);
-  if (!has_columns(format, query, read.report)) return;
-  check_units(plan, format, read.report);
-  read.table = read_csv_table(text, format, query, read.report);
-}
-
-void drop_unwritten(const PlannedColumns& planned, ReadTable& read) {
-  for (std::size_t c = 0; c < planned.size(); ++c) {
-    std::size_t count = 0, first = 0;
-    for (std::size_t row = 0; row < read.table.columns[c].size(); ++row) {
-      double& value = read.table.columns[c][row];
-      if (value == 0.0 || !(std::abs(value) < kSmallestNumber)) continue;
-      if (count++ == 0) first = row;
-      value = std::nan("");
-    }
-    if (count == 0) continue;
-    read.report.doubt("unwritten " + planned[c]->mapping->column, read.table.lines[first], [&] {
-      return fmt::format("column `{}` has {} below 1e-290, which no device measures: taken as missing",
-                         planned[c]->mapping->column, counted(count, "number"));
-    });
-  }
-}
-
-/// A column of all good tables, a vector for each trial.
-struct ColumnParts {
-  std::vector<std::vector<double>> values;
-  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> from;  ///< table and rows of each
-};
-
-ColumnParts parts_of(const std::vector<ReadTable>& tables, std::size_t column) {
-  ColumnParts parts;
-  for (std::size_t t = 0; t < tables.size(); ++t) {
-    if (tables[t].report.has_problems()) continue;
-    for (std::vector<std::size_t>& rows : rows_by_trial(tables[t].table)) {
-      std::vector<double> values;
-      for (const std::size_t row : rows) values.push_back(tables[t].table.columns[column][row]);
-      parts.values.push_back(std::move(values));
-      parts.from.emplace_back(t, std::move(rows));
-    }
-  }
-  return parts;
-}
-
-std::string meaning_of(const Encoding& encoding) {
-  switch (encoding.kind) {
-    case EncodingKind::sign_bit:
-      return fmt::format("negative values are written as {:.0f} + their size", encoding.modulus);
-    case EncodingKind::twos_complement:
-      return fmt::format("negative values are written as {:.0f} minus their size", encoding.modulus);
-    case EncodingKind::wraps: return fmt::format("it starts again at {:.6g}", encoding.modulus);
-    case EncodingKind::automatic:
-    case EncodingKind::plain: break;
-  }
-  return {};
-}
-
-void note_encoding(const ColumnMapping& mapping, const std::string& section, const FoundEncoding& found,
-                   const ColumnParts& parts, std::vector<ReadTable>& tables) {
-  std::size_t place = found.first;
-  for (std::size_t p = 0; p < parts.values.size(); ++p) {
-    if (place >= parts.values[p].size()) {
-      place -= parts.values[p].size();
-      continue;
-    }
-    ReadTable& read = tables[parts.from[p].first];
-    read.report.doubt("encoding of " + mapping.column, read.table.lines[parts.from[p].second[place]], [&] {
-      return fmt::format(
-          "column `{}` jumps {}, here for the first time, because {}; read so. State it in target.{}.{}: encoding = "
-          "\"{}\"; if it is wrong, encoding = \"plain\"",
-          mapping.column, counted(found.jumps, "time"), meaning_of(found.encoding), section, mapping.channel,
-          to_string(found.encoding));
-    });
-    return;
-  }
-}
-
-/// Of one column, in all tables.
-void decode_column(std::size_t column, const PlannedColumn& planned, const std::string& section,
-                   std::vector<ReadTable>& tables) {
-  Encoding encoding = planned.mapping->encoding;
-  if (encoding.kind == EncodingKind::plain) return;
-  ColumnParts parts = parts_of(tables, column);
-  if (encoding.kind == EncodingKind::automatic) {
-    const std::optional<FoundEncoding> found = guess_encoding(parts.values, planned.mapping->unit);
-    if (!found) return;
-    note_encoding(*planned.mapping, section, *found, parts, tables);
-    encoding = found->encoding;
-  }
-  for (std::size_t p = 0; p < parts.values.size(); ++p) {
-    decode(encoding, parts.values[p]);
-    std::vector<double>& values = tables[parts.from[p].first].table.columns[column];
-    for (std::size_t i = 0; i < parts.values[p].size(); ++i) values[parts.from[p].second[i]] = parts.values[p][i];
-  }
-}
-
-double median_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
-/// A power of two that whole stamps stay below, come near, and start again from 0 at; 0: none.
-double wrap_of_clock(const CsvTable& table) {
-  const std::vector<double>& times = table.times;
-  const double near = kLongestTick * median_step(times);
-  const bool whole = std::all_of(times.begin(), times.end(), [](double time) { return time == std::round(time); });
-  for (const int bits : {16, 24, 31, 32}) {
-    const double modulus = std::ldexp(1.0, bits);
-    std::size_t wraps = 0;
-    bool all = whole;
-    for (std::size_t i = 0; i < times.size() && all; ++i) {
-      const double stamp = table.time_origin + times[i];
-      all = stamp >= 0.0 && stamp < modulus;
-      if (i == 0 || times[i] >= times[i - 1]) continue;
-      all = all && stamp < near && table.time_origin + times[i - 1] > modulus - near;
-      ++wraps;
-    }
-    if (all && wraps > 0) return modulus;
-  }
-  return 0.0;
-}
-
-/// A clock never goes back: each step back is one more turn, however long the pause.
-void unwrap_clock(double modulus, std::vector<double>& times) {
-  double turns = 0.0, before = times.empty() ? 0.0 : times.front();
-  for (double& time : times) {
-    if (time < before) turns += 1.0;
-    before = time;
-    time += turns * modulus;
-  }
-}
-
-/// Time stamps that start again go on; without a statement where they clearly do.
-void decode_clock(const RecordingSource& source, ReadTable& read) {
-  Encoding encoding = source.time_encoding;
-  std::vector<double>& times = read.table.times;
-  if (encoding.kind == EncodingKind::automatic && !read.table.dated && read.table.trial_names.empty()) {
-    const double modulus = wrap_of_clock(read.table);
-    if (modulus == 0.0) return;
-    encoding = {EncodingKind::wraps, modulus};
-    const auto back = std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return b < a; });
-    read.report.doubt("clock", read.table.lines[static_cast<std::size_t>(back - times.begin()) + 1], [&] {
-      return fmt::format(
-          "the clock, column `{}`, starts again at {:.0f}; read so. State it in target.time: encoding = \"{}\"; if it "
-          "is "
-          "wrong, encoding = \"plain\"",
-          source.time_column, modulus, to_string(encoding));
-    });
-  }
-  if (encoding.kind == EncodingKind::wraps) unwrap_clock(encoding.modulus, times);
-}
-
-}  // namespace
 
 std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
   std::vector<std::vector<std::size_t>> rows(std::max<std::size_t>(table.trial_names.size(), 1));
@@ -225,20 +135,25 @@ std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
   return rows;
 }
 
-std::vector<ReadTable> read_tables(const RecordingSource& source, const RecordingPlan& plan) {
-  const PlannedColumns planned = columns_of(plan);
+std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan) {
+  const std::vector<std::string> wanted = names_of_columns(plan);
   std::vector<ReadTable> tables;
   for (const MeasuredFile& file : source.files) {
-    tables.push_back({FileReport(file.path.string()), {}});
-    read_table(source, plan, file.path, tables.back());
-    if (tables.back().report.has_problems()) continue;
-    drop_unwritten(planned, tables.back());
-    decode_clock(source, tables.back());
+    std::vector<OpenedFile> files = open_files(source, plan, file);
+    const bool all_open =
+        std::none_of(files.begin(), files.end(), [](const OpenedFile& one) { return one.report.has_problems(); });
+    if (all_open) allot_columns(wanted, source.trial_column, files);
+    for (OpenedFile& one : files) tables.push_back(read_table(source, wanted, one));
   }
-  const std::size_t sensors = plan.sensors.size();
-  for (std::size_t c = 0; c < sensors + plan.commands.size(); ++c)
-    decode_column(c, *planned[c], c < sensors ? "sensors" : "commands", tables);
-  return tables;
+  decode_tables(plan, tables);
+  std::vector<ReadRecording> recordings;
+  auto next = std::make_move_iterator(tables.begin());
+  for (const MeasuredFile& file : source.files) {
+    const auto end = next + static_cast<std::ptrdiff_t>(file.with.size()) + 1;
+    recordings.push_back(join_tables(source, plan, file, std::vector<ReadTable>(next, end)));
+    next = end;
+  }
+  return recordings;
 }
 
 }  // namespace lacuna

@@ -11,15 +11,26 @@ namespace lacuna {
 /// A measured file as numbers, and what was noticed in it.
 struct ReadTable {
   FileReport report;
-  CsvTable table;  ///< of no meaning where the report has problems
+  CsvTable table;  ///< of no meaning where the report has problems; a column that the file lacks is empty
 };
+
+/// The files of one recording as one table.
+struct ReadRecording {
+  FileReport report;  ///< of the first file
+  CsvTable table;     ///< of no meaning where there are problems
+  std::vector<FileReport> further;
+
+  bool has_problems() const;
+};
+
+/// Columns of the plan in the order of a table's: sensors, commands, references; switches follow.
+std::vector<const PlannedColumn*> columns_of(const RecordingPlan& plan);
 
 /// Row numbers of each trial in a table.
 std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table);
 
-/// Reads the files of a source: the columns of the plan (sensors, commands, references, switches) as the devices meant
-/// them. Encodings that the source does not state are those that a column shows in all files together; each that is
-/// found is noted, with the line that states it. Numbers that a device never wrote (1e-308) are missing.
-std::vector<ReadTable> read_tables(const RecordingSource& source, const RecordingPlan& plan);
+/// Reads the recordings of a source, as the devices meant them (decode_tables.h). Files of one recording become one
+/// table on the first one's clock (join_tables.h).
+std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan);
 
 }  // namespace lacuna

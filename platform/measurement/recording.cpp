@@ -187,11 +187,14 @@ std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) 
 /// A file that is both fitted to and held out would make every held-out error look good.
 void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& problems) {
   std::set<std::filesystem::path> seen;
-  for (const MeasuredFile& file : files) {
+  const auto look = [&](const std::filesystem::path& path, const SourceLocation& location) {
     std::error_code ignored;
-    if (!seen.insert(std::filesystem::weakly_canonical(file.path, ignored)).second)
-      problems.add(file.location,
-                   fmt::format("{} is named twice; a file is fitted to or held out, once", file.path.string()));
+    if (!seen.insert(std::filesystem::weakly_canonical(path, ignored)).second)
+      problems.add(location, fmt::format("{} is named twice; a file is fitted to or held out, once", path.string()));
+  };
+  for (const MeasuredFile& file : files) {
+    look(file.path, file.location);
+    for (const FurtherFile& further : file.with) look(further.path, further.location);
   }
 }
 
@@ -290,7 +293,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   whole.has_one_trial = source.may_split && source.files.size() == 1 && !source.files.front().held_out &&
                         source.files.front().holdout.empty();
   Recording recording;
-  std::vector<ReadTable> tables = read_tables(source, plan);
+  std::vector<ReadRecording> tables = read_tables(source, plan);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     take_own_ranges(source, source.files[i], whole.source);
     if (!source.files[i].initial.empty())
@@ -298,8 +301,9 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
     else
       whole.plan = plan;
     FileReport& report = tables[i].report;
-    if (!report.has_problems()) read_table_into(tables[i].table, whole, i, report, recording.trials);
+    if (!tables[i].has_problems()) read_table_into(tables[i].table, whole, i, report, recording.trials);
     report.move_to(problems, recording.notes);
+    for (FileReport& further : tables[i].further) further.move_to(problems, recording.notes);
   }
   check_holdout(whole, recording.trials, location, problems);
   problems.throw_if_any();

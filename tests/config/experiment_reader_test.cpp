@@ -60,6 +60,19 @@ TEST(ReadExperiment, ReadsWhatHoldsForOneRecording) {
   EXPECT_EQ(source.sensors[0].gain_unit, "rad");
 }
 
+TEST(ReadExperiment, ReadsFurtherFilesOfARecording) {
+  const RecordingSource source = read_experiment(std::string(kGood) + "/recordings.toml").target.recording;
+  ASSERT_EQ(source.files[1].with.size(), 2U);
+  const FurtherFile &camera = source.files[1].with[0], &force = source.files[1].with[1];
+  EXPECT_FALSE(camera.offset);
+  EXPECT_EQ(camera.skew, 0.0);
+  EXPECT_DOUBLE_EQ(camera.between.second, 0.5);
+  EXPECT_EQ(force.offset, -0.2);
+  EXPECT_FALSE(force.skew);
+  EXPECT_EQ(force.columns, std::vector<std::string>{"load"});
+  EXPECT_EQ(force.time_unit, "ms");
+}
+
 TEST(ReadExperiment, ReadsColumnsInTheOrderOfTheFile) {
   const RecordingSource source = complete().target.recording;
   ASSERT_EQ(source.commands.size(), 1U);

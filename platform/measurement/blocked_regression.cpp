@@ -1,0 +1,58 @@
+#include "measurement/blocked_regression.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kRidge = 1e-10;  ///< of a regressor's own product: alike regressors share their part
+
+}  // namespace
+
+BlockedRegression::BlockedRegression(Eigen::Index regressors, Eigen::Index targets, std::size_t blocks)
+    : regressors_(regressors),
+      products_(blocks, Eigen::MatrixXd::Zero(regressors + targets, regressors + targets)),
+      total_(Eigen::MatrixXd::Zero(regressors + targets, regressors + targets)) {}
+
+void BlockedRegression::add(std::size_t block, const Eigen::VectorXd& row) {
+  products_[block].noalias() += row * row.transpose();
+  total_.noalias() += row * row.transpose();
+}
+
+double BlockedRegression::variance(Eigen::Index target) const {
+  const Eigen::Index t = regressors_ + target;
+  const double mean = total_(0, t) / rows();
+  return total_(t, t) / rows() - mean * mean;
+}
+
+Eigen::VectorXd BlockedRegression::coefficients(const Eigen::MatrixXd& products, Eigen::Index target) const {
+  Eigen::MatrixXd normal = products.topLeftCorner(regressors_, regressors_);
+  normal.diagonal() *= 1.0 + kRidge;
+  return normal.ldlt().solve(products.col(regressors_ + target).head(regressors_));
+}
+
+double BlockedRegression::left_of(const Eigen::MatrixXd& products, Eigen::Index target) const {
+  const Eigen::Index t = regressors_ + target;
+  const double rows = products(0, 0);
+  const double varies = products(t, t) - products(0, t) * products(0, t) / rows;
+  if (!(rows > static_cast<double>(2 * regressors_)) || !(varies > 0.0)) return std::nan("");
+  const Eigen::VectorXd fitted = coefficients(products, target);
+  return std::max(0.0, products(t, t) - fitted.dot(products.col(t).head(regressors_))) / varies;
+}
+
+std::vector<double> BlockedRegression::errors(Eigen::Index target) const {
+  const Eigen::Index t = regressors_ + target;
+  const Eigen::VectorXd fitted = coefficients(total_, target);
+  std::vector<double> errors;
+  for (const Eigen::MatrixXd& products : products_) {
+    const double squares = products(t, t) - 2.0 * fitted.dot(products.col(t).head(regressors_)) +
+                           fitted.dot(products.topLeftCorner(regressors_, regressors_) * fitted);
+    errors.push_back(products(0, 0) > 0.0 ? squares / products(0, 0) : std::nan(""));
+  }
+  return errors;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace lacuna {
+
+/// Least squares of several targets on the same regressors, with the sums of products kept block by block, so that a
+/// fit without one block costs no second pass. The first regressor is meant to be 1.
+class BlockedRegression {
+ public:
+  BlockedRegression(Eigen::Index regressors, Eigen::Index targets, std::size_t blocks);
+
+  /// `row`: regressors, then targets.
+  void add(std::size_t block, const Eigen::VectorXd& row);
+
+  std::size_t blocks() const { return products_.size(); }
+  double rows() const { return total_(0, 0); }
+  double rows(std::size_t block) const { return products_[block](0, 0); }
+  /// What a target varies by, per row, about its mean.
+  double variance(Eigen::Index target) const;
+  /// The share of that which the regressors leave: over all blocks, without one, and in one alone. NaN where the
+  /// target does not vary.
+  double left(Eigen::Index target) const { return left_of(total_, target); }
+  double left_without(std::size_t block, Eigen::Index target) const {
+    return left_of(total_ - products_[block], target);
+  }
+  double left_in(std::size_t block, Eigen::Index target) const { return left_of(products_[block], target); }
+  /// Mean squared error in each block, of what is fitted to all.
+  std::vector<double> errors(Eigen::Index target) const;
+
+ private:
+  double left_of(const Eigen::MatrixXd& products, Eigen::Index target) const;
+  Eigen::VectorXd coefficients(const Eigen::MatrixXd& products, Eigen::Index target) const;
+
+  Eigen::Index regressors_;
+  std::vector<Eigen::MatrixXd> products_;
+  Eigen::MatrixXd total_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace lacuna {
+
+/// Evenly spaced moments.
+struct Lattice {
+  double start = 0.0;  ///< s
+  double step = 0.0;   ///< s
+  std::size_t count = 0;
+};
+
+/// A signal's means over the lattice's steps, each about its moment: of a line through the samples that stays between
+/// them (held) or goes from one to the next without a kink (cubic, with the slopes of central differences). NaN before
+/// the first sample and after the last. `times` ascend; values are finite.
+std::vector<double> step_means(std::span<const double> times, std::span<const double> values, bool held,
+                               const Lattice& lattice);
+
+/// Weighted means over 2·reach + 1 neighbours, with weights that fall to zero as a squared cosine does. NaN where one
+/// of them is.
+std::vector<double> smoothed(std::span<const double> values, std::size_t reach);
+
+/// Rates of change by central differences; NaN at the ends.
+std::vector<double> rates_of(std::span<const double> values, double step);
+
+}  // namespace lacuna
