@@ -54,19 +54,30 @@ bool goes_beyond(double in, double out, std::size_t samples, const Pace& pace) {
   return 0.25 * speed * static_cast<double>(samples) > kDeep * pace.quantum;
 }
 
-/// Runs at `limit` that were entered and left in full motion.
-void count_clipped(const std::vector<double>& values, double limit, const Pace& pace, std::size_t& samples,
-                   std::size_t& runs) {
+/// Runs of one value that were entered and left in full motion.
+struct Stays {
+  std::size_t samples = 0, runs = 0;
+};
+
+struct AllStays {
+  Stays lowest, highest, elsewhere;
+};
+
+AllStays stays_of(const std::vector<double>& values, const SignalShape& shape, const Pace& pace) {
+  AllStays stays;
   for (std::size_t i = 2; i < values.size(); ++i) {
-    if (values[i] != limit || values[i - 1] == limit) continue;
+    const double value = values[i];
+    if (values[i - 1] == value) continue;
     std::size_t end = i;
-    while (end < values.size() && values[end] == limit) ++end;
-    const double in = std::abs(values[i - 2] - limit);
-    const double out = end + 1 < values.size() ? std::abs(values[end + 1] - limit) : in;
+    while (end < values.size() && values[end] == value) ++end;
+    const double in = std::abs(values[i - 2] - value);
+    const double out = end + 1 < values.size() ? std::abs(values[end + 1] - value) : in;
     if (end - i < kClippedRun || std::min(in, out) < pace.motion || !goes_beyond(in, out, end - i, pace)) continue;
-    samples += end - i;
-    ++runs;
+    Stays& where = value == shape.lowest ? stays.lowest : value == shape.highest ? stays.highest : stays.elsewhere;
+    where.samples += end - i;
+    ++where.runs;
   }
+  return stays;
 }
 
 }  // namespace
@@ -81,13 +92,14 @@ SignalShape shape_of(const TimeSeries& series, Eigen::Index channel) {
   shape.highest = *highest;
   if (!has_many_levels(values)) return shape;
   const Pace pace = pace_of(values);
-  std::size_t low = 0, high = 0, low_runs = 0, high_runs = 0;
-  count_clipped(values, shape.lowest, pace, low, low_runs);
-  count_clipped(values, shape.highest, pace, high, high_runs);
-  if (static_cast<double>(low + high) < kClippedShare * static_cast<double>(values.size())) return shape;
-  shape.clipped = low + high;
-  shape.clipped_runs = low_runs + high_runs;
-  shape.clipped_high = high >= low;
+  const auto [low, high, elsewhere] = stays_of(values, shape, pace);
+  const std::size_t clipped = low.samples + high.samples;
+  // Dry friction stops a joint as suddenly, at any value.
+  if (static_cast<double>(clipped) < kClippedShare * static_cast<double>(values.size()) || clipped < elsewhere.samples)
+    return shape;
+  shape.clipped = clipped;
+  shape.clipped_runs = low.runs + high.runs;
+  shape.clipped_high = high.samples >= low.samples;
   return shape;
 }
 

@@ -12,7 +12,7 @@ struct SignalShape {
   double lowest = 0.0;
   double highest = 0.0;
   /// Samples in runs of at least five at the limit that the signal reached in full motion, as where a
-  /// converter saturates; 0 where it turns round smoothly, or knows only few values.
+  /// converter saturates; 0 where it turns round smoothly, knows only few values, or stays as long in between.
   std::size_t clipped = 0;
   std::size_t clipped_runs = 0;
   bool clipped_high = false;

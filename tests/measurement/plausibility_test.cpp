@@ -98,6 +98,16 @@ TEST_F(Plausibility, AQuickTurnOfACoarseEncoderIsNotSaturated) {
   EXPECT_THAT(notes(recorded(swing)), Not(HasSubstr("saturated")));
 }
 
+/// Dry friction stops a joint wherever its command stops, at the largest value too.
+TEST_F(Plausibility, AJointThatStopsAnywhereIsNotSaturated) {
+  Swing swing;
+  swing.angle = [](double t) {
+    const double stage = (t < 5.0 ? t : 10.0 - t) / 0.2;
+    return 0.1 * (std::floor(stage) + std::min(1.0, 4.0 * (stage - std::floor(stage))));
+  };
+  EXPECT_THAT(notes(recorded(swing)), Not(HasSubstr("saturated")));
+}
+
 TEST_F(Plausibility, AUnitInTheColumnsNameCounts) {
   RecordingSource source = recorded({}, "t,q [deg],u_Nm,w");
   source.sensors[0].column = "q [deg]";

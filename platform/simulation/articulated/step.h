@@ -17,7 +17,8 @@ namespace lacuna::articulated {
 struct Motion {
   std::vector<double> configuration, velocities;
   std::vector<double> accelerations;  ///< of the step before, from which the next one is estimated
-  std::vector<double> integrals;      ///< per actuator, of a PID's error; of a servo with a sample time the force that it holds
+  std::vector<double>
+      integrals;  ///< per actuator, of a PID's error; of a servo with a sample time the force that it holds
 };
 
 /// How a coordinate meets its stops and its dry friction in a step.
