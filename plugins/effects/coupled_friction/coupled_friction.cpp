@@ -42,8 +42,7 @@ EffectDescription CoupledFriction::describe() const {
 void CoupledFriction::amend(RobotSpec& robot, const EffectContext& context) const {
   for (const int joint : context.elements) joint_with_one_coordinate(robot, joint);
   if (context.elements.size() != 2)
-    throw Error("it acts between two joints and is placed on " + std::to_string(context.elements.size()) +
-                "; name two, as in where = [\"joint.pitch\", \"joint.roll\"]");
+    throw Error("it acts between two joints; name two, as in where = [\"joint.pitch\", \"joint.roll\"]");
 }
 
 /// A joint's slope cannot say how its force falls with the other's velocity. What is said instead is so large that no
