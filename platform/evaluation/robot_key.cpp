@@ -63,6 +63,7 @@ void append(std::string& key, const ActuatorSpec& actuator) {
                            actuator.force_limit,
                            actuator.command_lower,
                            actuator.command_upper,
+                           actuator.supply_sag,
                            transmission.ratio,
                            transmission.rotor_inertia,
                            transmission.stiffness,

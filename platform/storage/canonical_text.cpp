@@ -90,6 +90,7 @@ Json actuator(const ActuatorSpec& a) {
                  {"damping", number(t.damping)},
                  {"gap", number(t.gap)}}}};
   if (a.relative) text["relative"] = true;
+  if (a.supply_sag != 0.0) text["supply_sag"] = number(a.supply_sag);
   if (a.kind == ActuatorKind::voltage || a.kind == ActuatorKind::voltage_servo)
     text["motor"] = {{"torque_constant", number(a.motor.torque_constant)},
                      {"resistance", number(a.motor.resistance)},

@@ -99,8 +99,9 @@ TEST(EffectConformance, DissipativeOnesDissipate) {
   int checked = 0;
   on_every_effect([&](const std::string& name, const PhysicalEffect& effect) {
     if (!effect.describe().dissipative) return;
-    ++checked;
     const ModelDefinition model = readme_model(name);
+    if (model.structure.effects.front().elements.size() > 1) return;  // not on a pendulum: tests/effects has its energy
+    ++checked;
     if (model.structure.effects.front().kind == ElementKind::world)
       expect_dissipation(energies_of_ball(ball(&model.structure.effects.front())), energies_of_ball(ball(nullptr)));
     else

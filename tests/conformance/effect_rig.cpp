@@ -51,15 +51,22 @@ std::string snippet_of(const std::string& effect) {
   return readme.substr(begin, readme.find("```", begin) - begin);
 }
 
-/// Nine levels in an order that repeats only after the test's end.
+/// Nine levels in an order that repeats only after the test's end, each motor at another place in it.
 void drive(SimulationRun& run) {
   constexpr std::array<double, 9> kLevels = {0.9, -0.4, 0.05, 1.4, -1.2, 0.3, -0.02, -0.8, 0.6};  // N·m
-  std::vector<double> times, values;
-  for (std::size_t i = 0; i < 32; ++i) {
-    times.push_back(0.05 * static_cast<double>(i));
-    values.push_back(kLevels[(i * i + 3 * i) % kLevels.size()]);
+  constexpr std::size_t kCount = 32;
+  CommandSeries commands{.series = {}, .hold = Hold::zero_order};
+  const std::vector<ActuatorSpec>& motors = run.structure.robot.actuators;
+  for (const ActuatorSpec& motor : motors) commands.series.channels.push_back({motor.name, "1"});
+  commands.series.times.resize(kCount);
+  commands.series.samples.resize(kCount, static_cast<Eigen::Index>(motors.size()));
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    commands.series.times(row) = 0.05 * static_cast<double>(i);
+    for (std::size_t a = 0; a < motors.size(); ++a)
+      commands.series.samples(row, static_cast<Eigen::Index>(a)) = kLevels[(i * i + 3 * i + 4 * a) % kLevels.size()];
   }
-  run.command("motor", times, values, Hold::zero_order);
+  run.test.drive = commands;
 }
 
 }  // namespace
@@ -92,11 +99,14 @@ SimulationRun moving(const ModelDefinition& definition) {
   run.parameters = definition.start_values();
   for (SensorSpec& sensor : run.structure.robot.sensors) sensor.noise = sensor.quantum = 0.0;
   run.imperfections = SensorImperfections{.seed = 1};  // an effect's quantum counts
-  if (run.structure.robot.actuators.size() == 1) {
+  if (!run.structure.robot.contact.ground) {
     // Effects of the transmission need a rotor of its own.
-    run.structure.robot.actuators[0].transmission.rotor_inertia = 0.002;
+    for (ActuatorSpec& motor : run.structure.robot.actuators) motor.transmission.rotor_inertia = 0.002;
     drive(run);
-    run.from({0.8}, {8.0});  // it swings up to beyond 90 degrees
+    std::vector<double> positions(run.structure.robot.joints.size(), 0.0), velocities = positions;
+    positions[0] = 0.8;  // it swings up to beyond 90 degrees
+    velocities[0] = 8.0;
+    run.from(positions, velocities);
   } else {
     run.structure.robot.gravity.x() = 4.0;        // feet slide
     run.structure.robot.contact.friction = 10.0;  // the bound of contact_friction, which replaces it

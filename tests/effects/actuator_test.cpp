@@ -65,6 +65,24 @@ TEST(DeadZone, TakesItsWidthOffTheCommand) {
   EXPECT_EQ(impulse(mass_with("dead_zone", {0.5}), 0.5, 0.4), 0.0);
 }
 
+TEST(CommandQuantisation, RoundsTheCommandToWholeSteps) {
+  EXPECT_NEAR(impulse(mass_with("command_quantisation", {0.7}), 2.0, 0.4), 2.1 * 0.4, kRounding);
+  EXPECT_NEAR(impulse(mass_with("command_quantisation", {0.7}), -2.0, 0.4), -2.1 * 0.4, kRounding);
+  EXPECT_NEAR(impulse(mass_with("command_quantisation", {0.7}), 0.4, 0.4), 0.7 * 0.4, kRounding);
+  EXPECT_EQ(impulse(mass_with("command_quantisation", {0.7}), 0.3, 0.4), 0.0);
+}
+
+/// Behind the actuator's own gain, before every other effect on commands and before the limits, whatever the list's
+/// order.
+TEST(CommandQuantisation, HasItsPlaceAmongTheStages) {
+  SimulationRun run = mass_with("dead_zone", {0.5});
+  run.place(effect("command_quantisation"), ElementKind::actuator, {0}, {0.7});
+  run.structure.robot.actuators[0].gain = 0.5;
+  EXPECT_NEAR(impulse(run, 4.0, 0.4), (2.1 - 0.5) * 0.4, kRounding);
+  run.structure.robot.actuators[0].command_upper = 1.5;
+  EXPECT_NEAR(impulse(run, 4.0, 0.4), 1.5 * 0.4, kRounding);
+}
+
 TEST(TorqueGain, MultipliesTheForce) {
   EXPECT_NEAR(impulse(mass_with("torque_gain", {0.8}), 2.0, 0.4), 1.6 * 0.4, kRounding);
 }

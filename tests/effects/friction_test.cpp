@@ -121,6 +121,28 @@ TEST(DirectionalFriction, HoldsAJointAtRest) {
   EXPECT_NEAR(run.command("motor", -1.05).last("position", 1.0), 0.0, 1e-9);
 }
 
+/// Thrown against a constant force, so that it comes back.
+TEST(DirectionalViscousFriction, BrakesEachDirectionByItsOwn) {
+  constexpr double kPositive = 0.5, kNegative = 1.1, kForce = 3.0, kStart = -2.0, kEnd = 1.5;
+  const double there = -kForce / kNegative, back = kForce / kPositive;  // velocities to which it tends, m/s
+  const double turn = kMass / kNegative * std::log((kStart + there) / there);
+  const double expected = back * (1.0 - std::exp(-kPositive * (kEnd - turn) / kMass));
+  const double halfway = -there + (kStart + there) * std::exp(-kNegative * 0.5 * turn / kMass);
+  const auto run = [&](double step) {
+    SimulationRun made(one_joint(JointKind::slider, kMass), step);
+    made.place(effect("directional_viscous_friction"), ElementKind::joint, {0}, {kPositive, kNegative});
+    return made.command("motor", kForce).from({0.0}, {kStart});
+  };
+  EXPECT_NEAR(run(1e-3).last("velocity", 0.5 * turn), halfway, 1e-6);
+  EXPECT_NEAR(run(1e-3).last("velocity", kEnd), expected, 1e-6);
+  EXPECT_NEAR(run(1e-2).last("velocity", kEnd), expected, 1e-4);
+}
+
+TEST(DirectionalViscousFriction, WithEqualCoefficientsIsViscousFriction) {
+  EXPECT_NEAR(pushed("directional_viscous_friction", {0.7, 0.7}, 1e-3).last("position", 1.4),
+              pushed("viscous_friction", {0.7}, 1e-3).last("position", 1.4), 1e-9);
+}
+
 TEST(Hysteresis, AgreesWithAnIndependentIntegration) {
   constexpr double kForce = 0.7, kDistance = 0.02, kSharpness = 0.8;
   const Derivative motion = [](const ReferenceState& x, ReferenceState& dx, double time) {

@@ -43,8 +43,9 @@ struct EffectDescription {
 /// effect list; within a stage, in the order of effect name, then placement. An actuator's own
 /// delay, gain and offset, and a sensor's own delay, come before all of them (effects that only
 /// change these values need no hook), an actuator's limits and a sensor's own scale, offset,
-/// noise and quantum after all of them.
-enum class CommandStage { none, delay, gain, offset, lag, slew_rate, dead_zone, saturation };
+/// noise and quantum after all of them. `quantisation` of a command stands first among what changes values: a
+/// controller sends whole steps, and what is analogue comes behind it.
+enum class CommandStage { none, delay, quantisation, gain, offset, lag, slew_rate, dead_zone, saturation };
 enum class SensorStage { none, delay, lag, geometry, scale, offset, drift, saturation, quantisation };
 
 /// Where an effect acts on commands and on readings. One that overrides `command` or `sense` names the stage; the host
@@ -89,6 +90,7 @@ struct StepView {
   std::span<const double> actuator_forces;           ///< per actuator, joint side, N·m or N; of a servo, an estimate
   std::span<const int> first_coordinate;             ///< per joint
   std::span<const int> actuator_coordinate;          ///< per actuator, the coordinate that it drives
+  std::span<const int> sensor_coordinate;            ///< per sensor, the first of the joint that it reads; −1: none
   std::span<const Eigen::Vector3d> body_positions;   ///< centres of mass, world, m
   std::span<const Eigen::Vector3d> body_velocities;  ///< of the centres of mass, world, m/s
   std::span<const Eigen::Quaterniond> body_orientations;     ///< body to world

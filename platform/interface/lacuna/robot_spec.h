@@ -120,6 +120,9 @@ struct ActuatorSpec {
   double force_limit = kInfinity;     ///< joint side, N·m or N
   double command_lower = -kInfinity;  ///< commands are clipped to this range
   double command_upper = kInfinity;
+  /// The supply sags: with P, the force that the actuator would exert at rest on a supply that does not, the force is
+  /// (P − back-EMF's part)/(1 + supply_sag·|P|); 1/(N·m) or 1/N. Not of kind motion.
+  double supply_sag = 0.0;
   TransmissionSpec transmission;
   MotorSpec motor;  ///< of kinds voltage and voltage_servo
 };

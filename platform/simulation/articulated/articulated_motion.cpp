@@ -14,14 +14,6 @@ constexpr double kFastest = 1e6;   // rad/s or m/s
 
 constexpr double kSameTime = 1e-6;  // integration steps
 
-std::vector<int> coordinates_of_actuators(const RobotSpec& robot, const simulation::JointTree& tree) {
-  std::vector<int> coordinates;
-  for (const ActuatorSpec& actuator : robot.actuators)
-    coordinates.push_back(
-        tree.first_coordinate[static_cast<std::size_t>(simulation::index_of(robot.joints, actuator.joint))]);
-  return coordinates;
-}
-
 /// As many numbers as there could be with a rotor for each actuator.
 void put_padded(std::span<const double> numbers, std::size_t size, simulation::StateWriter& writer) {
   writer.put(numbers);
@@ -32,8 +24,7 @@ void put_padded(std::span<const double> numbers, std::size_t size, simulation::S
 
 ArticulatedMotion::ArticulatedMotion(const simulation::EngineModel& model)
     : length_(model.step()),
-      first_coordinates_(model.tree().first_coordinate),
-      actuator_coordinates_(coordinates_of_actuators(model.structure().robot, model.tree())),
+      elements_(simulation::element_coordinates(model.structure().robot, model.tree())),
       machine_(model.structure().robot, model.tree()),
       loads_look_at_bodies_(model.effects().looks_at_bodies()),
       contact_forces_(model.structure().robot.bodies.size(), Eigen::Vector3d::Zero()),
@@ -42,7 +33,7 @@ ArticulatedMotion::ArticulatedMotion(const simulation::EngineModel& model)
 }
 
 void ArticulatedMotion::make_integrator() {
-  integrator_ = std::make_unique<Integrator>(machine_, first_coordinates_, actuator_coordinates_);
+  integrator_ = std::make_unique<Integrator>(machine_, elements_);
   integrator_->step().look_at_bodies(loads_look_at_bodies_);
 }
 

@@ -31,7 +31,7 @@ class ArticulatedMotion : public simulation::RobotMotion {
 
   double length_;
   const RobotSpec* robot_ = nullptr;
-  std::vector<int> first_coordinates_, actuator_coordinates_;
+  simulation::ElementCoordinates elements_;
   Machine machine_;
   bool loads_look_at_bodies_;
   std::unique_ptr<Integrator> integrator_;

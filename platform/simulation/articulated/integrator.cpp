@@ -10,10 +10,9 @@ constexpr int kMostEvents = 12;  ///< in one step; then dry friction acts on the
 
 }  // namespace
 
-Integrator::Integrator(const Machine& machine, const std::vector<int>& first_coordinates,
-                       const std::vector<int>& actuator_coordinates)
+Integrator::Integrator(const Machine& machine, const simulation::ElementCoordinates& elements)
     : machine_(machine),
-      step_(machine, first_coordinates, actuator_coordinates),
+      step_(machine, elements),
       search_(machine, step_),
       stopped_(machine.coordinates().size(), Contact::free),
       coordinate_forces_(machine.coordinates().size(), 0.0) {

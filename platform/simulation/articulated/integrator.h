@@ -11,8 +11,7 @@ namespace lacuna::articulated {
 /// Moves a machine through whole steps, each cut where a coordinate comes to rest or meets a stop.
 class Integrator {
  public:
-  Integrator(const Machine& machine, const std::vector<int>& first_coordinates,
-             const std::vector<int>& actuator_coordinates);
+  Integrator(const Machine& machine, const simulation::ElementCoordinates& elements);
 
   Step& step() { return step_; }
   Motion& motion() { return motion_; }

@@ -13,6 +13,7 @@ void set_law(const ActuatorSpec& actuator, ActuatorNumbers& numbers) {
   numbers.ki = actuator.ki;
   numbers.kd = actuator.kd;
   numbers.limit = actuator.force_limit;
+  numbers.sag = actuator.supply_sag;
   numbers.push = 1.0;
   numbers.drag = 0.0;
   numbers.sample_time = 0.0;
@@ -90,12 +91,14 @@ void Machine::set(const RobotSpec& robot) {
     couplings_[c].offset = robot.couplings[c].offset;
   }
   rotors_ = 0;
+  sags_ = false;
   for (std::size_t a = 0; a < actuators_.size(); ++a) {
     const ActuatorSpec& actuator = robot.actuators[a];
     const TransmissionSpec& transmission = actuator.transmission;
     ActuatorNumbers& numbers = actuators_[a];
     CoordinateNumbers& driven = coordinates_[numbers.coordinate];
     set_law(actuator, numbers);
+    sags_ = sags_ || numbers.sag > 0.0;
     numbers.rotor_inertia = transmission.rotor_inertia * transmission.ratio * transmission.ratio;
     numbers.compliant = std::isfinite(transmission.stiffness);
     numbers.stiffness = transmission.stiffness;

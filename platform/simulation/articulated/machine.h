@@ -28,6 +28,7 @@ struct ActuatorNumbers {
   std::size_t coordinate = 0;
   std::size_t dof = 0, position = 0;  ///< of what it turns
   double kp = 0.0, ki = 0.0, kd = 0.0, limit = kInfinity;
+  double sag = 0.0;                                                       ///< of the supply, per force at rest
   bool compliant = false;                                                 ///< it turns a rotor; then
   double rotor_inertia = 0.0, stiffness = 0.0, damping = 0.0, gap = 0.0;  ///< at the joint
 };
@@ -62,6 +63,8 @@ class Machine {
   /// Whether forces of inertia depend on the velocities.
   bool has_coriolis_forces() const { return has_coriolis_forces_; }
   bool has_balls() const { return has_balls_; }
+  /// Whether any actuator's supply sags.
+  bool sags() const { return sags_; }
 
  private:
   Tree tree_;
@@ -70,7 +73,7 @@ class Machine {
   std::vector<ActuatorNumbers> actuators_;
   std::vector<CouplingNumbers> couplings_;
   std::size_t rotors_ = 0;
-  bool has_coriolis_forces_ = false, has_balls_ = false;
+  bool has_coriolis_forces_ = false, has_balls_ = false, sags_ = false;
 };
 
 }  // namespace lacuna::articulated

@@ -17,8 +17,7 @@ constexpr double kLeastRotor = 1e-9;
 
 }  // namespace
 
-Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
-           const std::vector<int>& actuator_coordinates)
+Step::Step(const Machine& machine, const simulation::ElementCoordinates& elements)
     : machine_(machine),
       tree_(machine.tree()),
       dynamics_(tree_),
@@ -45,6 +44,7 @@ Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
       drag_(tree_.dofs() * tree_.dofs()),
       actuator_forces_(machine.actuators().size()),
       coordinate_forces_(machine.coordinates().size()),
+      supply_shares_(machine.actuators().size(), 1.0),
       positions_(machine.coordinates().size()),
       velocities_(machine.coordinates().size()),
       body_positions_(tree_.links().size()),
@@ -56,8 +56,9 @@ Step::Step(const Machine& machine, const std::vector<int>& first_coordinates,
            .positions = positions_,
            .velocities = velocities_,
            .actuator_forces = actuator_forces_,
-           .first_coordinate = first_coordinates,
-           .actuator_coordinate = actuator_coordinates,
+           .first_coordinate = elements.joints,
+           .actuator_coordinate = elements.actuators,
+           .sensor_coordinate = elements.sensors,
            .body_positions = body_positions_,
            .body_velocities = body_velocities_,
            .body_orientations = body_orientations_,
@@ -212,7 +213,8 @@ void Step::take(const Motion& from, double begin, double length, const Commanded
   place_in_middle(from, length);
   find_momentum(from);
   for (std::size_t i = 0; i < dofs_; ++i) mean_[i] = from.velocities[i] + 0.5 * length * from.accelerations[i];
-  const int asks = source_ == nullptr ? 1 : 2;  // at an estimate of the mean velocities, then at them
+  const int asks =
+      source_ == nullptr && !machine_.sags() ? 1 : 2;  // at an estimate of the mean velocities, then at them
   for (int ask = 1; ask <= asks; ++ask) {
     std::copy(mean_.begin(), mean_.end(), asked_.begin());
     dynamics_.move(mean_);
@@ -275,7 +277,8 @@ double Step::integral_rate(std::size_t a, double command) const {
   const ActuatorNumbers& actuator = machine_.actuators()[a];
   if (actuator.kind != ActuatorKind::pid || std::isnan(command)) return 0.0;
   const double error = command - middle_[actuator.position];
-  const bool saturated = std::abs(actuator_forces_[a]) >= actuator.limit && actuator_forces_[a] * error > 0.0;
+  const bool saturated =
+      std::abs(actuator_forces_[a]) >= supply_shares_[a] * actuator.limit && actuator_forces_[a] * error > 0.0;
   return saturated ? 0.0 : error;
 }
 
@@ -301,8 +304,8 @@ void Step::measure(const Motion& from, double length, const Commanded& commanded
     if (servo_law_[a] != kNone) actuator_forces_[a] = system_.impulse(servo_law_[a]) / length;
     if (actuator.drag > 0.0 && !std::isnan(commanded.values[a])) {
       const double late = weights_[actuator.dof].late;
-      actuator_forces_[a] -=
-          actuator.drag * ((1.0 - late) * from.velocities[actuator.dof] + late * after_.velocities[actuator.dof]);
+      actuator_forces_[a] -= supply_shares_[a] * actuator.drag *
+                             ((1.0 - late) * from.velocities[actuator.dof] + late * after_.velocities[actuator.dof]);
     }
     coordinate_forces_[actuator.coordinate] += actuator_forces_[a];
   }

@@ -38,7 +38,7 @@ struct Commanded {
 /// dampers enter implicitly (step_weights.h), dry friction as an impulse.
 class Step {
  public:
-  Step(const Machine& machine, const std::vector<int>& first_coordinates, const std::vector<int>& actuator_coordinates);
+  Step(const Machine& machine, const simulation::ElementCoordinates& elements);
 
   /// Has the views of a source show bodies; otherwise they are not computed.
   void look_at_bodies(bool look) { look_at_bodies_ = look; }
@@ -127,6 +127,7 @@ class Step {
   std::vector<double> drag_;  ///< of the tree's velocities
   bool has_drag_ = false;
   std::vector<double> actuator_forces_, coordinate_forces_;
+  std::vector<double> supply_shares_;  ///< per actuator: the part of its force that the sagging supply leaves
   Motion after_;
   // the view
   StepView view_;

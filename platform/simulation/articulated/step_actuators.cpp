@@ -10,6 +10,9 @@ namespace {
 constexpr double kCoupled = 1e6;  ///< times the larger of two coupled inertias
 constexpr double kLeastRatio = 1e-6;
 
+/// Of the force that an actuator would exert at rest.
+double share_of_supply(double sag, double force) { return 1.0 / (1.0 + sag * std::abs(force)); }
+
 double beyond_gap(double twist, double gap) {
   const double half = 0.5 * gap;
   if (twist > half) return twist - half;
@@ -53,16 +56,17 @@ void Step::add_actuator(std::size_t a, const Motion& from, double length, const 
   const double command = commanded.values[a];
   servo_law_[a] = kNone;
   actuator_forces_[a] = 0.0;
+  supply_shares_[a] = 1.0;
   if (std::isnan(command)) return;
   if (actuator.kind == ActuatorKind::motion) return impose(a, from, length, commanded);
-  if (actuator.drag > 0.0) add_linear(actuator.dof, 0.0, actuator.drag, 0.0, from, length);
-  if (actuator.kind == ActuatorKind::force) {
-    actuator_forces_[a] = std::clamp(actuator.push * command, -actuator.limit, actuator.limit);
-    system_.right()[actuator.dof] += length * actuator_forces_[a];
-    return;
-  }
-  if (actuator.sample_time > 0.0) {
-    actuator_forces_[a] = from.integrals[a];
+  double& share = supply_shares_[a];
+  const bool holds = actuator.sample_time > 0.0;
+  if (actuator.kind == ActuatorKind::force || holds) {
+    const double unsagged =
+        holds ? from.integrals[a] : std::clamp(actuator.push * command, -actuator.limit, actuator.limit);
+    share = share_of_supply(actuator.sag, unsagged);
+    if (actuator.drag > 0.0) add_linear(actuator.dof, 0.0, share * actuator.drag, 0.0, from, length);
+    actuator_forces_[a] = share * unsagged;
     system_.right()[actuator.dof] += length * actuator_forces_[a];
     return;
   }
@@ -76,14 +80,19 @@ void Step::add_actuator(std::size_t a, const Motion& from, double length, const 
       stiffness += 0.5 * length * actuator.ki;
     }
   }
+  if (actuator.sag > 0.0)
+    share = share_of_supply(actuator.sag,
+                            std::clamp(force - actuator.kd * mean_[actuator.dof], -actuator.limit, actuator.limit));
+  if (actuator.drag > 0.0) add_linear(actuator.dof, 0.0, share * actuator.drag, 0.0, from, length);
   const Weights& w = weights_[actuator.dof];
   const double before = from.velocities[actuator.dof];
   servo_law_[a] = laws_.size();
-  laws_.push_back({.dof = actuator.dof,
-                   .push = length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
-                   .resistance = length * (actuator.kd * w.late + stiffness * w.after * length),
-                   .lower = -length * actuator.limit,
-                   .upper = length * actuator.limit});
+  laws_.push_back(
+      {.dof = actuator.dof,
+       .push = share * length * (force - (actuator.kd * (1.0 - w.late) + stiffness * w.before * length) * before),
+       .resistance = share * length * (actuator.kd * w.late + stiffness * w.after * length),
+       .lower = -share * length * actuator.limit,
+       .upper = share * length * actuator.limit});
 }
 
 void Step::add_transmission(std::size_t a, const Motion& from, double length) {

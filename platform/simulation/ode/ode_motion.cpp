@@ -40,10 +40,7 @@ OdeMotion::OdeMotion(const simulation::EngineModel& model)
   body_velocities_.resize(bodies);
   body_angular_velocities_.resize(bodies);
   body_orientations_.resize(bodies, Eigen::Quaterniond::Identity());
-  for (const ActuatorSpec& actuator : robot.actuators) {
-    const auto joint = static_cast<std::size_t>(simulation::index_of(robot.joints, actuator.joint));
-    actuator_coordinates_.push_back(tree_.first_coordinate[joint]);
-  }
+  elements_ = simulation::element_coordinates(robot, tree_);
 }
 
 void OdeMotion::build(const RobotSpec& robot) {
@@ -62,7 +59,7 @@ void OdeMotion::place_actuators() {
     const TransmissionSpec& transmission = actuator.transmission;
     const bool compliant = std::isfinite(transmission.stiffness);
     places_[i] = {
-        .coordinate = static_cast<std::size_t>(actuator_coordinates_[i]),
+        .coordinate = static_cast<std::size_t>(elements_.actuators[i]),
         .servo = !compliant && actuator.kind != ActuatorKind::force,
         .compliant = compliant,
         .reflected_inertia = compliant ? 0.0 : transmission.rotor_inertia * transmission.ratio * transmission.ratio};
@@ -74,8 +71,9 @@ void OdeMotion::lay_out_view() {
            .positions = mechanism_->joints().positions(),
            .velocities = mechanism_->joints().velocities(),
            .actuator_forces = actuator_forces_,
-           .first_coordinate = tree_.first_coordinate,
-           .actuator_coordinate = actuator_coordinates_,
+           .first_coordinate = elements_.joints,
+           .actuator_coordinate = elements_.actuators,
+           .sensor_coordinate = elements_.sensors,
            .body_positions = body_positions_,
            .body_velocities = body_velocities_,
            .body_orientations = body_orientations_,
@@ -132,6 +130,11 @@ void OdeMotion::set_laws(const simulation::StepOrder& order) {
       continue;
     }
     laws_[a] = simulation::actuator_law(actuator, order.commands[a], order.rates[a], position_of(a), memories_[a], h_);
+    if (actuator.supply_sag > 0.0) {
+      const double velocity =
+          places_[a].compliant ? memories_[a].rotor_velocity : mechanism_->joints().velocities()[places_[a].coordinate];
+      laws_[a] = simulation::on_sagging_supply(laws_[a], actuator.supply_sag, velocity);
+    }
     if (!places_[a].compliant && actuator.kind == ActuatorKind::force)
       actuator_forces_[a] = memories_[a].force = laws_[a].force;
   }
@@ -183,7 +186,7 @@ void OdeMotion::settle_actuators(const simulation::StepOrder& order) {
       motor_force = laws_[a].at(memory.rotor_velocity);
     }
     if (actuator.kind != ActuatorKind::pid || std::isnan(order.commands[a])) continue;
-    simulation::remember_pid(actuator, order.commands[a], position_of(a), motor_force, h_, memory);
+    simulation::remember_pid(laws_[a].limit, order.commands[a], position_of(a), motor_force, h_, memory);
   }
 }
 

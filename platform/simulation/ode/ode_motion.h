@@ -50,9 +50,9 @@ class OdeMotion : public simulation::RobotMotion {
   std::vector<simulation::ImplicitForce> laws_;                                  // per actuator
   std::vector<std::optional<simulation::CompliantTransmission>> transmissions_;  // per actuator
   std::vector<double> actuator_forces_;                                          // per actuator, for the view
-  std::vector<int> actuator_coordinates_;                                        // per actuator
-  std::vector<double> joint_forces_;                                             // per coordinate
-  std::vector<JointLoad> loads_;                                                 // per coordinate
+  simulation::ElementCoordinates elements_;
+  std::vector<double> joint_forces_;  // per coordinate
+  std::vector<JointLoad> loads_;      // per coordinate
   std::vector<BodyLoad> body_loads_;
   std::vector<simulation::BodyMotion> start_motions_;  // per body
   StepView view_;

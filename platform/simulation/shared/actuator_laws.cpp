@@ -47,10 +47,14 @@ ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double 
   return {};
 }
 
-void remember_pid(const ActuatorSpec& actuator, double command, double position, double force, double step,
-                  ActuatorMemory& memory) {
+ImplicitForce on_sagging_supply(const ImplicitForce& law, double sag, double velocity) {
+  const double share = 1.0 / (1.0 + sag * std::abs(law.at(velocity)));
+  return {.force = share * law.force, .slope = share * law.slope, .limit = share * law.limit};
+}
+
+void remember_pid(double limit, double command, double position, double force, double step, ActuatorMemory& memory) {
   const double error = command - position;
-  const bool saturated = std::abs(force) >= actuator.force_limit && force * error > 0.0;
+  const bool saturated = std::abs(force) >= limit && force * error > 0.0;
   if (!saturated) memory.integral += step * error;
 }
 

@@ -26,10 +26,13 @@ struct ImplicitForce {
 ImplicitForce actuator_law(const ActuatorSpec& actuator, double command, double rate, double position,
                            const ActuatorMemory& memory, double step);
 
+/// The same on a supply that sags, for about the velocity of what the actuator drives.
+ImplicitForce on_sagging_supply(const ImplicitForce& law, double sag, double velocity);
+
 /// Puts down what a PID remembers, once the step has led to `position` with `force`. Its integral
 /// stands still while the force is at its limit and would be driven further into it.
-void remember_pid(const ActuatorSpec& actuator, double command, double position, double force, double step,
-                  ActuatorMemory& memory);
+/// `limit`: of that force.
+void remember_pid(double limit, double command, double position, double force, double step, ActuatorMemory& memory);
 
 /// A compliant transmission between an actuator and its joint for one step (M. W. Spong, J. Dyn.
 /// Syst. Meas. Control 109 (1987) 310; backlash as a dead zone of the spring, M. Nordin and

@@ -1,6 +1,7 @@
 #include "simulation/shared/joint_tree.h"
 
 #include "foundation/problem.h"
+#include "simulation/shared/sensor_bank.h"
 
 namespace lacuna::simulation {
 namespace {
@@ -75,6 +76,17 @@ JointTree make_joint_tree(const RobotSpec& robot) {
     tree.coordinates += coordinate_count(joint.kind);
   }
   return tree;
+}
+
+ElementCoordinates element_coordinates(const RobotSpec& robot, const JointTree& tree) {
+  const auto of_joint = [&](const std::string& joint) {
+    return tree.first_coordinate[static_cast<std::size_t>(index_of(robot.joints, joint))];
+  };
+  ElementCoordinates coordinates{.joints = tree.first_coordinate, .actuators = {}, .sensors = {}};
+  for (const ActuatorSpec& actuator : robot.actuators) coordinates.actuators.push_back(of_joint(actuator.joint));
+  for (const SensorSpec& sensor : robot.sensors)
+    coordinates.sensors.push_back(reads_joint(sensor.kind) ? of_joint(sensor.element) : -1);
+  return coordinates;
 }
 
 std::vector<Coordinate> name_coordinates(const RobotSpec& robot) {

@@ -31,6 +31,15 @@ JointTree make_joint_tree(const RobotSpec& robot);
 /// Name and unit of each coordinate, in order.
 std::vector<Coordinate> name_coordinates(const RobotSpec& robot);
 
+/// The first joint coordinate of each element, as a `StepView` shows them.
+struct ElementCoordinates {
+  std::vector<int> joints;
+  std::vector<int> actuators;
+  std::vector<int> sensors;  ///< −1: reads no joint
+};
+
+ElementCoordinates element_coordinates(const RobotSpec& robot, const JointTree& tree);
+
 /// Index of the element called `name`, or −1.
 template <class Spec>
 int index_of(const std::vector<Spec>& specs, const std::string& name) {

@@ -1,0 +1,36 @@
+#include "supply_sag.h"
+
+#include <lacuna/error.h>
+#include <lacuna/plugin.h>
+
+namespace lacuna {
+
+EffectDescription SupplySag::describe() const {
+  return {
+      .summary = "An actuator whose supply voltage falls with the load",
+      .equation =
+          "F = (P - D*v)/(1 + sag*|P|); P: the force at rest without sag, D*v: the part of back-EMF, of motors on a "
+          "voltage",
+      .literature =
+          "P. Horowitz, W. Hill, The Art of Electronics, Cambridge University Press 2015, chapter 1; A. Hughes, B. "
+          "Drury, Electric Motors and Drives, Newnes 2013, chapter 3",
+      .regime = "large forces: they are smaller than small forces lead to expect",
+      .look_alikes = {"torque_gain", "torque_saturation", "thermal_fade", "torque_speed_line"},
+      .placements = {ElementKind::actuator},
+      .parameters = {{"sag", "1/{force}", 0.0, 0.0, 10000.0, Scale::linear,
+                      "Share of the supply's voltage that is lost, over the actuator's force"}}};
+}
+
+void SupplySag::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int element : context.elements) {
+    ActuatorSpec& actuator = robot.actuators[static_cast<std::size_t>(element)];
+    if (actuator.kind == ActuatorKind::motion)
+      throw Error("actuator." + actuator.name +
+                  " imposes a motion, whatever force it takes; place the effect on actuators of another kind");
+    actuator.supply_sag += context.parameters[0];
+  }
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::SupplySag>("supply_sag"))
