@@ -147,10 +147,10 @@ std::string recording_lines(const TrialOptions& options, const KnownSetup& setup
 
 /// The rig as it has to be, where recordings differ in that.
 std::string setup_advice(const TrialOptions& options, const KnownSetup& setup) {
-  return fmt::format(
-      "{}{}\nmake it so on the rig, give it these commands, record it, and add the measured file to {}:\n{}",
-      setup_text(setup), options.asked.setup ? "" : ", that of the first recording; --setup NAME asks for another",
-      shell_word(options.experiment.string()), recording_lines(options, setup));
+  return fmt::format("{}{}\nset the rig up so, give it these commands, record it, and add the measured file to {}:\n{}",
+                     setup_text(setup),
+                     options.asked.setup ? "" : ", that of the first recording; --setup NAME asks for another",
+                     shell_word(options.experiment.string()), recording_lines(options, setup));
 }
 
 /// What a person does with the table of commands.
