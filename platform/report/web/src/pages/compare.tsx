@@ -135,7 +135,8 @@ function NoFinding({ analysed }: { analysed: boolean }) {
 function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: string }) {
   const own = scores.filter((one) => one.trial === trial);
   const comparison = own[0].comparison;
-  const setups = useRows<TrialSetup>(kSetups).value ?? [];
+  const known = useRows<TrialSetup>(kSetups);
+  const setups = known.value ?? [];
   const setup = setupText(setups, comparison, trial);
   const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
   const { experiment, revision } = own[0];
@@ -169,6 +170,7 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
             }
           </Show>
           {error && <p class="error">{error}</p>}
+          {known.error && <p class="error">{known.error}</p>}
         </section>
         <aside class="side">
           <h2>Where it fails</h2>

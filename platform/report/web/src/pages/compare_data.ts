@@ -28,8 +28,8 @@ export interface TrialSetup {
   own: string | null;
 }
 
-export const kSetups = `SELECT DISTINCT score.comparison, trial, setup, settings, own FROM trial_setups
-  JOIN comparison_score AS score ON score.trial = trial_setups.id ORDER BY score.comparison, trial`;
+export const kSetups = `SELECT DISTINCT score.comparison, trial_setups.trial, setup, settings, own FROM trial_setups
+  JOIN comparison_score AS score ON score.trial = trial_setups.id ORDER BY score.comparison, trial_setups.trial`;
 
 /** "body.load.mass = 0.49 kg, sensor.angle.offset fitted to it alone"; null where nothing was different. */
 export function setupText(setups: TrialSetup[], comparison: number, trial: string): string | null {
