@@ -46,6 +46,23 @@ WHERE comparison.id = (
   WHERE newer.revision = comparison.revision AND newer.kind = 'refitted'
     AND newer_trial.held_out = trial.held_out);
 
+-- One row a trial that was made in a setup of its own: what its recording sets, and what is fitted to it alone.
+-- example: SELECT trial, setup, settings, own FROM trial_setups ORDER BY trial;
+CREATE VIEW trial_setups AS
+SELECT experiment.name AS experiment, trial.name AS trial, trial.held_out, trial.setup,
+       (SELECT group_concat(said, ', ') FROM (
+          SELECT address || ' = ' || printf('%.6g', value) || iif(unit IN ('', '1'), '', ' ' || unit) AS said
+          FROM trial_setting WHERE trial_setting.trial = trial.id ORDER BY position)) AS settings,
+       (SELECT group_concat(substr(json_extract(free.value, '$.address'), 1,
+                                   length(json_extract(free.value, '$.address')) - length(trial.setup) - 1), ', ')
+        FROM json_each((SELECT revision.free FROM revision WHERE revision.experiment = trial.experiment
+                        ORDER BY revision.number DESC LIMIT 1)) AS free
+        WHERE substr(json_extract(free.value, '$.address'), -length(trial.setup) - 1) = '@' || trial.setup) AS own,
+       trial.id
+FROM trial
+JOIN experiment ON experiment.id = trial.experiment
+WHERE trial.setup <> '';
+
 -- One row a revision and channel: the error on fitted and on held-out trials, and in multiples of the noise floor.
 -- example: SELECT revision, change, channel, fit_rmse, held_out_rmse, times_floor FROM error_by_revision ORDER BY revision;
 CREATE VIEW error_by_revision AS
@@ -114,6 +131,8 @@ SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.ver
        iif(diagnosis.verdict = 'effect_found',
            (SELECT group_concat(value, ' + ') FROM json_each(best.effects)), NULL) AS answer,
        diagnosis.base_times_floor, best.times_floor, diagnosis.document ->> '$.stopped.during' AS stopped,
+       nullif(diagnosis.document ->> '$.next_test', '') AS next_test,
+       diagnosis.document ->> '$.next_test_setup.name' AS next_test_setup,
        diagnosis.id >> 40 AS run, diagnosis.id
 FROM diagnosis
 JOIN revision ON revision.id = diagnosis.revision

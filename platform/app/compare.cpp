@@ -37,8 +37,12 @@ void run_compare(const CompareOptions& options) {
   const WhereItFails where = bench.where_it_fails(fitted.result, compared.result);
   lift_time_limit();  // what follows is quick
   bench.ledger().keep_where_it_fails(compared.id, where_document(where, compared.result));
-  const ComparisonHeading heading{bench.rig().experiment.name, compared.look, !options.as_is, fitted.known,
-                                  fitted.result.seconds};
+  const ComparisonHeading heading{bench.rig().experiment.name,
+                                  compared.look,
+                                  !options.as_is,
+                                  fitted.known,
+                                  fitted.result.seconds,
+                                  known_setups(bench.rig().definition, bench.rig().experiment.target.recording)};
 
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));

@@ -65,13 +65,15 @@ void run_history(const HistoryOptions& options) {
   settle_substeps(rig, rig.fit_trials(), options.threads);
   const std::filesystem::path file = database_of(options, rig.experiment);
   const StoredHistory history = stored_history(file, rig);
+  const std::vector<KnownSetup> setups = known_setups(rig.definition, rig.experiment.target.recording);
   const std::string next = history.missing.empty() ? "" : command_to_type("compare", options);
   if (!takes_standard_output(options.json) && !takes_standard_output(options.csv)) {
     fmt::print("{} · {}\n", plain_text(rig.experiment.name), plain_text(file.string()));
-    if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks));
+    if (!history.rows.empty()) fmt::print("{}", history_text(history.rows, history.looks, setups));
     if (!next.empty()) fmt::print("{}. Next: {}\n", history.missing, next);
   }
-  if (options.json) write_output(*options.json, history_json(history.rows, history.looks, history.missing, next));
+  if (options.json)
+    write_output(*options.json, history_json(history.rows, history.looks, history.missing, next, setups));
   if (options.csv) write_output(*options.csv, history_csv(history.rows));
   if (!options.out.empty() && !history.rows.empty()) {
     make_output_folder(options.out);

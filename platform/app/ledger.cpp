@@ -114,16 +114,17 @@ std::optional<SearchState> Ledger::unfinished_diagnosis(const StoredRevision& re
   return document ? read_search_state(*document) : std::nullopt;
 }
 
-std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials) {
+std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials, const ModelDefinition& definition) {
   std::vector<TrialId> ids;
-  for (const Trial& trial : trials) ids.push_back(store_.find_or_add_trial(experiment_, trial_record(trial)));
+  for (const Trial& trial : trials)
+    ids.push_back(store_.find_or_add_trial(experiment_, trial_record(trial, definition)));
   return ids;
 }
 
 ComparisonId Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vector<Trial>& trials,
                           const Comparison& comparison, bool refitted, std::optional<int> look, double step) {
   Transaction transaction(database_);
-  const std::vector<TrialId> ids = ids_of(trials);
+  const std::vector<TrialId> ids = ids_of(trials, rig.definition);
   ComparisonRecord record = comparison_record(comparison, ids);
   record.kind = refitted ? ComparisonKind::refitted : ComparisonKind::as_written;
   record.look = look;

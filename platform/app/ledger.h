@@ -71,7 +71,7 @@ class Ledger {
  private:
   std::string settings(const Rig& rig) const;
   std::string settings(const Rig& rig, const std::vector<std::string>& among) const;
-  std::vector<TrialId> ids_of(const std::vector<Trial>& trials);
+  std::vector<TrialId> ids_of(const std::vector<Trial>& trials, const ModelDefinition& definition);
 
   Database database_;
   ResultStore store_;

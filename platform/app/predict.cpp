@@ -40,6 +40,7 @@ struct WantedTest {
   Test test;
   std::vector<double> times;  ///< when sensors are read, s
   std::optional<MeasuredTest> measured = {};
+  std::optional<KnownSetup> setup = {};  ///< where recordings have some
 };
 
 /// The run that was asked for, or the newest one, of the experiment, with a pass that has ended.
@@ -112,11 +113,20 @@ WantedTest numbered_test(const AskedRun& run, std::uint64_t number, const AskedT
 WantedTest wanted_test(const AskedRun& run, const AskedTest& asked) {
   if (const std::optional<double> duration = asked_duration(asked))
     check_step_count(run.rig().experiment, *duration, "of the test");
-  if (const std::optional<std::uint64_t> number = test_number(asked.test)) return numbered_test(run, *number, asked);
+  if (const std::optional<std::uint64_t> number = test_number(asked.test)) {
+    if (asked.setup)
+      throw_problem({}, "--setup is for new tests; test " + std::to_string(*number) +
+                            " of the run has its own. Leave --setup out");
+    return numbered_test(run, *number, asked);
+  }
+  const Experiment& experiment = run.rig().experiment;
+  const KnownSetup setup = asked_setup(asked, experiment, run.rig().definition);
   const ModelDefinition* target = run.stored.bench->target();
   const RobotSpec& robot = (target ? *target : run.rig().definition).structure.robot;
   const TestSpace space = test_space(robot, run.rig().experiment.engine, 0.0);
   WantedTest wanted{read_test(asked, space, *run.rig().catalog), {}};
+  wanted.test.setup = setup.name();
+  if (any_is_set(known_setups(run.rig().definition, experiment.target.recording))) wanted.setup = setup;
   check_step_count(run.rig().experiment, wanted.test.duration, "of the test");
   wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
   return wanted;
@@ -164,6 +174,8 @@ PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
           .pass = ensemble.pass,
           .test = number ? fmt::format("test {}", *number) : options.asked.test,
           .duration = wanted.times.back(),
+          .setup = std::move(wanted.setup),
+          .setup_is_asked = options.asked.setup.has_value(),
           .structures = structures_of(ensemble),
           .copies = ensemble.copies,
           .refuted = ensemble.refuted,
@@ -182,6 +194,10 @@ std::string same_words(const PredictOptions& options, bool with_duration) {
   return words;
 }
 
+std::string setup_words(const PredictionReport& report) {
+  return report.setup ? " --setup " + shell_word(setup_to_type(*report.setup)) : "";
+}
+
 /// What a reader may do next.
 std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
   const std::string experiment = shell_word(options.experiment.string());
@@ -190,10 +206,11 @@ std::string next_step(const PredictOptions& options, const AskedRun& run, const 
                        kFewestHeldOut + 1, same_words(options, false));
   if (!test_number(options.asked.test))
     return fmt::format("→ lacuna trial {} --test {}{}{}\n", experiment, shell_word(options.asked.test),
-                       same_words(options, true), run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
+                       same_words(options, true) + setup_words(report),
+                       run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
   if (!options.picture)
     return fmt::format("→ lacuna predict {} --test {}{} --out prediction.svg\n", experiment,
-                       shell_word(options.asked.test), same_words(options, true));
+                       shell_word(options.asked.test), same_words(options, true) + setup_words(report));
   return {};
 }
 

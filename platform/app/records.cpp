@@ -1,8 +1,10 @@
 #include "app/records.h"
 
+#include "evaluation/possible_values.h"
 #include "report/diagnosis_text.h"
-
 #include "storage/canonical_text.h"
+
+#include <utility>
 
 namespace lacuna {
 
@@ -18,7 +20,9 @@ RevisionRecord revision_record(const Rig& rig) {
   return record;
 }
 
-TrialRecord trial_record(const Trial& trial) {
+TrialRecord trial_record(const Trial& trial, const ModelDefinition& definition) {
+  std::vector<std::string> units;
+  for (const Setup::Value& value : trial.setup.values) units.push_back(unit_of_value(definition, value.address));
   const Eigen::VectorXd& times = trial.measured.times;
   return {.name = trial.name,
           .file = trial.name,
@@ -26,7 +30,8 @@ TrialRecord trial_record(const Trial& trial) {
           .held_out = trial.held_out,
           .duration = times.size() > 0 ? times[times.size() - 1] - times[0] : 0.0,
           .samples = times.size(),
-          .setup = trial.setup};
+          .setup = trial.setup,
+          .setting_units = std::move(units)};
 }
 
 namespace {

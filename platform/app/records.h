@@ -14,7 +14,8 @@ namespace lacuna {
 /// What the rooms compute, as the records that storage keeps, and back.
 
 RevisionRecord revision_record(const Rig& rig);
-TrialRecord trial_record(const Trial& trial);
+/// `definition`: tells the units of what the trial's setup sets.
+TrialRecord trial_record(const Trial& trial, const ModelDefinition& definition);
 FitRecord fit_record(const FitResult& fit, const FitSection& options, const std::string& settings);
 FitResult fit_result(const FitRecord& record);
 /// `trials`: the stored trials, in the comparison's order.

@@ -67,6 +67,8 @@ Test test_of_line(const AskedTest& asked, TestSpace space, const PluginCatalog& 
 void add_test_options(CLI::App& command, AskedTest& asked, const std::string& description) {
   command.add_option("--test", asked.test, description)->required()->option_text("TEST");
   command.add_option("--duration", asked.duration, "Duration, instead of the test's")->option_text("TIME");
+  command.add_option("--setup", asked.setup, "Setup of the recordings, or none (default: the first recording's)")
+      ->option_text("NAME");
 }
 
 std::optional<double> asked_duration(const AskedTest& asked) {
@@ -78,6 +80,22 @@ std::optional<double> asked_duration(const AskedTest& asked) {
   } catch (const Error&) {
   }
   throw_problem({}, fmt::format("--duration {}: is no duration above 0; write one such as \"20 s\"", asked.duration));
+}
+
+KnownSetup asked_setup(const AskedTest& asked, const Experiment& experiment, const ModelDefinition& definition) {
+  const std::vector<KnownSetup> setups = known_setups(definition, experiment.target.recording);
+  if (!asked.setup) return setups.front();
+  if (experiment.target.kind != "recorded")
+    throw_problem({},
+                  fmt::format("--setup {}: a target of kind = \"{}\" has no setups, and Lacuna cannot change its loads "
+                              "or gains; only recordings have them ([[target.recording]] with set or own). Leave "
+                              "--setup out",
+                              *asked.setup, experiment.target.kind));
+  try {
+    return find_setup(setups, *asked.setup);
+  } catch (const BadInput& error) {
+    throw_problem({}, fmt::format("--setup {}: {}", *asked.setup, error.what()));
+  }
 }
 
 Test read_test(const AskedTest& asked, const TestSpace& space, const PluginCatalog& catalog) {

@@ -11,12 +11,14 @@
 #include "foundation/counted.h"
 #include "foundation/shell_word.h"
 #include "measurement/command_file.h"
+#include "report/setup_report.h"
 #include "storage/carried_out.h"
 #include "storage/failed_trials.h"
 #include "storage/result_store.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -130,13 +132,35 @@ void report(const TrialOptions& options, const Rig& rig, const Trial& trial, dou
                                     "\n");
 }
 
+/// The lines that add the new recording to the experiment, for a rig that is set up.
+std::string recording_lines(const TrialOptions& options, const KnownSetup& setup) {
+  std::string lines = "[[target.recording]]\nfile = \"new.csv\"\n";
+  if (options.held_out) lines += "role = \"holdout\"\n";
+  std::vector<std::string> set;
+  for (const KnownSetup::Setting& one : setup.settings)
+    set.push_back(one.unit == "1" ? fmt::format("\"{}\" = {}", one.address, one.value)
+                                  : fmt::format("\"{}\" = \"{} {}\"", one.address, one.value, one.unit));
+  if (!set.empty()) lines += fmt::format("set = {{ {} }}\n", fmt::join(set, ", "));
+  if (!setup.own.empty()) lines += fmt::format("own = [\"{}\"]\n", fmt::join(setup.own, "\", \""));
+  return lines;
+}
+
+/// The rig as it has to be, where recordings differ in that.
+std::string setup_advice(const TrialOptions& options, const KnownSetup& setup) {
+  return fmt::format("{}{}\nset the rig up so, give it these commands, record it, and add the measured file to {}:\n{}",
+                     setup_text(setup),
+                     options.asked.setup ? "" : ", that of the first recording; --setup NAME asks for another",
+                     shell_word(options.experiment.string()), recording_lines(options, setup));
+}
+
 /// What a person does with the table of commands.
-std::string advice(const TrialOptions& options, bool takes_tests) {
+std::string advice(const TrialOptions& options, bool takes_tests, const std::optional<KnownSetup>& setup) {
   const std::string experiment = shell_word(options.experiment.string());
   if (takes_tests)
     return options.csv->empty() ? ""
                                 : fmt::format("→ lacuna trial {} --test {}{}\n", experiment, shell_word(*options.csv),
                                               options_to_type(options));
+  if (setup) return setup_advice(options, *setup);
   return fmt::format(
       "give these commands to the rig, record it, and add the measured file to target.{0} in {1}, as in {0} = "
       "[\"...\", "
@@ -144,17 +168,19 @@ std::string advice(const TrialOptions& options, bool takes_tests) {
       options.held_out ? "holdout" : "files", experiment);
 }
 
-void write_commands(const TrialOptions& options, const Test& test, bool takes_tests) {
+void write_commands(const TrialOptions& options, const Test& test, bool takes_tests,
+                    const std::optional<KnownSetup>& setup) {
   const CommandSeries& commands = std::get<CommandSeries>(test.drive);
   const std::string file = options.csv.value_or("");
   write_output(file, command_csv(until(commands, test.duration)));
-  std::fputs(advice(options, takes_tests).c_str(),
+  std::fputs(advice(options, takes_tests, setup).c_str(),
              file.empty() || takes_standard_output(options.json) ? stderr : stdout);
   if (options.json)
     write_output(*options.json, nlohmann::json{{"test", options.asked.test},
                                                {"duration", test.duration},
                                                {"samples", commands.series.times.size()},
                                                {"held_out", options.held_out},
+                                               {"setup", setup ? nlohmann::json(setup_json(*setup)) : nullptr},
                                                {"csv", file}}
                                         .dump(2) +
                                     "\n");
@@ -169,7 +195,9 @@ void run_trial(const TrialOptions& options) {
   const TestSpace space = test_space(robot, rig.experiment.engine, 0.0);
   if (const std::optional<double> asked = asked_duration(options.asked))
     check_step_count(rig.experiment, *asked, "of the test");
-  const Test test = read_test(options.asked, space, *rig.catalog);
+  const KnownSetup setup = asked_setup(options.asked, rig.experiment, rig.definition);
+  Test test = read_test(options.asked, space, *rig.catalog);
+  test.setup = setup.name();
   check_step_count(rig.experiment, test.duration, "of the test");
   if (target.takes_tests() && !options.csv)
     report(options, rig, carry_out(options, rig, target, test), test.duration);
@@ -178,7 +206,9 @@ void run_trial(const TrialOptions& options) {
                   "a recorded target carries no test out, and commands and JSON do not go to one output; name a "
                   "file with --csv=FILE");
   else
-    write_commands(options, test, target.takes_tests());
+    write_commands(options, test, target.takes_tests(),
+                   any_is_set(known_setups(rig.definition, rig.experiment.target.recording)) ? std::optional(setup)
+                                                                                             : std::nullopt);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "diagnosis/hypothesis.h"
 #include "diagnosis/noise_model.h"
 #include "diagnosis/random_force.h"
+#include "evaluation/known_setups.h"
 #include "fitting/progress.h"
 
 #include <cstdint>
@@ -113,10 +114,11 @@ struct Diagnosis {
   std::vector<EffectsAtLength> lengths;  ///< of the answer (segment_lengths.h)
   std::size_t hypotheses = 0;            ///< effect × place
   std::vector<Untestable> untestable;
-  std::vector<std::string> findings;     ///< sentences
-  std::string next_test;                 ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test
-  std::string next_test_worth;           ///< the same with what it tells in nats, beside what a random test does
-  std::optional<StoppedSearch> stopped;  ///< then no probability is stated, and `findings` says so first
+  std::vector<std::string> findings;  ///< sentences
+  std::string next_test;              ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test
+  std::optional<KnownSetup> next_test_setup;  ///< that it is to be made in; nothing where no recording has one
+  std::string next_test_worth;                ///< the same with what it tells in nats, beside what a random test does
+  std::optional<StoppedSearch> stopped;       ///< then no probability is stated, and `findings` says so first
   double seconds = 0.0;
 };
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -25,7 +26,8 @@ constexpr double kOtherChoice = 0.2;        ///< chance that a whole-number gene
 
 struct DrawnTest {
   Genome genome;
-  double nats = -1.0;  ///< below 0: it cannot be carried out
+  std::size_t setup = 0;  ///< of the task's
+  double nats = -1.0;     ///< below 0: it cannot be carried out
 };
 
 bool better(const DrawnTest& a, const DrawnTest& b) { return a.nats > b.nats; }
@@ -54,7 +56,8 @@ class TestSearch {
  private:
   std::vector<DrawnTest> random_tests(int count) {
     std::vector<DrawnTest> tests;
-    for (int i = 0; i < count; ++i) tests.push_back({judge_.random(random_)});
+    for (int i = 0; i < count; ++i)
+      tests.push_back({judge_.random(random_), static_cast<std::size_t>(i) % task_.setups.size()});
     return tests;
   }
 
@@ -64,16 +67,32 @@ class TestSearch {
     return ranked[static_cast<std::size_t>((end - ranked.begin()) / 2)];
   }
 
+  void add(std::vector<DrawnTest> tests, std::vector<DrawnTest>& ranked) {
+    evaluate(tests);
+    ranked.insert(ranked.end(), tests.begin(), tests.end());
+    std::stable_sort(ranked.begin(), ranked.end(), better);
+  }
+
+  /// The best commands in every other setup, as far as the budget goes. Returns how many evaluations that took.
+  int try_other_setups(std::vector<DrawnTest>& ranked, int budget) {
+    std::vector<DrawnTest> others;
+    const DrawnTest best = ranked.front();
+    for (std::size_t s = 0; s < task_.setups.size() && static_cast<int>(others.size()) < budget; ++s)
+      if (s != best.setup) others.push_back({best.genome, s});
+    const int count = static_cast<int>(others.size());
+    if (count > 0) add(std::move(others), ranked);
+    return count;
+  }
+
   void refine(std::vector<DrawnTest>& ranked, int budget) {
-    for (int done = 0; done < budget;) {
+    for (int done = try_other_setups(ranked, budget / 2); done < budget;) {
       ranked.resize(std::min(ranked.size(), kRefined));
       const double step = kFirstStep * std::pow(kLastStep / kFirstStep, static_cast<double>(done) / budget);
       std::vector<DrawnTest> children;
       for (std::size_t i = 0; i < kBatch && done < budget; ++i, ++done)
-        children.push_back({sayable(task_.space, changed(ranked[i % ranked.size()].genome, step))});
-      evaluate(children);
-      ranked.insert(ranked.end(), children.begin(), children.end());
-      std::stable_sort(ranked.begin(), ranked.end(), better);
+        children.push_back(
+            {sayable(task_.space, changed(ranked[i % ranked.size()].genome, step)), ranked[i % ranked.size()].setup});
+      add(std::move(children), ranked);
     }
   }
 
@@ -99,7 +118,7 @@ class TestSearch {
       const std::size_t end = std::min(begin + kBatch, tests.size());
       parallel_for(end - begin, task_.threads, [&](std::size_t i, int worker) {
         DrawnTest& test = tests[begin + i];
-        test.nats = judge_.nats(test.genome, worker);
+        test.nats = judge_.nats(test.genome, worker, setup_of(test).name());
       });
       for (std::size_t i = begin; i < end; ++i) {
         meter_.begin_part("next test");
@@ -110,14 +129,17 @@ class TestSearch {
     }
   }
 
+  const KnownSetup& setup_of(const DrawnTest& test) const { return task_.setups[test.setup]; }
+
   NextTest describe(const DrawnTest& best, const DrawnTest& typical) const {
     NextTest test;
     test.line = test_line(task_.space, best.genome);
+    if (any_is_set(task_.setups)) test.setup = setup_of(best);
     test.rivals = {task_.rivals[0].name, task_.rivals[1].name};
     test.nats = best.nats;
     test.random_nats = typical.nats;
-    test.trials = judge_.trials_needed(best.genome);
-    test.random_trials = judge_.trials_needed(typical.genome);
+    test.trials = judge_.trials_needed(best.genome, setup_of(best).name());
+    test.random_trials = judge_.trials_needed(typical.genome, setup_of(typical).name());
     test.evaluations = evaluations_;
     test.invalid = invalid_;
     return test;
@@ -146,8 +168,9 @@ std::string worth_text(double nats) {
 NextTest next_test(const NextTestTask& task) { return TestSearch(task).run(); }
 
 std::string to_string(const NextTest& test) {
-  return fmt::format("{}: {} nats a trial (a random one {}), {} for {:g} nats (a random one {})", test.line,
-                     worth_text(test.nats), worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats,
+  return fmt::format("{}{}: {} nats a trial (a random one {}), {} for {:g} nats (a random one {})", test.line,
+                     test.setup ? " with " + setup_text(*test.setup) : "", worth_text(test.nats),
+                     worth_text(test.random_nats), trials_text(test.trials), kDecisiveNats,
                      trials_text(test.random_trials));
 }
 

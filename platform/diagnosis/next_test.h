@@ -2,6 +2,7 @@
 
 #include <lacuna/test_encoding.h>
 
+#include "evaluation/known_setups.h"
 #include "evaluation/model_definition.h"
 #include "fitting/noise_floor.h"
 #include "fitting/progress.h"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +50,9 @@ struct NextTestTask {
   /// How well that is known: deviations of the joint coordinates, positions and then velocities; what is above 0 is
   /// refitted together with the values. Empty: exactly.
   std::vector<double> start_deviation;
-  int evaluations = 60;  ///< budget; an evaluation predicts a test with both models and all they could refit
+  std::vector<KnownSetup> setups =
+      std::vector<KnownSetup>(1);  ///< that the rig can have for the test; both models know them
+  int evaluations = 60;            ///< budget; an evaluation predicts a test with both models and all they could refit
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
@@ -59,6 +63,7 @@ inline constexpr double kDecisiveNats = 5.0;  ///< odds of 150 to 1
 /// A proposal, beside what chance does.
 struct NextTest {
   std::string line;                   ///< as `lacuna trial --test` takes it (diagnosis/test_line.h)
+  std::optional<KnownSetup> setup;    ///< to be made in; nothing where no recording has one
   std::array<std::string, 2> rivals;  ///< their names
   double nats = 0.0;                  ///< that one trial of it is expected to tell between the two
   double random_nats = 0.0;           ///< the same of the median random test
@@ -78,7 +83,9 @@ struct NextTest {
 /// beyond `correlation_time`.
 ///
 /// Tests are those of the encoding `command_series`. Three fifths of the budget are random draws, of which the median
-/// is reported; the rest refines the best four by small changes. The same proposal whatever the number of threads.
+/// is reported; the rest refines the best four by small changes. Setups take turns in the random draws; then the best
+/// commands are tried in every other setup, and small changes keep the setup. A test in a setup is predicted with what
+/// the setup sets and with each model's values of this setup alone. The same proposal whatever the number of threads.
 /// Throws `Error` where there are less than two rivals, a covariance has another size, their sensors differ, an
 /// actuator has no limits, or no test can be carried out; and `Interrupted`.
 ///
@@ -86,7 +93,8 @@ struct NextTest {
 /// Biometrika 62 (1975) 57-70.
 NextTest next_test(const NextTestTask& task);
 
-/// "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial (a random one 0.8), 1 trial for 5 nats (a random one 7)".
+/// "triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial (a random one 0.8), 1 trial for 5 nats (a random one 7)", with
+/// " with setup heavy (body.load.mass = 0.49 kg)" before the colon where there is one.
 std::string to_string(const NextTest& test);
 
 }  // namespace lacuna

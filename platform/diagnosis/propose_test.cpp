@@ -12,8 +12,9 @@ namespace lacuna {
 namespace {
 
 constexpr double kLongest = 10.0;  ///< s
-constexpr int kEvaluations = 24;
-constexpr double kWorthwhile = 1.0;  ///< nats a trial: less is not worth a trip to the rig
+constexpr int kEvaluations = 24, kMoreForASetup = 8;
+constexpr std::size_t kMostPaidFor = 4;  ///< setups; more of them share the budget
+constexpr double kWorthwhile = 1.0;      ///< nats a trial: less is not worth a trip to the rig
 constexpr double kMostTrips = 20.0;
 
 /// Its timing beside its values where that was fitted, too.
@@ -41,12 +42,14 @@ bool worthwhile(const NextTest& test) {
   return test.nats > test.random_nats && test.nats > kWorthwhile && test.trials <= kMostTrips;
 }
 
-std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedRival& one, const FittedRival& other,
-                                     const Round& round, std::uint64_t seed, int threads,
+std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
+                                     const FittedRival& other, const Round& round, std::uint64_t seed, int threads,
                                      const ProgressCallback& progress) {
   TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(round.base.trials));
   limit_to_trials(space, round.base.trials);
   TestConditions conditions = like_the_trials(round, space.control_period);
+  std::vector<KnownSetup> setups = known_setups(one.definition, experiment.target.recording);
+  const int more = kMoreForASetup * static_cast<int>(std::min(setups.size(), kMostPaidFor) - 1);
   const double interval = longest_command_interval(round.base.trials);
   const std::unique_ptr<CompiledModel> first = compile(one.definition.structure, one.definition.engine),
                                        second = compile(other.definition.structure, other.definition.engine);
@@ -56,7 +59,8 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const FittedR
                     .space = std::move(space),
                     .start = std::move(conditions.start),
                     .start_deviation = std::move(conditions.start_deviation),
-                    .evaluations = kEvaluations,
+                    .setups = std::move(setups),
+                    .evaluations = kEvaluations + more,
                     .seed = seed,
                     .threads = threads,
                     .progress = progress};

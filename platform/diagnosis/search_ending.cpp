@@ -137,9 +137,10 @@ class EndedSearch {
     const auto& [which, fit] = ending_.again.inseparable.front();
     const KeptRival& alike = step.rivals[which];
     const Contender other = with_effect_of(alike, step, ending_.plain, task_.catalog);
-    const std::optional<NextTest> test = propose_test(
-        task_.catalog, {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
-        {name_of(alike.entry), other.definition, fit}, ending_.last, task_.seed, task_.threads, {});
+    const std::optional<NextTest> test =
+        propose_test(task_.catalog, task_.experiment,
+                     {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
+                     {name_of(alike.entry), other.definition, fit}, ending_.last, task_.seed, task_.threads, {});
     if (!test) return;
     if (!worthwhile(*test)) {
       result_.findings.push_back(
@@ -148,6 +149,7 @@ class EndedSearch {
       return;
     }
     result_.next_test = test->line;
+    result_.next_test_setup = test->setup;
     result_.next_test_worth = to_string(*test);
   }
 

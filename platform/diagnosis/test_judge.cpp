@@ -124,10 +124,12 @@ Genome TestJudge::random(RandomStream& random) const {
                  guarded_call(encoding_.origin, "random", [&] { return encoding_->random(layout_, random); }));
 }
 
-std::optional<TestJudge::Judgement> TestJudge::judgement(const Genome& genome, int worker) const {
+std::optional<TestJudge::Judgement> TestJudge::judgement(const Genome& genome, const std::string& setup,
+                                                         int worker) const {
   Test test = guarded_call(encoding_.origin, "decode",
                            [&] { return encoding_->decode(task_.space, encoding_.parameters, genome); });
   test.start = task_.start;
+  test.setup = setup;
   Judgement judgement;
   std::array<RivalPrediction, 2>& truths = judgement.truths;
   for (std::size_t i = 0; i < rivals_.size(); ++i)
@@ -138,8 +140,8 @@ std::optional<TestJudge::Judgement> TestJudge::judgement(const Genome& genome, i
   return judgement;
 }
 
-double TestJudge::nats(const Genome& genome, int worker) const {
-  const auto judged = judgement(genome, worker);
+double TestJudge::nats(const Genome& genome, int worker, const std::string& setup) const {
+  const auto judged = judgement(genome, setup, worker);
   return judged ? worse(*judged, 1.0) : -1.0;
 }
 
@@ -163,8 +165,8 @@ double TestJudge::score(const Eigen::VectorXd& left) const {
   return guarded_call(fitness_.origin, "score", [&] { return fitness_->score({}, sides, fitness_.parameters); });
 }
 
-double TestJudge::trials_needed(const Genome& genome) const {
-  const auto judged = judgement(genome, 0);
+double TestJudge::trials_needed(const Genome& genome, const std::string& setup) const {
+  const auto judged = judgement(genome, setup, 0);
   if (!judged || worse(*judged, kMostTrials) < kDecisiveNats) return std::numeric_limits<double>::infinity();
   double too_few = 0.0, enough = kMostTrials;
   while (enough - too_few > 1.0) {

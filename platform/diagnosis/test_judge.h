@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 namespace lacuna {
 
@@ -19,10 +20,10 @@ class TestJudge {
   const GenomeLayout& layout() const { return layout_; }
   /// A random test, as a line can say it (test_line.h).
   Genome random(RandomStream& random) const;
-  /// In the worse direction; below 0 where the test cannot be carried out.
-  double nats(const Genome& genome, int worker) const;
+  /// In the worse direction; below 0 where the test cannot be carried out. `setup`: the rig's, by its name.
+  double nats(const Genome& genome, int worker, const std::string& setup = {}) const;
   /// Until `kDecisiveNats`: more trials of one test also teach the rival. Infinite: more than a million.
-  double trials_needed(const Genome& genome) const;
+  double trials_needed(const Genome& genome, const std::string& setup = {}) const;
 
  private:
   /// What both rivals say about a test, and what they say when they are refitted to what the other one says.
@@ -32,7 +33,7 @@ class TestJudge {
   };
 
   /// Nothing where one of the rivals cannot carry the test out.
-  std::optional<Judgement> judgement(const Genome& genome, int worker) const;
+  std::optional<Judgement> judgement(const Genome& genome, const std::string& setup, int worker) const;
   double worse(const Judgement& judgement, double trials) const;
   double score(const Eigen::VectorXd& left) const;
 

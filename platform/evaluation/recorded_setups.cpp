@@ -1,49 +1,15 @@
 #include "evaluation/recorded_setups.h"
 
+#include "evaluation/possible_values.h"
 #include "foundation/address.h"
-#include "foundation/placement_unit.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lacuna {
 namespace {
-
-/// A number of the model that a recording may have for itself.
-struct Place {
-  FreeValue value;         ///< as it is free in all recordings, or would be
-  double lower, upper;     ///< that are possible
-  bool is_bounded = true;  ///< whether somebody says where to look for it
-};
-
-void add_robot_places(const ModelDefinition& definition, std::vector<Place>& places) {
-  RobotSpec robot = definition.structure.robot;
-  for (const AddressedValue& value : addressed_values(robot))
-    places.push_back({{value.address, value.unit, value.lower, value.upper, *value.value},
-                      value.lower,
-                      value.upper,
-                      std::isfinite(value.lower) && std::isfinite(value.upper)});
-}
-
-void add_effect_places(const ModelDefinition& definition, std::vector<Place>& places) {
-  for (std::size_t e = 0; e < definition.structure.effects.size(); ++e) {
-    const PlacedEffect& placed = definition.structure.effects[e];
-    const ParameterDeclarations declared =
-        guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); }).parameters;
-    for (std::size_t i = 0; i < declared.size(); ++i) {
-      const std::string unit = placed.elements.empty() ? declared[i].unit
-                                                       : unit_at(declared[i].unit, definition.structure.robot,
-                                                                 placed.kind, placed.elements.front());
-      places.push_back({{effect_address(placed.id, declared[i].name), unit, declared[i].lower, declared[i].upper,
-                         placed.values[i], declared[i].scale, declared[i].description},
-                        declared[i].lower,
-                        declared[i].upper});
-    }
-  }
-}
 
 /// What a value is in one recording.
 enum class Told { as_in_all, set, own };
@@ -51,12 +17,10 @@ enum class Told { as_in_all, set, own };
 class SetupBuilder {
  public:
   SetupBuilder(ModelDefinition& definition, const RecordingSource& source, Complaints& complaints)
-      : definition_(definition), source_(source), complaints_(complaints) {
-    add_robot_places(definition, places_);
-    add_effect_places(definition, places_);
+      : definition_(definition), source_(source), complaints_(complaints), places_(possible_values(definition)) {
     for (const FreeValue& free : definition.free) {
-      Place& place = *std::find_if(places_.begin(), places_.end(),
-                                   [&](const Place& one) { return one.value.address == free.address; });
+      PossibleValue& place = *std::find_if(places_.begin(), places_.end(),
+                                           [&](const PossibleValue& one) { return one.value.address == free.address; });
       place.value = free;
       place.is_bounded = true;
     }
@@ -94,7 +58,7 @@ class SetupBuilder {
   void set(const MeasuredFile& file, std::size_t f, const Setup::Value& given, Setup& setup) {
     const std::string key = file.key + ".set." + given.address;
     for (const std::size_t p : find(given.address, key)) {
-      const Place& place = places_[p];
+      const PossibleValue& place = places_[p];
       complaints_.check_unit(key, place.value.unit);
       if (told_[p][f] == Told::set)
         complaints_.add(key, "another key of this recording sets " + place.value.address + " too; keep one of them");
@@ -115,7 +79,7 @@ class SetupBuilder {
                       "the recording is held out, so no fit can find a value of its own; set the value, or hold out "
                       "only stretches of the recording: holdout = [[from, to]]");
     for (const std::size_t p : find(file.own[i], key)) {
-      const Place& place = places_[p];
+      const PossibleValue& place = places_[p];
       if (told_[p][f] != Told::as_in_all) {
         complaints_.add(key, fmt::format("{} is {} by this recording already; keep one of them", place.value.address,
                                          told_[p][f] == Told::set ? "set" : "named as unknown"));
@@ -163,7 +127,7 @@ class SetupBuilder {
   ModelDefinition& definition_;
   const RecordingSource& source_;
   Complaints& complaints_;
-  std::vector<Place> places_;
+  std::vector<PossibleValue> places_;
   std::vector<std::vector<Told>> told_;  ///< by place and file
   std::vector<FreeValue> owned_;
 };

@@ -1,6 +1,7 @@
 #include "report/comparison_json.h"
 
 #include "foundation/csv_cell.h"
+#include "report/setup_report.h"
 #include "report/where_json.h"
 
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ std::string comparison_json(const ComparisonHeading& heading, const Comparison& 
                         {"fit", document(fit)},
                         {"pooled", pooled},
                         {"trials", trials},
+                        {"setups", setups_json(heading.setups)},
                         {"findings", findings_json(where)},
                         {"where", where_json(where)},
                         {"notes", comparison.notes}};

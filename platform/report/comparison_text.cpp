@@ -4,6 +4,7 @@
 #include "foundation/unit.h"
 #include "report/bound_text.h"
 #include "report/interval_text.h"
+#include "report/setup_report.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
 
@@ -123,7 +124,7 @@ std::string channel_block(const ComparisonHeading& heading, const Comparison& co
 }  // namespace
 
 std::string comparison_text(const ComparisonHeading& heading, const Comparison& comparison, const FitResult& fit) {
-  std::string text = heading_line(heading, comparison, fit);
+  std::string text = heading_line(heading, comparison, fit) + setups_text(heading.setups);
   std::vector<std::string> shown;
   for (const PooledScore& pooled : comparison.pooled) {
     if (std::find(shown.begin(), shown.end(), pooled.channel) != shown.end()) continue;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "evaluation/known_setups.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
@@ -14,6 +16,7 @@ struct ComparisonHeading {
   bool refitted = true;
   bool reused = false;  ///< the fit was taken from the database
   double fit_seconds = 0.0;
+  std::vector<KnownSetup> setups = {};  ///< of the recordings
 };
 
 /// Errors by channel and trial in units and multiples of the floor, fit and held-out apart, with

@@ -1,5 +1,7 @@
 #include "report/diagnosis_text.h"
 
+#include "report/setup_report.h"
+
 #include <nlohmann/json.hpp>
 
 namespace lacuna {
@@ -106,35 +108,37 @@ ordered_json list(const std::vector<Value>& values) {
 }  // namespace
 
 std::string diagnosis_json(const Diagnosis& diagnosis) {
-  ordered_json whole = {{"verdict", to_string(diagnosis.verdict)},
-                        {"probability", diagnosis.probability},
-                        {"calibrated", diagnosis.calibrated},
-                        {"at_threshold", list(diagnosis.at_threshold)},
-                        {"evidence", diagnosis.evidence},
-                        {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
-                        {"units", units(diagnosis.base)},
-                        {"random_forces", list(diagnosis.forces)},
-                        {"base",
-                         {{"fit_rmse", by_channel(diagnosis.base, &ChannelError::fit)},
-                          {"cv_rmse", by_channel(diagnosis.base, &ChannelError::held_out)},
-                          {"ratio_to_floor", diagnosis.base_times_floor},
-                          {"segment_s", diagnosis.base_segment}}},
-                        {"ranking", list(diagnosis.ranking)},
-                        {"values", by_name(diagnosis.values)},
-                        {"segment_lengths", list(diagnosis.lengths)},
-                        {"p_by_chance", diagnosis.p_by_chance},
-                        {"chance_95", diagnosis.chance_95},
-                        {"free_force", {{"p", diagnosis.free_force_p}, {"gain", document(diagnosis.free_force_gain)}}},
-                        {"answer_gain", document(diagnosis.answer_gain)},
-                        {"formulas", list(diagnosis.formulas)},
-                        {"formulas_of_rest", diagnosis.formulas_of_rest},
-                        {"residual_force", list(diagnosis.residual_force)},
-                        {"hypotheses", diagnosis.hypotheses},
-                        {"findings", diagnosis.findings},
-                        {"next_test", diagnosis.next_test},
-                        {"next_test_worth", diagnosis.next_test_worth},
-                        {"not_testable", list(diagnosis.untestable)},
-                        {"seconds", diagnosis.seconds}};
+  ordered_json whole = {
+      {"verdict", to_string(diagnosis.verdict)},
+      {"probability", diagnosis.probability},
+      {"calibrated", diagnosis.calibrated},
+      {"at_threshold", list(diagnosis.at_threshold)},
+      {"evidence", diagnosis.evidence},
+      {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
+      {"units", units(diagnosis.base)},
+      {"random_forces", list(diagnosis.forces)},
+      {"base",
+       {{"fit_rmse", by_channel(diagnosis.base, &ChannelError::fit)},
+        {"cv_rmse", by_channel(diagnosis.base, &ChannelError::held_out)},
+        {"ratio_to_floor", diagnosis.base_times_floor},
+        {"segment_s", diagnosis.base_segment}}},
+      {"ranking", list(diagnosis.ranking)},
+      {"values", by_name(diagnosis.values)},
+      {"segment_lengths", list(diagnosis.lengths)},
+      {"p_by_chance", diagnosis.p_by_chance},
+      {"chance_95", diagnosis.chance_95},
+      {"free_force", {{"p", diagnosis.free_force_p}, {"gain", document(diagnosis.free_force_gain)}}},
+      {"answer_gain", document(diagnosis.answer_gain)},
+      {"formulas", list(diagnosis.formulas)},
+      {"formulas_of_rest", diagnosis.formulas_of_rest},
+      {"residual_force", list(diagnosis.residual_force)},
+      {"hypotheses", diagnosis.hypotheses},
+      {"findings", diagnosis.findings},
+      {"next_test", diagnosis.next_test},
+      {"next_test_setup", diagnosis.next_test_setup ? setup_json(*diagnosis.next_test_setup) : ordered_json(nullptr)},
+      {"next_test_worth", diagnosis.next_test_worth},
+      {"not_testable", list(diagnosis.untestable)},
+      {"seconds", diagnosis.seconds}};
   if (const std::optional<StoppedSearch>& stop = diagnosis.stopped)
     whole["stopped"] = {{"during", stop->during}, {"not_examined", stop->not_examined}, {"next", stop->next}};
   return whole.dump(2) + "\n";

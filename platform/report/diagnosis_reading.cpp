@@ -1,5 +1,7 @@
 #include "report/diagnosis_text.h"
 
+#include "report/setup_report.h"
+
 #include <nlohmann/json.hpp>
 
 #include <limits>
@@ -136,6 +138,8 @@ Diagnosis read_diagnosis(const std::string& document) {
   diagnosis.hypotheses = whole["hypotheses"];
   diagnosis.findings = whole["findings"].get<std::vector<std::string>>();
   diagnosis.next_test = whole["next_test"];
+  if (whole.contains("next_test_setup") && !whole["next_test_setup"].is_null())
+    diagnosis.next_test_setup = setup_of(whole["next_test_setup"]);
   diagnosis.next_test_worth = whole["next_test_worth"];
   for (const ordered_json& one : whole["not_testable"])
     diagnosis.untestable.push_back({one["effect"], one["where"], one["reason"]});

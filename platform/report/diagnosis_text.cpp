@@ -119,6 +119,17 @@ std::string thresholds_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// In a setup the commands alone are not the test, so that the line to type names it, too.
+std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
+  if (diagnosis.next_test.empty()) return "";
+  std::string text = fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
+  if (diagnosis.next_test_setup)
+    text +=
+        fmt::format("→ lacuna trial {} --test {} --setup {} --csv=next.csv{}\n", shell_word(file),
+                    shell_word(diagnosis.next_test), shell_word(setup_to_type(*diagnosis.next_test_setup)), options);
+  return text;
+}
+
 }  // namespace
 
 std::string threshold_text(const AtThreshold& near) {
@@ -155,7 +166,7 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
   if (!diagnosis.values.empty()) text += fmt::format("values: {}\n", parameters_text(diagnosis.values));
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);
-  if (!diagnosis.next_test.empty()) text += fmt::format("to tell the first from it: {}\n", diagnosis.next_test_worth);
+  text += next_test_text(diagnosis, file, options);
   const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
   if (outside && !most && !diagnosis.formulas.empty())
     text +=

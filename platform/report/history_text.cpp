@@ -5,6 +5,7 @@
 #include "foundation/unit.h"
 #include "report/figure.h"
 #include "report/file_name.h"
+#include "report/setup_report.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
 
@@ -100,15 +101,16 @@ Figure figure_of(const std::vector<HistoryRow>& rows, const std::string& channel
 
 }  // namespace
 
-std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks) {
+std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks,
+                         const std::vector<KnownSetup>& setups) {
   std::string text;
   for (const std::string& channel : channels_of(rows)) text += channel_table(rows_of(rows, channel), channel);
   if (text.empty()) text = channel_table(rows, "never compared");
-  return text + fmt::format("held-out looks {}\n", held_out_looks);
+  return text + fmt::format("held-out looks {}\n", held_out_looks) + setups_text(setups);
 }
 
 std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks, const std::string& missing,
-                         const std::string& next) {
+                         const std::string& next, const std::vector<KnownSetup>& setups) {
   const auto text_or_null = [](const std::string& text) {
     return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
   };
@@ -129,6 +131,7 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
   return nlohmann::ordered_json{{"held_out_looks", held_out_looks},
                                 {"missing", text_or_null(missing)},
                                 {"next", text_or_null(next)},
+                                {"setups", setups_json(setups)},
                                 {"revisions", revisions}}
              .dump(2) +
          "\n";

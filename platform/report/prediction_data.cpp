@@ -1,6 +1,7 @@
 #include "report/prediction_data.h"
 
 #include "foundation/csv_cell.h"
+#include "report/setup_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,6 +65,7 @@ std::string prediction_json(const PredictionReport& report) {
   OrderedJson json = {
       {"experiment", report.experiment}, {"run", report.run},          {"pass", report.pass}, {"test", report.test},
       {"duration", report.duration},     {"models", prediction.models}};
+  json["setup"] = report.setup ? setup_json(*report.setup) : OrderedJson(nullptr);
   json["copies"] = report.copies;
   json["refuted"] = report.refuted;
   json["lost_models"] = OrderedJson::array();

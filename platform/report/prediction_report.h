@@ -1,6 +1,7 @@
 #pragma once
 
 #include "eea/ensemble_prediction.h"
+#include "evaluation/known_setups.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,8 +23,10 @@ struct PredictionReport {
   std::string experiment;
   std::int64_t run = 0;
   int pass = 0;
-  std::string test;                                             ///< as it was asked for
-  double duration = 0.0;                                        ///< s
+  std::string test;                      ///< as it was asked for
+  double duration = 0.0;                 ///< s
+  std::optional<KnownSetup> setup = {};  ///< that it is made in; nothing where no recording has one
+  bool setup_is_asked = false;           ///< else it is the first recording's
   std::vector<std::pair<std::string, std::size_t>> structures;  ///< of the models, and how many have it
   std::size_t copies = 0;                                       ///< of models, which do not count
   std::size_t refuted = 0;                                      ///< models left out (PassEnsemble)

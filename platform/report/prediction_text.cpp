@@ -25,6 +25,8 @@ std::string share_text(const Coverage& coverage) {
 std::string title_line(const PredictionReport& report) {
   std::string line = fmt::format("{} · run {}, pass {} · {} · {}", report.experiment, report.run, report.pass,
                                  counted(report.prediction.models, "model"), report.test);
+  if (report.setup)
+    line += " · " + setup_text(*report.setup) + (report.setup_is_asked ? "" : ", that of the first recording");
   if (report.measured)
     line += fmt::format(" · carried out as trial {}, {}", report.measured->trial,
                         report.measured->fitted ? "to which the models were fitted" : "new to the models");

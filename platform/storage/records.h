@@ -100,6 +100,7 @@ struct TrialRecord {
   double duration = 0.0;  ///< s
   std::int64_t samples = 0;
   Setup setup = {};
+  std::vector<std::string> setting_units = {};  ///< SI, one a value of the setup; none: not known
 };
 
 enum class TraceKind { measured, commands, predicted, centre_of_mass };

@@ -47,12 +47,12 @@ TrialId write_trial(const Database& database, RunId run, ExperimentId experiment
   Statement find(database, "SELECT id FROM trial WHERE experiment = ? AND digest = ? AND name = ? AND held_out = ?");
   find.with(experiment, record.digest, record.name, record.held_out).step();
   const TrialId trial{find.integer(0)};
-  std::int64_t position = 0;
-  for (const Setup::Value& value : record.setup.values)
+  for (std::size_t i = 0; i < record.setup.values.size(); ++i)
     Statement(database,
-              "INSERT INTO trial_setting (trial, position, address, value) VALUES (?, ?, ?, ?)"
-              " ON CONFLICT (trial, position) DO NOTHING")
-        .run_with(trial, position++, value.address, value.value);
+              "INSERT INTO trial_setting (trial, position, address, value, unit) VALUES (?, ?, ?, ?, ?)"
+              " ON CONFLICT (trial, position) DO UPDATE SET unit = excluded.unit WHERE unit = ''")
+        .run_with(trial, static_cast<std::int64_t>(i), record.setup.values[i].address, record.setup.values[i].value,
+                  i < record.setting_units.size() ? record.setting_units[i] : std::string());
   return trial;
 }
 

@@ -254,8 +254,97 @@ TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
   EXPECT_LT((prediction.follows.col(widest).cwiseAbs() - by_delay.cwiseAbs()).norm(), 0.02 * by_delay.norm());
 }
 
+/// The pendulum recorded with a light weight and a heavy one, and one that nobody weighed.
+struct PendulumWithLoads {
+  explicit PendulumWithLoads(double heavy) {
+    const std::string text = fmt::format(R"([experiment]
+name = "loads"
+[target]
+kind = "recorded"
+time = {{ column = "t_s" }}
+sensors = {{ angle = {{ column = "angle_deg", unit = "deg" }} }}
+commands = {{ motor = {{ column = "torque_Nm", unit = "N*m" }} }}
+[[target.recording]]
+file = "data/servo_pendulum/sine.csv"
+set = {{ "body.arm.mass" = "0.4 kg" }}
+[[target.recording]]
+file = "data/servo_pendulum/steps.csv"
+own = ["body.arm.mass"]
+[model]
+file = "robots/servo-pendulum.toml"
+set = {{ "actuator.motor.force_limit" = {} }}
+free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
+[engine]
+step = "5 ms"
+)",
+                                         kLimit);
+    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/loads.toml");
+    definition = define_model(experiment, built_catalog());
+    model = compile(definition.structure, definition.engine);
+    values = definition.start_values();
+    values.back() = heavy;
+    setups = known_setups(definition, experiment.target.recording);
+  }
+  RivalModel rival(const std::string& name) const {
+    const auto size = static_cast<Eigen::Index>(values.size());
+    return {name, definition, *model, values, Eigen::MatrixXd::Identity(size, size) * 1e-18};
+  }
+  NextTestTask against(const PendulumWithLoads& other) const {
+    return {.catalog = built_catalog(),
+            .rivals = {rival("one"), other.rival("other")},
+            .noise = {{"angle", "rad", kNoise, "declared"}},
+            .space = test_space(definition.structure.robot, definition.engine, 4.0),
+            .start = {},
+            .start_deviation = {},
+            .setups = setups,
+            .evaluations = 20};
+  }
+  Experiment experiment;
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  std::vector<double> values;
+  std::vector<KnownSetup> setups;
+};
+
+/// The rivals differ in nothing but the weight that nobody weighed, so that only tests with it tell them apart.
+TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
+  const PendulumWithLoads one(0.5), other(0.7);
+  NextTestTask task = one.against(other);
+  ASSERT_EQ(task.setups.size(), 2U);
+  const NextTest test = next_test(task);
+  ASSERT_TRUE(test.setup);
+  EXPECT_EQ(test.setup->name(), "steps");
+  EXPECT_EQ(test.evaluations, task.evaluations);
+  EXPECT_GT(test.nats, 10.0);
+  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to it alone): "));
+  const TestJudge judge(task);
+  const Genome genome = parse_test_line(task.space, test.line).genome;
+  EXPECT_NEAR(judge.nats(genome, 0, "sine"), 0.0, 1e-9) << "both know that weight";
+  EXPECT_EQ(judge.nats(genome, 0, "steps"), test.nats);
+  task.threads = 2;
+  const NextTest again = next_test(task);
+  EXPECT_EQ(again.line, test.line);
+  EXPECT_EQ(again.setup, test.setup);
+}
+
+/// One setup makes no other draws than none.
+TEST(NextTest, DrawsTheSameTestsForOneSetup) {
+  const PendulumWithLoads one(0.5), other(0.7);
+  NextTestTask heavy = one.against(other);
+  heavy.setups = {heavy.setups[1]};
+  const Pendulum plain(""), heavier("");
+  NextTestTask none = task_of(plain, {plain.rival("one", {1e-9, 1e-9}), heavier.rival("other", {1e-9, 1e-9})});
+  none.rivals[0].values[0] = 0.5;
+  none.rivals[1].values[0] = 0.7;
+  none.evaluations = heavy.evaluations;
+  const NextTest in_setup = next_test(heavy), without = next_test(none);
+  EXPECT_EQ(in_setup.line, without.line);
+  EXPECT_NEAR(in_setup.nats, without.nats, 1e-6 * without.nats);
+  EXPECT_FALSE(without.setup);
+}
+
 TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
-  const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
+  const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {}, {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
   EXPECT_EQ(to_string(test),
             "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats a trial (a random one 12), 1 trial for 5 nats (a "
             "random one 1 trial)");

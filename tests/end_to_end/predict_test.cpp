@@ -96,6 +96,25 @@ TEST_F(PredictCommand, AsksTheNewestRunOrTheOneThatIsNamed) {
              "has no run of other with a pass that has ended");
 }
 
+TEST_F(PredictCommand, PredictsInTheSetupThatIsAskedFor) {
+  program_.write_loads();
+  ASSERT_EQ(program_.run({"run", "loads.toml", "--quiet"}).exit_code, 0);
+  const auto of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"predict", "loads.toml", "--test", kLine};
+    words.insert(words.end(), more.begin(), more.end());
+    return program_.run(words);
+  };
+  const Outcome first = of({}), heavy = of({"--setup", "steps", "--json=heavy.json"});
+  ASSERT_EQ(heavy.exit_code, 0) << heavy.errors;
+  EXPECT_THAT(first.output, HasSubstr("setup sine (body.arm.mass = 0.53 kg), that of the first recording"));
+  EXPECT_THAT(heavy.output, HasSubstr("setup steps (body.arm.mass = 0.56 kg)\n"));
+  EXPECT_THAT(heavy.output, HasSubstr(" --setup steps --csv=commands.csv"));
+  EXPECT_EQ(nlohmann::json::parse(program_.read("heavy.json"))["setup"]["set"]["body.arm.mass"]["value"], 0.56);
+  EXPECT_NE(of({"--csv"}).output, of({"--csv", "--setup", "steps"}).output) << "another load moves in another way";
+  expect_bad(of({"--setup", "heavy"}), "there is no setup \"heavy\"");
+  expect_bad(of({"--setup", "none"}), "there is no setup \"none\"");
+}
+
 TEST_F(PredictCommand, RefusesWhatItCannotPredict) {
   ASSERT_EQ(run(1).exit_code, 0);
   expect_bad(predict("triangle engine 0.3 N*m 0.5 Hz 4 s"), "no actuator \"engine\"");

@@ -68,6 +68,36 @@ void Program::copy_servo_pendulum() const {
   copy_experiment("servo-pendulum.toml", "servo-pendulum.toml", "servo_pendulum");
 }
 void Program::copy_first_steps() const { copy_experiment("first-steps.toml", "servo-pendulum.toml", "servo_pendulum"); }
+void Program::write_loads() const {
+  write("loads.toml", R"([experiment]
+name = "loads"
+[target]
+kind = "recorded"
+[[target.recording]]
+file = "data/servo_pendulum/sine.csv"
+set = { "body.arm.mass" = "0.53 kg" }
+[[target.recording]]
+file = "data/servo_pendulum/steps.csv"
+set = { "body.arm.mass" = "0.56 kg" }
+[target.time]
+column = "t_s"
+use = [[0.0, 4.0]]
+[target.sensors]
+angle = { column = "angle_deg", unit = "deg" }
+[target.commands]
+motor = { column = "torque_Nm", unit = "N*m" }
+[model]
+file = "robots/servo-pendulum.toml"
+free = { "joint.hinge.damping" = [0.0, 0.2] }
+[engine]
+step = "2 ms"
+[estimation]
+ensemble = 3
+[fit]
+method = "free_run"
+starts = 1
+)");
+}
 void Program::copy_damped_flap() const { copy_experiment("damped-flap.toml", "damped-flap.toml", "damped_flap"); }
 void Program::copy_lifting_servo() const {
   copy_experiment("lifting-servo.toml", "lifting-servo.toml", "lifting_servo");

@@ -31,6 +31,8 @@ class Program {
   void copy_light_servo_pendulum() const;
   /// Copies experiments/first-steps.toml with its robot and recordings: a fit of it takes a second or two.
   void copy_first_steps() const;
+  /// Writes loads.toml beside what `copy_first_steps` copied: its two recordings, with loads that differ.
+  void write_loads() const;
   /// Copies experiments/damped-flap.toml with its robot and recordings.
   void copy_damped_flap() const;
   /// Copies experiments/lifting-servo.toml with its robot and recordings.

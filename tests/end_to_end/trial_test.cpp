@@ -123,6 +123,34 @@ TEST_F(TrialCommand, RefusesWhatTheRigCannotDo) {
   expect_refused("strong.csv", "beyond its limits");
 }
 
+TEST_F(TrialCommand, SetsTheRigUpAsARecordingSays) {
+  program_.write_loads();
+  const auto commands = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"trial", "loads.toml", "--test", kTest, "--csv=next.csv"};
+    words.insert(words.end(), more.begin(), more.end());
+    return program_.run(words);
+  };
+  EXPECT_THAT(commands({}).output, HasSubstr("setup sine (body.arm.mass = 0.53 kg), that of the first recording"));
+  const Outcome heavy = commands({"--setup", "steps"});
+  EXPECT_THAT(heavy.output, HasSubstr("setup steps (body.arm.mass = 0.56 kg)\n"));
+  EXPECT_THAT(heavy.output, HasSubstr("[[target.recording]]\nfile = \"new.csv\"\nset = { \"body.arm.mass\" = "
+                                      "\"0.56 kg\" }\n"));
+  const Outcome unknown = commands({"--setup", "step"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors,
+              HasSubstr("there is no setup \"step\" (did you mean \"steps\"?); the recordings have sine "
+                        "(body.arm.mass = 0.53 kg); steps (body.arm.mass = 0.56 kg)"));
+  expect_refused(kTest, "a target of kind = \"simulated\" has no setups", {"--setup", "steps"});
+}
+
+TEST_F(TrialCommand, ItsSetupIsInTheDatabaseWithUnits) {
+  program_.write_loads();
+  ASSERT_EQ(program_.run({"compare", "loads.toml"}).exit_code, 0);
+  const Outcome rows =
+      program_.run({"sql", "loads.db", "--csv", "SELECT trial, settings FROM trial_setups ORDER BY 1"});
+  EXPECT_EQ(rows.output, "trial,settings\nsine.csv,body.arm.mass = 0.53 kg\nsteps.csv,body.arm.mass = 0.56 kg\n");
+}
+
 /// All its parts begin equally deep in the ground, and at this command ODE finds no order in which to solve their
 /// contacts.
 TEST_F(TrialCommand, GetsPastATieOfContacts) {

@@ -1,3 +1,4 @@
+#include "evaluation/known_setups.h"
 #include "evaluation/model_definition.h"
 
 #include "plugins/built_catalog.h"
@@ -121,6 +122,34 @@ TEST_F(RecordedSetups, AnEffectMayHaveAValueOfARecording) {
   own(1, "effect.home.offset");
   EXPECT_THAT(addresses(),
               ElementsAre("body.body.mass", "joint.joint.damping", "effect.home.offset", "effect.home.offset@heavy"));
+}
+
+TEST_F(RecordedSetups, AreKnownOnceInTheOrderOfTheFile) {
+  EXPECT_EQ(known_setups(define(), experiment_.target.recording).size(), 1U);
+  EXPECT_FALSE(any_is_set(known_setups(define(), experiment_.target.recording)));
+  set(0, "body.*.mass", 0.7);
+  set(2, "body.body.mass", 0.7);
+  own(1, "body.body.mass");
+  const std::vector<KnownSetup> known = known_setups(define(), experiment_.target.recording);
+  ASSERT_EQ(known.size(), 2U) << "light and test set the same";
+  EXPECT_THAT(known[0].names, ElementsAre("light", "test"));
+  EXPECT_THAT(known[0].recordings, ElementsAre("light.csv", "test.csv"));
+  EXPECT_EQ(setup_text(known[0]), "setup light (body.body.mass = 0.7 kg)");
+  EXPECT_EQ(setup_text(known[1]), "setup heavy (body.body.mass fitted to it alone)");
+  EXPECT_EQ(find_setup(known, "test"), known[0]);
+}
+
+TEST_F(RecordedSetups, IncludeTheModelAsItIsWhereARecordingHasNone) {
+  set(1, "body.body.mass", 0.7);
+  const std::vector<KnownSetup> known = known_setups(define(), experiment_.target.recording);
+  ASSERT_EQ(known.size(), 2U);
+  EXPECT_EQ(find_setup(known, "none"), known[0]);
+  EXPECT_EQ(setup_to_type(known[0]), "none");
+  EXPECT_EQ(setup_text(known[0]), "no setup (values of the model)");
+  EXPECT_THAT([&] { find_setup(known, "heavi"); },
+              testing::ThrowsMessage<BadInput>(
+                  testing::AllOf(HasSubstr("did you mean \"heavy\"?"),
+                                 HasSubstr("none (values of the model); heavy (body.body.mass = 0.7 kg)"))));
 }
 
 }  // namespace

@@ -57,6 +57,22 @@ TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {
   EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("start 90")));
 }
 
+TEST(ComparisonText, NamesTheSetupsOfTheRecordings) {
+  const std::vector<KnownSetup> loads = {{.recordings = {"bare.csv"}},
+                                         {.names = {"heavy", "heavy-2"},
+                                          .settings = {{"body.load.mass", 0.49, "kg"}, {"actuator.motor.kp", 400, "1"}},
+                                          .recordings = {"heavy.csv", "heavy-2.csv"}}};
+  ComparisonHeading heading;
+  heading.setups = loads;
+  const std::string lines =
+      "no setup: values of the model · bare.csv\n"
+      "setup heavy: body.load.mass = 0.49 kg, actuator.motor.kp = 400 · heavy.csv, heavy-2.csv\n";
+  EXPECT_THAT(comparison_text(heading, one_trial(0.0), {}), HasSubstr(lines));
+  EXPECT_THAT(comparison_json(heading, one_trial(0.0), {}, {}), HasSubstr("\"recordings\""));
+  heading.setups = {{}};
+  EXPECT_THAT(comparison_text(heading, one_trial(0.0), {}), Not(HasSubstr("setup")));
+}
+
 TEST(ComparisonText, AnUnscoredTrialHasNoWorstMoment) {
   Comparison comparison = one_trial(0.0);
   ChannelScore& score = comparison.trials[0].channels[0];

@@ -68,6 +68,17 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
 }
 
+TEST(DiagnosisText, ProposesATestInItsSetup) {
+  Diagnosis loads = diagnosis(Verdict::effect_found);
+  EXPECT_THAT(diagnosis_text(loads, "rig.toml"), Not(HasSubstr("--setup")));
+  loads.next_test_setup =
+      KnownSetup{.names = {"heavy"}, .settings = {{"body.load.mass", 0.49, "kg"}}, .own = {"sensor.angle.offset"}};
+  EXPECT_THAT(diagnosis_text(loads, "rig.toml"),
+              HasSubstr("→ lacuna trial rig.toml --test 'triangle motor 0.3 N*m 0.1 Hz 20 s' --setup heavy "
+                        "--csv=next.csv\n"));
+  EXPECT_EQ(read_diagnosis(diagnosis_json(loads)).next_test_setup, loads.next_test_setup);
+}
+
 TEST(DiagnosisText, SaysWhatToAddWithTheOptionsOfTheCommand) {
   EXPECT_THAT(diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml", " --db other.db"),
               HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge --db other.db\n"));

@@ -63,5 +63,12 @@ TEST(HistoryCsv, QuotesTextsThatWouldBreakTheTable) {
               HasSubstr("\n2,,\"friction, \"\"dry\"\"\",0,angle,rad,"));
 }
 
+TEST(HistoryText, EndsWithTheSetupsOfTheRecordings) {
+  const std::vector<KnownSetup> loads = {
+      {.names = {"heavy"}, .settings = {{"body.load.mass", 0.49, "kg"}}, .recordings = {"heavy.csv"}}};
+  EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, 8.0)}, 0, loads),
+              HasSubstr("held-out looks 0\nsetup heavy: body.load.mass = 0.49 kg · heavy.csv\n"));
+}
+
 }  // namespace
 }  // namespace lacuna

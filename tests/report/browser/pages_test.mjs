@@ -80,6 +80,41 @@ function whatIsCut() {
   return found;
 }
 
+describe('the setup of a trial', () => {
+  it('stands above its curves and in the table of errors', async () => {
+    const recording = (file, set) => `[[target.recording]]\nfile = "data/servo_pendulum/${file}.csv"\n${set}\n`;
+    const text = readFileSync(at('first-steps.toml'), 'utf8')
+      .replace('name = "first-steps"', 'name = "loads"')
+      .replace(/^(files|holdout) = .*\n/gm, '')
+      .replace(
+        '[target.time]',
+        recording('sine', 'set = { "body.arm.mass" = "0.53 kg" }') +
+          recording('steps', 'own = ["body.arm.mass"]') +
+          recording('chirp', '') +
+          '[target.time]',
+      );
+    writeFileSync(at('loads.toml'), text);
+    lacuna('compare', 'loads.toml', '--quiet');
+    lacuna('report', 'loads.db', '--out', 'loads.html', '--quiet');
+    const page = await newPage(browser);
+    const words = { 'sine.csv': 'body.arm.mass = 0.53 kg', 'steps.csv': 'body.arm.mass fitted to it alone' };
+    for (const [trial, said] of Object.entries(words)) {
+      await go(page, url('loads.html'), `#/compare?trial=${trial}`);
+      await page.waitForSelector('.trial-curves canvas');
+      await page.waitForFunction(
+        (line) => document.querySelector('.trial-curves')?.textContent.includes(line),
+        `On the rig in this trial: ${said}.`,
+        { timeout: 10000 },
+      );
+      assert.ok((await page.locator('.errors tbody th', { hasText: trial }).textContent()).endsWith(said));
+    }
+    assert.equal(await page.locator('.errors tbody th', { hasText: 'chirp.csv' }).textContent(), 'chirp.csv');
+    await shot(page, 'compare-setup');
+    noFaults(page);
+    await page.close();
+  });
+});
+
 /** The same looks at a file and at a server. */
 function pagesOf(way, open) {
   describe(`pages of ${way}`, () => {

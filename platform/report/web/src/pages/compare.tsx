@@ -7,7 +7,17 @@ import { Empty, Select, Show } from '../ui/parts';
 import { ErrorTable } from '../ui/error_table';
 import { TrialCurvesPanel } from '../ui/trial_curves';
 import { RegimeTable } from '../ui/regime_table';
-import { loadCurves, loadWhere, pointed, regimesOf, type Finding, type Score } from './compare_data';
+import {
+  kSetups,
+  loadCurves,
+  loadWhere,
+  pointed,
+  regimesOf,
+  setupText,
+  type Finding,
+  type Score,
+  type TrialSetup,
+} from './compare_data';
 
 interface Props {
   choices: Record<string, string>;
@@ -125,6 +135,9 @@ function NoFinding({ analysed }: { analysed: boolean }) {
 function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: string }) {
   const own = scores.filter((one) => one.trial === trial);
   const comparison = own[0].comparison;
+  const known = useRows<TrialSetup>(kSetups);
+  const setups = known.value ?? [];
+  const setup = setupText(setups, comparison, trial);
   const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
   const { experiment, revision } = own[0];
   const fitted = scores.find((one) => !one.held_out)?.comparison ?? comparison;
@@ -152,11 +165,12 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
               value === null ? (
                 <Empty>The samples of this trial are not in {`the ${comparison ? 'report' : 'database'}`}.</Empty>
               ) : (
-                <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} lit={lit} keep={keep} />
+                <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} setup={setup} lit={lit} keep={keep} />
               )
             }
           </Show>
           {error && <p class="error">{error}</p>}
+          {known.error && <p class="error">{known.error}</p>}
         </section>
         <aside class="side">
           <h2>Where it fails</h2>
@@ -189,7 +203,7 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
           )}
         </aside>
       </div>
-      <ErrorTable scores={scores} trial={trial} choose={(name) => choose({ trial: name })} />
+      <ErrorTable scores={scores} setups={setups} trial={trial} choose={(name) => choose({ trial: name })} />
       <RegimeTable regimes={regimes} chosen={finding} choose={(key) => choose({ finding: key })} />
     </>
   );

@@ -19,6 +19,26 @@ export interface Score {
   comparison: number;
 }
 
+/** What was different on the rig in a trial; see schema/database.md, `trial_setups`. */
+export interface TrialSetup {
+  comparison: number;
+  trial: string;
+  setup: string;
+  settings: string | null;
+  own: string | null;
+}
+
+export const kSetups = `SELECT DISTINCT score.comparison, trial_setups.trial, setup, settings, own FROM trial_setups
+  JOIN comparison_score AS score ON score.trial = trial_setups.id ORDER BY score.comparison, trial_setups.trial`;
+
+/** "body.load.mass = 0.49 kg, sensor.angle.offset fitted to it alone"; null where nothing was different. */
+export function setupText(setups: TrialSetup[], comparison: number, trial: string): string | null {
+  const found = setups.find((one) => one.comparison === comparison && one.trial === trial);
+  if (!found) return null;
+  const own = found.own === null ? [] : found.own.split(', ').map((address) => `${address} fitted to it alone`);
+  return [...(found.settings === null ? [] : [found.settings]), ...own].join(', ') || found.setup;
+}
+
 /** One channel of a trial as drawn. */
 export interface ChannelCurves {
   name: string;

@@ -304,7 +304,10 @@ function Rest({ document }: { document: DiagnosisDocument }) {
           <>
             <h2>A test that would settle it</h2>
             <p>
-              <code class="block">lacuna trial FILE --test "{document.next_test}"</code>
+              <code class="block">
+                lacuna trial FILE --test "{document.next_test}"
+                {document.next_test_setup && ` --setup ${document.next_test_setup.name || 'none'} --csv=next.csv`}
+              </code>
             </p>
             <p class="note">{document.next_test_worth}</p>
           </>

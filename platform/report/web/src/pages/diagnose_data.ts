@@ -68,6 +68,8 @@ export interface DiagnosisDocument {
   findings: string[];
   next_test: string;
   next_test_worth: string;
+  /** None in documents of before, and where no recording has a setup. */
+  next_test_setup?: { name: string } | null;
   not_testable: { effect: string; where: string; reason: string }[];
 }
 

@@ -1,10 +1,11 @@
 import { quantity, times } from '../kit/format';
-import type { Score } from '../pages/compare_data';
+import { setupText, type Score, type TrialSetup } from '../pages/compare_data';
 import { saveCsv } from '../kit/download';
 import { Figure } from './figure';
 
 interface Props {
   scores: Score[];
+  setups: TrialSetup[];
   trial: string;
   choose: (trial: string) => void;
 }
@@ -16,10 +17,12 @@ const shade = (timesFloor: number | null) => {
 };
 
 /** Error by trial and channel, in multiples of the noise floor. */
-export function ErrorTable({ scores, trial, choose }: Props) {
+export function ErrorTable({ scores, setups, trial, choose }: Props) {
   const trials = [...new Set(scores.map((one) => one.trial))];
   const channels = [...new Map(scores.map((one) => [one.channel, one.unit])).keys()];
   const at = (name: string, channel: string) => scores.find((one) => one.trial === name && one.channel === channel);
+  const setupOf = (name: string) =>
+    setupText(setups, scores.find((one) => one.trial === name)!.comparison, name);
   const columns = [
     'trial',
     'held_out',
@@ -33,8 +36,8 @@ export function ErrorTable({ scores, trial, choose }: Props) {
   ] as const;
   const keep = () =>
     saveCsv(
-      [...columns],
-      scores.map((one) => columns.map((column) => one[column])),
+      [...columns, 'setup'],
+      scores.map((one) => [...columns.map((column) => one[column]), setupOf(one.trial) ?? '']),
       'errors by trial and channel',
     );
   return (
@@ -63,6 +66,7 @@ export function ErrorTable({ scores, trial, choose }: Props) {
                     {name}
                   </button>
                   {scores.some((one) => one.trial === name && one.held_out === 1) && <span class="tag">held out</span>}
+                  {setupOf(name) && <span class="small">{setupOf(name)}</span>}
                 </th>
                 {channels.map((channel) => {
                   const score = at(name, channel);

@@ -9,6 +9,8 @@ import { Curves, type Line } from './curves';
 interface Props {
   curves: TrialCurves;
   title: string;
+  /** What was different on the rig. */
+  setup?: string | null;
   lit: [number, number][];
   keep: () => void;
   /** A moment that moves, and how to move it: for the replay, which has the arrow keys to itself. */
@@ -168,6 +170,7 @@ export function TrialCurvesPanel(props: Props) {
           PNG
         </button>
       </figcaption>
+      {props.setup && <p class="note">On the rig in this trial: {props.setup}.</p>}
       {channels.map((channel, i) => (
         <Channel
           key={channel.name}
