@@ -65,5 +65,80 @@ TEST(Diagnose, TwoKnownLoadsTellLoadFrictionFromTheMotorsConstant) {
   EXPECT_TRUE(covers(document["values"]["actuator.servo.motor.torque_constant"], 0.32)) << document["values"];
 }
 
+/// Records a pendulum of that mass, whose motor is not centred, with an encoder of 1 mrad.
+void record_pendulum(const Program& program, const std::string& name, const std::string& mass) {
+  program.write("sim.toml", R"([experiment]
+name = "sim"
+[target]
+kind = "simulated"
+file = "robots/servo-pendulum.toml"
+set = { "actuator.motor.force_limit" = 0.5, "body.arm.mass" = )" +
+                                mass + R"( }
+effects = [{ effect = "joint_offset_torque", where = "joint.hinge", start = { torque = 0.002 } }]
+noise = { "sensor.angle" = "1 mrad" }
+[model]
+file = "robots/servo-pendulum.toml"
+free = { "joint.hinge.damping" = [0.0, 0.2] }
+[engine]
+step = "10 ms"
+)");
+  const Outcome trial = program.run({"trial", "sim.toml", "--test", "steps motor 0.2 N*m 1 Hz 2 s seed 3"});
+  ASSERT_EQ(trial.exit_code, 0) << trial.errors;
+  const Outcome samples = program.run(
+      {"sql", "sim.db", "--csv",
+       "SELECT m.time AS t_s, m.value AS angle_rad, c.value AS torque_Nm FROM trace_samples((SELECT max(id) FROM "
+       "traces "
+       "WHERE kind = 'measured')) AS m JOIN trace_samples((SELECT max(id) FROM traces WHERE kind = 'commands')) AS c "
+       "ON c.sample = m.sample WHERE m.channel = 'angle' ORDER BY m.time"});
+  program.write(name, samples.output);
+}
+
+/// An offset of the motor and a spring that hardens look alike on short recordings of two loads.
+TEST(Diagnose, ProposesATestInASetupOfTheRecordings) {
+  const Program program;
+  program.copy_first_steps();
+  record_pendulum(program, "light.csv", "0.3");
+  record_pendulum(program, "heavy.csv", "0.8");
+  program.write("loads.toml", R"([experiment]
+name = "loads"
+[target]
+kind = "recorded"
+[[target.recording]]
+file = "light.csv"
+set = { "body.arm.mass" = "0.3 kg" }
+[[target.recording]]
+file = "heavy.csv"
+set = { "body.arm.mass" = "0.8 kg" }
+[target.time]
+column = "t_s"
+[target.sensors]
+angle = { column = "angle_rad", unit = "rad", noise = "1 mrad" }
+[target.commands]
+motor = { column = "torque_Nm", unit = "N*m" }
+[model]
+file = "robots/servo-pendulum.toml"
+set = { "actuator.motor.force_limit" = 0.5 }
+free = { "joint.hinge.damping" = [0.0, 0.2] }
+[engine]
+step = "10 ms"
+)");
+  const Outcome outcome = program.run({"diagnose", "loads.toml", "--json=found.json", "--among", "joint_offset_torque",
+                                       "joint_spring", "cubic_stiffness"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const nlohmann::json document = found(program);
+  ASSERT_NE(document["next_test"], "") << outcome.output;
+  const std::string setup = document["next_test_setup"]["name"];
+  EXPECT_THAT(setup, testing::AnyOf("light", "heavy"));
+  const Outcome again =
+      program.run({"diagnose", "loads.toml", "--among", "joint_offset_torque", "joint_spring", "cubic_stiffness"});
+  EXPECT_THAT(again.output, HasSubstr("with setup " + setup + " (body.arm.mass = 0."));
+  const std::string command = "lacuna trial loads.toml --test '" + document["next_test"].get<std::string>() +
+                              "' --setup " + setup + " --csv=next.csv";
+  EXPECT_THAT(again.output, HasSubstr("→ " + command + "\n"));
+  EXPECT_EQ(program.shell(command).exit_code, 0) << "it can be typed as it is printed";
+  const Outcome stored = program.run({"sql", "loads.db", "--csv", "SELECT next_test_setup FROM diagnoses"});
+  EXPECT_EQ(stored.output, "next_test_setup\n" + setup + "\n");
+}
+
 }  // namespace
 }  // namespace lacuna

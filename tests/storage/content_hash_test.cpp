@@ -25,8 +25,8 @@ const std::set<std::string> kNotContent = {
     "diagnosis",        "candidate_model", "candidate_value", "unfinished_diagnosis",
     "failed_trial",     "where_it_fails"};
 
-/// Columns of content tables that are a row's address in its file, a name that carries the run's number, or what follows
-/// from other columns.
+/// Columns of content tables that are a row's address in its file, a name that carries the run's number, or what
+/// follows from other columns.
 const std::set<std::string> kNotContentColumns = {
     "eea_run.experiment",  "trial.experiment",  "trial.name",  "trial.file",           "trace.id",
     "metric.id",           "trial.id",          "eea_run.run", "eea_run.fitness_unit", "invalid_model.reason",
