@@ -59,6 +59,7 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
   return files;
 }
 
+constexpr std::size_t kMostProblems = 3;  ///< of other plugins, told beside one that is missing
 constexpr const char* kRepair = "; that is a fault of the plugin: repair it, or take it out of the plugin folder";
 
 /// What a component says of itself that cannot be; empty: nothing.
@@ -175,7 +176,10 @@ std::string PluginCatalog::missing(std::string_view kind, const std::string& nam
   text += "; searched in";
   for (std::size_t i = 0; i < folders_.size(); ++i) text += (i == 0 ? " " : ", ") + folders_[i].string();
   if (folders_.empty()) text += " no folder (name one with --plugin-path)";
-  for (const std::string& problem : problems_) text += "; " + problem;
+  for (std::size_t i = 0; i < std::min(problems_.size(), kMostProblems); ++i) text += "; " + problems_[i];
+  if (problems_.size() > kMostProblems)
+    text +=
+        "; and " + std::to_string(problems_.size() - kMostProblems) + " more problems, which lacuna plugins list names";
   return text;
 }
 
