@@ -196,6 +196,10 @@ void run_trial(const TrialOptions& options) {
   if (const std::optional<double> asked = asked_duration(options.asked))
     check_step_count(rig.experiment, *asked, "of the test");
   const KnownSetup setup = asked_setup(options.asked, rig.experiment, rig.definition);
+  if (options.held_out && !setup.own.empty())
+    throw_problem({}, "setup " + setup.name() +
+                          " has values that are fitted to it, and a held-out trial is kept from every fit: leave out "
+                          "--holdout, or ask for another setup");
   Test test = read_test(options.asked, space, *rig.catalog);
   test.setup = setup.name();
   check_step_count(rig.experiment, test.duration, "of the test");

@@ -140,6 +140,8 @@ class RobotChecker {
       problem(path + ".motor.torque_constant", "is missing: the torque at the joint per current");
     if (locations_.count(path + ".motor.resistance") == 0)
       problem(path + ".motor.resistance", "is missing: the resistance of the winding and its driver");
+    if (!is_servo && actuator.motor.sample_time > 0.0)
+      problem(path + ".motor.sample_time", "means nothing for a motor without a servo; write kind = \"voltage_servo\"");
     if (is_servo && !std::isfinite(actuator.motor.supply))
       problem(path + ".motor.supply", "is missing: the voltage of the supply, of which the servo puts out a share");
   }

@@ -165,7 +165,9 @@ Table<MotorSpec> motor_keys() {
       .key("gain_unit", &MotorSpec::gain_unit, number("1/rad or 1/m").above(0.0),
            "of a servo: share of the supply per rad or m that one count of kp stands for")
       .key("sample_time", &MotorSpec::sample_time, number("s").at_least(0.0),
-           "of a servo: it reads its position so often and holds the voltage in between; 0: at all times");
+           "of a servo: it reads its position so often, at whole integration steps, and holds the voltage in between; "
+           "0: at "
+           "all times");
 }
 
 Table<ActuatorSpec> actuator_keys() {

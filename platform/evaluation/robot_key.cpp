@@ -74,7 +74,8 @@ void append(std::string& key, const ActuatorSpec& actuator) {
                            motor.back_emf,
                            motor.supply,
                            motor.duty_limit,
-                           motor.gain_unit})
+                           motor.gain_unit,
+                           motor.sample_time})
     append(key, law);
 }
 

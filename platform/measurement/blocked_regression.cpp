@@ -34,7 +34,7 @@ Eigen::VectorXd BlockedRegression::coefficients(const Eigen::MatrixXd& products,
   return normal.ldlt().solve(products.col(regressors_ + target).head(regressors_));
 }
 
-double BlockedRegression::left_of(const Eigen::MatrixXd& products, Eigen::Index target) const {
+double BlockedRegression::unexplained_of(const Eigen::MatrixXd& products, Eigen::Index target) const {
   const Eigen::Index t = regressors_ + target;
   const double rows = products(0, 0);
   const double varies = products(t, t) - products(0, t) * products(0, t) / rows;

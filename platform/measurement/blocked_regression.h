@@ -22,16 +22,18 @@ class BlockedRegression {
   double variance(Eigen::Index target) const;
   /// The share of that which the regressors leave: over all blocks, without one, and in one alone. NaN where the
   /// target does not vary.
-  double left(Eigen::Index target) const { return left_of(total_, target); }
-  double left_without(std::size_t block, Eigen::Index target) const {
-    return left_of(total_ - products_[block], target);
+  double unexplained(Eigen::Index target) const { return unexplained_of(total_, target); }
+  double unexplained_without(std::size_t block, Eigen::Index target) const {
+    return unexplained_of(total_ - products_[block], target);
   }
-  double left_in(std::size_t block, Eigen::Index target) const { return left_of(products_[block], target); }
+  double unexplained_in(std::size_t block, Eigen::Index target) const {
+    return unexplained_of(products_[block], target);
+  }
   /// Mean squared error in each block, of what is fitted to all.
   std::vector<double> errors(Eigen::Index target) const;
 
  private:
-  double left_of(const Eigen::MatrixXd& products, Eigen::Index target) const;
+  double unexplained_of(const Eigen::MatrixXd& products, Eigen::Index target) const;
   Eigen::VectorXd coefficients(const Eigen::MatrixXd& products, Eigen::Index target) const;
 
   Eigen::Index regressors_;

@@ -1,5 +1,6 @@
 #include "measurement/clock_alignment.h"
 
+#include "foundation/interrupt.h"
 #include "measurement/blocked_regression.h"
 #include "measurement/clock_check.h"
 #include "measurement/smooth_signal.h"
@@ -16,18 +17,19 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kBlocks = 8;
-constexpr std::size_t kReach = 4;        ///< steps, of each of two smoothings
-constexpr std::int64_t kEvery = kReach;  ///< steps from row to row: half of what smoothing reaches
-constexpr double kSlow = 0.1;            ///< of the usual speed: friction turns round within it
-constexpr double kCoarsest = 750.0;      ///< windows in the longer recording when first looking
-constexpr double kFewestIntervals = 4;   ///< of the slower device within a window's reach
-constexpr int kWidths = 4;               ///< reaches tried, each twice the one before
-constexpr double kLeastOverlap = 0.5;    ///< of the shorter recording
-constexpr double kLeastVariance = 0.1;   ///< of a target's: where it hardly changes, nothing explains it
-constexpr double kDistinct = 3.0;        ///< standard errors between the best offset and any other
-constexpr double kMostLeft = 0.5;        ///< of a target, unexplained
+constexpr std::size_t kReach = 4;            ///< steps, of each of two smoothings
+constexpr std::int64_t kRowStride = kReach;  ///< steps from row to row: half of what smoothing reaches
+constexpr double kSlow = 0.1;                ///< of the usual speed: friction turns round within it
+constexpr double kCoarsest = 750.0;          ///< windows in the longer recording when first looking
+constexpr double kFewestIntervals = 4;       ///< of the slower device within a window's reach
+constexpr double kAround = 4.0;              ///< reaches to either side that are looked at again with a finer one
+constexpr double kMostWindows = 2e4;         ///< in the longer recording: finer ones would take minutes
+constexpr double kLeastOverlap = 0.5;        ///< of the shorter recording
+constexpr double kLeastVariance = 0.1;       ///< of a target's: where it hardly changes, nothing explains it
+constexpr double kDistinct = 3.0;            ///< standard errors between the best offset and any other
+constexpr double kMostUnexplained = 0.5;     ///< of a target, unexplained
 constexpr int kSkewRounds = 3;
-constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 using Signals = std::vector<ClockedSignal>;
 
@@ -121,13 +123,13 @@ Sampled sample(const Signals& signals, const Lattice& lattice) {
 }
 
 /// Both devices on lattices of one step.
-struct Pair {
+struct SampledPair {
   Sampled first, second;
   double base = 0.0;  ///< s, the offset at a shift of no step
   double offset(std::int64_t shift) const { return base + static_cast<double>(shift) * first.lattice.step; }
 };
 
-Pair sample_pair(const Signals& first, const Signals& second, double step) {
+SampledPair sample_pair(const Signals& first, const Signals& second, double step) {
   const auto lattice = [step](const Signals& signals) {
     const double begin = begin_of(signals);
     return Lattice{begin, step, static_cast<std::size_t>((end_of(signals) - begin) / step) + 1};
@@ -140,7 +142,8 @@ Pair sample_pair(const Signals& first, const Signals& second, double step) {
 enum class By { second, first };
 
 /// Row i of the first goes with row i − shift of the second.
-BlockedRegression regress(const Pair& pair, By by, std::int64_t shift) {
+BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift) {
+  throw_if_interrupted();
   const Eigen::MatrixXd& features = by == By::second ? pair.second.features : pair.first.features;
   const Eigen::MatrixXd& targets = by == By::second ? pair.first.targets : pair.second.targets;
   BlockedRegression regression(features.cols() + 1, targets.cols(), kBlocks);
@@ -148,7 +151,7 @@ BlockedRegression regress(const Pair& pair, By by, std::int64_t shift) {
   const auto rows = static_cast<std::int64_t>(pair.first.lattice.count);
   const std::int64_t begin = std::max<std::int64_t>(0, shift);
   const auto end = std::min(rows, static_cast<std::int64_t>(pair.second.lattice.count) + shift);
-  for (std::int64_t i = (begin + kEvery - 1) / kEvery * kEvery; i < end; i += kEvery) {
+  for (std::int64_t i = (begin + kRowStride - 1) / kRowStride * kRowStride; i < end; i += kRowStride) {
     const std::int64_t of_features = by == By::second ? i - shift : i, of_targets = by == By::second ? i : i - shift;
     row << 1.0, features.row(of_features).transpose(), targets.row(of_targets).transpose();
     if (row.allFinite()) regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
@@ -156,23 +159,24 @@ BlockedRegression regress(const Pair& pair, By by, std::int64_t shift) {
   return regression;
 }
 
-/// A target that varies enough in this overlap is left unexplained to this share.
-double left(const BlockedRegression& regression, Eigen::Index target) {
-  return regression.rows() > 0.0 && regression.variance(target) > kLeastVariance ? regression.left(target) : kNoShare;
+/// The share of a target that the readings do not explain; NaN where it hardly varies in this overlap.
+double unexplained(const BlockedRegression& regression, Eigen::Index target) {
+  return regression.rows() > 0.0 && regression.variance(target) > kLeastVariance ? regression.unexplained(target)
+                                                                                 : kUnknown;
 }
 
 struct Best {
   By by = By::second;
   Eigen::Index target = 0;
   std::int64_t shift = 0;
-  double left = std::numeric_limits<double>::infinity();
+  double unexplained = std::numeric_limits<double>::infinity();
 };
 
 struct Shifts {
   std::int64_t from = 0, to = 0;
 };
 
-Shifts shifts_within(const Pair& pair, const std::pair<double, double>& between) {
+Shifts shifts_within(const SampledPair& pair, const std::pair<double, double>& between) {
   const auto a = static_cast<double>(pair.first.lattice.count), b = static_cast<double>(pair.second.lattice.count);
   const double least = kLeastOverlap * std::min(a, b), step = pair.first.lattice.step;
   const double from = std::max(least - b, (between.first - pair.base) / step);
@@ -180,16 +184,16 @@ Shifts shifts_within(const Pair& pair, const std::pair<double, double>& between)
   return {static_cast<std::int64_t>(std::ceil(from)), static_cast<std::int64_t>(std::floor(to))};
 }
 
-/// Where a target is left least, and wherever else it is left less than a step to either side.
+/// The shift at which some target is explained best, and all others at which it is explained better than beside them.
 struct Found {
   Best best;
   std::vector<std::int64_t> others;
 };
 
-Found look(const Pair& pair, const Shifts& shifts) {
+Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
   struct Profile {
     By by;
-    std::vector<std::vector<double>> left;  ///< by target, then shift
+    std::vector<std::vector<double>> unexplained;  ///< by target, then shift
   };
   std::vector<Profile> profiles;
   for (const By by : {By::second, By::first}) {
@@ -197,33 +201,33 @@ Found look(const Pair& pair, const Shifts& shifts) {
     const Sampled& explained = by == By::second ? pair.first : pair.second;
     if (explaining.features.cols() == 0) continue;
     Profile profile{by, std::vector<std::vector<double>>(static_cast<std::size_t>(explained.targets.cols()))};
-    for (std::int64_t shift = shifts.from; shift <= shifts.to; shift += kEvery) {
+    for (std::int64_t shift = shifts.from; shift <= shifts.to; shift += kRowStride) {
       const BlockedRegression regression = regress(pair, by, shift);
-      for (std::size_t t = 0; t < profile.left.size(); ++t)
-        profile.left[t].push_back(left(regression, static_cast<Eigen::Index>(t)));
+      for (std::size_t t = 0; t < profile.unexplained.size(); ++t)
+        profile.unexplained[t].push_back(unexplained(regression, static_cast<Eigen::Index>(t)));
     }
     profiles.push_back(std::move(profile));
   }
   Found found;
   const std::vector<double>* of_best = nullptr;
   for (const Profile& profile : profiles)
-    for (std::size_t t = 0; t < profile.left.size(); ++t)
-      for (std::size_t k = 0; k < profile.left[t].size(); ++k) {
-        if (!(profile.left[t][k] < found.best.left)) continue;
-        found.best = {profile.by, static_cast<Eigen::Index>(t), shifts.from + kEvery * static_cast<std::int64_t>(k),
-                      profile.left[t][k]};
-        of_best = &profile.left[t];
+    for (std::size_t t = 0; t < profile.unexplained.size(); ++t)
+      for (std::size_t k = 0; k < profile.unexplained[t].size(); ++k) {
+        if (!(profile.unexplained[t][k] < found.best.unexplained)) continue;
+        found.best = {profile.by, static_cast<Eigen::Index>(t), shifts.from + kRowStride * static_cast<std::int64_t>(k),
+                      profile.unexplained[t][k]};
+        of_best = &profile.unexplained[t];
       }
   for (std::size_t k = 1; of_best && k + 1 < of_best->size(); ++k) {
     const std::vector<double>& profile = *of_best;
     if (profile[k] <= profile[k - 1] && profile[k] <= profile[k + 1])
-      found.others.push_back(shifts.from + kEvery * static_cast<std::int64_t>(k));
+      found.others.push_back(shifts.from + kRowStride * static_cast<std::int64_t>(k));
   }
   return found;
 }
 
 /// Whether the errors of stretches grow from the best offset to another, by more than they scatter.
-bool is_distinct(const Pair& pair, const Best& best, std::int64_t other) {
+bool is_distinct(const SampledPair& pair, const Best& best, std::int64_t other) {
   const std::vector<double> here = regress(pair, best.by, best.shift).errors(best.target);
   const std::vector<double> there = regress(pair, best.by, other).errors(best.target);
   std::vector<double> costs;
@@ -266,26 +270,25 @@ StraightLine line_through(const std::vector<double>& x, const std::vector<double
   return line;
 }
 
-/// Offsets near the best one by windows of one reach, with what each stretch alone would say.
+/// Offsets near one by windows of one reach, with what each stretch alone would say.
 struct Fine {
   double offset = 0.0, error = 0.0;
   std::vector<double> middles, offsets;  ///< by stretch: s since the second's begin, s
 };
 
-std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double around,
-                           double reach) {
+std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double reach) {
   const double step = reach / static_cast<double>(2 * kReach);
-  const Pair pair = sample_pair(first, second, step);
+  const SampledPair pair = sample_pair(first, second, step);
   const auto middle = static_cast<std::int64_t>(std::llround((near - pair.base) / step));
-  const auto wide = static_cast<std::int64_t>(std::ceil(around / step)) + 2;
+  const auto wide = static_cast<std::int64_t>(std::ceil(kAround * reach / step));
   std::vector<double> whole;
   std::vector<std::vector<double>> without(kBlocks), alone(kBlocks);
   for (std::int64_t shift = middle - wide; shift <= middle + wide; ++shift) {
     const BlockedRegression regression = regress(pair, best.by, shift);
-    whole.push_back(left(regression, best.target));
+    whole.push_back(unexplained(regression, best.target));
     for (std::size_t b = 0; b < kBlocks; ++b) {
-      without[b].push_back(regression.left_without(b, best.target));
-      alone[b].push_back(regression.left_in(b, best.target));
+      without[b].push_back(regression.unexplained_without(b, best.target));
+      alone[b].push_back(regression.unexplained_in(b, best.target));
     }
   }
   const auto offset = [&](double at) { return pair.offset(middle - wide) + at * step; };
@@ -328,24 +331,26 @@ Answer align(const Signals& first, const Signals& second, const std::pair<double
   const double longer = std::max(end_of(first) - begin_of(first), end_of(second) - begin_of(second));
   const double interval = std::max(slowest_interval(first), slowest_interval(second));
   const double coarse = std::max(kFewestIntervals * interval, longer / kCoarsest);
-  const Pair pair = sample_pair(first, second, coarse / static_cast<double>(2 * kReach));
+  const SampledPair pair = sample_pair(first, second, coarse / static_cast<double>(2 * kReach));
   const Shifts shifts = shifts_within(pair, between);
   if (shifts.from > shifts.to) return "no offset within `between` lets half of the shorter file overlap";
-  const Found found = look(pair, shifts);
-  if (!(found.best.left < kMostLeft))
-    return std::string("at no offset do the readings of one file explain half of any signal of the other");
+  const Found found = scan_offsets(pair, shifts);
+  if (!(found.best.unexplained < kMostUnexplained))
+    return std::string(
+        "whatever the offset, the readings of one file explain less than half of each signal of the other");
   for (const std::int64_t other : found.others)
-    if (std::abs(other - found.best.shift) > 4 * kEvery && !is_distinct(pair, found.best, other))
-      return fmt::format(
-          "offsets of {:.4g} s and {:.4g} s explain `{}` equally well, as a motion that repeats itself does",
-          pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
+    if (std::abs(other - found.best.shift) > 4 * kRowStride && !is_distinct(pair, found.best, other))
+      return fmt::format("offsets of {:.4g} s and {:.4g} s explain `{}` equally well, as with a periodic motion",
+                         pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
   std::optional<Fine> best;
-  double reach = kFewestIntervals * interval;
-  for (int i = 0; i < kWidths && reach <= 2.0 * coarse; ++i, reach *= 2.0) {
-    const std::optional<Fine> one = refine(first, second, found.best, pair.offset(found.best.shift), coarse, reach);
-    if (one && (!best || one->error < best->error)) best = one;
+  double near = pair.offset(found.best.shift);
+  for (double reach = coarse; reach >= kFewestIntervals * interval && longer < kMostWindows * reach; reach *= 0.5) {
+    const std::optional<Fine> one = refine(first, second, found.best, near, reach);
+    if (!one) continue;
+    near = one->offset;
+    if (!best || one->error < best->error) best = one;
   }
-  if (!best) return std::string("no offset stands out when it is looked for closely");
+  if (!best) return std::string("the best offset lies at the end of the range in which it was looked for");
   fine = *best;
   return ClockAlignment{fine.offset, fine.error, 0.0, 0.0, name_of(first, second, found.best)};
 }

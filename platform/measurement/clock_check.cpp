@@ -20,8 +20,9 @@ constexpr double kFastestPlausible = 5e-6;
 bool same_value(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 bool same_row(const CsvTable& table, std::size_t a, std::size_t b) {
-  return std::all_of(table.columns.begin(), table.columns.end(),
-                     [&](const std::vector<double>& column) { return same_value(column[a], column[b]); });
+  return std::all_of(table.columns.begin(), table.columns.end(), [&](const std::vector<double>& column) {
+    return column.empty() || same_value(column[a], column[b]);
+  });
 }
 
 std::string seconds(double value) { return fmt::format("{:.9g} s", value); }
@@ -71,7 +72,7 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
   if (rows.empty()) return clock;
   const double first = table.times[rows.front()];
   if (table.dated) seconds_per_unit = 1.0;
-  clock.origin = table.dated ? first - table.times.front() : (table.time_origin + first) * seconds_per_unit;
+  clock.origin = table.dated ? first - table.first_date : (table.time_origin + first) * seconds_per_unit;
   for (const std::size_t row : rows) {
     const double time = (table.times[row] - first) * seconds_per_unit;
     if (!clock.times.empty() && time == clock.times.back()) {

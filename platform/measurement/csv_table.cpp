@@ -44,6 +44,7 @@ class TableReader {
     }
     table_.time_origin = time_reader_.origin();
     table_.dated = time_reader_.dated();
+    if (table_.dated && !table_.times.empty()) table_.first_date = table_.times.front();
     note_missing();
     return std::move(table_);
   }

@@ -25,6 +25,7 @@ struct CsvQuery {
 struct CsvTable {
   double time_origin = 0.0;                  ///< to be added to `times`; see `TimeStampReader`
   bool dated = false;                        ///< time stamps are dates: `times` are in s
+  double first_date = 0.0;                   ///< where they are dates, what of `times` the file's own time begins with
   std::vector<double> times;                 ///< column's unit
   std::vector<std::vector<double>> columns;  ///< as in the query; NaN where the file has no value
   std::vector<int> lines;                    ///< line of each row in the file

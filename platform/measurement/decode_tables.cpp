@@ -148,7 +148,6 @@ void unwrap_clock(double modulus, std::vector<double>& times) {
 
 }  // namespace
 
-/// Time stamps that start again go on; without a statement where they clearly do.
 void decode_clock(Encoding encoding, const std::string& time_column, ReadTable& read) {
   std::vector<double>& times = read.table.times;
   if (encoding.kind == EncodingKind::automatic && !read.table.dated && read.table.trial_names.empty()) {

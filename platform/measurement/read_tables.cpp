@@ -21,10 +21,12 @@ struct OpenedFile {
   std::filesystem::path path;
   FileReport report;
   std::string time_column;
+  Encoding time_encoding;
   std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are wanted
   std::string text = {};
   CsvFormat format = {};
   std::vector<std::size_t> given = {};  ///< which of the wanted columns it gives
+  std::set<std::string> told = {};      ///< columns whose absence was told
 
   bool has(const std::string& name) const {
     return std::find(format.names.begin(), format.names.end(), name) != format.names.end();
@@ -47,70 +49,83 @@ void open(const RecordingSource& source, const RecordingPlan& plan, OpenedFile& 
 }
 
 std::vector<OpenedFile> open_files(const RecordingSource& source, const RecordingPlan& plan, const MeasuredFile& file) {
-  std::vector<OpenedFile> files = {{file.path, FileReport(file.path.string()), source.time_column, {}}};
+  std::vector<OpenedFile> files = {
+      {file.path, FileReport(file.path.string()), source.time_column, source.time_encoding, {}}};
   for (const FurtherFile& further : file.with)
-    files.push_back({further.path, FileReport(further.path.string()),
-                     further.time_column.empty() ? source.time_column : further.time_column, further.columns});
+    files.push_back({further.path,
+                     FileReport(further.path.string()),
+                     further.time_column.empty() ? source.time_column : further.time_column,
+                     {},
+                     further.columns});
   for (OpenedFile& one : files) open(source, plan, one);
   return files;
 }
 
 /// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
-void check_column(const std::string& name, OpenedFile& file, std::set<std::string>& told) {
+void check_column(const std::string& name, OpenedFile& file) {
   const std::vector<std::string>& names = file.format.names;
-  const auto found = std::count(names.begin(), names.end(), name);
-  if (found == 1 || !told.insert(name).second) return;
+  const auto count = std::count(names.begin(), names.end(), name);
+  if (count == 1 || !file.told.insert(name).second) return;
   file.report.problem("column " + name, file.format.header_line, [&] {
-    if (found > 1) return fmt::format("{} columns are called `{}`; rename all but one", found, excerpt(name));
+    if (count > 1) return fmt::format("{} columns are called `{}`; rename all but one", count, excerpt(name));
     return fmt::format("no column `{}`{}; the columns are {}", excerpt(name), did_you_mean(name, names), listed(names));
+  });
+}
+
+/// What an entry of `with` names must be there, and be read.
+void check_named(const std::string& name, const std::vector<std::string>& wanted, OpenedFile& file) {
+  if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) return check_column(name, file);
+  file.report.problem("named " + name, 0, [&] {
+    return fmt::format("columns names `{}`{}, which the experiment does not read from any file; it reads {}",
+                       excerpt(name), did_you_mean(name, wanted), listed(wanted));
   });
 }
 
 /// The file that a column is taken from: the one that names it, else the first, else the only other one that has it.
 std::size_t file_of(const std::string& name, std::vector<OpenedFile>& files) {
-  std::vector<std::size_t> naming, having;
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    if (files[f].is_named(name)) naming.push_back(f);
-    if (f > 0 && files[f].only.empty() && files[f].has(name)) having.push_back(f);
-  }
-  std::vector<std::size_t>& found = naming.empty() ? having : naming;
-  if (naming.empty() && files.front().has(name)) return 0;
-  if (found.size() > 1)
-    files[found.front()].report.problem("column " + name, files[found.front()].format.header_line, [&] {
-      return fmt::format("column `{}` is also in {}; say with columns = [...] which file it is taken from",
-                         excerpt(name), files[found[1]].path.string());
+  std::vector<std::size_t> sources;
+  for (std::size_t f = 1; f < files.size(); ++f)
+    if (files[f].is_named(name)) sources.push_back(f);
+  const bool is_named = !sources.empty();
+  if (!is_named && files.front().has(name)) return 0;
+  for (std::size_t f = 1; f < files.size() && !is_named; ++f)
+    if (files[f].only.empty() && files[f].has(name)) sources.push_back(f);
+  if (sources.size() > 1)
+    files[sources.front()].report.problem("column " + name, files[sources.front()].format.header_line, [&] {
+      return fmt::format("column `{}` is also {} {}; let columns = [...] of one file alone name it", excerpt(name),
+                         is_named ? "named for" : "in", files[sources[1]].path.string());
     });
-  return found.empty() ? 0 : found.front();
+  return sources.empty() ? 0 : sources.front();
 }
 
 void allot_columns(const std::vector<std::string>& wanted, const std::string& trial_column,
                    std::vector<OpenedFile>& files) {
-  std::vector<std::set<std::string>> told(files.size());
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    check_column(files[f].time_column, files[f], told[f]);
-    for (const std::string& name : files[f].only)
-      if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) check_column(name, files[f], told[f]);
+  for (OpenedFile& file : files) {
+    check_column(file.time_column, file);
+    for (const std::string& name : file.only) check_named(name, wanted, file);
   }
-  if (!trial_column.empty()) check_column(trial_column, files.front(), told.front());
+  if (!trial_column.empty()) check_column(trial_column, files.front());
   for (std::size_t c = 0; c < wanted.size(); ++c) {
-    const std::size_t f = file_of(wanted[c], files);
-    check_column(wanted[c], files[f], told[f]);
-    files[f].given.push_back(c);
+    OpenedFile& file = files[file_of(wanted[c], files)];
+    check_column(wanted[c], file);
+    file.given.push_back(c);
   }
 }
 
-/// Empties the file's text, which is of no more use.
-ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted, OpenedFile& file) {
+/// Empties the file's text, which is of no more use. Without `allotted` columns there is nothing to be read.
+ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted, bool allotted,
+                     OpenedFile& file) {
   ReadTable read{std::move(file.report), {}};
   const std::string text = std::move(file.text);
-  if (read.report.has_problems()) return read;
+  read.table.columns.resize(wanted.size());
+  if (read.report.has_problems() || !allotted) return read;
   CsvQuery query{file.time_column, source.trial_column, {}};
   for (const std::size_t c : file.given) query.columns.push_back({wanted[c]});
   read.table = read_csv_table(text, file.format, query, read.report);
   std::vector<std::vector<double>> columns(wanted.size());
   for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);
   read.table.columns = std::move(columns);
-  if (!read.report.has_problems()) decode_clock(source.time_encoding, file.time_column, read);
+  if (!read.report.has_problems()) decode_clock(file.time_encoding, file.time_column, read);
   return read;
 }
 
@@ -143,7 +158,7 @@ std::vector<ReadRecording> read_tables(const RecordingSource& source, const Reco
     const bool all_open =
         std::none_of(files.begin(), files.end(), [](const OpenedFile& one) { return one.report.has_problems(); });
     if (all_open) allot_columns(wanted, source.trial_column, files);
-    for (OpenedFile& one : files) tables.push_back(read_table(source, wanted, one));
+    for (OpenedFile& one : files) tables.push_back(read_table(source, wanted, all_open, one));
   }
   decode_tables(plan, tables);
   std::vector<ReadRecording> recordings;

@@ -40,6 +40,8 @@ TEST(RobotKey, EveryNumberAndPlaceCounts) {
       [](RobotSpec& robot) { robot.joints[0].parent = "elsewhere"; },
       [](RobotSpec& robot) { robot.joints[0].kind = JointKind::slider; },
       [](RobotSpec& robot) { robot.actuators[0].transmission.gap = 0.1; },
+      [](RobotSpec& robot) { robot.actuators[0].supply_sag = 0.1; },
+      [](RobotSpec& robot) { robot.actuators[0].motor.sample_time = 1e-3; },
       [](RobotSpec& robot) { robot.sensors[0].kind = SensorKind::joint_velocity; },
       [](RobotSpec& robot) { robot.sensors.back().element = "another"; },
       [](RobotSpec& robot) { robot.contact.friction = 0.5; },

@@ -91,12 +91,17 @@ TEST(ClockAlignment, RefusesAMotionThatRepeatsItself) {
   EXPECT_THAT(std::get<std::string>(answer), HasSubstr("equally well"));
   const auto near = align_clocks(watched.logger, watched.camera, {{0.0, 0.7}});
   ASSERT_TRUE(std::holds_alternative<ClockAlignment>(near)) << std::get<std::string>(near);
-  EXPECT_NEAR(std::get<ClockAlignment>(near).offset, 0.317, 3e-3);
+  // One tone tells an offset from friction by its harmonics alone.
+  const ClockAlignment& found = std::get<ClockAlignment>(near);
+  EXPECT_NEAR(found.offset, 0.317, 3.0 * found.offset_error) << found.offset_error;
 }
 
 TEST(ClockAlignment, RefusesSignalsOfOtherMotions) {
   Watched watched = watch({});
-  watched.camera = watch({.noise = 1.0, .phase = 2.0}).camera;
+  std::mt19937 random(5);
+  std::normal_distribution<double> step(0.0, 0.05);
+  double wandering = 0.0;
+  for (double& value : watched.camera[0].values) value = wandering += step(random);
   const auto answer = align_clocks(watched.logger, watched.camera, {kAnywhere});
   EXPECT_TRUE(std::holds_alternative<std::string>(answer)) << std::get<ClockAlignment>(answer).offset;
 }

@@ -101,6 +101,26 @@ TEST(Motors, AServoWithASampleTimeHoldsItsVoltage) {
   }
 }
 
+/// What it holds is part of the state: a motion goes on from the middle of a sample as it would have.
+TEST(Motors, AServoWithASampleTimeGoesOnFromWhereItWas) {
+  RobotSpec robot = wheel(ActuatorKind::voltage_servo);
+  robot.actuators[0].kp = 400.0;
+  robot.actuators[0].motor.gain_unit = 0.001;
+  robot.actuators[0].motor.sample_time = 0.02;
+  Rig whole(robot, step_of(0.001)), parts(robot, step_of(0.001));
+  whole.run(constant("motor", 0.5), grid(0.0, 1.0, 0.1));
+  parts.options.save_final_state = true;
+  parts.run(constant("motor", 0.5), std::vector<double>{0.0, 0.509});
+  ASSERT_EQ(parts.result.ending, Ending::completed) << parts.result.reason;
+  const State saved = parts.result.final_state;
+  parts.options.from = &saved;
+  parts.workspace = parts.model->make_workspace();
+  parts.run(constant("motor", 0.5), std::vector<double>{0.6, 1.0});
+  ASSERT_EQ(parts.result.ending, Ending::completed) << parts.result.reason;
+  EXPECT_EQ(read(parts, "angle")(0), read(whole, "angle")(6));
+  EXPECT_EQ(read(parts, "angle")(1), read(whole, "angle")(10));
+}
+
 /// While its torque is off a servo exerts nothing, no back-EMF either.
 TEST(Motors, AServoThatIsOffExertsNothing) {
   RobotSpec robot = wheel(ActuatorKind::voltage_servo);
