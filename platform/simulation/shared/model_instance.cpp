@@ -161,7 +161,8 @@ const ParameterSlots::Slots& ParameterSlots::of(const std::string& setup) const 
 
 ModelInstance::ModelInstance(const ModelStructure& structure, const ParameterSlots& slots)
     : structure_(structure), slots_(slots), robot_(structure.robot) {
-  if (std::any_of(slots_.by_setup().begin(), slots_.by_setup().end(), [](const auto& of_setup) { return !of_setup.empty(); }))
+  if (std::any_of(slots_.by_setup().begin(), slots_.by_setup().end(),
+                  [](const auto& of_setup) { return !of_setup.empty(); }))
     for (const AddressedValue& value : addressed_values(robot_)) robot_values_.push_back(value.value);
   for (const PlacedEffect& effect : structure.effects) effect_values_.push_back(effect.values);
 }
