@@ -104,7 +104,7 @@ void Program::copy_lifting_servo() const {
 }
 
 Outcome Program::install(const std::string& prefix) {
-  const Outcome outcome = shell("cmake --install " LACUNA_BINARY_DIRECTORY " --prefix " + prefix);
+  Outcome outcome = shell("cmake --install " LACUNA_BINARY_DIRECTORY " --prefix " + prefix);
   programs_ = folder_ / prefix / "bin";
   return outcome;
 }
