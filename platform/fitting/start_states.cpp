@@ -161,7 +161,6 @@ bool StartStates::follows(int coordinate) const {
                      [&](const Follower& one) { return one.coordinate == coordinate; });
 }
 
-/// What follows starts where the engine puts it: that is known, and no unknown of its own.
 void StartStates::follow(StartEstimate& estimate) const {
   for (const Follower& one : followers_) {
     const auto own = static_cast<std::size_t>(one.coordinate), leader = static_cast<std::size_t>(one.leader);

@@ -51,7 +51,26 @@ class StartStates {
   /// `noise`: deviations of the measured channels (see sensor_noise).
   StartStates(const RobotSpec& robot, const TrialPredictor& predictor, const std::vector<ChannelNoise>& noise);
 
+  /// A channel that reads a coordinate: reading = scale · value + offset.
+  struct Reading {
+    Eigen::Index channel = -1;
+    double scale = 1.0;
+    double offset = 0.0;
+    std::vector<std::pair<int, double>> others = {};  ///< of a link's angle: further coordinates in it, and their signs
+  };
+
   int coordinates() const { return coordinates_; }
+  /// What tells a coordinate of a trial, if anything does.
+  const std::optional<Reading>& position_reading(std::size_t trial, int coordinate) const {
+    return readings_[trial].positions[static_cast<std::size_t>(coordinate)];
+  }
+  const std::optional<Reading>& velocity_reading(std::size_t trial, int coordinate) const {
+    return readings_[trial].velocities[static_cast<std::size_t>(coordinate)];
+  }
+  /// Coordinates in an order in which those of a link's angle come before the link's own.
+  const std::vector<int>& outward() const { return outward_; }
+  /// Coordinates that follow others start where the engine puts them: that is known, and no unknown of its own.
+  void follow(StartEstimate& estimate) const;
   /// Why not every moment of this trial can be a start: a coordinate whose position is not measured, a body that
   /// floats, or a memory that no reading tells (delayed readings, states of effects, a PID's integral, a compliant
   /// transmission's rotor), which a simulation from the middle would begin empty. Nothing where every moment can.
@@ -71,13 +90,6 @@ class StartStates {
   static bool given(const Trial& trial, int coordinate);
 
  private:
-  /// A channel that reads a coordinate: reading = scale · value + offset.
-  struct Reading {
-    Eigen::Index channel = -1;
-    double scale = 1.0;
-    double offset = 0.0;
-    std::vector<std::pair<int, double>> others = {};  ///< of a link's angle: further coordinates in it, and their signs
-  };
   /// A coordinate that follows another.
   struct Follower {
     int coordinate = 0, leader = 0;
@@ -95,7 +107,6 @@ class StartStates {
   bool told_by_body(std::size_t trial, int coordinate) const;
   /// Writes what the channels say about coordinate `c`.
   void read_coordinate(const Stretch& stretch, Eigen::Index sample, int c, StartEstimate& estimate) const;
-  void follow(StartEstimate& estimate) const;
   /// Of all coordinates of free joints that are not given.
   void read_free_joints(const Stretch& stretch, Eigen::Index sample, StartEstimate& estimate) const;
 

@@ -23,8 +23,8 @@ void on_every_effect(const std::function<void(const std::string& name, const Phy
 /// The model of an effect's README: a robot with the effect placed on it, at values that show it.
 ModelDefinition readme_model(const std::string& effect);
 
-/// That model in motion: a servo pendulum or a wrist is driven by torques that change every 50 ms, a quadruped falls onto its
-/// feet and slides. Sensors have no noise; they read in steps only where the effect makes them.
+/// That model in motion: a servo pendulum or a wrist is driven by torques that change every 50 ms, a quadruped falls
+/// onto its feet and slides. Sensors have no noise; they read in steps only where the effect makes them.
 SimulationRun moving(const ModelDefinition& definition);
 
 /// The same motion without the effect.

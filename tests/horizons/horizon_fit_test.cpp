@@ -1,0 +1,118 @@
+#include "horizons/horizon_fit.h"
+
+#include "fitting/seeded_noise.h"
+#include "support/robots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace lacuna::horizon_fit_test {
+namespace {
+
+constexpr double kInertia = 0.02, kDamping = 0.05, kNoise = 1e-3;
+
+/// A driven pendulum whose inertia and damping are not known.
+ModelDefinition pendulum_definition() {
+  ModelDefinition definition;
+  definition.structure.robot = pendulum(1.0, 0.3, 1e-3);
+  definition.structure.robot.sensors = {make_sensor("position", SensorKind::joint_position, "joint")};
+  definition.engine = {.engine = "articulated", .step = 0.01, .substeps = 2};
+  definition.free = {{"joint.joint.armature", "kg*m^2", 0.0, 0.2, 0.0},
+                     {"joint.joint.damping", "N*m*s/rad", 0.0, 1.0, 0.0}};
+  definition.structure.parameters = {{"joint.joint.armature", 0.0, 0.2}, {"joint.joint.damping", 0.0, 1.0}};
+  return definition;
+}
+
+Trial recorded(const CompiledModel& model, double phase, bool held_out) {
+  const Eigen::Index samples = 1201;
+  CommandSeries commands;
+  commands.series.channels = {{"motor", "N*m"}};
+  commands.series.times = Eigen::VectorXd::LinSpaced(samples, 0.0, 12.0);
+  commands.series.samples.resize(samples, 1);
+  for (Eigen::Index i = 0; i < samples; ++i)
+    commands.series.samples(i, 0) =
+        std::sin(2.1 * commands.series.times(i) + phase) + 0.7 * std::sin(5.3 * commands.series.times(i));
+  Test test;
+  test.drive = commands;
+  SimulationOptions options;
+  options.end_time = 12.0;
+  options.output_times = {commands.series.times.data(), static_cast<std::size_t>(samples)};
+  const std::unique_ptr<Workspace> workspace = model.make_workspace();
+  SimulationResult result;
+  model.simulate(std::vector<double>{kInertia, kDamping}, test, options, *workspace, result);
+  Trial trial;
+  trial.name = held_out ? "held out" : "fit";
+  trial.commands = commands;
+  trial.measured = result.readings;
+  trial.held_out = held_out;
+  SeededNoise random(held_out ? 2 : 1, 0);
+  for (Eigen::Index i = 0; i < samples; ++i) trial.measured.samples(i, 0) += kNoise * random.normal();
+  return trial;
+}
+
+class HorizonFits : public testing::Test {
+ protected:
+  HorizonFits()
+      : definition(pendulum_definition()),
+        model(compile(definition.structure, definition.engine)),
+        predictor(*model, {recorded(*model, 0.3, false), recorded(*model, 1.1, true)}, 2),
+        noise(sensor_noise(definition.structure.robot, predictor.trials())),
+        states(definition.structure.robot, predictor, noise),
+        starts(states, predictor.trials()),
+        space(definition.free) {}
+
+  LadderTask task(const std::vector<double>& values, bool held_out = false) const {
+    return {definition.structure.robot, predictor, states, starts, noise, values, held_out};
+  }
+
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  TrialPredictor predictor;
+  std::vector<ChannelNoise> noise;
+  StartStates states;
+  SmoothedStarts starts;
+  ParameterSpace space;
+};
+
+TEST_F(HorizonFits, TheLadderReachesFromTenSamplesToWholeTrials) {
+  const std::vector<double> truth = {kInertia, kDamping};
+  const Ladder ladder = build_ladder(task(truth));
+  ASSERT_EQ(ladder.rungs.size(), 5u);
+  EXPECT_TRUE(ladder.reaches_whole_trials);
+  EXPECT_NEAR(ladder.rungs.front().length, 0.1, 1e-9);
+  EXPECT_NEAR(ladder.rungs.back().length, 12.0, 1e-9);
+  EXPECT_EQ(ladder.rungs.front().segments.size(), 120u);
+  for (const Rung& rung : ladder.rungs) {
+    EXPECT_GT(rung.floor[0], 0.5 * kNoise * kNoise);
+    EXPECT_TRUE(rung.counts[0]);
+  }
+}
+
+/// At every horizon a fitted model that is right is off by the floor, on data that the fit has not seen.
+TEST_F(HorizonFits, FindsTheValuesAndReachesTheFloor) {
+  const std::vector<double> start = definition.start_values();
+  const Ladder ladder = build_ladder(task(start));
+  const HorizonErrors before = errors_on(ladder, predictor, space, start);
+  const HorizonFit fit = fit_to_ladder(ladder, predictor, space, start);
+  ASSERT_TRUE(before.valid && fit.errors.valid);
+  EXPECT_LT(fit.errors.cost, before.cost - 1.0);
+  EXPECT_NEAR(fit.values[0], kInertia, 0.01 * kInertia);
+  EXPECT_NEAR(fit.values[1], kDamping, 0.02 * kDamping);
+  const HorizonErrors held_out = errors_on(same_ladder(ladder, task(start, true)), predictor, space, fit.values);
+  ASSERT_TRUE(held_out.valid);
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
+    const double floor = kNoise * kNoise + ladder.rungs[r].start_share[0];
+    EXPECT_LT(held_out.mean_square[r][0], 2.0 * floor) << ladder.rungs[r].length;
+  }
+}
+
+TEST_F(HorizonFits, AWrongValueCostsOnDataThatWereHeldOut) {
+  const std::vector<double> truth = {kInertia, kDamping}, wrong = {kInertia, 1.5 * kDamping};
+  const Ladder held_out = same_ladder(build_ladder(task(truth)), task(truth, true));
+  EXPECT_GT(errors_on(held_out, predictor, space, wrong).cost, errors_on(held_out, predictor, space, truth).cost + 0.5);
+}
+
+}  // namespace
+}  // namespace lacuna::horizon_fit_test
