@@ -4,7 +4,7 @@
 
 #include <lacuna/error.h>
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>

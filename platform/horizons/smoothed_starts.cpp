@@ -56,7 +56,8 @@ StartEstimate SmoothedStarts::at(std::size_t trial, Eigen::Index sample) const {
   const Stretch whole{trial, 0, trials_[trial].measured.times.size()};
   StartEstimate estimate = states_.from_samples(whole, sample);
   const int n = states_.coordinates();
-  estimate.axes = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  const Eigen::Index size = Eigen::Index{2} * n;
+  estimate.axes = Eigen::MatrixXd::Zero(size, size);
   const auto i = static_cast<std::size_t>(sample);
   for (const int c : states_.outward()) {
     const SmoothedCoordinate& own = coordinates_[trial][static_cast<std::size_t>(c)];
