@@ -1,10 +1,10 @@
 #include "flap.h"
 
+#include "experiments/committed_recording.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace damped_flap {
 namespace {
@@ -53,16 +53,7 @@ TEST(DampedFlap, ACommandRampCarriesAFreeFlapAsTheCubeOfTime) {
 class Recording : public testing::TestWithParam<const char*> {};
 
 TEST_P(Recording, IsWhatTheGeneratorWrites) {
-  const std::string file = std::string(LACUNA_SOURCE_DIRECTORY "/experiments/data/damped_flap/") + GetParam() + ".csv";
-  std::ifstream committed(file);
-  ASSERT_TRUE(committed) << file;
-  std::istringstream generated(recording_file(GetParam()));
-  std::string expected, found;
-  for (int line = 1; std::getline(generated, expected); ++line) {
-    ASSERT_TRUE(std::getline(committed, found)) << file << " ends before line " << line;
-    ASSERT_EQ(found, expected) << file << ":" << line << "; write it again with generate_damped_flap";
-  }
-  EXPECT_FALSE(std::getline(committed, found)) << file << " goes on after its end";
+  bench::expect_committed("damped_flap", GetParam(), recording_file(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(DampedFlap, Recording, testing::ValuesIn(kTrials),

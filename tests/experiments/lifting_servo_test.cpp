@@ -1,11 +1,11 @@
 #include "servo.h"
 
+#include "experiments/committed_recording.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 namespace lifting_servo {
 namespace {
@@ -38,17 +38,7 @@ TEST(LiftingServo, AtItsLimitItRunsAtTheSpeedOfItsBackEmf) {
 class LiftingServoRecording : public testing::TestWithParam<const char*> {};
 
 TEST_P(LiftingServoRecording, IsWhatTheGeneratorWrites) {
-  const std::string file =
-      std::string(LACUNA_SOURCE_DIRECTORY "/experiments/data/lifting_servo/") + GetParam() + ".csv";
-  std::ifstream committed(file);
-  ASSERT_TRUE(committed) << file;
-  std::istringstream generated(recording_file(GetParam()));
-  std::string expected, found;
-  for (int line = 1; std::getline(generated, expected); ++line) {
-    ASSERT_TRUE(std::getline(committed, found)) << file << " ends before line " << line;
-    ASSERT_EQ(found, expected) << file << ":" << line << "; write it again with generate_lifting_servo";
-  }
-  EXPECT_FALSE(std::getline(committed, found)) << file << " goes on after its end";
+  bench::expect_committed("lifting_servo", GetParam(), recording_file(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(LiftingServo, LiftingServoRecording, testing::ValuesIn(kTrials), [](const auto& trial) {

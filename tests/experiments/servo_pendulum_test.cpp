@@ -2,12 +2,12 @@
 #include "recording_file.h"
 #include "stick_slip.h"
 
+#include "experiments/committed_recording.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace servo_pendulum {
 namespace {
@@ -83,17 +83,7 @@ TEST(Excitation, IsARestThenATorqueInWholeQuanta) {
 class Recording : public testing::TestWithParam<const char*> {};
 
 TEST_P(Recording, IsWhatTheGeneratorWrites) {
-  const std::string file =
-      std::string(LACUNA_SOURCE_DIRECTORY "/experiments/data/servo_pendulum/") + GetParam() + ".csv";
-  std::ifstream committed(file);
-  ASSERT_TRUE(committed) << file;
-  std::istringstream generated(recording_file(GetParam()));
-  std::string expected, found;
-  for (int line = 1; std::getline(generated, expected); ++line) {
-    ASSERT_TRUE(std::getline(committed, found)) << file << " ends before line " << line;
-    ASSERT_EQ(found, expected) << file << ":" << line << "; write it again with generate_servo_pendulum";
-  }
-  EXPECT_FALSE(std::getline(committed, found)) << file << " goes on after its end";
+  bench::expect_committed("servo_pendulum", GetParam(), recording_file(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(ServoPendulum, Recording, testing::ValuesIn(kTrials),
