@@ -15,7 +15,7 @@ constexpr double kMostOfStart = 0.25;  ///< of the motion's power
 constexpr double kStandsOut = 9.0;     ///< motion over floor, variances
 constexpr double kSlack = 2.0;         ///< prior deviations of a start that is refitted, times its own
 constexpr std::size_t kMostForShare = 48;
-constexpr double kFewestSegments = 1.0;
+constexpr double kShortestTrial = 0.7;  ///< of a rung's length: a shorter trial says nothing of it
 
 std::vector<std::size_t> trials_of(const LadderTask& task) {
   std::vector<std::size_t> trials;
@@ -77,7 +77,7 @@ std::vector<Segment> segments_of(const LadderTask& task, double length, bool ref
   std::vector<Segment> segments;
   for (const std::size_t t : trials_of(task)) {
     const Trial& trial = task.predictor.trials()[t];
-    if (duration(trial) < kFewestSegments * 0.7 * length) continue;
+    if (duration(trial) < kShortestTrial * length) continue;
     for (const Stretch& stretch : cut(trial, t, length)) {
       Segment segment = segment_of(task, stretch, run_in, refits);
       if (segment.rows.size() > segment.unknown.size() + 3) segments.push_back(std::move(segment));
@@ -157,7 +157,7 @@ Rung rung_of(const LadderTask& task, double length, bool refits) {
   return rung;
 }
 
-/// Whether the starts leave the predictions their meaning, in most channels that move.
+/// Whether the starts leave the predictions their meaning, in every channel that moves.
 bool means_something(const Rung& rung) {
   for (std::size_t c = 0; c < rung.motion.size(); ++c)
     if (rung.motion[c] > 0.0 && rung.start_share[c] > kMostOfStart * rung.motion[c]) return false;

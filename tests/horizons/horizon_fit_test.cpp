@@ -2,6 +2,7 @@
 
 #include "fitting/seeded_noise.h"
 #include "support/robots.h"
+#include "support/simulation_run.h"
 
 #include <gtest/gtest.h>
 
@@ -25,30 +26,24 @@ ModelDefinition pendulum_definition() {
   return definition;
 }
 
-Trial recorded(const CompiledModel& model, double phase, bool held_out) {
-  const Eigen::Index samples = 1201;
-  CommandSeries commands;
-  commands.series.channels = {{"motor", "N*m"}};
-  commands.series.times = Eigen::VectorXd::LinSpaced(samples, 0.0, 12.0);
-  commands.series.samples.resize(samples, 1);
-  for (Eigen::Index i = 0; i < samples; ++i)
-    commands.series.samples(i, 0) =
-        std::sin(2.1 * commands.series.times(i) + phase) + 0.7 * std::sin(5.3 * commands.series.times(i));
-  Test test;
-  test.drive = commands;
-  SimulationOptions options;
-  options.end_time = 12.0;
-  options.output_times = {commands.series.times.data(), static_cast<std::size_t>(samples)};
-  const std::unique_ptr<Workspace> workspace = model.make_workspace();
-  SimulationResult result;
-  model.simulate(std::vector<double>{kInertia, kDamping}, test, options, *workspace, result);
+Trial recorded(const ModelDefinition& definition, double phase, bool held_out) {
+  std::vector<double> times, torques;
+  for (int i = 0; i <= 1200; ++i) {
+    times.push_back(0.01 * i);
+    torques.push_back(std::sin(2.1 * times.back() + phase) + 0.7 * std::sin(5.3 * times.back()));
+  }
+  SimulationRun run(definition.structure.robot);
+  run.structure = definition.structure;
+  run.engine = definition.engine;
+  run.parameters = {kInertia, kDamping};
+  run.command("motor", times, torques, Hold::zero_order);
   Trial trial;
   trial.name = held_out ? "held out" : "fit";
-  trial.commands = commands;
-  trial.measured = result.readings;
+  trial.commands = std::get<CommandSeries>(run.test.drive);
+  trial.measured = run.run(times).readings;
   trial.held_out = held_out;
   SeededNoise random(held_out ? 2 : 1, 0);
-  for (Eigen::Index i = 0; i < samples; ++i) trial.measured.samples(i, 0) += kNoise * random.normal();
+  for (double& reading : trial.measured.samples.reshaped()) reading += kNoise * random.normal();
   return trial;
 }
 
@@ -57,7 +52,7 @@ class HorizonFits : public testing::Test {
   HorizonFits()
       : definition(pendulum_definition()),
         model(compile(definition.structure, definition.engine)),
-        predictor(*model, {recorded(*model, 0.3, false), recorded(*model, 1.1, true)}, 2),
+        predictor(*model, {recorded(definition, 0.3, false), recorded(definition, 1.1, true)}, 2),
         noise(sensor_noise(definition.structure.robot, predictor.trials())),
         states(definition.structure.robot, predictor, noise),
         starts(states, predictor.trials()),
