@@ -124,9 +124,12 @@ Value<KnownOrFound> known_or_found(const std::string& unit) {
   Value<KnownOrFound> value;
   value.shape.kind = Shape::Kind::either;
   value.shape.parts = {text_of({"auto"}).shape, known.shape};
-  value.read = [known](const TomlNode& node, Reading& reading, KnownOrFound& result) {
+  value.read = [known, shape = value.shape](const TomlNode& node, Reading& reading, KnownOrFound& result) {
     result.reset();
-    return node.text == "auto" || known.read(node, reading, result.emplace());
+    if (node.text == "auto") return true;
+    const bool is_quantity = node.is_number() || node.text.find_first_of("0123456789") != std::string::npos;
+    if (!is_quantity) report_mismatch(shape, node, reading);
+    return is_quantity && known.read(node, reading, result.emplace());
   };
   value.write = [](const KnownOrFound& shown) { return shown ? toml_number(*shown) : toml_text("auto"); };
   return value;
