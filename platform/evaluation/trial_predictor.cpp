@@ -113,12 +113,20 @@ const Test& TrialPredictor::test_for(Desk& desk, const Stretch& stretch, std::sp
 }
 
 void TrialPredictor::predict(const Stretch& stretch, std::span<const double> values, const StartState& start,
-                             int worker, Prediction& prediction) const {
+                             int worker, Prediction& prediction, const WarmUp* warm_up) const {
   Desk& desk = *desks_[static_cast<std::size_t>(worker)];
   const Eigen::VectorXd& times = trials_[stretch.trial].measured.times;
   SimulationOptions& options = desk.options;
   options.start = start;
   options.start_time = times(stretch.first);
+  options.restart = nullptr;
+  if (warm_up && warm_up->first < stretch.first) {
+    options.restart = &start;
+    options.restart_time = options.start_time;
+    options.start = warm_up->start;
+    const double step = model_.step();
+    options.start_time -= std::ceil((options.restart_time - times(warm_up->first)) / step - 1e-6) * step;
+  }
   options.end_time = times(stretch.last - 1);
   options.output_times = {times.data() + stretch.first, static_cast<std::size_t>(stretch.size())};
   const bool timed = timing_ == Timing::fitted;

@@ -21,6 +21,12 @@ struct Stretch {
   bool operator==(const Stretch&) const = default;
 };
 
+/// What is simulated before a stretch, so that all that has a memory is filled where the stretch begins.
+struct WarmUp {
+  Eigen::Index first = 0;  ///< sample of the trial, before the stretch's first
+  StartState start;        ///< there
+};
+
 /// What a model says about a stretch. Reused from call to call, so that nothing is allocated anew.
 struct Prediction {
   bool valid = false;
@@ -65,9 +71,10 @@ class TrialPredictor {
   /// commands replayed by the trial's own clock, so that command delays see what was commanded before. `values`: the
   /// model's, then by how much later commands act where that is fitted; a controller's own commands keep their time.
   /// `worker` names the workspace, one a thread. A simulation that fails makes the prediction invalid;
-  /// arguments that do not fit throw `Error`.
+  /// arguments that do not fit throw `Error`. With a warm-up, the simulation begins there and goes on from `start`
+  /// where the stretch begins.
   void predict(const Stretch& stretch, std::span<const double> values, const StartState& start, int worker,
-               Prediction& prediction) const;
+               Prediction& prediction, const WarmUp* warm_up = nullptr) const;
 
   /// Measured minus predicted, in the shape of the prediction; NaN where nothing was measured.
   void residuals(const Stretch& stretch, const Prediction& prediction, TimeSeries::Samples& residuals) const;

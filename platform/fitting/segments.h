@@ -3,6 +3,7 @@
 #include "fitting/head_fit.h"
 #include "fitting/start_states.h"
 
+#include <optional>
 #include <vector>
 
 namespace lacuna {
@@ -10,10 +11,11 @@ namespace lacuna {
 /// A stretch whose prediction is compared with the data, and what is known of its start.
 struct Segment {
   Stretch stretch;
-  Eigen::Index run_in = 0;    ///< samples at the beginning that only fill what has a memory, and do not count
-  StartState start;           ///< guess; exact for the components that are not unknown
-  std::vector<int> unknown;   ///< components of the start that are fitted
-  Eigen::VectorXd deviation;  ///< prior standard deviation of each unknown about its guess
+  Eigen::Index run_in = 0;             ///< samples at the beginning that only fill what has a memory, and do not count
+  std::optional<WarmUp> warm_up = {};  ///< simulated before the stretch
+  StartState start;                    ///< guess; exact for the components that are not unknown
+  std::vector<int> unknown;            ///< components of the start that are fitted
+  Eigen::VectorXd deviation;           ///< prior standard deviation of each unknown about its guess
   std::vector<Eigen::Index> rows,
       columns;  ///< the measured values that count: row in the stretch, channel of the trial
 

@@ -98,7 +98,8 @@ bool ShootingProblem::segment_residuals(std::size_t k, const Eigen::VectorXd& va
   for (std::size_t j = 0; j < segment.unknown.size(); ++j)
     set_component(start, segment.unknown[j], state(static_cast<Eigen::Index>(j)));
   Prediction& prediction = predictions_[static_cast<std::size_t>(worker)];
-  predictor_.predict(segment.stretch, space_.to_values(values), start, worker, prediction);
+  predictor_.predict(segment.stretch, space_.to_values(values), start, worker, prediction,
+                     segment.warm_up ? &*segment.warm_up : nullptr);
   ++simulations_;
   if (!prediction.valid) {
     ++invalid_;

@@ -57,21 +57,13 @@ double effective_samples(const Cell& cell, double mean) {
   return variance > 0.0 ? 2.0 * mean * mean / variance : kFewEffective;
 }
 
-}  // namespace
-
-double cost_of(double mean_square, double floor) {
-  if (mean_square >= floor) return 0.5 * std::log(mean_square);
-  return 0.5 * std::log(floor) + 0.5 * (mean_square / floor - 1.0);
-}
-
-HorizonErrors horizon_errors(const Ladder& ladder, const std::vector<Trial>& trials,
-                             const std::vector<Eigen::VectorXd>& residuals) {
-  HorizonErrors errors;
-  const std::size_t channels = ladder.channels.size();
+/// By rung and channel.
+std::vector<std::vector<Cell>> cells_of(const Ladder& ladder, const std::vector<Trial>& trials,
+                                        const std::vector<Eigen::VectorXd>& residuals) {
+  std::vector<std::vector<Cell>> all;
   std::size_t k = 0;
-  double total = 0.0;
   for (const Rung& rung : ladder.rungs) {
-    std::vector<Cell> cells(channels);
+    std::vector<Cell>& cells = all.emplace_back(ladder.channels.size());
     for (const Segment& segment : rung.segments) {
       const Trial& trial = trials[segment.stretch.trial];
       std::vector<std::size_t> index;
@@ -83,20 +75,36 @@ HorizonErrors horizon_errors(const Ladder& ladder, const std::vector<Trial>& tri
       for (Cell& cell : cells) cell.segment_ends.push_back(cell.squares.size());
       ++k;
     }
-    errors.mean_square.emplace_back(channels, 0.0);
-    errors.weight.emplace_back(channels, 0.0);
-    for (std::size_t c = 0; c < channels; ++c) {
-      if (cells[c].squares.empty() || !rung.counts[c]) continue;
-      const double mean = winsorised_mean(cells[c]);
-      errors.mean_square.back()[c] = mean;
-      const double worth = std::min(1.0, effective_samples(cells[c], mean) / kFewEffective);
-      errors.weight.back()[c] = ladder.share[c] * worth;
-      total += errors.weight.back()[c];
+  }
+  return all;
+}
+
+}  // namespace
+
+double cost_of(double mean_square, double floor) {
+  if (mean_square >= floor) return 0.5 * std::log(mean_square);
+  return 0.5 * std::log(floor) + 0.5 * (mean_square / floor - 1.0);
+}
+
+double slope_of_cost(double mean_square, double floor) { return 0.5 / std::max(mean_square, floor); }
+
+HorizonErrors horizon_errors(const Ladder& ladder, const std::vector<Trial>& trials,
+                             const std::vector<Eigen::VectorXd>& residuals) {
+  HorizonErrors errors;
+  double total = 0.0;
+  for (const std::vector<Cell>& cells : cells_of(ladder, trials, residuals)) {
+    const Rung& rung = ladder.rungs[errors.mean_square.size()];
+    errors.mean_square.emplace_back(cells.size(), 0.0);
+    errors.weight.emplace_back(cells.size(), 0.0);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (cells[c].squares.empty() || rung.weight[c] == 0.0) continue;
+      errors.mean_square.back()[c] = winsorised_mean(cells[c]);
+      total += errors.weight.back()[c] = rung.weight[c];
     }
   }
   if (!(total > 0.0)) return errors;
   for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
-    for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < ladder.channels.size(); ++c) {
       double& weight = errors.weight[r][c];
       if (weight == 0.0) continue;
       weight /= total;
@@ -104,6 +112,23 @@ HorizonErrors horizon_errors(const Ladder& ladder, const std::vector<Trial>& tri
     }
   errors.valid = std::isfinite(errors.cost);
   return errors;
+}
+
+void weigh_by_information(Ladder& ladder, const std::vector<Trial>& trials,
+                          const std::vector<Eigen::VectorXd>& residuals) {
+  const std::vector<std::vector<Cell>> cells = cells_of(ladder, trials, residuals);
+  double total = 0.0;
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
+    for (std::size_t c = 0; c < ladder.channels.size(); ++c) {
+      double& weight = ladder.rungs[r].weight[c];
+      if (weight == 0.0) continue;
+      const Cell& cell = cells[r][c];
+      weight *=
+          cell.squares.empty() ? 0.0 : std::min(1.0, effective_samples(cell, winsorised_mean(cell)) / kFewEffective);
+      total += weight;
+    }
+  for (Rung& rung : ladder.rungs)
+    for (double& weight : rung.weight) weight /= total;
 }
 
 }  // namespace lacuna

@@ -6,18 +6,12 @@
 namespace lacuna {
 namespace {
 
-constexpr int kMostRounds = 8;
-constexpr int kStepsARound = 4;
+constexpr int kMostRounds = 6;
+constexpr int kStepsARound = 2;
 constexpr int kRoundsOnTheWay = 3;      ///< up the ladder, whose short predictions lead to the long ones
-constexpr double kTolerance = 1e-4;     ///< nats a round
+constexpr double kTolerance = 5e-4;     ///< nats a round
 constexpr double kWinsorRow = 4.0;      ///< rms
 constexpr double kLeastWeight = 1e-12;  ///< of rows that do not count: what is divided by a weight stays finite
-
-std::vector<Segment> segments_of(const Ladder& ladder) {
-  std::vector<Segment> all;
-  for (const Rung& rung : ladder.rungs) all.insert(all.end(), rung.segments.begin(), rung.segments.end());
-  return all;
-}
 
 /// Residuals in channel units, of what a problem divides by its scales.
 std::vector<Eigen::VectorXd> in_units(const ShootingProblem& problem, std::vector<Eigen::VectorXd> residuals) {
@@ -74,9 +68,9 @@ std::vector<double> count_readings(const Ladder& ladder, const Rung& rung, const
 }
 
 /// Row weights under which least squares descends the cost: √(w/(N·max(m, floor))), times the channel's scale. All are
-/// multiplied by √N of the channel with most readings, against which the priors of starts are weighed.
-void set_weights(const Ladder& ladder, const ShootingProblem& problem, const HorizonErrors& errors,
-                 const std::vector<Eigen::VectorXd>& residuals, std::vector<Eigen::VectorXd>& weights) {
+/// multiplied by √N of the channel with most readings, against which the priors of starts are weighed; gives 1/N.
+double set_weights(const Ladder& ladder, const ShootingProblem& problem, const HorizonErrors& errors,
+                   const std::vector<Eigen::VectorXd>& residuals, std::vector<Eigen::VectorXd>& weights) {
   std::size_t first = 0;
   double most = 0.0;
   for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung) {
@@ -95,19 +89,13 @@ void set_weights(const Ladder& ladder, const ShootingProblem& problem, const Hor
     first = end;
   }
   for (Eigen::VectorXd& of_segment : weights) of_segment *= std::sqrt(most);
-}
-
-/// The first rungs of a ladder.
-Ladder first_rungs(const Ladder& ladder, std::size_t count) {
-  Ladder part = ladder;
-  part.rungs.resize(count);
-  return part;
+  return 1.0 / most;
 }
 
 /// Rounds of least squares on one ladder, from `values`; the best is left in `fit`.
 void descend(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space, int rounds,
              HorizonFit& fit) {
-  ShootingProblem problem(predictor, space, segments_of(ladder), ladder.channels);
+  ShootingProblem problem(predictor, space, all_segments(ladder), ladder.channels);
   WeightedProblem weighted(problem);
   FitPoint point = problem.start(space.clamp(space.to_coordinates(fit.values)));
   std::vector<Eigen::VectorXd> residuals;
@@ -116,9 +104,14 @@ void descend(const Ladder& ladder, const TrialPredictor& predictor, const Parame
     residuals = in_units(problem, std::move(residuals));
     return horizon_errors(ladder, predictor.trials(), residuals);
   };
-  fit.errors = judge(point);
+  const auto keep = [&](const HorizonErrors& errors) {
+    fit.errors = errors;
+    fit.states = point.states;
+    fit.residuals = residuals;
+  };
+  keep(judge(point));
   for (int round = 0; fit.errors.valid && round < rounds; ++round) {
-    set_weights(ladder, problem, fit.errors, residuals, weighted.weights());
+    fit.prior_weight = set_weights(ladder, problem, fit.errors, residuals, weighted.weights());
     LeastSquaresOptions options;
     options.max_iterations = kStepsARound;
     options.tolerance = 1e-3;
@@ -129,7 +122,7 @@ void descend(const Ladder& ladder, const TrialPredictor& predictor, const Parame
     if (!now.valid || now.cost > fit.errors.cost) break;
     const double gained = fit.errors.cost - now.cost;
     point = found.point;
-    fit.errors = now;
+    keep(now);
     if (gained < kTolerance) break;
   }
   fit.values = space.to_values(point.values);
@@ -139,18 +132,18 @@ void descend(const Ladder& ladder, const TrialPredictor& predictor, const Parame
 }  // namespace
 
 HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
-                         const std::vector<double>& start) {
+                         const std::vector<double>& start, Climb climb) {
   HorizonFit fit;
   fit.values = start;
-  for (std::size_t rungs = 1; rungs < ladder.rungs.size(); ++rungs)
+  for (std::size_t rungs = 1; climb == Climb::from_the_bottom && rungs < ladder.rungs.size(); ++rungs)
     descend(first_rungs(ladder, rungs), predictor, space, kRoundsOnTheWay, fit);
-  descend(ladder, predictor, space, kMostRounds, fit);
+  descend(ladder, predictor, space, climb == Climb::polish ? 1 : kMostRounds, fit);
   return fit;
 }
 
 HorizonErrors errors_on(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                         const std::vector<double>& values) {
-  ShootingProblem problem(predictor, space, segments_of(ladder), ladder.channels);
+  ShootingProblem problem(predictor, space, all_segments(ladder), ladder.channels);
   std::vector<Eigen::VectorXd> residuals;
   if (!problem.residuals(problem.start(space.clamp(space.to_coordinates(values))), residuals)) return {};
   return horizon_errors(ladder, predictor.trials(), in_units(problem, std::move(residuals)));

@@ -9,17 +9,27 @@ namespace lacuna {
 
 /// Values fitted to a ladder.
 struct HorizonFit {
-  std::vector<double> values;  ///< of the model
+  std::vector<double> values;              ///< of the model
+  std::vector<Eigen::VectorXd> states;     ///< by segment: its start, where that is refitted
+  std::vector<Eigen::VectorXd> residuals;  ///< by segment, measured minus predicted, channel units
   HorizonErrors errors;
-  int iterations = 0;  ///< linearisations
+  double prior_weight = 0.0;  ///< of a squared departure of a start in standard deviations, beside the cost
+  int iterations = 0;         ///< linearisations
   std::uint64_t simulations = 0;
+};
+
+/// How a fit climbs.
+enum class Climb {
+  from_the_bottom,  ///< from far off: the shortest rung first, whose predictions lead to the longer ones
+  whole,            ///< all rungs at once, from values that are nearly right
+  polish            ///< one round of that, from values that were fitted to some of the segments
 };
 
 /// Finds the values under which the ladder's cost is least, from `start`: least squares with the weights that the
 /// cost's slope gives, again and again until it no longer falls (the cost is concave in the mean squares, so that each
 /// round descends). Starts of the longest rung are refitted within their uncertainty.
 HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
-                         const std::vector<double>& start);
+                         const std::vector<double>& start, Climb climb = Climb::from_the_bottom);
 
 /// The errors with values as they are, starts as the data tell them.
 HorizonErrors errors_on(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,

@@ -15,7 +15,12 @@ constexpr double kMostOfStart = 0.25;  ///< of the motion's power
 constexpr double kStandsOut = 9.0;     ///< motion over floor, variances
 constexpr double kSlack = 2.0;         ///< prior deviations of a start that is refitted, times its own
 constexpr std::size_t kMostForShare = 48;
-constexpr double kShortestTrial = 0.7;  ///< of a rung's length: a shorter trial says nothing of it
+constexpr double kShareOfQuick = 0.2;  ///< of a rung's segments, for a first look
+constexpr std::size_t kSegmentsOfQuick = 6;
+constexpr std::size_t kMostSegments = 120;  ///< of a rung, evenly spread: more tell hardly more
+constexpr std::size_t kMostSamples = 12000;
+constexpr std::size_t kFewSegments = 3;  ///< which are kept however long they are
+constexpr double kShortestTrial = 0.7;   ///< of a rung's length: a shorter trial says nothing of it
 
 std::vector<std::size_t> trials_of(const LadderTask& task) {
   std::vector<std::size_t> trials;
@@ -49,12 +54,13 @@ Segment segment_of(const LadderTask& task, const Stretch& counted, double run_in
   const Eigen::VectorXd& times = trial.measured.times;
   Segment segment;
   segment.stretch = counted;
-  if (run_in > 0.0)
-    segment.stretch.first =
-        std::lower_bound(times.data(), times.data() + counted.first, times(counted.first) - run_in * (1.0 + 1e-9)) -
-        times.data();
-  segment.run_in = counted.first - segment.stretch.first;
-  const StartEstimate estimate = task.starts.at(counted.trial, segment.stretch.first);
+  if (run_in > 0.0 && counted.first > 0) {
+    const double* before =
+        std::lower_bound(times.data(), times.data() + counted.first, times(counted.first) - run_in * (1.0 + 1e-9));
+    const Eigen::Index first = std::min<Eigen::Index>(before - times.data(), counted.first - 1);
+    segment.warm_up = WarmUp{first, task.starts.at(counted.trial, first).start};
+  }
+  const StartEstimate estimate = task.starts.at(counted.trial, counted.first);
   segment.start = estimate.start;
   std::vector<double> deviation;
   for (int index = 0; refits && index < 2 * task.states.coordinates(); ++index) {
@@ -63,13 +69,21 @@ Segment segment_of(const LadderTask& task, const Stretch& counted, double run_in
     deviation.push_back(kSlack * estimate.deviation(index));
   }
   segment.deviation = Eigen::Map<Eigen::VectorXd>(deviation.data(), static_cast<Eigen::Index>(deviation.size()));
-  for (Eigen::Index row = segment.run_in; row < segment.stretch.size(); ++row)
+  for (Eigen::Index row = 0; row < segment.stretch.size(); ++row)
     for (Eigen::Index column = 0; column < trial.measured.samples.cols(); ++column)
       if (std::isfinite(trial.measured.samples(segment.stretch.first + row, column))) {
         segment.rows.push_back(row);
         segment.columns.push_back(column);
       }
   return segment;
+}
+
+std::vector<Segment> not_too_many(std::vector<Segment> segments) {
+  std::size_t samples = 0;
+  for (const Segment& segment : segments) samples += static_cast<std::size_t>(segment.stretch.size());
+  if (samples == 0) return segments;
+  const std::size_t wanted = std::max(kFewSegments, kMostSamples * segments.size() / samples);
+  return thinned(std::move(segments), std::min(kMostSegments, wanted));
 }
 
 std::vector<Segment> segments_of(const LadderTask& task, double length, bool refits) {
@@ -83,7 +97,7 @@ std::vector<Segment> segments_of(const LadderTask& task, double length, bool ref
       if (segment.rows.size() > segment.unknown.size() + 3) segments.push_back(std::move(segment));
     }
   }
-  return segments;
+  return not_too_many(std::move(segments));
 }
 
 std::map<std::string, std::size_t> index_of_channels(const std::vector<ChannelNoise>& channels) {
@@ -165,7 +179,7 @@ bool means_something(const Rung& rung) {
 }
 
 /// Each joint weighs the same, however many channels read it; a sensor that reads no joint counts as one.
-std::vector<double> shares_of(const RobotSpec& robot, const Ladder& ladder) {
+void weigh(const RobotSpec& robot, Ladder& ladder) {
   std::map<std::string, std::string> group_of;
   for (const SensorSpec& sensor : robot.sensors)
     for (const Channel& channel : sensor_channels(robot, sensor)) group_of[channel.name] = sensor.element;
@@ -173,12 +187,12 @@ std::vector<double> shares_of(const RobotSpec& robot, const Ladder& ladder) {
   for (const Rung& rung : ladder.rungs)
     for (std::size_t c = 0; c < ladder.channels.size(); ++c)
       if (rung.counts[c]) cells[group_of[ladder.channels[c].channel]] += 1.0;
-  std::vector<double> shares;
-  for (const ChannelNoise& channel : ladder.channels) {
-    const double own = cells[group_of[channel.channel]];
-    shares.push_back(own > 0.0 ? 1.0 / (own * static_cast<double>(cells.size())) : 0.0);
+  for (Rung& rung : ladder.rungs) {
+    rung.weight.assign(ladder.channels.size(), 0.0);
+    for (std::size_t c = 0; c < ladder.channels.size(); ++c)
+      if (rung.counts[c])
+        rung.weight[c] = 1.0 / (cells[group_of[ladder.channels[c].channel]] * static_cast<double>(cells.size()));
   }
-  return shares;
 }
 
 }  // namespace
@@ -205,7 +219,7 @@ Ladder build_ladder(const LadderTask& task) {
   for (int k = 0; k + 1 < rungs; ++k)
     ladder.rungs.push_back(rung_of(task, shortest * std::pow(length / shortest, k / (rungs - 1.0)), false));
   ladder.rungs.push_back(std::move(last));
-  ladder.share = shares_of(task.robot, ladder);
+  weigh(task.robot, ladder);
   return ladder;
 }
 
@@ -214,6 +228,31 @@ Ladder same_ladder(const Ladder& ladder, const LadderTask& task) {
   for (std::size_t k = 0; k < same.rungs.size(); ++k)
     same.rungs[k].segments = segments_of(task, same.rungs[k].length, !task.held_out && k + 1 == same.rungs.size());
   return same;
+}
+
+Ladder thinned(const Ladder& ladder, double share, std::size_t least) {
+  Ladder few = ladder;
+  for (Rung& rung : few.rungs) {
+    const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(rung.segments.size())));
+    rung.segments = thinned(std::move(rung.segments), std::max(wanted, least));
+  }
+  return few;
+}
+
+Ladder quick(const Ladder& ladder) {
+  return thinned(first_rungs(ladder, ladder.rungs.size() - 1), kShareOfQuick, kSegmentsOfQuick);
+}
+
+Ladder first_rungs(const Ladder& ladder, std::size_t count) {
+  Ladder part = ladder;
+  part.rungs.resize(count);
+  return part;
+}
+
+std::vector<Segment> all_segments(const Ladder& ladder) {
+  std::vector<Segment> all;
+  for (const Rung& rung : ladder.rungs) all.insert(all.end(), rung.segments.begin(), rung.segments.end());
+  return all;
 }
 
 }  // namespace lacuna

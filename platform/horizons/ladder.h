@@ -16,6 +16,7 @@ struct Rung {
   std::vector<double> start_share;  ///< by channel: what of it the starts' uncertainty makes
   std::vector<double> motion;       ///< by channel: mean square of a reading's way from the segment's start
   std::vector<bool> counts;         ///< by channel: the motion stands out of the floor
+  std::vector<double> weight;       ///< by channel, 0 where it does not count; of all rungs they sum to 1
 };
 
 /// Lengths over which a model's predictions are compared with the data: four or five, geometric, from some ten samples
@@ -23,7 +24,6 @@ struct Rung {
 struct Ladder {
   std::vector<Rung> rungs;
   std::vector<ChannelNoise> channels;
-  std::vector<double> share;  ///< by channel: weight of a rung of it; all rungs and channels that count sum to 1
   bool reaches_whole_trials = false;
 };
 
@@ -43,5 +43,14 @@ Ladder build_ladder(const LadderTask& task);
 
 /// The same lengths, floors and weights with segments of other trials, or for another model of the same robot.
 Ladder same_ladder(const Ladder& ladder, const LadderTask& task);
+
+/// About this share of each rung's segments, evenly spread, but `least` of each if it has them. For a first look.
+Ladder thinned(const Ladder& ladder, double share, std::size_t least);
+/// What a first look needs: few segments, without the rung of the longest.
+Ladder quick(const Ladder& ladder);
+/// The shorter rungs alone.
+Ladder first_rungs(const Ladder& ladder, std::size_t count);
+
+std::vector<Segment> all_segments(const Ladder& ladder);
 
 }  // namespace lacuna

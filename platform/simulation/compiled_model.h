@@ -50,8 +50,11 @@ struct SimulationOptions {
   /// Where to start: a saved state, or else joint coordinates at `start_time`.
   const State* from = nullptr;
   StartState start;
-  double start_time = 0.0;  ///< s; commands are functions of the same clock; a saved state has its own
-  double end_time = 0.0;    ///< s; the last step begins before it
+  /// Where the coordinates go on from at `restart_time`, all that has a memory as it is by then; null: nowhere.
+  const StartState* restart = nullptr;
+  double restart_time = 0.0;  ///< s, on a step
+  double start_time = 0.0;    ///< s; commands are functions of the same clock; a saved state has its own
+  double end_time = 0.0;      ///< s; the last step begins before it
   std::span<const double>
       output_times;  ///< s, ascending, within [start_time, end_time]; readings between steps are interpolated linearly
   /// Asked after each output sample with its readings; true abandons the simulation. Must not allocate.
@@ -93,6 +96,7 @@ class CompiledModel {
   virtual const StateLayout& state_layout() const = 0;             ///< without the controller's section
   /// Whether delays, lags or effects remember commands, readings or motion from before the present step.
   virtual bool has_memory() const = 0;
+  virtual double step() const = 0;  ///< s, of integration
   virtual std::unique_ptr<Workspace> make_workspace() const = 0;
 
   /// Carries `test.drive` out for the given parameter values. Throws `Error` for arguments that

@@ -18,6 +18,7 @@ class FormulaModel : public CompiledModel {
   const std::vector<Coordinate>& coordinates() const override { return coordinates_; }
   const StateLayout& state_layout() const override { return layout_; }
   bool has_memory() const override { return false; }
+  double step() const override { return 1e-3; }
   std::unique_ptr<Workspace> make_workspace() const override { return std::make_unique<Workspace>(); }
   void simulate(std::span<const double> values, const Test& test, const SimulationOptions& options,
                 Workspace& workspace, SimulationResult& result) const override;
@@ -40,6 +41,7 @@ class OneJointModel : public CompiledModel {
   const std::vector<Coordinate>& coordinates() const override { return coordinates_; }
   const StateLayout& state_layout() const override { return layout_; }
   bool has_memory() const override { return false; }
+  double step() const override { return 1e-3; }
   std::unique_ptr<Workspace> make_workspace() const override { return std::make_unique<Workspace>(); }
   void simulate(std::span<const double> values, const Test& test, const SimulationOptions& options,
                 Workspace& workspace, SimulationResult& result) const override;

@@ -26,9 +26,8 @@ struct TwoRungs {
     trials[0].measured.channels = {{"angle", "rad"}};
     trials[0].measured.samples.resize(1, 1);
     ladder.channels = {{"angle", "rad", 1.0, ""}};
-    ladder.share = {0.5};
     for (const double length : {0.1, 1.0}) {
-      Rung rung{length, std::vector<Segment>(segments), {1e-6}, {0.0}, {1.0}, {true}};
+      Rung rung{length, std::vector<Segment>(segments), {1e-6}, {0.0}, {1.0}, {true}, {0.5}};
       for (Segment& segment : rung.segments) {
         segment.rows.assign(10, 0);
         segment.columns.assign(10, 0);
@@ -61,13 +60,14 @@ TEST(HorizonErrors, ARungOfFewSegmentsWeighsLess) {
   TwoRungs rungs;
   rungs.ladder.rungs[1].segments.resize(1);
   rungs.residuals.resize(21);
+  weigh_by_information(rungs.ladder, rungs.trials, rungs.residuals);
   const HorizonErrors errors = rungs.errors();
   EXPECT_LT(errors.weight[1][0], 0.25 * errors.weight[0][0]);
 }
 
 TEST(HorizonErrors, WhatDoesNotCountIsLeftOut) {
   TwoRungs rungs;
-  rungs.ladder.rungs[1].counts = {false};
+  rungs.ladder.rungs[1].weight = {0.0};
   EXPECT_NEAR(rungs.errors().cost, std::log(0.1), 1e-12);
 }
 

@@ -41,7 +41,7 @@ class EngineModel : public CompiledModel {
   const EffectSchedule& effects() const { return effects_; }
   std::span<const Delay> longest_sensor_delays() const { return longest_sensor_delays_; }
   std::span<const Delay> longest_command_delays() const { return longest_command_delays_; }
-  double step() const { return settings_.step / settings_.substeps; }
+  double step() const override { return settings_.step / settings_.substeps; }
   std::size_t state_size() const { return layout_.back().offset + layout_.back().size; }  ///< without the controller's
 
  private:

@@ -151,6 +151,8 @@ void Run::advance() {
   std::copy(ws_.commands.begin(), ws_.commands.end(), ws_.last_commands.begin());
   ++step_;
   ++result_.steps;
+  if (options_.restart && std::abs(time(step_) - options_.restart_time) < 0.5 * h_)
+    ws_.motion->begin(*options_.restart);
   if (options_.record_centre_of_mass) {
     centre_before_ = centre_;
     centre_ = ws_.motion->centre_of_mass();

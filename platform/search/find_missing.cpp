@@ -1,0 +1,308 @@
+#include "search/find_missing.h"
+
+#include "foundation/interrupt.h"
+#include "search/slots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kSlots = 12;    ///< effects refitted alone
+constexpr std::size_t kPairs = 6;     ///< refitted at once, of those that promise most together
+constexpr std::size_t kToPairUp = 7;  ///< effects alone that are tried two at a time
+constexpr std::size_t kFinishedPairs = 4;
+constexpr std::size_t kParents = 4;         ///< of which further effects are looked for beside
+constexpr std::size_t kPromisesBeside = 6;  ///< effects refitted beside each
+constexpr std::size_t kFinishedBeside = 2;  ///< of these, fitted to all segments
+constexpr std::size_t kTriples = 2;         ///< pairs beside which a third is looked for
+constexpr double kPresent = 2.0;            ///< standard errors by which the cost rises where an effect goes
+constexpr double kSameCost = 1e-3;          ///< nats
+constexpr double kRelevant = 0.10;          ///< of what the best set gains
+
+class SetSearch {
+ public:
+  explicit SetSearch(const MissingTask& task) : ground_(task), sets_(ground_) {}
+
+  Missing run() {
+    say("the model as it is");
+    expand("", kSlots, kParents + 2);
+    grow(1, kParents);
+    grow(2, kTriples);
+    return conclude();
+  }
+
+ private:
+  void say(const std::string& what) const {
+    if (ground_.task().note) ground_.task().note(what);
+  }
+  std::string ratio(double cost, double to) const { return fmt::format("×{:.3f}", std::exp(cost - to)); }
+
+  /// Refits the most promising effects beside a set.
+  void expand(const std::string& name, std::size_t slots, std::size_t finished) {
+    std::vector<std::string> fresh;
+    const FittedSet parent = *sets_.find(name);
+    const Look look =
+        look_beside(ground_, parent.model, parent.fit, name.empty() ? nullptr : &probes_, name.empty() ? kPairs : 0);
+    if (name.empty()) probes_ = look.probes;
+    say(name.empty() ? "looked beside the model" : "looked beside " + name);
+    for (const Promise& promise : slots_of(look, parent.model.added, slots)) {
+      const Hypothesis& hypothesis = look.hypotheses[promise.hypothesis];
+      Contender model = parent.model;
+      model.added.push_back(hypothesis.entry);
+      if (sets_.find(name_of_set(model.added))) continue;
+      throw_if_interrupted();
+      model = with_effects(ground_.plain(), model.added, {}, ground_.task().catalog);
+      std::vector<double> neutral = hypothesis.values(parent.model.values, hypothesis.neutral);
+      std::vector<double> beginning = promise.values;
+      sets_.fit(model, on_the_way(neutral, beginning));
+      chance_[name_of_set(model.added)] = promise.p_by_chance;
+      fresh.push_back(name_of_set(model.added));
+      say(fmt::format("  {} promises {}", fresh.back(), ratio(promise.cost, look.cost)));
+    }
+    for (const PairPromise& pair : look.pairs) fit_pair(look, pair, fresh);
+    // The one that promised most, and those that cost least on some of the segments.
+    const std::string first = fresh.empty() ? "" : fresh.front();
+    by_rough_cost(fresh);
+    std::vector<std::string> different = fresh;
+    keep_different(different, [&](const std::string& one) { return sets_.find(one)->rough.errors.cost; });
+    for (std::size_t i = 0; i < std::min(different.size(), finished); ++i) finish(different[i]);
+    if (!first.empty()) finish(first);
+    if (name.empty()) {
+      std::erase_if(different, [&](const std::string& one) { return sets_.find(one)->model.added.size() > 1; });
+      for (std::size_t i = 0; i < std::min(different.size(), kParents); ++i) finish(different[i]);
+      pair_up(different);
+    }
+  }
+
+  static void own_at_rest(const Hypothesis& hypothesis, const std::string& id, std::map<std::string, double>& values) {
+    for (std::size_t i = 0; i < hypothesis.own.size(); ++i) {
+      const std::string& address = hypothesis.definition.free[hypothesis.own[i]].address;
+      values["effect." + id + address.substr(address.rfind('.'))] = hypothesis.neutral[i];
+    }
+  }
+
+  /// Starts a part of the way from a model without an effect to what is promised, and there.
+  static std::vector<std::vector<double>> on_the_way(const std::vector<double>& without,
+                                                     const std::vector<double>& promised) {
+    std::vector<std::vector<double>> starts;
+    for (const double part : {1.0, 0.5, 0.1}) {
+      starts.push_back(promised);
+      for (std::size_t i = 0; i < without.size(); ++i)
+        starts.back()[i] = without[i] + part * (promised[i] - without[i]);
+    }
+    return starts;
+  }
+
+  void fit_pair(const Look& look, const PairPromise& pair, std::vector<std::string>& fresh) {
+    const Hypothesis &one = look.hypotheses[pair.one], &other = look.hypotheses[pair.other];
+    std::vector<EffectEntry> added{one.entry, other.entry};
+    if (sets_.find(name_of_set(added))) return;
+    added.back().id = one.entry.effect == other.entry.effect ? other.entry.id + "_2" : other.entry.id;
+    const Contender model = with_effects(ground_.plain(), added, {}, ground_.task().catalog);
+    std::map<std::string, double> known;
+    for (std::size_t i = 0; i < one.base.size(); ++i) known[one.definition.free[one.base[i]].address] = pair.base[i];
+    const auto own = [&](const Hypothesis& hypothesis, const std::string& id, const std::vector<double>& values) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string& address = hypothesis.definition.free[hypothesis.own[i]].address;
+        known["effect." + id + address.substr(address.rfind('.'))] = values[i];
+      }
+    };
+    own(one, added.front().id, pair.of_one);
+    own(other, added.back().id, pair.of_other);
+    std::map<std::string, double> neutral;
+    own_at_rest(one, added.front().id, neutral);
+    own_at_rest(other, added.back().id, neutral);
+    std::vector<double> start, without;
+    for (const FreeValue& free : model.definition.free) {
+      start.push_back(known.at(free.address));
+      without.push_back(neutral.contains(free.address) ? neutral.at(free.address) : start.back());
+    }
+    if (ground_.timing()) start.push_back(pair.base.back());
+    sets_.fit(model, on_the_way(without, start));
+    fresh.push_back(name_of_set(added));
+    say(fmt::format("  {} promise {}", fresh.back(), ratio(pair.cost, look.cost)));
+  }
+
+  /// Values of a set's effects by address, and where asked for of the model's own.
+  static void take_values(const FittedSet& set, bool own, std::map<std::string, double>& values) {
+    for (std::size_t i = 0; i < set.model.definition.free.size(); ++i) {
+      const std::string& address = set.model.definition.free[i].address;
+      if (own || address.starts_with("effect.")) values[address] = set.model.values[i];
+    }
+  }
+
+  /// Two effects that were fitted alone, beside each other.
+  void fit_both(const FittedSet& better, const FittedSet& other, std::vector<std::string>& fresh) {
+    std::vector<EffectEntry> added{better.model.added.front(), other.model.added.front()};
+    if (sets_.find(name_of_set(added)) || added.front().effect == added.back().effect) return;
+    const Contender model = with_effects(ground_.plain(), added, {}, ground_.task().catalog);
+    std::map<std::string, double> values;
+    take_values(better, true, values);
+    take_values(other, false, values);
+    std::vector<double> start;
+    for (const FreeValue& free : model.definition.free) start.push_back(values.at(free.address));
+    if (ground_.timing()) start.push_back(better.model.values.back());
+    std::vector<std::vector<double>> starts;
+    for (const double part : {0.5, 1.0, 0.1}) {  // of what either is alone
+      starts.push_back(start);
+      for (std::size_t i = 0; i < model.definition.free.size(); ++i)
+        if (model.definition.free[i].address.starts_with("effect.") && model.definition.free[i].scale == Scale::linear)
+          starts.back()[i] *= part;
+    }
+    sets_.fit(model, starts);
+    fresh.push_back(name_of_set(added));
+    say("  both: " + fresh.back());
+  }
+
+  /// The best effects alone, two at a time: what is missing may show in neither of them alone.
+  void pair_up(const std::vector<std::string>& alone) {
+    std::vector<std::string> fresh;
+    const std::size_t count = std::min(alone.size(), kToPairUp);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        throw_if_interrupted();
+        const FittedSet one = *sets_.find(alone[i]), other = *sets_.find(alone[j]);
+        fit_both(one, other, fresh);
+      }
+    by_rough_cost(fresh);
+    for (std::size_t i = 0; i < std::min(fresh.size(), kFinishedPairs); ++i) finish(fresh[i]);
+  }
+
+  /// Of names in the order of a cost, those whose cost is another one's: models that do the same cost the same.
+  template <class Cost>
+  static void keep_different(std::vector<std::string>& names, const Cost& cost) {
+    const auto same = [&](const std::string& a, const std::string& b) { return cost(b) - cost(a) < kSameCost; };
+    names.erase(std::unique(names.begin(), names.end(), same), names.end());
+  }
+
+  void by_rough_cost(std::vector<std::string>& names) const {
+    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+      return sets_.find(a)->rough.errors.cost < sets_.find(b)->rough.errors.cost;
+    });
+  }
+
+  void finish(const std::string& name) {
+    const FittedSet& set = sets_.finish(name);
+    say(fmt::format("    {}: {} fitted, {} where not fitted", name,
+                    ratio(set.fit.errors.cost, ground_.fit().errors.cost), ratio(set.cross.cost, cross_of(""))));
+  }
+
+  /// Names of the sets of so many effects, the best first.
+  std::vector<std::string> best_of(std::size_t size, std::size_t most) const {
+    std::vector<std::string> names;
+    for (const auto& [name, set] : sets_.all())
+      if (set.model.added.size() == size && set.fit.errors.valid) names.push_back(name);
+    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+      return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
+    });
+    if (names.size() > most) names.resize(most);
+    return names;
+  }
+
+  /// Looks for a further effect beside the best sets of a size, as long as those are better than smaller ones.
+  void grow(std::size_t size, std::size_t parents) {
+    std::vector<std::string> names = best_of(size, 4 * parents);
+    keep_different(names, [&](const std::string& name) { return cross_of(name); });
+    if (names.size() > parents) names.resize(parents);
+    const std::vector<std::string> smaller = best_of(size - 1, 1);
+    const double gain = cross_of("") - cross_of(best_of(size, 1).empty() ? "" : best_of(size, 1).front());
+    for (const std::string& name : names)
+      if (size == 1 || cross_of(smaller.front()) - cross_of(name) > kRelevant * gain)
+        expand(name, kPromisesBeside, kFinishedBeside);
+  }
+  double cross_of(const std::string& name) const { return sets_.find(name)->cross.cost; }
+
+  /// Fits what is left of a set when one member goes, where that was not fitted yet.
+  void drop_members(const FittedSet& full) {
+    for (std::size_t i = 0; i < full.model.added.size(); ++i) {
+      std::vector<EffectEntry> added = full.model.added;
+      added.erase(added.begin() + static_cast<std::ptrdiff_t>(i));
+      if (!sets_.find(name_of_set(added))) {
+        Contender less = without(full.model, i, ground_.plain(), ground_.task().catalog);
+        if (ground_.timing()) less.values.push_back(full.model.values.back());
+        sets_.fit(less, {less.values});
+        say("  without one: " + name_of_set(added));
+      }
+      sets_.finish(name_of_set(added));
+    }
+  }
+
+  RankedSet ranked(const std::string& name, const FittedSet& answer) const {
+    const FittedSet& set = *sets_.find(name);
+    RankedSet one{set.model.added, set.model.values, set.cross.cost, set.fit.errors, {}, difference(answer, set), 1.0};
+    const MissingTask& task = ground_.task();
+    const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+    one.held_out = errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
+    if (const auto found = chance_.find(name); found != chance_.end()) one.p_by_chance = found->second;
+    return one;
+  }
+
+  /// Whether each member is needed: without it the cost is higher by more than its error.
+  bool all_present(const FittedSet& set) {
+    drop_members(set);
+    for (std::size_t i = 0; i < set.model.added.size(); ++i) {
+      std::vector<EffectEntry> others = set.model.added;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const FittedSet* without = sets_.find(name_of_set(others));
+      if (!without || !without->fit.errors.valid) continue;
+      const CostDifference worth = difference(set, *without);
+      if (!(worth.nats > kPresent * worth.error)) return false;
+    }
+    return true;
+  }
+
+  /// Fewer effects, then fewer values, then less cost.
+  static bool is_simpler(const FittedSet& one, const FittedSet& other) {
+    const auto rank = [](const FittedSet& set) {
+      return std::make_tuple(set.model.added.size(), set.model.definition.free.size(), set.cross.cost);
+    };
+    return rank(one) < rank(other);
+  }
+
+  Missing conclude() {
+    Missing missing;
+    missing.ladder = ground_.ladder();
+    missing.refits = sets_.refits();
+    std::vector<std::string> names;
+    for (std::size_t size = 0; size <= 3; ++size)
+      for (const std::string& name : best_of(size, 8)) names.push_back(name);
+    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+      return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
+    });
+    const FittedSet& base = *sets_.find("");
+    const FittedSet* best = &base;
+    for (const std::string& name : names)
+      if (const FittedSet& set = *sets_.find(name); set.cross.cost < best->cross.cost && all_present(set)) best = &set;
+    const double gain = base.cross.cost - best->cross.cost;
+    const FittedSet* answer = best;
+    for (const std::string& name : names) {
+      const FittedSet& set = *sets_.find(name);
+      const CostDifference over = difference(*best, set);
+      if (over.nats <= std::max(kRelevant * gain, over.error) && is_simpler(set, *answer) && all_present(set))
+        answer = &set;
+    }
+    missing.base = ranked("", *answer);
+    for (const std::string& name : names) {
+      if (sets_.find(name) == answer) missing.answer = missing.ranking.size();
+      missing.ranking.push_back(ranked(name, *answer));
+    }
+    return missing;
+  }
+
+  Ground ground_;
+  ModelSets sets_;
+  std::map<std::string, double> chance_;
+  KnownProbes probes_;  ///< of the first look
+};
+
+}  // namespace
+
+Missing find_missing(const MissingTask& task) { return SetSearch(task).run(); }
+
+}  // namespace lacuna

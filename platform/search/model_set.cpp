@@ -1,0 +1,95 @@
+#include "search/model_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+constexpr int kFolds = 8;
+constexpr int kMostPolishings = 3;
+constexpr double kConverged = 0.01;    ///< nats that another round would gain, to first order
+constexpr double kFewestBlocks = 4.0;  ///< by which an error is estimated
+
+}  // namespace
+
+std::string name_of_set(const std::vector<EffectEntry>& added) {
+  std::set<std::string> names;
+  for (const EffectEntry& entry : added)
+    names.insert(entry.effect + " @ " + (entry.where.empty() ? "world" : entry.where.front()));
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
+  return text;
+}
+
+ModelSets::ModelSets(const Ground& ground) : ground_(ground) {
+  const Contender& plain = ground.plain();
+  const ModelBench bench(plain.definition, *plain.model, ground.task().trials, ground.timing(), ground.task().threads);
+  sets_[""] = {plain, ground.fit(), ground.fit(), cross_fitted(bench, ground.ladder_for(bench), ground.fit())};
+}
+
+CrossFit ModelSets::cross_fitted(const ModelBench& bench, const Ladder& ladder, const HorizonFit& fit) const {
+  return linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kFolds);
+}
+
+const FittedSet* ModelSets::find(const std::string& name) const {
+  const auto found = sets_.find(name);
+  return found == sets_.end() ? nullptr : &found->second;
+}
+
+const FittedSet& ModelSets::fit(const Contender& model, const std::vector<std::vector<double>>& starts) {
+  ++refits_;
+  const MissingTask& task = ground_.task();
+  FittedSet set{model, {}, {}, {}};
+  const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+  const Ladder few = quick(ground_.ladder_for(bench));
+  const std::vector<double>* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& start : starts)
+    if (const HorizonErrors errors = errors_on(few, bench.predictor(), bench.space(), start);
+        errors.valid && errors.cost < least)
+      least = errors.cost, best = &start;
+  if (best) set.rough = fit_to_ladder(few, bench.predictor(), bench.space(), *best, Climb::whole);
+  if (set.rough.errors.valid)
+    set.model.values = set.rough.values;
+  else
+    set.rough.errors.cost = std::numeric_limits<double>::infinity();
+  return sets_[name_of_set(model.added)] = std::move(set);
+}
+
+const FittedSet& ModelSets::finish(const std::string& name) {
+  FittedSet& set = sets_.at(name);
+  if (set.fit.errors.valid || !set.rough.errors.valid) return set;
+  const MissingTask& task = ground_.task();
+  const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+  const Ladder ladder = ground_.ladder_for(bench);
+  std::vector<double> start = set.rough.values;
+  for (int round = 0; round < kMostPolishings; ++round) {
+    HorizonFit found = fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::polish);
+    if (!found.errors.valid) break;
+    set.fit = std::move(found);
+    start = set.model.values = set.fit.values;
+    const LinearLadder linear = linearise(ladder, bench.predictor(), bench.space(), set.fit, ground_.block());
+    set.cross = linear.cross_fit(kFolds);
+    if (linear.left_to_gain() < kConverged) break;
+  }
+  return set;
+}
+
+CostDifference difference(const FittedSet& one, const FittedSet& than) {
+  const Eigen::VectorXd by_block = than.cross.by_block - one.cross.by_block;
+  CostDifference result{than.cross.cost - one.cross.cost, 0.0};
+  // Neighbouring blocks may err together: the largest error of blocks once, twice and four times as long.
+  for (const Eigen::Index together : {1, 2, 4}) {
+    double squares = 0.0, count = 0.0;
+    for (Eigen::Index b = 0; b < by_block.size(); b += together, count += 1.0)
+      squares += std::pow(by_block.segment(b, std::min(together, by_block.size() - b)).sum(), 2);
+    if (count >= kFewestBlocks || together == 1)
+      result.error = std::max(result.error, std::sqrt(squares * count / std::max(1.0, count - 1.0)));
+  }
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "search/ground.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A set of effects beside the model, fitted to the whole ladder.
+struct FittedSet {
+  Contender model;   ///< its `added` are the set; `values` with the timing last, where that is fitted
+  HorizonFit rough;  ///< on some of the segments
+  HorizonFit fit;    ///< on all; not valid before `finish`
+  CrossFit cross;    ///< what the set costs where it was not fitted
+};
+
+std::string name_of_set(const std::vector<EffectEntry>& added);
+
+/// Cost of one set over another, positive where `than` costs more, with its standard error from blocks of time.
+struct CostDifference {
+  double nats = 0.0;
+  double error = 0.0;
+};
+
+CostDifference difference(const FittedSet& one, const FittedSet& than);
+
+/// Fits sets and remembers them.
+class ModelSets {
+ public:
+  explicit ModelSets(const Ground& ground);
+
+  /// The set fitted from these starts (values of the model with it) on some of the segments.
+  const FittedSet& fit(const Contender& model, const std::vector<std::vector<double>>& starts);
+  /// From there, on all.
+  const FittedSet& finish(const std::string& name);
+  const FittedSet* find(const std::string& name) const;
+  const std::map<std::string, FittedSet>& all() const { return sets_; }
+  int refits() const { return refits_; }
+
+ private:
+  CrossFit cross_fitted(const ModelBench& bench, const Ladder& ladder, const HorizonFit& fit) const;
+
+  const Ground& ground_;
+  std::map<std::string, FittedSet> sets_;
+  int refits_ = 0;
+};
+
+}  // namespace lacuna

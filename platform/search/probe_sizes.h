@@ -1,0 +1,29 @@
+#pragma once
+
+#include "diagnosis/hypothesis.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Values of an effect at which it would do about as much as a model leaves unexplained.
+struct SizedProbe {
+  std::vector<double> own;           ///< in the order of its declaration
+  std::optional<std::size_t> sized;  ///< the one of them that was sized from its neutral value
+  bool one_sided = false;            ///< a negative size has no meaning
+};
+
+/// Simulates a hypothesis with these values of its own: by segment, residuals over what the model leaves of their kind.
+/// False where it cannot be simulated.
+using OwnResiduals = std::function<bool(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals)>;
+
+/// Probes of a hypothesis; a parameter that changes nothing by itself (it shapes the effect) is tried at a few values
+/// that `scales` suggest. Empty: nothing that the effect does here can be seen.
+std::vector<SizedProbe> size_probes(const Hypothesis& hypothesis, const OwnResiduals& simulate,
+                                    const std::map<std::string, double>& scales);
+
+}  // namespace lacuna

@@ -1,0 +1,55 @@
+#include "app/rig.h"
+#include "search/find_missing.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <thread>
+
+/// What is missing from an experiment's model, searched by horizon: the lengths, then every set that was fitted to all
+/// segments, by what it leaves where it was not fitted and on what is held out, relative to the model as it is. The
+/// arrow is the answer.
+///
+///   bench_search EXPERIMENT.toml ...
+namespace lacuna {
+namespace {
+
+void print(const RankedSet& set, const RankedSet& base, bool is_answer) {
+  const std::string name = name_of_set(set.effects);
+  fmt::print("{} ×{:.3f} ×{:.3f} {} · {:.3f} ± {:.3f} nats over the answer · p {:.3f}\n", is_answer ? "→" : " ",
+             std::exp(set.cost - base.cost), std::exp(set.held_out.cost - base.held_out.cost),
+             name.empty() ? "the model as it is" : name, set.over_answer.nats, set.over_answer.error, set.p_by_chance);
+}
+
+void run(const char* file) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  CommonOptions options;
+  options.experiment = file;
+  const Rig rig = open_rig(options);
+  MissingTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  task.note = [&](const std::string& what) { fmt::print(stderr, "{:.1f} s {}\n", spent(), what); };
+  const Missing missing = find_missing(task);
+  fmt::print("{}: lengths", file);
+  for (const Rung& rung : missing.ladder.rungs) fmt::print(" {:.3g}", rung.length);
+  fmt::print(" s\n");
+  for (std::size_t i = 0; i < missing.ranking.size(); ++i) print(missing.ranking[i], missing.base, i == missing.answer);
+  fmt::print("{} refits, {:.0f} s\n", missing.refits, spent());
+}
+
+}  // namespace
+}  // namespace lacuna
+
+int main(int argc, char** argv) {
+  try {
+    for (int i = 1; i < argc; ++i) lacuna::run(argv[i]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
