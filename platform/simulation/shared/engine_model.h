@@ -16,7 +16,7 @@ namespace lacuna::simulation {
 class EffectRunner;
 
 /// A model structure compiled for an engine: everything that does not depend on parameter values.
-class EngineModel : public CompiledModel {
+class EngineModel final : public CompiledModel {
  public:
   /// Makes a robot of the model's structure that an engine can move.
   using MakeMotion = std::function<std::unique_ptr<RobotMotion>(const EngineModel&)>;
