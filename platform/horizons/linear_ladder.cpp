@@ -287,20 +287,16 @@ LinearLadder linearise(const Ladder& ladder, const TrialPredictor& predictor, co
   return LinearLadder(parts);
 }
 
-Eigen::VectorXd LinearLadder::projected(std::size_t change, std::span<const std::size_t> beside) const {
-  const Eigen::Index own = base_.cols() - 1;
-  Eigen::MatrixXd others(base_.rows(), own + static_cast<Eigen::Index>(beside.size()));
-  others.leftCols(own) = base_.rightCols(own);
-  for (std::size_t i = 0; i < beside.size(); ++i)
-    others.col(own + static_cast<Eigen::Index>(i)) = changes_[beside[i]].rows;
+Eigen::VectorXd LinearLadder::projected(std::size_t change) const {
+  const Eigen::MatrixXd others = base_.rightCols(base_.cols() - 1);
   Eigen::MatrixXd normal = others.transpose() * row_weights_.asDiagonal() * others;
   normal.diagonal() *= 1.0 + kRidge;
   const Eigen::VectorXd& rows = changes_[change].rows;
   return rows - others * normal.ldlt().solve(others.transpose() * row_weights_.cwiseProduct(rows));
 }
 
-BlockScores LinearLadder::scores(std::size_t change, std::span<const std::size_t> beside) const {
-  const Eigen::VectorXd rows = projected(change, beside).cwiseProduct(row_weights_).cwiseProduct(base_.col(0));
+BlockScores LinearLadder::scores(std::size_t change) const {
+  const Eigen::VectorXd rows = projected(change).cwiseProduct(row_weights_).cwiseProduct(base_.col(0));
   BlockScores scores = BlockScores::Zero(blocks_);
   for (std::size_t i = 0; i < places_.size(); ++i) scores(places_[i].block) += rows(static_cast<Eigen::Index>(i));
   return scores;

@@ -54,15 +54,15 @@ class LinearLadder {
   /// The best sizes of the own values with these changes beside them.
   LinearFit best(std::span<const std::size_t> changes) const;
 
-  /// Of one change with the own values and `beside` taken off it: Σ weight · change · residual, by block.
-  BlockScores scores(std::size_t change, std::span<const std::size_t> beside = {}) const;
+  /// Of one change with the own values taken off it: Σ weight · change · residual, by block.
+  BlockScores scores(std::size_t change) const;
 
   /// What was recorded is parted, by trial where there are three or more, else in so many stretches of time; each part
   /// is predicted with the own values that the others alone would have, to first order. Models on one ladder have the
   /// same blocks.
   CrossFit cross_fit(int folds) const;
 
-  /// Parts of what least squares would still gain, to first order; small where the fit has converged.
+  /// What further steps of the fit would gain, nats, to first order; small where it has converged.
   double left_to_gain() const { return cost_ - best({}).cost; }
 
   double cost() const { return cost_; }  ///< of the model as it is
@@ -94,7 +94,7 @@ class LinearLadder {
   Eigen::MatrixXd products(const Cell& cell, std::size_t index, std::span<const std::size_t> changes) const;
   double cost_of_squares(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& sizes,
                          std::vector<double>& means) const;
-  Eigen::VectorXd projected(std::size_t change, std::span<const std::size_t> beside) const;
+  Eigen::VectorXd projected(std::size_t change) const;
 
   std::size_t rungs_, channels_;
   std::vector<Cell> cells_;

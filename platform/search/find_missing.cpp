@@ -58,9 +58,7 @@ class SetSearch {
       if (sets_.find(name_of_set(model.added))) continue;
       throw_if_interrupted();
       model = with_effects(ground_.plain(), model.added, {}, ground_.task().catalog);
-      std::vector<double> neutral = hypothesis.values(parent.model.values, hypothesis.neutral);
-      std::vector<double> beginning = promise.values;
-      sets_.fit(model, on_the_way(neutral, beginning));
+      sets_.fit(model, on_the_way(hypothesis.values(parent.model.values, hypothesis.neutral), promise.values));
       chance_[name_of_set(model.added)] = promise.p_by_chance;
       fresh.push_back(name_of_set(model.added));
       say(fmt::format("  {} promises {}", fresh.back(), ratio(promise.cost, look.cost)));

@@ -21,7 +21,6 @@ struct Missing {
   RankedSet base;
   Ladder ladder;
   int refits = 0;
-  std::vector<std::string> notes;
 };
 
 Missing find_missing(const MissingTask& task);

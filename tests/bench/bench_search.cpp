@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <string>
 #include <thread>
 
 /// What is missing from an experiment's model, searched by horizon: the lengths, then every set that was fitted to all
@@ -17,10 +18,16 @@
 namespace lacuna {
 namespace {
 
+/// Relative to the model as it is; nothing where there is nothing to predict.
+std::string ratio(bool is_known, double cost, double of_base) {
+  return is_known ? fmt::format("×{:.3f}", std::exp(cost - of_base)) : "–";
+}
+
 void print(const RankedSet& set, const RankedSet& base, bool is_answer) {
   const std::string name = name_of_set(set.effects);
-  fmt::print("{} ×{:.3f} ×{:.3f} {} · {:.3f} ± {:.3f} nats over the answer · p {:.3f}\n", is_answer ? "→" : " ",
-             std::exp(set.cost - base.cost), std::exp(set.held_out.cost - base.held_out.cost),
+  const bool is_held_out = set.held_out.valid && base.held_out.valid;
+  fmt::print("{} {} {} {} · {:.3f} ± {:.3f} nats over the answer · p {:.3f}\n", is_answer ? "→" : " ",
+             ratio(true, set.cost, base.cost), ratio(is_held_out, set.held_out.cost, base.held_out.cost),
              name.empty() ? "the model as it is" : name, set.over_answer.nats, set.over_answer.error, set.p_by_chance);
 }
 
@@ -45,6 +52,10 @@ void run(const char* file) {
 }  // namespace lacuna
 
 int main(int argc, char** argv) {
+  if (argc < 2) {
+    fmt::print(stderr, "bench_search EXPERIMENT.toml ...\n");
+    return EXIT_FAILURE;
+  }
   try {
     for (int i = 1; i < argc; ++i) lacuna::run(argv[i]);
   } catch (const std::exception& error) {
