@@ -1,17 +1,20 @@
 #include "horizons/horizon_fit.h"
 
+#include "horizons/linear_ladder.h"
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace lacuna {
 namespace {
 
-constexpr int kMostRounds = 6;
-constexpr int kStepsARound = 2;
-constexpr int kRoundsOnTheWay = 3;      ///< up the ladder, whose short predictions lead to the long ones
-constexpr double kTolerance = 5e-4;     ///< nats a round
-constexpr double kWinsorRow = 4.0;      ///< rms
-constexpr double kLeastWeight = 1e-12;  ///< of rows that do not count: what is divided by a weight stays finite
+constexpr int kMostSteps = 12;
+constexpr int kStepsOnTheWay = 4;    ///< up the ladder, whose short predictions lead to the long ones
+constexpr double kTolerance = 3e-3;  ///< nats that a further step would gain
+constexpr double kOneBlock = 1e9;   ///< s: of blocks nothing is asked here
+constexpr double kLeastDamping = 0.03, kMostDamping = 1000.0;
+constexpr double kMoreDamping = 10.0;  ///< times, after a step that led to nothing
 
 /// Residuals in channel units, of what a problem divides by its scales.
 std::vector<Eigen::VectorXd> in_units(const ShootingProblem& problem, std::vector<Eigen::VectorXd> residuals) {
@@ -23,109 +26,61 @@ std::vector<Eigen::VectorXd> in_units(const ShootingProblem& problem, std::vecto
   return residuals;
 }
 
-/// The shooting problem with a weight a row.
-class WeightedProblem : public SegmentedProblem {
- public:
-  explicit WeightedProblem(ShootingProblem& inner) : inner_(inner) {
-    for (const Segment& segment : inner.segments())
-      weights_.push_back(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(segment.rows.size())));
-  }
-  std::vector<Eigen::VectorXd>& weights() { return weights_; }
-
-  const Eigen::VectorXd& lower() const override { return inner_.lower(); }
-  const Eigen::VectorXd& upper() const override { return inner_.upper(); }
-  Eigen::Index robust_rows(std::size_t k) const override { return inner_.robust_rows(k); }
-  bool residuals(const FitPoint& point, std::vector<Eigen::VectorXd>& residuals) override {
-    if (!inner_.residuals(point, residuals)) return false;
-    for (std::size_t k = 0; k < weights_.size(); ++k)
-      residuals[k].head(weights_[k].size()).array() *= weights_[k].array();
-    return true;
-  }
-  void linearize(const FitPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                 std::vector<SegmentJacobian>& jacobians) override {
-    std::vector<Eigen::VectorXd> plain = residuals;
-    for (std::size_t k = 0; k < weights_.size(); ++k)
-      for (Eigen::Index r = 0; r < weights_[k].size(); ++r) plain[k](r) /= weights_[k](r);
-    inner_.linearize(point, plain, jacobians);
-    for (std::size_t k = 0; k < weights_.size(); ++k)
-      for (Eigen::MatrixXd* part : {&jacobians[k].values, &jacobians[k].state})
-        if (part->cols() > 0) part->topRows(weights_[k].size()).array().colwise() *= weights_[k].array();
-  }
-
- private:
-  ShootingProblem& inner_;
-  std::vector<Eigen::VectorXd> weights_;
-};
-
-/// Readings of each channel in the segments from `first` on that one rung has.
-std::vector<double> count_readings(const Ladder& ladder, const Rung& rung, const ShootingProblem& problem,
-                                   std::size_t first) {
-  std::vector<double> counts(ladder.channels.size(), 0.0);
-  for (std::size_t k = first; k < first + rung.segments.size(); ++k)
-    for (std::size_t r = 0; r < problem.segments()[k].rows.size(); ++r)
-      counts[problem.place(k, static_cast<Eigen::Index>(r)).channel] += 1.0;
-  return counts;
+/// A fit's values and starts after a step.
+FitPoint moved(const HorizonFit& fit, const ParameterSpace& space, const LadderStep& step) {
+  FitPoint point{space.clamp(space.to_coordinates(fit.values) + step.values), fit.states};
+  for (std::size_t k = 0; k < point.states.size(); ++k)
+    if (step.states[k].size() > 0) point.states[k] += step.states[k];
+  return point;
 }
 
-/// Row weights under which least squares descends the cost: √(w/(N·max(m, floor))), times the channel's scale. All are
-/// multiplied by √N of the channel with most readings, against which the priors of starts are weighed; gives 1/N.
-double set_weights(const Ladder& ladder, const ShootingProblem& problem, const HorizonErrors& errors,
-                   const std::vector<Eigen::VectorXd>& residuals, std::vector<Eigen::VectorXd>& weights) {
-  std::size_t first = 0;
-  double most = 0.0;
-  for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung) {
-    const std::vector<double> counts = count_readings(ladder, ladder.rungs[rung], problem, first);
-    most = std::max(most, *std::max_element(counts.begin(), counts.end()));
-    const std::size_t end = first + ladder.rungs[rung].segments.size();
-    for (std::size_t k = first; k < end; ++k)
-      for (Eigen::Index row = 0; row < weights[k].size(); ++row) {
-        const std::size_t c = problem.place(k, row).channel;
-        const double mean = errors.mean_square[rung][c], floor = ladder.rungs[rung].floor[c];
-        const double far = mean > 0.0 ? std::abs(residuals[k](row)) / std::sqrt(mean) : 0.0;
-        const double down = far > kWinsorRow ? kWinsorRow / far : 1.0;
-        const double weight = errors.weight[rung][c] / (std::max(1.0, counts[c]) * std::max(mean, floor));
-        weights[k](row) = std::max(kLeastWeight, problem.scales()[c] * down * std::sqrt(weight));
-      }
-    first = end;
+/// One over the readings of the channel that a rung has most of: the cost is a mean, against which priors of starts are
+/// weighed.
+double weight_of_priors(const Ladder& ladder) {
+  double most = 1.0;
+  for (const Rung& rung : ladder.rungs) {
+    std::map<Eigen::Index, double> counts;
+    for (const Segment& segment : rung.segments)
+      for (const Eigen::Index column : segment.columns) most = std::max(most, counts[column] += 1.0);
   }
-  for (Eigen::VectorXd& of_segment : weights) of_segment *= std::sqrt(most);
   return 1.0 / most;
 }
 
-/// Rounds of least squares on one ladder, from `values`; the best is left in `fit`.
-void descend(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space, int rounds,
+/// Steps on one ladder, from `values`; the best is left in `fit`.
+void descend(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space, int steps,
              HorizonFit& fit) {
   ShootingProblem problem(predictor, space, all_segments(ladder), ladder.channels);
-  WeightedProblem weighted(problem);
-  FitPoint point = problem.start(space.clamp(space.to_coordinates(fit.values)));
   std::vector<Eigen::VectorXd> residuals;
   const auto judge = [&](const FitPoint& at) {
     if (!problem.residuals(at, residuals)) return HorizonErrors{};
     residuals = in_units(problem, std::move(residuals));
     return horizon_errors(ladder, predictor.trials(), residuals);
   };
-  const auto keep = [&](const HorizonErrors& errors) {
+  const auto keep = [&](const FitPoint& point, const HorizonErrors& errors) {
     fit.errors = errors;
+    fit.values = space.to_values(point.values);
     fit.states = point.states;
     fit.residuals = residuals;
   };
-  keep(judge(point));
-  for (int round = 0; fit.errors.valid && round < rounds; ++round) {
-    fit.prior_weight = set_weights(ladder, problem, fit.errors, residuals, weighted.weights());
-    LeastSquaresOptions options;
-    options.max_iterations = kStepsARound;
-    options.tolerance = 1e-3;
-    const LeastSquaresResult found = minimize(weighted, point, options);
-    fit.iterations += found.iterations;
-    if (!found.valid) break;
-    const HorizonErrors now = judge(found.point);
-    if (!now.valid || now.cost > fit.errors.cost) break;
-    const double gained = fit.errors.cost - now.cost;
-    point = found.point;
-    keep(now);
-    if (gained < kTolerance) break;
+  fit.prior_weight = weight_of_priors(ladder);
+  const FitPoint start = problem.start(space.clamp(space.to_coordinates(fit.values)));
+  keep(start, judge(start));
+  double damping = 0.0;
+  for (int i = 0; fit.errors.valid && i < steps; ++i) {
+    const LinearLadder linear = linearise(ladder, predictor, space, fit, kOneBlock);
+    ++fit.iterations;
+    if (linear.step(0.0).gain < kTolerance) break;
+    const double before = fit.errors.cost;
+    for (; damping < kMostDamping; damping = std::max(kLeastDamping, kMoreDamping * damping)) {
+      const FitPoint point = moved(fit, space, linear.step(damping));
+      const HorizonErrors now = judge(point);
+      if (!now.valid || now.cost >= before) continue;
+      keep(point, now);
+      break;
+    }
+    if (before - fit.errors.cost < kTolerance) break;
+    damping = damping > kLeastDamping ? damping / kMoreDamping : 0.0;
   }
-  fit.values = space.to_values(point.values);
   fit.simulations += problem.simulations();
 }
 
@@ -135,9 +90,9 @@ HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, 
                          const std::vector<double>& start, Climb climb) {
   HorizonFit fit;
   fit.values = start;
-  for (std::size_t rungs = 1; climb == Climb::from_the_bottom && rungs < ladder.rungs.size(); ++rungs)
-    descend(first_rungs(ladder, rungs), predictor, space, kRoundsOnTheWay, fit);
-  descend(ladder, predictor, space, climb == Climb::polish ? 1 : kMostRounds, fit);
+  for (std::size_t rungs = 1; climb == Climb::from_the_bottom && rungs < ladder.rungs.size(); rungs += 2)
+    descend(first_rungs(ladder, rungs), predictor, space, kStepsOnTheWay, fit);
+  descend(ladder, predictor, space, kMostSteps, fit);
   return fit;
 }
 

@@ -21,13 +21,12 @@ struct HorizonFit {
 /// How a fit climbs.
 enum class Climb {
   from_the_bottom,  ///< from far off: the shortest rung first, whose predictions lead to the longer ones
-  whole,            ///< all rungs at once, from values that are nearly right
-  polish            ///< one round of that, from values that were fitted to some of the segments
+  whole             ///< all rungs at once, from values that are nearly right
 };
 
-/// Finds the values under which the ladder's cost is least, from `start`: least squares with the weights that the
-/// cost's slope gives, again and again until it no longer falls (the cost is concave in the mean squares, so that each
-/// round descends). Starts of the longest rung are refitted within their uncertainty.
+/// Finds the values under which the ladder's cost is least, from `start`: of each linearisation the least cost within
+/// bounds is gone to, or a part of the way, until little is left to gain. Starts of the longest rung are refitted within
+/// their uncertainty.
 HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                          const std::vector<double>& start, Climb climb = Climb::from_the_bottom);
 

@@ -17,8 +17,8 @@ constexpr double kSlack = 2.0;         ///< prior deviations of a start that is 
 constexpr std::size_t kMostForShare = 48;
 constexpr double kShareOfQuick = 0.2;  ///< of a rung's segments, for a first look
 constexpr std::size_t kSegmentsOfQuick = 6;
-constexpr std::size_t kMostSegments = 120;  ///< of a rung, evenly spread: more tell hardly more
-constexpr std::size_t kMostSamples = 12000;
+constexpr std::size_t kMostSegments = 60;  ///< of a rung, evenly spread: more tell hardly more
+constexpr std::size_t kMostSamples = 4000;
 constexpr std::size_t kFewSegments = 3;  ///< which are kept however long they are
 constexpr double kShortestTrial = 0.7;   ///< of a rung's length: a shorter trial says nothing of it
 

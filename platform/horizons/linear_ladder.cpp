@@ -3,6 +3,7 @@
 #include <lacuna/error.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ constexpr double kFarRow = 4.0;  ///< rms
 constexpr int kMostReweightings = 40;
 constexpr double kSettledCost = 1e-5;  ///< nats a round
 constexpr double kDamping = 0.01;      ///< of a diagonal, where blocks are left out: what data hardly tell stays
-constexpr int kEnoughTrials = 3;       ///< to leave whole ones out
 constexpr double kRidge = 1e-9;        ///< of a diagonal
+constexpr double kTold = 1e-3;         ///< eigenvalue of a combination of values that data tell, of 1
 
 /// Minimises ½ sᵀAs − bᵀs within bounds: what would leave them is put on them, one after the other.
 Eigen::VectorXd bounded_minimum(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& lower,
@@ -50,6 +51,19 @@ Eigen::VectorXd bounded_minimum(const Eigen::MatrixXd& a, const Eigen::VectorXd&
   return sizes.cwiseMax(lower).cwiseMin(upper);
 }
 
+/// Of normal equations, whatever the units of their values.
+int rank_of(const Eigen::MatrixXd& normal) {
+  const Eigen::VectorXd lengths = normal.diagonal().cwiseSqrt();
+  Eigen::MatrixXd scaled = normal;
+  for (Eigen::Index i = 0; i < lengths.size(); ++i) {
+    const double factor = lengths(i) > 0.0 ? 1.0 / lengths(i) : 0.0;
+    scaled.row(i) *= factor;
+    scaled.col(i) *= factor;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+  return static_cast<int>((solver.eigenvalues().array() > kTold).count());
+}
+
 }  // namespace
 
 LinearLadder::LinearLadder(const Parts& parts)
@@ -61,7 +75,7 @@ LinearLadder::LinearLadder(const Parts& parts)
   prepare_starts(parts);
   const Eigen::Index own = room_below_.size();
   base_.resize(static_cast<Eigen::Index>(places_.size()), 1 + own);
-  base_.col(0) = gathered(parts.fit.residuals);
+  base_.col(0) = gathered(parts.fit.residuals, start_residuals_);
   std::vector<Eigen::VectorXd> column(parts.own.size());
   for (Eigen::Index i = 0; i < own; ++i) {
     for (std::size_t k = 0; k < column.size(); ++k) column[k] = parts.own[k].col(i);
@@ -124,23 +138,48 @@ void LinearLadder::place_rows(const Parts& parts) {
   }
 }
 
-/// A start that is refitted within its prior takes on (SᵀWS + P⁻¹)⁻¹SᵀW of a response.
+/// A start that is refitted within its prior answers a change of its rows with (SᵀWS + P⁻¹)⁻¹SᵀW of it.
 void LinearLadder::prepare_starts(const Parts& parts) {
-  taken_on_.resize(weights_.size());
+  starts_ = parts.starts;
+  refits_.resize(weights_.size());
+  start_residuals_.resize(weights_.size());
+  start_own_.resize(weights_.size());
   for (std::size_t k = 0; k < weights_.size(); ++k) {
-    if (k >= parts.starts.size() || parts.starts[k].cols() == 0) continue;
-    const Eigen::MatrixXd& by_start = parts.starts[k];
-    if (!(weights_[k].sum() > 0.0)) continue;
-    Eigen::MatrixXd normal = by_start.transpose() * weights_[k].asDiagonal() * by_start;
+    if (k >= starts_.size() || starts_[k].cols() == 0 || !(weights_[k].sum() > 0.0)) continue;
+    const Eigen::MatrixXd weighted = starts_[k].transpose() * weights_[k].asDiagonal();
+    Eigen::MatrixXd normal = weighted * starts_[k];
     normal.diagonal().array() += parts.fit.prior_weight / parts.priors[k].array().square();
-    taken_on_[k] = by_start * normal.ldlt().solve(by_start.transpose() * weights_[k].asDiagonal());
+    const Eigen::LDLT<Eigen::MatrixXd> solver(normal);
+    const Eigen::Index rows = weighted.cols();
+    refits_[k] = solver.solve(weighted);
+    start_residuals_[k] = refits_[k] * parts.fit.residuals[k].head(rows);
+    // Below its rows a segment's residuals are how far its start is off, in standard deviations.
+    const Eigen::VectorXd off = parts.fit.residuals[k].tail(parts.priors[k].size());
+    start_residuals_[k] -= solver.solve(parts.fit.prior_weight * off.cwiseQuotient(parts.priors[k]));
+    start_own_[k] = refits_[k] * parts.own[k];
   }
 }
 
+LadderStep LinearLadder::step(double damping) const {
+  const LinearFit found = best({}, damping);
+  LadderStep step{found.sizes, std::vector<Eigen::VectorXd>(refits_.size()), cost_ - found.cost};
+  for (std::size_t k = 0; k < refits_.size(); ++k)
+    if (refits_[k].size() > 0) step.states[k] = start_residuals_[k] - start_own_[k] * found.sizes;
+  return step;
+}
+
 Eigen::VectorXd LinearLadder::gathered(const std::vector<Eigen::VectorXd>& by_segment) const {
+  std::vector<Eigen::VectorXd> answers(by_segment.size());
+  for (std::size_t k = 0; k < answers.size(); ++k)
+    if (refits_[k].size() > 0) answers[k] = refits_[k] * by_segment[k];
+  return gathered(by_segment, answers);
+}
+
+Eigen::VectorXd LinearLadder::gathered(const std::vector<Eigen::VectorXd>& by_segment,
+                                       const std::vector<Eigen::VectorXd>& answers) const {
   std::vector<Eigen::VectorXd> left = by_segment;
   for (std::size_t k = 0; k < left.size(); ++k)
-    if (taken_on_[k].size() > 0) left[k] -= taken_on_[k] * by_segment[k];
+    if (answers[k].size() > 0) left[k].head(starts_[k].rows()) -= starts_[k] * answers[k];
   Eigen::VectorXd rows(static_cast<Eigen::Index>(places_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i)
     rows(static_cast<Eigen::Index>(i)) = places_[i].factor * left[places_[i].segment](places_[i].row);
@@ -186,7 +225,7 @@ double LinearLadder::cost_of_squares(const std::vector<Eigen::MatrixXd>& product
   return cost;
 }
 
-LinearFit LinearLadder::best(std::span<const std::size_t> changes) const {
+LinearFit LinearLadder::best(std::span<const std::size_t> changes, double damping) const {
   std::vector<Eigen::MatrixXd> all;
   for (std::size_t c = 0; c < cells_.size(); ++c) all.push_back(products(cells_[c], c, changes));
   const Eigen::Index own = room_below_.size(), n = own + static_cast<Eigen::Index>(changes.size());
@@ -209,6 +248,7 @@ LinearFit LinearLadder::best(std::span<const std::size_t> changes) const {
       normal += weight * all[c].bottomRightCorner(n, n);
       gradient += weight * all[c].col(0).tail(n);
     }
+    normal.diagonal() *= 1.0 + damping;
     const Eigen::VectorXd sizes = bounded_minimum(normal, gradient, lower, upper);
     const double cost = cost_of_squares(all, sizes, means);
     if (!(cost < fit.cost)) break;
@@ -225,12 +265,7 @@ LinearFit LinearLadder::best(std::span<const std::size_t> changes) const {
 
 CrossFit LinearLadder::cross_fit(int folds) const {
   const Eigen::Index own = base_.cols() - 1;
-  const bool by_trial = trials_ >= kEnoughTrials;
-  if (by_trial) folds = std::min(folds, trials_);
-  const auto fold_of = [&](const Place& place) {
-    const int trial = trial_of_block_[static_cast<std::size_t>(place.block)];
-    return static_cast<std::size_t>(by_trial ? trial % folds : place.block * folds / blocks_);
-  };
+  const auto fold_of = [&](const Place& place) { return static_cast<std::size_t>(place.block * folds / blocks_); };
   // Normal equations by fold, of which each leaves its own out.
   std::vector<Eigen::MatrixXd> parts(static_cast<std::size_t>(folds), Eigen::MatrixXd::Zero(own + 1, own + 1));
   for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -246,7 +281,7 @@ CrossFit LinearLadder::cross_fit(int folds) const {
     sizes.push_back(
         bounded_minimum(others.bottomRightCorner(own, own), others.col(0).tail(own), -room_below_, room_above_));
   }
-  CrossFit fit{0.0, Eigen::VectorXd::Zero(blocks_)};
+  CrossFit fit{0.0, Eigen::VectorXd::Zero(blocks_), rank_of(all.bottomRightCorner(own, own))};
   for (const Cell& cell : cells_) {
     Eigen::VectorXd squares(cell.size);
     for (Eigen::Index i = 0; i < cell.size; ++i) {

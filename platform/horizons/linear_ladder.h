@@ -26,6 +26,14 @@ using BlockScores = Eigen::VectorXd;
 struct CrossFit {
   double cost = 0.0;
   Eigen::VectorXd by_block;  ///< what each block adds to the cost beyond its share of readings, nats
+  int told = 0;              ///< how many values the data tell: the rank of what predictions change by
+};
+
+/// By how much a fit's values (coordinates) and refitted starts are to change.
+struct LadderStep {
+  Eigen::VectorXd values;
+  std::vector<Eigen::VectorXd> states;
+  double gain = 0.0;  ///< nats, to first order
 };
 
 /// A model fitted to a ladder, and to first order what changes do to its residuals: the model's own values, and any
@@ -52,7 +60,7 @@ class LinearLadder {
   std::size_t add(const std::vector<Eigen::VectorXd>& response, double at_least, double at_most);
 
   /// The best sizes of the own values with these changes beside them.
-  LinearFit best(std::span<const std::size_t> changes) const;
+  LinearFit best(std::span<const std::size_t> changes, double damping = 0.0) const;
 
   /// Of one change with the own values taken off it: Σ weight · change · residual, by block.
   BlockScores scores(std::size_t change) const;
@@ -62,8 +70,9 @@ class LinearLadder {
   /// same blocks.
   CrossFit cross_fit(int folds) const;
 
-  /// What further steps of the fit would gain, nats, to first order; small where it has converged.
-  double left_to_gain() const { return cost_ - best({}).cost; }
+  /// The best step of the model's own values and starts; gains little where the fit has converged. `damping`: of the
+  /// diagonal of the normal equations, for a shorter step (K. Levenberg, 1944; D. Marquardt, 1963).
+  LadderStep step(double damping) const;
 
   double cost() const { return cost_; }  ///< of the model as it is
   int blocks() const { return blocks_; }
@@ -91,6 +100,9 @@ class LinearLadder {
   void prepare_starts(const Parts& parts);
   /// In the order of cells, winsorised, with what the starts take on given away.
   Eigen::VectorXd gathered(const std::vector<Eigen::VectorXd>& by_segment) const;
+  /// With these changes of the starts.
+  Eigen::VectorXd gathered(const std::vector<Eigen::VectorXd>& by_segment,
+                           const std::vector<Eigen::VectorXd>& answers) const;
   Eigen::MatrixXd products(const Cell& cell, std::size_t index, std::span<const std::size_t> changes) const;
   double cost_of_squares(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& sizes,
                          std::vector<double>& means) const;
@@ -100,7 +112,10 @@ class LinearLadder {
   std::vector<Cell> cells_;
   std::vector<Place> places_;
   std::vector<Eigen::VectorXd> weights_;   ///< by segment and row, of squares; the starts' refits
-  std::vector<Eigen::MatrixXd> taken_on_;  ///< by segment: what a start takes on of a response, by rows; empty: nothing
+  Responses starts_;
+  Responses refits_;  ///< by segment: the change of a start that answers a change of its rows; empty: none is refitted
+  std::vector<Eigen::VectorXd> start_residuals_;  ///< by segment: `refits_` × residuals
+  Responses start_own_;                           ///< by segment: `refits_` × responses by the own values
   Eigen::MatrixXd base_;                   ///< rows × residual and own values
   std::vector<Eigen::MatrixXd> base_products_;
   Eigen::VectorXd row_weights_;

@@ -21,9 +21,10 @@ constexpr std::size_t kParents = 4;         ///< of which further effects are lo
 constexpr std::size_t kPromisesBeside = 6;  ///< effects refitted beside each
 constexpr std::size_t kFinishedBeside = 2;  ///< of these, fitted to all segments
 constexpr std::size_t kTriples = 2;         ///< pairs beside which a third is looked for
+constexpr double kWorthAFit = 0.5;          ///< of what an effect must gain: a fit to all segments is made for
 constexpr double kPresent = 2.0;            ///< standard errors by which the cost rises where an effect goes
 constexpr double kSameCost = 1e-3;          ///< nats
-constexpr double kRelevant = 0.10;          ///< of what the best set gains
+constexpr double kRelevant = 0.10;          ///< of what the best set gains: what each value of an effect must gain
 
 class SetSearch {
  public:
@@ -49,7 +50,7 @@ class SetSearch {
     const FittedSet parent = *sets_.find(name);
     const Look look =
         look_beside(ground_, parent.model, parent.fit, name.empty() ? nullptr : &probes_, name.empty() ? kPairs : 0);
-    if (name.empty()) probes_ = look.probes;
+    if (name.empty()) probes_ = look.probes, rough_base_ = look.cost;
     say(name.empty() ? "looked beside the model" : "looked beside " + name);
     for (const Promise& promise : slots_of(look, parent.model.added, slots)) {
       const Hypothesis& hypothesis = look.hypotheses[promise.hypothesis];
@@ -58,23 +59,42 @@ class SetSearch {
       if (sets_.find(name_of_set(model.added))) continue;
       throw_if_interrupted();
       model = with_effects(ground_.plain(), model.added, {}, ground_.task().catalog);
-      sets_.fit(model, on_the_way(hypothesis.values(parent.model.values, hypothesis.neutral), promise.values));
+      const std::vector<double> without = hypothesis.values(parent.model.values, hypothesis.neutral);
+      std::vector<Starts> ways{on_the_way(without, promise.values)};
+      if (promise.plainly && *promise.plainly != promise.values) ways.push_back(on_the_way(without, *promise.plainly));
+      sets_.fit(model, ways);
       chance_[name_of_set(model.added)] = promise.p_by_chance;
       fresh.push_back(name_of_set(model.added));
       say(fmt::format("  {} promises {}", fresh.back(), ratio(promise.cost, look.cost)));
     }
     for (const PairPromise& pair : look.pairs) fit_pair(look, pair, fresh);
-    // The one that promised most, and those that cost least on some of the segments.
-    const std::string first = fresh.empty() ? "" : fresh.front();
     by_rough_cost(fresh);
     std::vector<std::string> different = fresh;
     keep_different(different, [&](const std::string& one) { return sets_.find(one)->rough.errors.cost; });
-    for (std::size_t i = 0; i < std::min(different.size(), finished); ++i) finish(different[i]);
-    if (!first.empty()) finish(first);
-    if (name.empty()) {
-      std::erase_if(different, [&](const std::string& one) { return sets_.find(one)->model.added.size() > 1; });
-      for (std::size_t i = 0; i < std::min(different.size(), kParents); ++i) finish(different[i]);
-      pair_up(different);
+    finish_best(different, finished);
+    if (!name.empty()) return;
+    std::erase_if(different, [&](const std::string& one) { return sets_.find(one)->model.added.size() > 1; });
+    finish_best(different, kParents);
+    pair_up(different);
+  }
+
+  /// Fits the first of these to all segments, but for those that even there gain less than they must.
+  void finish_best(const std::vector<std::string>& ordered, std::size_t most) {
+    const double base = sets_.find("")->cross.cost;
+    double gain = 0.0;
+    for (const auto& [name, set] : sets_.all())
+      if (set.fit.errors.valid) gain = std::max(gain, base - set.cross.cost);
+    for (std::size_t i = 0; i < std::min(ordered.size(), most); ++i) {
+      const FittedSet& set = *sets_.find(ordered[i]);
+      double before = rough_base_;
+      for (std::size_t one = 0; set.model.added.size() > 1 && one < set.model.added.size(); ++one) {
+        std::vector<EffectEntry> less = set.model.added;
+        less.erase(less.begin() + static_cast<std::ptrdiff_t>(one));
+        if (const FittedSet* smaller = sets_.find(name_of_set(less)))
+          before = std::min(before, smaller->rough.errors.cost);
+      }
+      const bool promising = before - set.rough.errors.cost > kWorthAFit * kRelevant * gain;
+      if (promising || i == 0) finish(ordered[i]);
     }
   }
 
@@ -86,9 +106,9 @@ class SetSearch {
   }
 
   /// Starts a part of the way from a model without an effect to what is promised, and there.
-  static std::vector<std::vector<double>> on_the_way(const std::vector<double>& without,
+  static Starts on_the_way(const std::vector<double>& without,
                                                      const std::vector<double>& promised) {
-    std::vector<std::vector<double>> starts;
+    Starts starts;
     for (const double part : {1.0, 0.5, 0.1}) {
       starts.push_back(promised);
       for (std::size_t i = 0; i < without.size(); ++i)
@@ -122,7 +142,7 @@ class SetSearch {
       without.push_back(neutral.contains(free.address) ? neutral.at(free.address) : start.back());
     }
     if (ground_.timing()) start.push_back(pair.base.back());
-    sets_.fit(model, on_the_way(without, start));
+    sets_.fit(model, {on_the_way(without, start)});
     fresh.push_back(name_of_set(added));
     say(fmt::format("  {} promise {}", fresh.back(), ratio(pair.cost, look.cost)));
   }
@@ -146,14 +166,14 @@ class SetSearch {
     std::vector<double> start;
     for (const FreeValue& free : model.definition.free) start.push_back(values.at(free.address));
     if (ground_.timing()) start.push_back(better.model.values.back());
-    std::vector<std::vector<double>> starts;
+    Starts starts;
     for (const double part : {0.5, 1.0, 0.1}) {  // of what either is alone
       starts.push_back(start);
       for (std::size_t i = 0; i < model.definition.free.size(); ++i)
         if (model.definition.free[i].address.starts_with("effect.") && model.definition.free[i].scale == Scale::linear)
           starts.back()[i] *= part;
     }
-    sets_.fit(model, starts);
+    sets_.fit(model, {starts});
     fresh.push_back(name_of_set(added));
     say("  both: " + fresh.back());
   }
@@ -169,7 +189,7 @@ class SetSearch {
         fit_both(one, other, fresh);
       }
     by_rough_cost(fresh);
-    for (std::size_t i = 0; i < std::min(fresh.size(), kFinishedPairs); ++i) finish(fresh[i]);
+    finish_best(fresh, kFinishedPairs);
   }
 
   /// Of names in the order of a cost, those whose cost is another one's: models that do the same cost the same.
@@ -224,7 +244,7 @@ class SetSearch {
       if (!sets_.find(name_of_set(added))) {
         Contender less = without(full.model, i, ground_.plain(), ground_.task().catalog);
         if (ground_.timing()) less.values.push_back(full.model.values.back());
-        sets_.fit(less, {less.values});
+        sets_.fit(less, {{less.values}});
         say("  without one: " + name_of_set(added));
       }
       sets_.finish(name_of_set(added));
@@ -250,46 +270,45 @@ class SetSearch {
       const FittedSet* without = sets_.find(name_of_set(others));
       if (!without || !without->fit.errors.valid) continue;
       const CostDifference worth = difference(set, *without);
+      say(fmt::format("  beyond {}: {:.3f} ± {:.3f}", name_of_set(others), worth.nats, worth.error));
       if (!(worth.nats > kPresent * worth.error)) return false;
     }
     return true;
   }
 
-  /// Fewer effects, then fewer values, then less cost.
-  static bool is_simpler(const FittedSet& one, const FittedSet& other) {
-    const auto rank = [](const FittedSet& set) {
-      return std::make_tuple(set.model.added.size(), set.model.definition.free.size(), set.cross.cost);
-    };
-    return rank(one) < rank(other);
+  /// What a set costs with what each value that it has more must earn: less makes up for the form of another effect.
+  double with_size(const FittedSet& set, double gain) const {
+    const int more = set.cross.told - sets_.find("")->cross.told;
+    return set.cross.cost + kRelevant * gain * std::max(more, static_cast<int>(set.model.added.size()));
   }
 
   Missing conclude() {
     Missing missing;
     missing.ladder = ground_.ladder();
-    missing.refits = sets_.refits();
     std::vector<std::string> names;
     for (std::size_t size = 0; size <= 3; ++size)
       for (const std::string& name : best_of(size, 8)) names.push_back(name);
     std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
       return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
     });
-    const FittedSet& base = *sets_.find("");
-    const FittedSet* best = &base;
-    for (const std::string& name : names)
-      if (const FittedSet& set = *sets_.find(name); set.cross.cost < best->cross.cost && all_present(set)) best = &set;
-    const double gain = base.cross.cost - best->cross.cost;
-    const FittedSet* answer = best;
-    for (const std::string& name : names) {
-      const FittedSet& set = *sets_.find(name);
-      const CostDifference over = difference(*best, set);
-      if (over.nats <= std::max(kRelevant * gain, over.error) && is_simpler(set, *answer) && all_present(set))
-        answer = &set;
+    const double gain = std::max(0.0, cross_of("") - cross_of(names.front()));
+    std::vector<std::string> order = names;
+    std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
+      return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
+    });
+    for (const std::string& name : order) say(fmt::format("{} {:.3f} {}", name, with_size(*sets_.find(name), gain) - cross_of(""), sets_.find(name)->cross.told));
+    const FittedSet* answer = sets_.find("");
+    for (const std::string& name : order) {
+      answer = sets_.find(name);
+      say(fmt::format("{}: {:.3f} with its size, {} told", name, with_size(*answer, gain) - cross_of(""), answer->cross.told));
+      if (all_present(*answer)) break;
     }
     missing.base = ranked("", *answer);
     for (const std::string& name : names) {
       if (sets_.find(name) == answer) missing.answer = missing.ranking.size();
       missing.ranking.push_back(ranked(name, *answer));
     }
+    missing.refits = sets_.refits();
     return missing;
   }
 
@@ -297,6 +316,7 @@ class SetSearch {
   ModelSets sets_;
   std::map<std::string, double> chance_;
   KnownProbes probes_;  ///< of the first look
+  double rough_base_ = 0.0;  ///< of the model as it is, on some of the segments
 };
 
 }  // namespace

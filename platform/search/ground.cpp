@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kFineEnough = 0.02;  ///< nats that half the integration step may change the cost by
+constexpr double kFineEnough = 0.05;  ///< nats that half the integration step may change the cost by
 constexpr int kMostSubsteps = 64;
 constexpr double kBlocks = 16.0;  ///< of all data, at least
 
@@ -35,8 +35,9 @@ Ground::Ground(const MissingTask& task)
   states_ = std::make_unique<StartStates>(reader_.definition.structure.robot, readings_->predictor(), noise_);
   starts_ = std::make_unique<SmoothedStarts>(*states_, readings_->predictor().trials());
   bench_ = std::make_unique<ModelBench>(plain_.definition, *plain_.model, task_.trials, timing_, task_.threads);
-  const Ladder rough = quick(build_ladder(task_of(*bench_, plain_.values, false)));
-  plain_.values = fit_to_ladder(rough, bench_->predictor(), bench_->space(), plain_.values).values;
+  ladder_ = build_ladder(task_of(*bench_, plain_.values, false));
+  choose_substeps();
+  plain_.values = fit_to_ladder(quick(ladder_), bench_->predictor(), bench_->space(), plain_.values).values;
   ladder_ = build_ladder(task_of(*bench_, plain_.values, false));
   choose_substeps();
   fit_ = fit_to_ladder(ladder_, bench_->predictor(), bench_->space(), plain_.values, Climb::whole);
@@ -62,7 +63,8 @@ Ladder Ground::ladder_for(const ModelBench& bench, bool held_out) const {
 
 /// Doubles the integration steps until that no longer changes what the model as it is costs.
 void Ground::choose_substeps() {
-  const int first = plain_.definition.engine.substeps;
+  const int first = std::max(1, plain_.definition.engine.substeps);
+  const std::vector<double> first_values = plain_.values;
   const Ladder few = quick(ladder_);
   for (int substeps = first;; substeps *= 2) {
     ModelDefinition finer = plain_.definition;
@@ -77,7 +79,7 @@ void Ground::choose_substeps() {
     plain_.definition = define_model(plain_.experiment, task_.catalog);
     plain_.model = compile(plain_.definition.structure, plain_.definition.engine);
     bench_ = std::make_unique<ModelBench>(plain_.definition, *plain_.model, task_.trials, timing_, task_.threads);
-    plain_.values = fit_to_ladder(few, bench_->predictor(), bench_->space(), plain_.values, Climb::whole).values;
+    plain_.values = fit_to_ladder(few, bench_->predictor(), bench_->space(), first_values).values;
   }
 }
 

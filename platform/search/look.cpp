@@ -160,7 +160,30 @@ Stage stage_of(const Ground& ground, const ModelBench& bench, const Contender& m
   return stage;
 }
 
-/// A probe a hypothesis: the one that promises most over the shorter rungs.
+/// Whether one value of the effect alone is not neutral.
+bool is_plain(const Hypothesis& hypothesis, const SizedProbe& sized) {
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < sized.own.size(); ++i) moved += sized.own[i] != hypothesis.neutral[i] ? 1U : 0U;
+  return sized.sized && moved == 1;
+}
+
+/// Of a hypothesis's probes the one that promises most, and the plain one that does, where that is another.
+std::vector<Probe> most_promising(const Hypothesis& hypothesis, std::vector<Probe>& probes, LinearLadder& linear) {
+  std::optional<std::size_t> best, plain;
+  std::vector<double> costs;
+  std::size_t change = 0;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    costs.push_back(promise_of(probes[i], linear, change).cost);
+    if (!best || costs[i] < costs[*best]) best = i;
+    if (is_plain(hypothesis, probes[i].sized) && (!plain || costs[i] < costs[*plain])) plain = i;
+  }
+  std::vector<Probe> kept;
+  if (best) kept.push_back(probes[*best]);
+  if (plain && plain != best) kept.push_back(probes[*plain]);
+  return kept;
+}
+
+/// A probe or two a hypothesis: those that promise most over the shorter rungs.
 std::vector<std::vector<Probe>> best_probes(const Stage& stage, const ModelBench& bench,
                                             const std::vector<Hypothesis>& hypotheses) {
   const Ground& ground = stage.ground;
@@ -176,14 +199,7 @@ std::vector<std::vector<Probe>> best_probes(const Stage& stage, const ModelBench
     for (SizedProbe& sized : size_probes(hypotheses[h], simulate, scales)) probes[h].push_back({std::move(sized), {}});
     respond(stage, hypotheses[h], probes[h]);
   });
-  for (std::vector<Probe>& of : probes) {
-    if (of.empty()) continue;
-    std::size_t best = 0, change = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < of.size(); ++i)
-      if (const double cost = promise_of(of[i], linear, change).cost; cost < least) least = cost, best = i;
-    of = {of[best]};
-  }
+  for (std::size_t h = 0; h < probes.size(); ++h) probes[h] = most_promising(hypotheses[h], probes[h], linear);
   return probes;
 }
 
@@ -229,7 +245,8 @@ std::vector<PairPromise> promised_pairs(const Stage& stage, const std::vector<Hy
                                         std::size_t most) {
   std::vector<std::pair<std::size_t, std::size_t>> all;
   for (std::size_t i = 0; i < singles.size(); ++i)
-    for (std::size_t j = i + 1; j < singles.size(); ++j) all.emplace_back(i, j);
+    for (std::size_t j = i + 1; j < singles.size(); ++j)
+      if (singles[i].hypothesis != singles[j].hypothesis) all.emplace_back(i, j);
   std::vector<LinearFit> fits(all.size());
   parallel_for(all.size(), stage.ground.task().threads, [&](std::size_t p, int) {
     const std::array<std::size_t, 2> changes{singles[all[p].first].change, singles[all[p].second].change};
@@ -276,7 +293,7 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
   if (known) {
     for (std::size_t h = 0; h < probes.size(); ++h)
       if (const auto found = known->find(name_of(look.hypotheses[h])); found != known->end())
-        probes[h].push_back({found->second, {}});
+        for (const SizedProbe& sized : found->second) probes[h].push_back({sized, {}});
   } else {
     const Ladder shorter = first_rungs(ladder, std::min(kRungsForProbes, ladder.rungs.size()));
     probes = best_probes(stage_of(ground, bench, stage.model, shorter), bench, look.hypotheses);
@@ -291,12 +308,19 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
     std::optional<Promise> best;
     std::size_t best_change = 0;
     for (const Probe& probe : probes[h]) {
-      const LinearFit found = promise_of(probe, linear, best_change);
+      std::size_t change = 0;
+      const LinearFit found = promise_of(probe, linear, change);
       const Probed probed(stage, look.hypotheses[h], {});
       const double size = found.sizes(found.sizes.size() - 1);
-      best = Promise{h, found.cost, probed.values(own_at(look.hypotheses[h], probe.sized, size)), 1.0};
-      look.probes[name_of(look.hypotheses[h])] = probe.sized;
-      singles.push_back({h, best_change, found.cost, probe.sized});
+      const std::vector<double> values = probed.values(own_at(look.hypotheses[h], probe.sized, size));
+      look.probes[name_of(look.hypotheses[h])].push_back(probe.sized);
+      singles.push_back({h, change, found.cost, probe.sized});
+      const bool leads = !best || found.cost < best->cost;
+      std::optional<std::vector<double>> plainly = best ? best->plainly : std::nullopt;
+      if (is_plain(look.hypotheses[h], probe.sized)) plainly = values;
+      best = leads ? Promise{h, found.cost, values, plainly, 1.0}
+                   : Promise{h, best->cost, best->values, plainly, 1.0};
+      if (leads) best_change = change;
     }
     if (!best) {
       look.untestable.push_back(

@@ -15,6 +15,7 @@ struct Promise {
   std::size_t hypothesis = 0;
   double cost = 0.0;           ///< that is left, nats
   std::vector<double> values;  ///< of the model with it: where a fit of it begins
+  std::optional<std::vector<double>> plainly;  ///< the same where what shapes the effect has no value yet
   double p_by_chance = 1.0;    ///< how often as strong a score would come out without it, over the whole library
 };
 
@@ -26,8 +27,8 @@ struct PairPromise {
   std::vector<double> of_one, of_other;  ///< of the effects' own values
 };
 
-/// The probe by which each effect promised most, by "name @ where".
-using KnownProbes = std::map<std::string, SizedProbe>;
+/// The probes by which each effect promised most, by "name @ where".
+using KnownProbes = std::map<std::string, std::vector<SizedProbe>>;
 
 /// The whole library beside one fitted model, without a fit of any of it.
 struct Look {

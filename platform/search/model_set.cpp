@@ -8,9 +8,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kFolds = 8;
-constexpr int kMostPolishings = 3;
-constexpr double kConverged = 0.01;    ///< nats that another round would gain, to first order
+constexpr int kFolds = 3;
 constexpr double kFewestBlocks = 4.0;  ///< by which an error is estimated
 
 }  // namespace
@@ -39,23 +37,33 @@ const FittedSet* ModelSets::find(const std::string& name) const {
   return found == sets_.end() ? nullptr : &found->second;
 }
 
-const FittedSet& ModelSets::fit(const Contender& model, const std::vector<std::vector<double>>& starts) {
-  ++refits_;
+namespace {
+
+HorizonFit fit_from(const Starts& starts, const Ladder& ladder, const ModelBench& bench) {
+  const std::vector<double>* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& start : starts)
+    if (const HorizonErrors errors = errors_on(ladder, bench.predictor(), bench.space(), start);
+        errors.valid && errors.cost < least)
+      least = errors.cost, best = &start;
+  if (!best) return {};
+  return fit_to_ladder(ladder, bench.predictor(), bench.space(), *best, Climb::from_the_bottom);
+}
+
+}  // namespace
+
+const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts>& ways) {
   const MissingTask& task = ground_.task();
   FittedSet set{model, {}, {}, {}};
   const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
   const Ladder few = quick(ground_.ladder_for(bench));
-  const std::vector<double>* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<double>& start : starts)
-    if (const HorizonErrors errors = errors_on(few, bench.predictor(), bench.space(), start);
-        errors.valid && errors.cost < least)
-      least = errors.cost, best = &start;
-  if (best) set.rough = fit_to_ladder(few, bench.predictor(), bench.space(), *best, Climb::whole);
-  if (set.rough.errors.valid)
-    set.model.values = set.rough.values;
-  else
-    set.rough.errors.cost = std::numeric_limits<double>::infinity();
+  set.rough.errors.cost = std::numeric_limits<double>::infinity();
+  for (const Starts& starts : ways) {
+    ++refits_;
+    HorizonFit found = fit_from(starts, few, bench);
+    if (found.errors.valid && found.errors.cost < set.rough.errors.cost) set.rough = std::move(found);
+  }
+  if (set.rough.errors.valid) set.model.values = set.rough.values;
   return sets_[name_of_set(model.added)] = std::move(set);
 }
 
@@ -65,16 +73,10 @@ const FittedSet& ModelSets::finish(const std::string& name) {
   const MissingTask& task = ground_.task();
   const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
   const Ladder ladder = ground_.ladder_for(bench);
-  std::vector<double> start = set.rough.values;
-  for (int round = 0; round < kMostPolishings; ++round) {
-    HorizonFit found = fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::polish);
-    if (!found.errors.valid) break;
-    set.fit = std::move(found);
-    start = set.model.values = set.fit.values;
-    const LinearLadder linear = linearise(ladder, bench.predictor(), bench.space(), set.fit, ground_.block());
-    set.cross = linear.cross_fit(kFolds);
-    if (linear.left_to_gain() < kConverged) break;
-  }
+  set.fit = fit_to_ladder(ladder, bench.predictor(), bench.space(), set.rough.values, Climb::whole);
+  if (!set.fit.errors.valid) return set;
+  set.model.values = set.fit.values;
+  set.cross = cross_fitted(bench, ladder, set.fit);
   return set;
 }
 

@@ -27,13 +27,16 @@ struct CostDifference {
 
 CostDifference difference(const FittedSet& one, const FittedSet& than);
 
+/// Values of a model with a set from one of which a fit begins: the best of them.
+using Starts = std::vector<std::vector<double>>;
+
 /// Fits sets and remembers them.
 class ModelSets {
  public:
   explicit ModelSets(const Ground& ground);
 
-  /// The set fitted from these starts (values of the model with it) on some of the segments.
-  const FittedSet& fit(const Contender& model, const std::vector<std::vector<double>>& starts);
+  /// The set fitted to some of the segments, once from each of these; the best fit stays.
+  const FittedSet& fit(const Contender& model, const std::vector<Starts>& ways);
   /// From there, on all.
   const FittedSet& finish(const std::string& name);
   const FittedSet* find(const std::string& name) const;

@@ -14,7 +14,7 @@
 /// segments, by what it leaves where it was not fitted and on what is held out, relative to the model as it is. The
 /// arrow is the answer.
 ///
-///   bench_search EXPERIMENT.toml ...
+///   bench_search EXPERIMENT.toml [EFFECT ...]
 namespace lacuna {
 namespace {
 
@@ -31,13 +31,14 @@ void print(const RankedSet& set, const RankedSet& base, bool is_answer) {
              name.empty() ? "the model as it is" : name, set.over_answer.nats, set.over_answer.error, set.p_by_chance);
 }
 
-void run(const char* file) {
+void run(const char* file, const std::vector<std::string>& among) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   CommonOptions options;
   options.experiment = file;
   const Rig rig = open_rig(options);
   MissingTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  task.among = among;
   task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   task.note = [&](const std::string& what) { fmt::print(stderr, "{:.1f} s {}\n", spent(), what); };
   const Missing missing = find_missing(task);
@@ -53,11 +54,11 @@ void run(const char* file) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    fmt::print(stderr, "bench_search EXPERIMENT.toml ...\n");
+    fmt::print(stderr, "bench_search EXPERIMENT.toml [EFFECT ...]\n");
     return EXIT_FAILURE;
   }
   try {
-    for (int i = 1; i < argc; ++i) lacuna::run(argv[i]);
+    lacuna::run(argv[1], {argv + 2, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return EXIT_FAILURE;
