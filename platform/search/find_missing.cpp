@@ -13,7 +13,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kSlots = 12;    ///< effects refitted alone
+constexpr std::size_t kSlots = 14;    ///< effects refitted alone
 constexpr std::size_t kPairs = 6;     ///< refitted at once, of those that promise most together
 constexpr std::size_t kToPairUp = 7;  ///< effects alone that are tried two at a time
 constexpr std::size_t kFinishedPairs = 4;
@@ -21,10 +21,23 @@ constexpr std::size_t kParents = 4;         ///< of which further effects are lo
 constexpr std::size_t kPromisesBeside = 6;  ///< effects refitted beside each
 constexpr std::size_t kFinishedBeside = 2;  ///< of these, fitted to all segments
 constexpr std::size_t kTriples = 2;         ///< pairs beside which a third is looked for
+constexpr double kOfAValue = 0.5;  ///< of what a value must gain: by so much simpler sets come first on the way
+constexpr double kBlocksAValue = 3.0;  ///< of time, that a set of effects has at least for each of its values
+constexpr double kUntold = 0.1;  ///< of that: what a value must gain that the data do not tell
 constexpr double kWorthAFit = 0.5;          ///< of what an effect must gain: a fit to all segments is made for
 constexpr double kPresent = 2.0;            ///< standard errors by which the cost rises where an effect goes
 constexpr double kSameCost = 1e-3;          ///< nats
 constexpr double kRelevant = 0.10;          ///< of what the best set gains: what each value of an effect must gain
+
+constexpr double kFewSamples = 6000.0;      ///< of all rungs: with fewer, more sets are fitted
+constexpr double kBroadest = 4.0;
+
+/// How many times as many sets are fitted as to a long recording.
+std::size_t breadth_of(const Ladder& ladder) {
+  double samples = 1.0;
+  for (const Segment& segment : all_segments(ladder)) samples += static_cast<double>(segment.stretch.size());
+  return static_cast<std::size_t>(std::clamp(kFewSamples / samples, 1.0, kBroadest));
+}
 
 class SetSearch {
  public:
@@ -32,6 +45,7 @@ class SetSearch {
 
   Missing run() {
     say("the model as it is");
+    breadth_ = breadth_of(ground_.ladder());
     expand("", kSlots, kParents + 2);
     grow(1, kParents);
     grow(2, kTriples);
@@ -48,11 +62,14 @@ class SetSearch {
   void expand(const std::string& name, std::size_t slots, std::size_t finished) {
     std::vector<std::string> fresh;
     const FittedSet parent = *sets_.find(name);
-    const Look look =
+    Look look =
         look_beside(ground_, parent.model, parent.fit, name.empty() ? nullptr : &probes_, name.empty() ? kPairs : 0);
-    if (name.empty()) probes_ = look.probes, rough_base_ = look.cost;
+    if (name.empty()) {
+      probes_ = look.probes;
+      rough_base_ = look.cost;
+    }
     say(name.empty() ? "looked beside the model" : "looked beside " + name);
-    for (const Promise& promise : slots_of(look, parent.model.added, slots)) {
+    for (const Promise& promise : slots_of(look, parent.model.added, breadth_ * slots)) {
       const Hypothesis& hypothesis = look.hypotheses[promise.hypothesis];
       Contender model = parent.model;
       model.added.push_back(hypothesis.entry);
@@ -71,19 +88,17 @@ class SetSearch {
     by_rough_cost(fresh);
     std::vector<std::string> different = fresh;
     keep_different(different, [&](const std::string& one) { return sets_.find(one)->rough.errors.cost; });
-    finish_best(different, finished);
+    finish_best(different, breadth_ * finished);
     if (!name.empty()) return;
+    first_ = std::move(look);
     std::erase_if(different, [&](const std::string& one) { return sets_.find(one)->model.added.size() > 1; });
-    finish_best(different, kParents);
+    finish_best(different, breadth_ * kParents);
     pair_up(different);
   }
 
   /// Fits the first of these to all segments, but for those that even there gain less than they must.
   void finish_best(const std::vector<std::string>& ordered, std::size_t most) {
-    const double base = sets_.find("")->cross.cost;
-    double gain = 0.0;
-    for (const auto& [name, set] : sets_.all())
-      if (set.fit.errors.valid) gain = std::max(gain, base - set.cross.cost);
+    const double gain = largest_gain();
     for (std::size_t i = 0; i < std::min(ordered.size(), most); ++i) {
       const FittedSet& set = *sets_.find(ordered[i]);
       double before = rough_base_;
@@ -178,18 +193,36 @@ class SetSearch {
     say("  both: " + fresh.back());
   }
 
+  const Hypothesis& first_named(const std::string& name) const {
+    return *std::find_if(first_.hypotheses.begin(), first_.hypotheses.end(),
+                         [&](const Hypothesis& one) { return name_of_set({one.entry}) == name; });
+  }
+
+  /// Of effects alone in the order of their costs the first of each kind at a place.
+  std::vector<std::string> one_of_a_kind(const std::vector<std::string>& alone, std::size_t most) const {
+    std::vector<std::string> chosen;
+    for (const std::string& name : alone) {
+      if (chosen.size() == most) break;
+      const bool stands_for_another = std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
+        return are_alike(first_named(name), first_named(other)) && same_place(first_named(name), first_named(other));
+      });
+      if (!stands_for_another) chosen.push_back(name);
+    }
+    return chosen;
+  }
+
   /// The best effects alone, two at a time: what is missing may show in neither of them alone.
   void pair_up(const std::vector<std::string>& alone) {
     std::vector<std::string> fresh;
-    const std::size_t count = std::min(alone.size(), kToPairUp);
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j) {
+    const std::vector<std::string> chosen = one_of_a_kind(alone, kToPairUp * breadth_);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      for (std::size_t j = i + 1; j < chosen.size(); ++j) {
         throw_if_interrupted();
-        const FittedSet one = *sets_.find(alone[i]), other = *sets_.find(alone[j]);
+        const FittedSet one = *sets_.find(chosen[i]), other = *sets_.find(chosen[j]);
         fit_both(one, other, fresh);
       }
     by_rough_cost(fresh);
-    finish_best(fresh, kFinishedPairs);
+    finish_best(fresh, breadth_ * kFinishedPairs);
   }
 
   /// Of names in the order of a cost, those whose cost is another one's: models that do the same cost the same.
@@ -199,10 +232,17 @@ class SetSearch {
     names.erase(std::unique(names.begin(), names.end(), same), names.end());
   }
 
+  /// By what they cost on some of the segments, with a little for each value, so that rich laws do not come first.
   void by_rough_cost(std::vector<std::string>& names) const {
-    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-      return sets_.find(a)->rough.errors.cost < sets_.find(b)->rough.errors.cost;
-    });
+    double least = rough_base_;
+    for (const std::string& name : names) least = std::min(least, sets_.find(name)->rough.errors.cost);
+    const auto cost = [&](const std::string& name) {
+      const FittedSet& set = *sets_.find(name);
+      return set.rough.errors.cost +
+             kOfAValue * kRelevant * (rough_base_ - least) * static_cast<double>(set.model.values.size());
+    };
+    std::stable_sort(names.begin(), names.end(),
+                     [&](const std::string& a, const std::string& b) { return cost(a) < cost(b); });
   }
 
   void finish(const std::string& name) {
@@ -211,13 +251,27 @@ class SetSearch {
                     ratio(set.fit.errors.cost, ground_.fit().errors.cost), ratio(set.cross.cost, cross_of(""))));
   }
 
-  /// Names of the sets of so many effects, the best first.
+  double largest_gain() const {
+    double gain = 0.0;
+    for (const auto& [name, set] : sets_.all())
+      if (set.fit.errors.valid) gain = std::max(gain, cross_of("") - set.cross.cost);
+    return gain;
+  }
+
+  /// Whether the data are enough for its values.
+  bool is_told(const FittedSet& set) const {
+    const int more = set.cross.told - sets_.find("")->cross.told;
+    return kBlocksAValue * static_cast<double>(more) <= static_cast<double>(set.cross.by_block.size());
+  }
+
+  /// Names of the sets of so many effects, the best for their size first.
   std::vector<std::string> best_of(std::size_t size, std::size_t most) const {
+    const double gain = largest_gain();
     std::vector<std::string> names;
     for (const auto& [name, set] : sets_.all())
-      if (set.model.added.size() == size && set.fit.errors.valid) names.push_back(name);
+      if (set.model.added.size() == size && set.fit.errors.valid && is_told(set)) names.push_back(name);
     std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-      return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
+      return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
     });
     if (names.size() > most) names.resize(most);
     return names;
@@ -226,10 +280,10 @@ class SetSearch {
   /// Looks for a further effect beside the best sets of a size, as long as those are better than smaller ones.
   void grow(std::size_t size, std::size_t parents) {
     std::vector<std::string> names = best_of(size, 4 * parents);
-    keep_different(names, [&](const std::string& name) { return cross_of(name); });
+    keep_different(names, [&](const std::string& name) { return with_size(*sets_.find(name), largest_gain()); });
     if (names.size() > parents) names.resize(parents);
     const std::vector<std::string> smaller = best_of(size - 1, 1);
-    const double gain = cross_of("") - cross_of(best_of(size, 1).empty() ? "" : best_of(size, 1).front());
+    const double gain = largest_gain();
     for (const std::string& name : names)
       if (size == 1 || cross_of(smaller.front()) - cross_of(name) > kRelevant * gain)
         expand(name, kPromisesBeside, kFinishedBeside);
@@ -277,9 +331,13 @@ class SetSearch {
   }
 
   /// What a set costs with what each value that it has more must earn: less makes up for the form of another effect.
+  /// A value that the data do not tell must earn a little.
   double with_size(const FittedSet& set, double gain) const {
-    const int more = set.cross.told - sets_.find("")->cross.told;
-    return set.cross.cost + kRelevant * gain * std::max(more, static_cast<int>(set.model.added.size()));
+    const FittedSet& base = *sets_.find("");
+    const auto values = static_cast<double>(set.model.values.size() - base.model.values.size());
+    const double told = std::clamp(static_cast<double>(set.cross.told - base.cross.told),
+                                   static_cast<double>(set.model.added.size()), std::max(values, 0.0));
+    return set.cross.cost + kRelevant * gain * (told + kUntold * (values - told));
   }
 
   Missing conclude() {
@@ -291,7 +349,7 @@ class SetSearch {
     std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
       return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
     });
-    const double gain = std::max(0.0, cross_of("") - cross_of(names.front()));
+    const double gain = std::max(0.0, cross_of("") - cross_of(names.front()));  // of the sets that the data tell
     std::vector<std::string> order = names;
     std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
       return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
@@ -314,8 +372,10 @@ class SetSearch {
 
   Ground ground_;
   ModelSets sets_;
+  std::size_t breadth_ = 1;
   std::map<std::string, double> chance_;
   KnownProbes probes_;  ///< of the first look
+  Look first_;
   double rough_base_ = 0.0;  ///< of the model as it is, on some of the segments
 };
 

@@ -50,7 +50,7 @@ Ground::Ground(const MissingTask& task)
     longest = std::max(longest, duration_of(segment, bench_->predictor().trials()));
   for (const Segment& segment : ladder_.rungs.front().segments)
     whole += duration_of(segment, bench_->predictor().trials());
-  block_ = std::min(longest, whole / kBlocks);
+  block_ = std::max(ladder_.rungs.front().length, std::min(longest, whole / kBlocks));
 }
 
 LadderTask Ground::task_of(const ModelBench& bench, const std::vector<double>& values, bool held_out) const {

@@ -9,7 +9,7 @@ namespace lacuna {
 namespace {
 
 constexpr int kFolds = 3;
-constexpr double kFewestBlocks = 4.0;  ///< by which an error is estimated
+constexpr double kFewestBlocks = 6.0;  ///< by which an error is estimated
 
 }  // namespace
 
@@ -88,8 +88,10 @@ CostDifference difference(const FittedSet& one, const FittedSet& than) {
     double squares = 0.0, count = 0.0;
     for (Eigen::Index b = 0; b < by_block.size(); b += together, count += 1.0)
       squares += std::pow(by_block.segment(b, std::min(together, by_block.size() - b)).sum(), 2);
-    if (count >= kFewestBlocks || together == 1)
-      result.error = std::max(result.error, std::sqrt(squares * count / std::max(1.0, count - 1.0)));
+    if (count < kFewestBlocks && together > 1) continue;
+    // Of n blocks the standard deviation of Student's t with n − 1 degrees of freedom.
+    const double few = std::sqrt(std::max(1.0, count - 1.0) / std::max(0.5, count - 3.0));
+    result.error = std::max(result.error, few * std::sqrt(squares * count / std::max(1.0, count - 1.0)));
   }
   return result;
 }

@@ -7,14 +7,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kSamePromise = 0.01;  ///< nats
-constexpr double kNearlyAsMuch =
-    0.7;  ///< of the gain: simpler laws are refitted first, richer ones later in their place
-
-/// Whether the two are at one place: the same element, or elements of two kinds, which may belong together.
-bool same_place(const Hypothesis& one, const Hypothesis& other) {
-  const auto kind = [](const std::string& where) { return where.substr(0, where.find('.')); };
-  return one.where() == other.where() || kind(one.where()) != kind(other.where());
-}
+constexpr double kNearlyAsMuch = 0.7;  ///< of what a simpler law promises to gain: a promise is only of first order
 
 /// Whether an effect would do what one that is there already does.
 bool repeats(const Look& look, const Promise& promise, const std::vector<EffectEntry>& beside) {
@@ -35,28 +28,22 @@ bool are_alike(const Hypothesis& one, const Hypothesis& other) {
   return one.entry.effect == other.entry.effect || names(one, other) || names(other, one);
 }
 
+bool same_place(const Hypothesis& one, const Hypothesis& other) {
+  const auto kind = [](const std::string& where) { return where.substr(0, where.find('.')); };
+  return one.where() == other.where() || kind(one.where()) != kind(other.where());
+}
+
 std::vector<Promise> slots_of(const Look& look, const std::vector<EffectEntry>& beside, std::size_t most) {
   std::vector<Promise> slots;
-  std::vector<bool> done(look.promises.size(), false);
-  for (std::size_t i = 0; i < look.promises.size() && slots.size() < most; ++i) {
-    if (done[i] || repeats(look, look.promises[i], beside)) continue;
-    const Hypothesis& leader = look.hypotheses[look.promises[i].hypothesis];
-    const double gain = look.cost - look.promises[i].cost;
-    std::size_t chosen = i;
-    for (std::size_t j = i; j < look.promises.size(); ++j) {
-      const Hypothesis& other = look.hypotheses[look.promises[j].hypothesis];
-      if (done[j] || !are_alike(leader, other) || !same_place(leader, other)) continue;
-      const bool simpler = other.own.size() < look.hypotheses[look.promises[chosen].hypothesis].own.size();
-      if (simpler && look.cost - look.promises[j].cost >= kNearlyAsMuch * gain) chosen = j;
-    }
-    const Hypothesis& taken = look.hypotheses[look.promises[chosen].hypothesis];
-    for (std::size_t j = i; j < look.promises.size(); ++j) {
-      const Hypothesis& other = look.hypotheses[look.promises[j].hypothesis];
-      const bool in_its_place = are_alike(taken, other) && same_place(taken, other);
-      if (in_its_place && other.own.size() > taken.own.size()) done[j] = true;
-    }
-    done[chosen] = done[i] = true;
-    slots.push_back(look.promises[chosen]);
+  for (const Promise& promise : look.promises) {
+    if (slots.size() == most) break;
+    const Hypothesis& one = look.hypotheses[promise.hypothesis];
+    const bool outdone = std::any_of(slots.begin(), slots.end(), [&](const Promise& better) {
+      const Hypothesis& other = look.hypotheses[better.hypothesis];
+      return are_alike(one, other) && same_place(one, other) && other.own.size() <= one.own.size() &&
+             look.cost - promise.cost < kNearlyAsMuch * (look.cost - better.cost);
+    });
+    if (!outdone && !repeats(look, promise, beside)) slots.push_back(promise);
   }
   return slots;
 }

@@ -45,6 +45,15 @@ void run(const char* file, const std::vector<std::string>& among) {
   fmt::print("{}: lengths", file);
   for (const Rung& rung : missing.ladder.rungs) fmt::print(" {:.3g}", rung.length);
   fmt::print(" s\n");
+  for (std::size_t r = 0; r < missing.ladder.rungs.size(); ++r)
+    for (std::size_t c = 0; c < missing.ladder.channels.size(); ++c) {
+      const Rung& rung = missing.ladder.rungs[r];
+      if (rung.weight[c] > 0.0)
+        fmt::print("  {} {:.3g} s: {:.3g} → {:.3g}, floor {:.3g}, weight {:.3f}, {} segments\n",
+                   missing.ladder.channels[c].channel, rung.length, std::sqrt(missing.base.errors.mean_square[r][c]),
+                   std::sqrt(missing.ranking[missing.answer].errors.mean_square[r][c]), std::sqrt(rung.floor[c]),
+                   rung.weight[c], rung.segments.size());
+    }
   for (std::size_t i = 0; i < missing.ranking.size(); ++i) print(missing.ranking[i], missing.base, i == missing.answer);
   fmt::print("{} refits, {:.0f} s\n", missing.refits, spent());
 }
