@@ -12,6 +12,7 @@
 #include "foundation/interrupt.h"
 #include "report/diagnosis_pictures.h"
 #include "report/diagnosis_text.h"
+#include "search/horizon_diagnosis.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   if (before && !options.quiet)
     fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->tried.size(), "model"));
   ProgressLine line(options.quiet);
-  Diagnosis diagnosis = diagnose({.experiment = rig.experiment,
+  Diagnosis diagnosis = diagnose_by_horizon({.experiment = rig.experiment,
                                   .catalog = *rig.catalog,
                                   .definition = rig.definition,
                                   .model = *rig.model,

@@ -54,11 +54,21 @@ struct ChannelError {
   double held_out = 0.0;  ///< predicted from the other folds
 };
 
+/// RMS errors of predictions of one channel over one horizon, from starts that the readings tell. NaN: not known.
+struct HorizonError {
+  double horizon = 0.0;  ///< s
+  std::string channel;
+  std::string unit;
+  double floor = 0.0;  ///< of reading noise, starts and integration
+  double base = 0.0, answer = 0.0;
+  double base_held_out = 0.0, answer_held_out = 0.0;
+};
+
 /// A model that may be right, against the base.
 struct RankedModel {
   std::vector<FoundEffect> effects;
   std::vector<std::string> look_alikes;  ///< what these data do not tell from its last effect, "name @ where"
-  Gain gain;                             ///< held-out log likelihood over the base, nats
+  Gain gain;                             ///< by what its mean log error where it was not fitted is below the base's, nats
   double probability = 0.0;              ///< among the ranking and the base; uncalibrated
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
@@ -95,6 +105,7 @@ struct Diagnosis {
   bool form_only = false;   ///< what is left makes up for the form of effects that the model has (present_effects.h)
   bool calibrated = false;  ///< the probability is how often such verdicts were right (calibration.h)
   Evidence evidence;
+  std::vector<HorizonError> horizons;  ///< the shortest first
   std::vector<ChannelError> base;
   double base_times_floor = 0.0;
   double base_segment = 0.0;  ///< s, of the segments that `base` is about

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostSteps = 12;
 constexpr int kStepsOnTheWay = 4;    ///< up the ladder, whose short predictions lead to the long ones
 constexpr double kTolerance = 3e-3;  ///< nats that a further step would gain
-constexpr double kOneBlock = 1e9;   ///< s: of blocks nothing is asked here
+constexpr double kOneBlock = 1e9;    ///< s: of blocks nothing is asked here
 constexpr double kLeastDamping = 0.03, kMostDamping = 1000.0;
 constexpr double kMoreDamping = 10.0;  ///< times, after a step that led to nothing
 

@@ -25,8 +25,8 @@ enum class Climb {
 };
 
 /// Finds the values under which the ladder's cost is least, from `start`: of each linearisation the least cost within
-/// bounds is gone to, or a part of the way, until little is left to gain. Starts of the longest rung are refitted within
-/// their uncertainty.
+/// bounds is gone to, or a part of the way, until little is left to gain. Starts of the longest rung are refitted
+/// within their uncertainty.
 HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                          const std::vector<double>& start, Climb climb = Climb::from_the_bottom);
 

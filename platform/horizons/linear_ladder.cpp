@@ -263,6 +263,21 @@ LinearFit LinearLadder::best(std::span<const std::size_t> changes, double dampin
   return fit;
 }
 
+/// H⁻¹ Σ s sᵀ H⁻¹ with the scores s of blocks, which may be correlated within (P. J. Huber, 1967).
+Eigen::MatrixXd LinearLadder::covariance(Eigen::MatrixXd normal) const {
+  const Eigen::Index own = normal.rows();
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks_, own);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    scores.row(places_[i].block) += row_weights_(row) * base_(row, 0) * base_.row(row).tail(own);
+  }
+  scores.rowwise() -= scores.colwise().mean().eval();
+  normal.diagonal() *= 1.0 + kRidge;
+  const double few = static_cast<double>(blocks_) / std::max(1.0, static_cast<double>(blocks_ - 1 - own));
+  const Eigen::MatrixXd moved = normal.ldlt().solve(scores.transpose());
+  return few * moved * moved.transpose();
+}
+
 CrossFit LinearLadder::cross_fit(int folds) const {
   const Eigen::Index own = base_.cols() - 1;
   const auto fold_of = [&](const Place& place) { return static_cast<std::size_t>(place.block * folds / blocks_); };
@@ -281,7 +296,8 @@ CrossFit LinearLadder::cross_fit(int folds) const {
     sizes.push_back(
         bounded_minimum(others.bottomRightCorner(own, own), others.col(0).tail(own), -room_below_, room_above_));
   }
-  CrossFit fit{0.0, Eigen::VectorXd::Zero(blocks_), rank_of(all.bottomRightCorner(own, own))};
+  CrossFit fit{0.0, Eigen::VectorXd::Zero(blocks_), covariance(all.bottomRightCorner(own, own)),
+               rank_of(all.bottomRightCorner(own, own))};
   for (const Cell& cell : cells_) {
     Eigen::VectorXd squares(cell.size);
     for (Eigen::Index i = 0; i < cell.size; ++i) {
@@ -320,21 +336,6 @@ LinearLadder linearise(const Ladder& ladder, const TrialPredictor& predictor, co
   parts.room_below = point.values - space.lower();
   parts.room_above = space.upper() - point.values;
   return LinearLadder(parts);
-}
-
-Eigen::VectorXd LinearLadder::projected(std::size_t change) const {
-  const Eigen::MatrixXd others = base_.rightCols(base_.cols() - 1);
-  Eigen::MatrixXd normal = others.transpose() * row_weights_.asDiagonal() * others;
-  normal.diagonal() *= 1.0 + kRidge;
-  const Eigen::VectorXd& rows = changes_[change].rows;
-  return rows - others * normal.ldlt().solve(others.transpose() * row_weights_.cwiseProduct(rows));
-}
-
-BlockScores LinearLadder::scores(std::size_t change) const {
-  const Eigen::VectorXd rows = projected(change).cwiseProduct(row_weights_).cwiseProduct(base_.col(0));
-  BlockScores scores = BlockScores::Zero(blocks_);
-  for (std::size_t i = 0; i < places_.size(); ++i) scores(places_[i].block) += rows(static_cast<Eigen::Index>(i));
-  return scores;
 }
 
 }  // namespace lacuna

@@ -19,14 +19,12 @@ struct LinearFit {
   double cost = 0.0;
 };
 
-/// Scores of a change, by block of time.
-using BlockScores = Eigen::VectorXd;
-
 /// A cost of which no block of time told the values by which it is predicted.
 struct CrossFit {
   double cost = 0.0;
-  Eigen::VectorXd by_block;  ///< what each block adds to the cost beyond its share of readings, nats
-  int told = 0;              ///< how many values the data tell: the rank of what predictions change by
+  Eigen::VectorXd by_block;    ///< what each block adds to the cost beyond its share of readings, nats
+  Eigen::MatrixXd covariance;  ///< of the own values' coordinates, from how blocks of time differ
+  int told = 0;                ///< how many values the data tell: the rank of what predictions change by
 };
 
 /// By how much a fit's values (coordinates) and refitted starts are to change.
@@ -61,9 +59,6 @@ class LinearLadder {
 
   /// The best sizes of the own values with these changes beside them.
   LinearFit best(std::span<const std::size_t> changes, double damping = 0.0) const;
-
-  /// Of one change with the own values taken off it: Σ weight · change · residual, by block.
-  BlockScores scores(std::size_t change) const;
 
   /// What was recorded is parted, by trial where there are three or more, else in so many stretches of time; each part
   /// is predicted with the own values that the others alone would have, to first order. Models on one ladder have the
@@ -106,17 +101,17 @@ class LinearLadder {
   Eigen::MatrixXd products(const Cell& cell, std::size_t index, std::span<const std::size_t> changes) const;
   double cost_of_squares(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& sizes,
                          std::vector<double>& means) const;
-  Eigen::VectorXd projected(std::size_t change) const;
+  Eigen::MatrixXd covariance(Eigen::MatrixXd normal) const;
 
   std::size_t rungs_, channels_;
   std::vector<Cell> cells_;
   std::vector<Place> places_;
-  std::vector<Eigen::VectorXd> weights_;   ///< by segment and row, of squares; the starts' refits
+  std::vector<Eigen::VectorXd> weights_;  ///< by segment and row, of squares; the starts' refits
   Responses starts_;
   Responses refits_;  ///< by segment: the change of a start that answers a change of its rows; empty: none is refitted
   std::vector<Eigen::VectorXd> start_residuals_;  ///< by segment: `refits_` × residuals
   Responses start_own_;                           ///< by segment: `refits_` × responses by the own values
-  Eigen::MatrixXd base_;                   ///< rows × residual and own values
+  Eigen::MatrixXd base_;                          ///< rows × residual and own values
   std::vector<Eigen::MatrixXd> base_products_;
   Eigen::VectorXd row_weights_;
   Eigen::VectorXd room_below_, room_above_;

@@ -92,6 +92,17 @@ ordered_json document(const RandomForce& force) {
   return {{"joint", force.joint}, {"deviation", force.deviation}, {"unit", force.unit}, {"duration_s", force.duration}};
 }
 
+ordered_json document(const HorizonError& one) {
+  return {{"horizon_s", one.horizon},
+          {"channel", one.channel},
+          {"unit", one.unit},
+          {"floor", one.floor},
+          {"base", one.base},
+          {"answer", one.answer},
+          {"base_held_out", one.base_held_out},
+          {"answer_held_out", one.answer_held_out}};
+}
+
 ordered_json document(const EffectsAtLength& at) {
   ordered_json effects = ordered_json::array();
   for (const FoundEffect& effect : at.effects) effects.push_back(document(effect));
@@ -114,6 +125,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis) {
       {"calibrated", diagnosis.calibrated},
       {"at_threshold", list(diagnosis.at_threshold)},
       {"evidence", diagnosis.evidence},
+      {"horizons", list(diagnosis.horizons)},
       {"noise_floor", by_channel(diagnosis.base, &ChannelError::floor)},
       {"units", units(diagnosis.base)},
       {"random_forces", list(diagnosis.forces)},

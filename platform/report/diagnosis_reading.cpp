@@ -83,6 +83,17 @@ RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
   return model;
 }
 
+HorizonError horizon_of(const ordered_json& json) {
+  return {figure(json["horizon_s"]),
+          json["channel"],
+          json["unit"],
+          figure(json["floor"]),
+          figure(json["base"]),
+          figure(json["answer"]),
+          figure(json["base_held_out"]),
+          figure(json["answer_held_out"])};
+}
+
 ForceFormula formula_of(const ordered_json& json) {
   ForceFormula formula{json["joint"], json["unit"], {}, gain_of(json["gain"])};
   for (const ordered_json& term : json["terms"])
@@ -113,6 +124,8 @@ Diagnosis read_diagnosis(const std::string& document) {
   for (const ordered_json& one : whole.value("at_threshold", ordered_json::array()))
     diagnosis.at_threshold.push_back(threshold_of(one));
   diagnosis.evidence = whole.value("evidence", Evidence{});
+  for (const ordered_json& one : whole.value("horizons", ordered_json::array()))
+    diagnosis.horizons.push_back(horizon_of(one));
   diagnosis.base = errors_of(whole, whole["base"]);
   diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
   diagnosis.base_segment = whole["base"].value("segment_s", 0.0);

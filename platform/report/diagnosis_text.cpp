@@ -28,6 +28,40 @@ std::string gain_text(const Gain& gain) {
   return fmt::format("{:+.0f} ± {:.0f}", gain.value, 1.96 * gain.standard_error);
 }
 
+/// "×0.13", an error over another one.
+std::string ratio_text(double ratio) { return std::isfinite(ratio) ? fmt::format("×{:.3g}", ratio) : "–"; }
+
+/// By what the mean error where it was not fitted is smaller, in proportion, from one end of the interval to the other.
+std::string smaller_text(const Gain& gain) {
+  return fmt::format("{} [{:.2g}, {:.2g}]", ratio_text(std::exp(-gain.value)), std::exp(-gain.upper_95),
+                     std::exp(-gain.lower_95));
+}
+
+/// "12.1 → 0.9 mrad".
+std::string change_text(double before, double after, const std::string& unit) {
+  if (!std::isfinite(before) || !std::isfinite(after)) return "–";
+  return fmt::format("{} → {}", format_quantity(before, unit, 3), format_quantity(after, unit, 3));
+}
+
+/// Errors by horizon: of the model as it is and with the answer, fitted and held out.
+std::string horizons_text(const Diagnosis& diagnosis) {
+  const bool has_answer = diagnosis.verdict == Verdict::effect_found;
+  std::vector<std::vector<std::string>> rows = {{"error of predictions", "fit", "", "held out", "", "floor"}};
+  for (const HorizonError& one : diagnosis.horizons) {
+    const std::string what = fmt::format("{} over {}", one.channel, format_quantity(one.horizon, "s", 2));
+    const std::string floor = format_quantity(one.floor, one.unit, 2);
+    if (has_answer)
+      rows.push_back({what, change_text(one.base, one.answer, one.unit), ratio_text(one.answer / one.base),
+                      change_text(one.base_held_out, one.answer_held_out, one.unit),
+                      ratio_text(one.answer_held_out / one.base_held_out), floor});
+    else
+      rows.push_back({what, format_quantity(one.base, one.unit, 3), "",
+                      std::isfinite(one.base_held_out) ? format_quantity(one.base_held_out, one.unit, 3) : "–", "",
+                      floor});
+  }
+  return diagnosis.horizons.empty() ? "" : text_table(rows, 1);
+}
+
 std::string names_text(const RankedModel& model) {
   std::vector<std::string> names;
   for (const FoundEffect& effect : model.effects) names.push_back(effect.effect + " @ " + effect.where);
@@ -50,6 +84,11 @@ std::string answer_text(const RankedModel& answer) {
   return text;
 }
 
+std::vector<std::string> row_by_horizon(std::size_t rank, const RankedModel& model) {
+  return {std::to_string(rank), names_text(model), smaller_text(model.gain),
+          fmt::format("{:.3g} × floor", model.times_floor)};
+}
+
 /// Errors over segments of another length than the answer's, `segment` s, are no measure beside its own.
 std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, double segment) {
   const std::string error = model.segment == segment ? fmt::format("{:.2f} × floor", model.times_floor)
@@ -58,9 +97,12 @@ std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, doub
 }
 
 std::string ranking_text(const Diagnosis& diagnosis) {
-  std::vector<std::vector<std::string>> rows = {{"", "", "gain held out", "error"}};
+  const bool by_horizon = !diagnosis.horizons.empty();
+  std::vector<std::vector<std::string>> rows = {
+      {"", "", by_horizon ? "error where not fitted" : "gain held out", by_horizon ? "fitted" : "error"}};
   for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i)
-    rows.push_back(row_of(i + 1, diagnosis.ranking[i], diagnosis.ranking.front().segment));
+    rows.push_back(by_horizon ? row_by_horizon(i + 1, diagnosis.ranking[i])
+                              : row_of(i + 1, diagnosis.ranking[i], diagnosis.ranking.front().segment));
   if (diagnosis.verdict == Verdict::nothing_missing || diagnosis.ranking.empty()) return text_table(rows, 2);
   const std::string table = text_table(rows, 2);
   const std::size_t first_end = table.find('\n', table.find('\n') + 1) + 1;
@@ -119,6 +161,17 @@ std::string thresholds_text(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// What the likelihoods of earlier versions told.
+std::string chance_text(const Diagnosis& diagnosis) {
+  std::string text =
+      fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
+                  diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
+  if (!diagnosis.stopped)
+    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
+                        diagnosis.free_force_p);
+  return text + noise_text(diagnosis);
+}
+
 /// In a setup the commands alone are not the test, so that the line to type names it, too.
 std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   if (diagnosis.next_test.empty()) return "";
@@ -156,13 +209,11 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
                : fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                              fmt::join(diagnosis.findings, "\n"));
   std::string text = "verdict " + verdict_text(diagnosis) + "\n" + thresholds_text(diagnosis);
-  text += answers_text(diagnosis);
-  text += fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
-                      diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
-  if (!diagnosis.stopped)
-    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
-                        diagnosis.free_force_p);
-  text += noise_text(diagnosis);
+  text += horizons_text(diagnosis) + answers_text(diagnosis);
+  text += diagnosis.horizons.empty()
+              ? chance_text(diagnosis)
+              : fmt::format("{} effects were tried; the model alone has an error of {:.3g} × floor\n",
+                            diagnosis.hypotheses, diagnosis.base_times_floor);
   if (!diagnosis.values.empty()) text += fmt::format("values: {}\n", parameters_text(diagnosis.values));
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -21,15 +23,16 @@ constexpr std::size_t kParents = 4;         ///< of which further effects are lo
 constexpr std::size_t kPromisesBeside = 6;  ///< effects refitted beside each
 constexpr std::size_t kFinishedBeside = 2;  ///< of these, fitted to all segments
 constexpr std::size_t kTriples = 2;         ///< pairs beside which a third is looked for
-constexpr double kOfAValue = 0.5;  ///< of what a value must gain: by so much simpler sets come first on the way
+constexpr double kOfAValue = 0.5;      ///< of what a value must gain: by so much simpler sets come first on the way
 constexpr double kBlocksAValue = 3.0;  ///< of time, that a set of effects has at least for each of its values
-constexpr double kUntold = 0.1;  ///< of that: what a value must gain that the data do not tell
-constexpr double kWorthAFit = 0.5;          ///< of what an effect must gain: a fit to all segments is made for
-constexpr double kPresent = 2.0;            ///< standard errors by which the cost rises where an effect goes
-constexpr double kSameCost = 1e-3;          ///< nats
-constexpr double kRelevant = 0.10;          ///< of what the best set gains: what each value of an effect must gain
+constexpr double kUntold = 0.1;        ///< of that: what a value must gain that the data do not tell
+constexpr double kWorthAFit = 0.5;     ///< of what an effect must gain: a fit to all segments is made for
+constexpr double kPresent = 2.0;       ///< standard errors by which the cost rises where an effect goes
+constexpr double kSameCost = 1e-3;     ///< nats
+constexpr double kAlikeCost = 0.01;    ///< nats
+constexpr double kRelevant = 0.10;     ///< of what the best set gains: what each value of an effect must gain
 
-constexpr double kFewSamples = 6000.0;      ///< of all rungs: with fewer, more sets are fitted
+constexpr double kFewSamples = 6000.0;  ///< of all rungs: with fewer, more sets are fitted
 constexpr double kBroadest = 4.0;
 
 /// How many times as many sets are fitted as to a long recording.
@@ -46,10 +49,18 @@ class SetSearch {
   Missing run() {
     say("the model as it is");
     breadth_ = breadth_of(ground_.ladder());
-    expand("", kSlots, kParents + 2);
-    grow(1, kParents);
-    grow(2, kTriples);
-    return conclude();
+    bool stopped = false;
+    try {
+      expand("", kSlots, kParents + 2);
+      grow(1, kParents);
+      grow(2, kTriples);
+    } catch (const TimeIsUp&) {
+      lift_time_limit();
+      stopped = true;
+    }
+    Missing missing = conclude();
+    missing.stopped = stopped;
+    return missing;
   }
 
  private:
@@ -80,7 +91,6 @@ class SetSearch {
       std::vector<Starts> ways{on_the_way(without, promise.values)};
       if (promise.plainly && *promise.plainly != promise.values) ways.push_back(on_the_way(without, *promise.plainly));
       sets_.fit(model, ways);
-      chance_[name_of_set(model.added)] = promise.p_by_chance;
       fresh.push_back(name_of_set(model.added));
       say(fmt::format("  {} promises {}", fresh.back(), ratio(promise.cost, look.cost)));
     }
@@ -121,8 +131,7 @@ class SetSearch {
   }
 
   /// Starts a part of the way from a model without an effect to what is promised, and there.
-  static Starts on_the_way(const std::vector<double>& without,
-                                                     const std::vector<double>& promised) {
+  static Starts on_the_way(const std::vector<double>& without, const std::vector<double>& promised) {
     Starts starts;
     for (const double part : {1.0, 0.5, 0.1}) {
       starts.push_back(promised);
@@ -232,13 +241,22 @@ class SetSearch {
     names.erase(std::unique(names.begin(), names.end(), same), names.end());
   }
 
+  /// Of effects that do the same, one at a joint comes first: far less than any difference that matters.
+  static double far_from_joints(const FittedSet& set) {
+    double elsewhere = 0.0;
+    for (const EffectEntry& entry : set.model.added)
+      if (entry.where.empty() || !entry.where.front().starts_with("joint.")) elsewhere += 1.0;
+    return 0.2 * kSameCost * elsewhere;
+  }
+
   /// By what they cost on some of the segments, with a little for each value, so that rich laws do not come first.
   void by_rough_cost(std::vector<std::string>& names) const {
     double least = rough_base_;
     for (const std::string& name : names) least = std::min(least, sets_.find(name)->rough.errors.cost);
     const auto cost = [&](const std::string& name) {
       const FittedSet& set = *sets_.find(name);
-      return set.rough.errors.cost +
+      if (!set.rough.errors.valid) return std::numeric_limits<double>::infinity();
+      return far_from_joints(set) + set.rough.errors.cost +
              kOfAValue * kRelevant * (rough_base_ - least) * static_cast<double>(set.model.values.size());
     };
     std::stable_sort(names.begin(), names.end(),
@@ -307,11 +325,16 @@ class SetSearch {
 
   RankedSet ranked(const std::string& name, const FittedSet& answer) const {
     const FittedSet& set = *sets_.find(name);
-    RankedSet one{set.model.added, set.model.values, set.cross.cost, set.fit.errors, {}, difference(answer, set), 1.0};
+    RankedSet one{set.model,
+                  set.cross.covariance,
+                  set.cross.cost,
+                  set.fit.errors,
+                  {},
+                  difference(answer, set),
+                  difference(set, *sets_.find(""))};
     const MissingTask& task = ground_.task();
     const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
     one.held_out = errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
-    if (const auto found = chance_.find(name); found != chance_.end()) one.p_by_chance = found->second;
     return one;
   }
 
@@ -340,6 +363,24 @@ class SetSearch {
     return set.cross.cost + kRelevant * gain * (told + kUntold * (values - told));
   }
 
+  static std::set<std::string> effects_of(const FittedSet& set) {
+    std::set<std::string> names;
+    for (const EffectEntry& entry : set.model.added) names.insert(name_of_set({entry}));
+    return names;
+  }
+
+  /// Whether a set has another effect in the place of one of the answer's and costs no more than the difference's
+  /// error. Of sets that were not fitted to all segments the costs on some of them are compared.
+  static bool does_the_same(const FittedSet& set, const FittedSet& answer) {
+    const std::set<std::string> own = effects_of(answer), other = effects_of(set);
+    std::vector<std::string> both;
+    std::set_intersection(own.begin(), own.end(), other.begin(), other.end(), std::back_inserter(both));
+    if (own.empty() || other.size() != own.size() || both.size() + 1 != own.size()) return false;
+    if (!set.fit.errors.valid) return set.rough.errors.cost - answer.rough.errors.cost < kAlikeCost;
+    const CostDifference over = difference(answer, set);
+    return over.nats < std::max(kAlikeCost, over.error);
+  }
+
   Missing conclude() {
     Missing missing;
     missing.ladder = ground_.ladder();
@@ -354,11 +395,14 @@ class SetSearch {
     std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
       return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
     });
-    for (const std::string& name : order) say(fmt::format("{} {:.3f} {}", name, with_size(*sets_.find(name), gain) - cross_of(""), sets_.find(name)->cross.told));
+    for (const std::string& name : order)
+      say(fmt::format("{} {:.3f} {}", name, with_size(*sets_.find(name), gain) - cross_of(""),
+                      sets_.find(name)->cross.told));
     const FittedSet* answer = sets_.find("");
     for (const std::string& name : order) {
       answer = sets_.find(name);
-      say(fmt::format("{}: {:.3f} with its size, {} told", name, with_size(*answer, gain) - cross_of(""), answer->cross.told));
+      say(fmt::format("{}: {:.3f} with its size, {} told", name, with_size(*answer, gain) - cross_of(""),
+                      answer->cross.told));
       if (all_present(*answer)) break;
     }
     missing.base = ranked("", *answer);
@@ -366,14 +410,20 @@ class SetSearch {
       if (sets_.find(name) == answer) missing.answer = missing.ranking.size();
       missing.ranking.push_back(ranked(name, *answer));
     }
+    for (const auto& [name, set] : sets_.all()) {
+      for (const EffectEntry& entry : set.model.added) missing.examined.insert(name_of_set({entry}));
+      if (does_the_same(set, *answer)) missing.alike.push_back(effects_of(set));
+    }
     missing.refits = sets_.refits();
+    missing.hypotheses = first_.hypotheses.size();
+    missing.untestable = first_.untestable;
+    missing.timing = ground_.timing();
     return missing;
   }
 
   Ground ground_;
   ModelSets sets_;
   std::size_t breadth_ = 1;
-  std::map<std::string, double> chance_;
   KnownProbes probes_;  ///< of the first look
   Look first_;
   double rough_base_ = 0.0;  ///< of the model as it is, on some of the segments

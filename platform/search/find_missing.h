@@ -1,5 +1,9 @@
 #pragma once
 
+#include <set>
+#include <string>
+#include <vector>
+
 #include "search/look.h"
 #include "search/model_set.h"
 
@@ -7,15 +11,21 @@ namespace lacuna {
 
 /// A fitted set as it is ranked.
 struct RankedSet {
-  std::vector<EffectEntry> effects;
-  std::vector<double> values;  ///< of the model with them, SI
+  Contender model;             ///< `values` with the timing last, where that is fitted
+  Eigen::MatrixXd covariance;  ///< of the values' coordinates
   double cost = 0.0;           ///< nats
   HorizonErrors errors, held_out;
   CostDifference over_answer;  ///< what it costs more than the answer
-  double p_by_chance = 1.0;    ///< of its last effect beside the others
+  CostDifference over_base;    ///< what the model as it is costs more than it
 };
 
 struct Missing {
+  bool stopped = false;                      ///< by the time limit: of what was fitted until then
+  std::set<std::string> examined;            ///< effects that were fitted, "name @ where"
+  std::vector<std::set<std::string>> alike;  ///< sets that do what the answer does, but for one of its effects
+  std::size_t hypotheses = 0;                ///< effect × place
+  std::vector<Untestable> untestable;
+  bool timing = false;             ///< when commands act was fitted
   std::vector<RankedSet> ranking;  ///< the least cost first
   std::size_t answer = 0;          ///< of the ranking: the smallest set that is as good as the best
   RankedSet base;
@@ -23,6 +33,8 @@ struct Missing {
   int refits = 0;
 };
 
+/// Throws `NothingPredictable`, `Interrupted`, and `TimeIsUp` where that comes before the model as it is was fitted;
+/// later it is lifted, and the search `stopped`.
 Missing find_missing(const MissingTask& task);
 
 }  // namespace lacuna

@@ -41,7 +41,10 @@ Ground::Ground(const MissingTask& task)
   ladder_ = build_ladder(task_of(*bench_, plain_.values, false));
   choose_substeps();
   fit_ = fit_to_ladder(ladder_, bench_->predictor(), bench_->space(), plain_.values, Climb::whole);
-  if (!fit_.errors.valid) throw Error("the model cannot be simulated from the starts that the data tell");
+  if (!fit_.errors.valid)
+    throw NothingPredictable(
+        "no prediction can be judged: either the model cannot be simulated from the starts that the readings tell, or "
+        "what moves is no larger than what the starts leave unknown; record faster, with more motion or less noise");
   weigh_by_information(ladder_, bench_->predictor().trials(), fit_.residuals);
   fit_ = fit_to_ladder(ladder_, bench_->predictor(), bench_->space(), fit_.values, Climb::whole);
   plain_.values = fit_.values;

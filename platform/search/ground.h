@@ -12,6 +12,12 @@
 
 namespace lacuna {
 
+/// There is no horizon at which predictions can be judged; the sentence says why, and what to do.
+class NothingPredictable : public Error {
+ public:
+  using Error::Error;
+};
+
 /// What is searched for a model's missing effects. Everything referred to must live as long as the search.
 struct MissingTask {
   const Experiment& experiment;
@@ -42,7 +48,7 @@ class ModelBench {
 /// What all models of a search have in common: starts, lengths, floors, weights and integration steps.
 class Ground {
  public:
-  /// Fits the model as it is. Throws `Error` where it cannot be simulated.
+  /// Fits the model as it is. Throws `NothingPredictable`.
   explicit Ground(const MissingTask& task);
 
   const MissingTask& task() const { return task_; }

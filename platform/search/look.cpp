@@ -1,7 +1,6 @@
 #include "search/look.h"
 
 #include <lacuna/error.h>
-#include <lacuna/random_stream.h>
 
 #include "diagnosis/data_scales.h"
 #include "foundation/interrupt.h"
@@ -21,7 +20,6 @@ constexpr std::size_t kRungsForProbes = 3;
 constexpr std::size_t kForSizes = 2;   ///< segments of a rung by which sizes are found
 constexpr double kWorthAPair = 0.02;   ///< nats beyond the better of two effects
 constexpr std::size_t kForPairs = 60;  ///< effects of which pairs are looked at
-constexpr int kDraws = 999;            ///< of signs
 constexpr double kFarthest = 20.0;     ///< times its probe's size that an effect may be promised at
 
 /// What is simulated of each hypothesis.
@@ -122,29 +120,29 @@ class Probed {
 std::string name_of(const Hypothesis& hypothesis) { return hypothesis.entry.effect + " @ " + hypothesis.where(); }
 
 /// A probe with what it adds to predictions; empty: it cannot be simulated.
-struct Probe {
+struct TriedProbe {
   SizedProbe sized;
   std::vector<Eigen::VectorXd> response;
 };
 
 /// Fills the responses of a hypothesis's probes on a stage; those that cannot be simulated are left out.
-void respond(const Stage& stage, const Hypothesis& hypothesis, std::vector<Probe>& probes) {
+void respond(const Stage& stage, const Hypothesis& hypothesis, std::vector<TriedProbe>& probes) {
   if (probes.empty()) return;
   std::vector<std::size_t> all(stage.scales.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   Probed whole(stage, hypothesis, all);
   std::vector<Eigen::VectorXd> calm, moved;
   const bool valid = whole.residuals(hypothesis.neutral, calm);
-  for (Probe& probe : probes) {
+  for (TriedProbe& probe : probes) {
     probe.response.clear();
     if (!valid || !whole.residuals(probe.sized.own, moved)) continue;
     for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(calm[k] - moved[k]);
   }
-  std::erase_if(probes, [](const Probe& probe) { return probe.response.empty(); });
+  std::erase_if(probes, [](const TriedProbe& probe) { return probe.response.empty(); });
 }
 
 /// The least cost with a probe of any size beside the model.
-LinearFit promise_of(const Probe& probe, LinearLadder& linear, std::size_t& change) {
+LinearFit promise_of(const TriedProbe& probe, LinearLadder& linear, std::size_t& change) {
   const double most = probe.sized.sized ? kFarthest : 1.0;
   change = linear.add(probe.response, probe.sized.one_sided ? 0.0 : -most, most);
   return linear.best({&change, 1});
@@ -168,7 +166,8 @@ bool is_plain(const Hypothesis& hypothesis, const SizedProbe& sized) {
 }
 
 /// Of a hypothesis's probes the one that promises most, and the plain one that does, where that is another.
-std::vector<Probe> most_promising(const Hypothesis& hypothesis, std::vector<Probe>& probes, LinearLadder& linear) {
+std::vector<TriedProbe> most_promising(const Hypothesis& hypothesis, std::vector<TriedProbe>& probes,
+                                       LinearLadder& linear) {
   std::optional<std::size_t> best, plain;
   std::vector<double> costs;
   std::size_t change = 0;
@@ -177,19 +176,19 @@ std::vector<Probe> most_promising(const Hypothesis& hypothesis, std::vector<Prob
     if (!best || costs[i] < costs[*best]) best = i;
     if (is_plain(hypothesis, probes[i].sized) && (!plain || costs[i] < costs[*plain])) plain = i;
   }
-  std::vector<Probe> kept;
+  std::vector<TriedProbe> kept;
   if (best) kept.push_back(probes[*best]);
   if (plain && plain != best) kept.push_back(probes[*plain]);
   return kept;
 }
 
 /// A probe or two a hypothesis: those that promise most over the shorter rungs.
-std::vector<std::vector<Probe>> best_probes(const Stage& stage, const ModelBench& bench,
-                                            const std::vector<Hypothesis>& hypotheses) {
+std::vector<std::vector<TriedProbe>> best_probes(const Stage& stage, const ModelBench& bench,
+                                                 const std::vector<Hypothesis>& hypotheses) {
   const Ground& ground = stage.ground;
   const std::map<std::string, double> scales = data_scales(ground.task().trials);
   LinearLadder linear = linearise(stage.ladder, bench.predictor(), bench.space(), stage.fit, ground.block());
-  std::vector<std::vector<Probe>> probes(hypotheses.size());
+  std::vector<std::vector<TriedProbe>> probes(hypotheses.size());
   parallel_for(probes.size(), ground.task().threads, [&](std::size_t h, int) {
     throw_if_interrupted();
     Probed few(stage, hypotheses[h], stage.for_sizes);
@@ -201,25 +200,6 @@ std::vector<std::vector<Probe>> best_probes(const Stage& stage, const ModelBench
   });
   for (std::size_t h = 0; h < probes.size(); ++h) probes[h] = most_promising(hypotheses[h], probes[h], linear);
   return probes;
-}
-
-/// How often, of draws of one sign a block for all changes alike, the largest of |Σ s| / √Σ s² is at least each one's.
-std::vector<double> by_chance(const std::vector<BlockScores>& scores) {
-  std::vector<double> own;
-  for (const BlockScores& one : scores) own.push_back(one.norm() > 0.0 ? std::abs(one.sum()) / one.norm() : 0.0);
-  std::vector<double> above(scores.size(), 1.0);
-  for (int draw = 0; draw < kDraws && !scores.empty(); ++draw) {
-    Eigen::VectorXd signs(scores.front().size());
-    const std::array<std::uint64_t, 2> key{1, static_cast<std::uint64_t>(draw)};
-    RandomStream random(key);
-    for (Eigen::Index b = 0; b < signs.size(); ++b) signs(b) = (random() & 1U) != 0 ? 1.0 : -1.0;
-    double most = 0.0;
-    for (const BlockScores& one : scores)
-      if (one.norm() > 0.0) most = std::max(most, std::abs(one.dot(signs)) / one.norm());
-    for (std::size_t j = 0; j < above.size(); ++j) above[j] += most >= own[j] ? 1.0 : 0.0;
-  }
-  for (double& one : above) one /= kDraws + 1.0;
-  return above;
 }
 
 /// The effect's own values where its probe is so many times as large.
@@ -289,7 +269,7 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
   const Stage stage = stage_of(ground, bench, here, ladder);
   LinearLadder linear = linearise(ladder, bench.predictor(), bench.space(), stage.fit, ground.block());
   look.cost = linear.best({}).cost;
-  std::vector<std::vector<Probe>> probes(look.hypotheses.size());
+  std::vector<std::vector<TriedProbe>> probes(look.hypotheses.size());
   if (known) {
     for (std::size_t h = 0; h < probes.size(); ++h)
       if (const auto found = known->find(name_of(look.hypotheses[h])); found != known->end())
@@ -302,12 +282,10 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
     throw_if_interrupted();
     respond(stage, look.hypotheses[h], probes[h]);
   });
-  std::vector<BlockScores> scores;
   std::vector<Single> singles;
   for (std::size_t h = 0; h < probes.size(); ++h) {
     std::optional<Promise> best;
-    std::size_t best_change = 0;
-    for (const Probe& probe : probes[h]) {
+    for (const TriedProbe& probe : probes[h]) {
       std::size_t change = 0;
       const LinearFit found = promise_of(probe, linear, change);
       const Probed probed(stage, look.hypotheses[h], {});
@@ -318,9 +296,10 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
       const bool leads = !best || found.cost < best->cost;
       std::optional<std::vector<double>> plainly = best ? best->plainly : std::nullopt;
       if (is_plain(look.hypotheses[h], probe.sized)) plainly = values;
-      best = leads ? Promise{h, found.cost, values, plainly, 1.0}
-                   : Promise{h, best->cost, best->values, plainly, 1.0};
-      if (leads) best_change = change;
+      if (leads)
+        best = Promise{h, found.cost, values, plainly};
+      else
+        best->plainly = plainly;
     }
     if (!best) {
       look.untestable.push_back(
@@ -328,10 +307,7 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
       continue;
     }
     look.promises.push_back(*best);
-    scores.push_back(linear.scores(best_change));
   }
-  const std::vector<double> chances = by_chance(scores);
-  for (std::size_t i = 0; i < chances.size(); ++i) look.promises[i].p_by_chance = chances[i];
   std::stable_sort(look.promises.begin(), look.promises.end(),
                    [](const Promise& a, const Promise& b) { return a.cost < b.cost; });
   if (pairs > 0) {

@@ -13,10 +13,9 @@ namespace lacuna {
 /// What adding one effect promises, to first order, beside a fitted model.
 struct Promise {
   std::size_t hypothesis = 0;
-  double cost = 0.0;           ///< that is left, nats
-  std::vector<double> values;  ///< of the model with it: where a fit of it begins
+  double cost = 0.0;                           ///< that is left, nats
+  std::vector<double> values;                  ///< of the model with it: where a fit of it begins
   std::optional<std::vector<double>> plainly;  ///< the same where what shapes the effect has no value yet
-  double p_by_chance = 1.0;    ///< how often as strong a score would come out without it, over the whole library
 };
 
 /// The same of two effects at once.

@@ -24,11 +24,11 @@ std::string ratio(bool is_known, double cost, double of_base) {
 }
 
 void print(const RankedSet& set, const RankedSet& base, bool is_answer) {
-  const std::string name = name_of_set(set.effects);
+  const std::string name = name_of_set(set.model.added);
   const bool is_held_out = set.held_out.valid && base.held_out.valid;
-  fmt::print("{} {} {} {} · {:.3f} ± {:.3f} nats over the answer · p {:.3f}\n", is_answer ? "→" : " ",
+  fmt::print("{} {} {} {} · {:.3f} ± {:.3f} nats over the answer\n", is_answer ? "→" : " ",
              ratio(true, set.cost, base.cost), ratio(is_held_out, set.held_out.cost, base.held_out.cost),
-             name.empty() ? "the model as it is" : name, set.over_answer.nats, set.over_answer.error, set.p_by_chance);
+             name.empty() ? "the model as it is" : name, set.over_answer.nats, set.over_answer.error);
 }
 
 void run(const char* file, const std::vector<std::string>& among) {

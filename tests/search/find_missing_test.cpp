@@ -27,7 +27,7 @@ Missing found(const PendulumTruth& truth) {
                        .threads = 2});
 }
 
-std::string answer_of(const Missing& missing) { return name_of_set(missing.ranking[missing.answer].effects); }
+std::string answer_of(const Missing& missing) { return name_of_set(missing.ranking[missing.answer].model.added); }
 
 TEST(FindMissing, NamesDryFriction) {
   const Missing missing = found({.inertia = 0.03, .friction = 0.05});

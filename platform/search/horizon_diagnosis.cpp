@@ -1,0 +1,209 @@
+#include "search/horizon_diagnosis.h"
+
+#include "diagnosis/data_doubts.h"
+#include "diagnosis/selection.h"
+#include "diagnosis/stopped_search.h"
+#include "foundation/interrupt.h"
+#include "fitting/progress_meter.h"
+#include "search/find_missing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarAboveFloor = 3.0;  ///< of the model's error, where no effect lowers it: something else is missing
+constexpr std::size_t kMostRanked = 8;
+constexpr int kNotes = 110;  ///< of a usual search
+constexpr double kTwoSided = 1.96;
+constexpr double kAtBound = 1e-6;  ///< of a value's range
+
+std::set<std::string> names_in(const RankedSet& set) {
+  std::set<std::string> names;
+  for (const EffectEntry& entry : set.model.added) names.insert(name_of_set({entry}));
+  return names;
+}
+
+/// The fit in the form in which values and intervals are stated.
+Refit refit_of(const RankedSet& set, bool timing) {
+  Refit fit;
+  fit.valid = fit.converged = true;
+  const ParameterSpace space(set.model.definition.free);
+  fit.values = set.model.values;
+  if (timing) {
+    fit.timing = fit.values.back();
+    fit.values.pop_back();
+  }
+  fit.covariance = set.covariance;
+  const Eigen::VectorXd at = space.to_coordinates(fit.values);
+  for (Eigen::Index j = 0; j < at.size(); ++j) {
+    const double room = kAtBound * (space.upper()(j) - space.lower()(j));
+    fit.at_bound.push_back(at(j) - space.lower()(j) <= room || space.upper()(j) - at(j) <= room);
+  }
+  return fit;
+}
+
+Gain gain_of(const CostDifference& difference) {
+  return {difference.nats, difference.error, difference.nats - kTwoSided * difference.error,
+          difference.nats + kTwoSided * difference.error};
+}
+
+double rms(const HorizonErrors& errors, std::size_t rung, std::size_t channel) {
+  const bool is_known = errors.valid && errors.weight[rung][channel] > 0.0;
+  return is_known ? std::sqrt(errors.mean_square[rung][channel]) : kUnknown;
+}
+
+/// Mean over rungs and channels of the error over its floor, in proportion.
+double times_floor(const Ladder& ladder, const HorizonErrors& errors) {
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
+    for (std::size_t c = 0; c < ladder.channels.size(); ++c) {
+      const double weight = errors.weight[r][c];
+      if (weight > 0.0) sum += weight * 0.5 * std::log(errors.mean_square[r][c] / ladder.rungs[r].floor[c]);
+      weights += weight;
+    }
+  return weights > 0.0 ? std::exp(sum / weights) : kUnknown;
+}
+
+class Told {
+ public:
+  explicit Told(const Missing& missing) : missing_(missing), answer_(missing.ranking[missing.answer]) {}
+
+  void into(Diagnosis& result) const {
+    result.hypotheses = missing_.hypotheses;
+    result.untestable = missing_.untestable;
+    result.horizons = horizons();
+    result.base = errors_of(missing_.base);
+    result.base_segment = longest();
+    result.base_times_floor = times_floor(missing_.ladder, missing_.base.errors);
+    for (const RankedSet* set : shown()) result.ranking.push_back(ranked(*set));
+    if (!answer_.model.added.empty()) {
+      result.verdict = Verdict::effect_found;
+      result.ranking.front().look_alikes = look_alikes();
+      result.answer_gain = gain_of(answer_.over_base);
+    } else {
+      result.verdict = result.base_times_floor > kFarAboveFloor ? Verdict::not_in_library : Verdict::nothing_missing;
+    }
+    result.values = own_values(answer_.model.added, answer_.model.definition, refit_of(answer_, missing_.timing));
+  }
+
+ private:
+  /// The answer, if it has effects, then the others that have, the least cost first.
+  std::vector<const RankedSet*> shown() const {
+    std::vector<const RankedSet*> sets;
+    if (!answer_.model.added.empty()) sets.push_back(&answer_);
+    for (const RankedSet& set : missing_.ranking)
+      if (&set != &answer_ && !set.model.added.empty() && sets.size() < kMostRanked) sets.push_back(&set);
+    return sets;
+  }
+
+  double longest() const {
+    for (std::size_t r = missing_.ladder.rungs.size(); r-- > 0;)
+      for (const double weight : missing_.ladder.rungs[r].weight)
+        if (weight > 0.0) return missing_.ladder.rungs[r].length;
+    return 0.0;
+  }
+
+  std::vector<HorizonError> horizons() const {
+    std::vector<HorizonError> all;
+    for (std::size_t r = 0; r < missing_.ladder.rungs.size(); ++r)
+      for (std::size_t c = 0; c < missing_.ladder.channels.size(); ++c) {
+        if (!(missing_.base.errors.weight[r][c] > 0.0)) continue;
+        const std::string& channel = missing_.ladder.channels[c].channel;
+        all.push_back({missing_.ladder.rungs[r].length, channel, missing_.ladder.channels[c].unit,
+                       std::sqrt(missing_.ladder.rungs[r].floor[c]), rms(missing_.base.errors, r, c),
+                       rms(answer_.errors, r, c), rms(missing_.base.held_out, r, c), rms(answer_.held_out, r, c)});
+      }
+    return all;
+  }
+
+  /// Over the longest horizon at which a channel is judged.
+  std::vector<ChannelError> errors_of(const RankedSet& set) const {
+    std::vector<ChannelError> errors;
+    for (std::size_t c = 0; c < missing_.ladder.channels.size(); ++c) {
+      const std::string& channel = missing_.ladder.channels[c].channel;
+      for (std::size_t r = missing_.ladder.rungs.size(); r-- > 0;) {
+        if (!(set.errors.weight[r][c] > 0.0)) continue;
+        errors.push_back({channel, missing_.ladder.channels[c].unit, std::sqrt(missing_.ladder.rungs[r].floor[c]),
+                          rms(set.errors, r, c), rms(set.held_out, r, c)});
+        break;
+      }
+    }
+    return errors;
+  }
+
+  RankedModel ranked(const RankedSet& set) const {
+    RankedModel model;
+    model.effects = found_effects(set.model.added, set.model.definition, refit_of(set, missing_.timing));
+    model.gain = gain_of(set.over_base);
+    model.errors = errors_of(set);
+    model.times_floor = times_floor(missing_.ladder, set.errors);
+    model.segment = longest();
+    return model;
+  }
+
+  /// Effects that stand in the place of one of the answer's in a set that is as good.
+  std::vector<std::string> look_alikes() const {
+    const std::set<std::string> own = names_in(answer_);
+    std::vector<std::string> alike;
+    for (const std::set<std::string>& names : missing_.alike)
+      for (const std::string& name : names)
+        if (!own.contains(name) && std::find(alike.begin(), alike.end(), name) == alike.end()) alike.push_back(name);
+    return alike;
+  }
+
+  const Missing& missing_;
+  const RankedSet& answer_;
+};
+
+/// Candidates that no set was fitted with.
+std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& missing) {
+  std::vector<std::string> names = candidate_names(task.experiment, task.catalog, task.definition, task.among);
+  std::erase_if(names, [&](const std::string& name) { return missing.examined.contains(name); });
+  return names;
+}
+
+Diagnosis search(const DiagnosisTask& task, ProgressMeter& meter) {
+  Diagnosis result;
+  MissingTask missing_task{task.experiment, task.catalog, task.trials, task.values, task.among, task.threads, {}};
+  meter.set_parts(kNotes);
+  missing_task.note = [&](const std::string& what) {
+    meter.end_part();
+    meter.begin_part(what);
+  };
+  const Missing missing = find_missing(missing_task);
+  Told(missing).into(result);
+  if (missing.stopped) mark_stopped({"the search", not_examined(task, missing), {}}, 0, result);
+  return result;
+}
+
+Diagnosis search_or_say_why(const DiagnosisTask& task, ProgressMeter& meter) {
+  try {
+    return search(task, meter);
+  } catch (const NothingPredictable& nothing) {
+    Diagnosis result;
+    result.findings.emplace_back(nothing.what());
+    return result;
+  } catch (const TimeIsUp&) {
+    lift_time_limit();
+    return stopped_before_search(task.experiment, task.catalog, task.definition, task.among,
+                                 "the fit of the model to short predictions");
+  }
+}
+
+}  // namespace
+
+Diagnosis diagnose_by_horizon(const DiagnosisTask& task) {
+  ProgressMeter meter(task.progress);
+  const std::vector<Doubt> doubts = data_doubts({task.definition, task.model, task.trials, task.values, true});
+  Diagnosis result = search_or_say_why(task, meter);
+  for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
+  result.seconds = meter.seconds();
+  return result;
+}
+
+}  // namespace lacuna
