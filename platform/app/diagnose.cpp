@@ -35,7 +35,7 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   if (before && !options.quiet)
     fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->tried.size(), "model"));
   ProgressLine line(options.quiet);
-  Diagnosis diagnosis = diagnose_by_horizon({.experiment = rig.experiment,
+  Diagnosis diagnosis = find_missing_effects({.experiment = rig.experiment,
                                   .catalog = *rig.catalog,
                                   .definition = rig.definition,
                                   .model = *rig.model,

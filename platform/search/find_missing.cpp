@@ -44,7 +44,7 @@ std::size_t breadth_of(const Ladder& ladder) {
 
 class SetSearch {
  public:
-  explicit SetSearch(const MissingTask& task) : ground_(task), sets_(ground_) {}
+  explicit SetSearch(const Ground& ground) : ground_(ground), sets_(ground_) {}
 
   Missing run() {
     say("the model as it is");
@@ -421,7 +421,7 @@ class SetSearch {
     return missing;
   }
 
-  Ground ground_;
+  const Ground& ground_;
   ModelSets sets_;
   std::size_t breadth_ = 1;
   KnownProbes probes_;  ///< of the first look
@@ -431,6 +431,17 @@ class SetSearch {
 
 }  // namespace
 
-Missing find_missing(const MissingTask& task) { return SetSearch(task).run(); }
+double times_floor(const Ladder& ladder, const HorizonErrors& errors) {
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
+    for (std::size_t c = 0; c < ladder.channels.size(); ++c) {
+      const double weight = errors.weight[r][c];
+      if (weight > 0.0) sum += weight * 0.5 * std::log(errors.mean_square[r][c] / ladder.rungs[r].floor[c]);
+      weights += weight;
+    }
+  return weights > 0.0 ? std::exp(sum / weights) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Missing find_missing(const Ground& ground) { return SetSearch(ground).run(); }
 
 }  // namespace lacuna

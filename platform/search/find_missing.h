@@ -33,8 +33,10 @@ struct Missing {
   int refits = 0;
 };
 
-/// Throws `NothingPredictable`, `Interrupted`, and `TimeIsUp` where that comes before the model as it is was fitted;
-/// later it is lifted, and the search `stopped`.
-Missing find_missing(const MissingTask& task);
+/// Mean over rungs and channels of the error over its floor, in proportion.
+double times_floor(const Ladder& ladder, const HorizonErrors& errors);
+
+/// Throws `Interrupted`. Where the time limit is reached it is lifted, and the search `stopped`.
+Missing find_missing(const Ground& ground);
 
 }  // namespace lacuna

@@ -10,17 +10,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <set>
 
 namespace lacuna {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNearFloor = 2.0;      ///< of the model's error
 constexpr double kFarAboveFloor = 3.0;  ///< of the model's error, where no effect lowers it: something else is missing
 constexpr std::size_t kMostRanked = 8;
 constexpr int kNotes = 110;  ///< of a usual search
 constexpr double kTwoSided = 1.96;
-constexpr double kAtBound = 1e-6;  ///< of a value's range
 
 std::set<std::string> names_in(const RankedSet& set) {
   std::set<std::string> names;
@@ -40,10 +42,8 @@ Refit refit_of(const RankedSet& set, bool timing) {
   }
   fit.covariance = set.covariance;
   const Eigen::VectorXd at = space.to_coordinates(fit.values);
-  for (Eigen::Index j = 0; j < at.size(); ++j) {
-    const double room = kAtBound * (space.upper()(j) - space.lower()(j));
-    fit.at_bound.push_back(at(j) - space.lower()(j) <= room || space.upper()(j) - at(j) <= room);
-  }
+  for (Eigen::Index j = 0; j < at.size(); ++j)
+    fit.at_bound.push_back(at(j) <= space.lower()(j) || at(j) >= space.upper()(j));
   return fit;
 }
 
@@ -55,18 +55,6 @@ Gain gain_of(const CostDifference& difference) {
 double rms(const HorizonErrors& errors, std::size_t rung, std::size_t channel) {
   const bool is_known = errors.valid && errors.weight[rung][channel] > 0.0;
   return is_known ? std::sqrt(errors.mean_square[rung][channel]) : kUnknown;
-}
-
-/// Mean over rungs and channels of the error over its floor, in proportion.
-double times_floor(const Ladder& ladder, const HorizonErrors& errors) {
-  double sum = 0.0, weights = 0.0;
-  for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
-    for (std::size_t c = 0; c < ladder.channels.size(); ++c) {
-      const double weight = errors.weight[r][c];
-      if (weight > 0.0) sum += weight * 0.5 * std::log(errors.mean_square[r][c] / ladder.rungs[r].floor[c]);
-      weights += weight;
-    }
-  return weights > 0.0 ? std::exp(sum / weights) : kUnknown;
 }
 
 class Told {
@@ -167,43 +155,56 @@ std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& 
   return names;
 }
 
-Diagnosis search(const DiagnosisTask& task, ProgressMeter& meter) {
-  Diagnosis result;
-  MissingTask missing_task{task.experiment, task.catalog, task.trials, task.values, task.among, task.threads, {}};
+/// What is searched, with a line of progress for all that is done.
+MissingTask missing_task(const DiagnosisTask& task, ProgressMeter& meter) {
+  MissingTask missing{task.experiment, task.catalog, task.trials, task.values, task.among, task.threads, {}};
   meter.set_parts(kNotes);
-  missing_task.note = [&](const std::string& what) {
+  missing.note = [&meter](const std::string& what) {
     meter.end_part();
     meter.begin_part(what);
   };
-  const Missing missing = find_missing(missing_task);
+  return missing;
+}
+
+Diagnosis search(const DiagnosisTask& task, const Ground& ground) {
+  Diagnosis result;
+  const Missing missing = find_missing(ground);
   Told(missing).into(result);
   if (missing.stopped) mark_stopped({"the search", not_examined(task, missing), {}}, 0, result);
+  for (const Doubt& doubt : data_doubts({task.definition, task.model, task.trials, task.values, true}))
+    result.findings.push_back(doubt.sentence);
   return result;
 }
 
-Diagnosis search_or_say_why(const DiagnosisTask& task, ProgressMeter& meter) {
+/// Nothing where the model is nearly as good as the noise allows or nothing can be predicted: likelihoods see smaller
+/// effects then, for the noise is what they are about.
+std::optional<Diagnosis> by_horizon(const DiagnosisTask& task) {
+  ProgressMeter meter(task.progress);
+  std::unique_ptr<const Ground> ground;
   try {
-    return search(task, meter);
-  } catch (const NothingPredictable& nothing) {
-    Diagnosis result;
-    result.findings.emplace_back(nothing.what());
-    return result;
+    ground = std::make_unique<const Ground>(missing_task(task, meter));
+  } catch (const NothingPredictable&) {
+    return std::nullopt;
+  }
+  if (!(times_floor(ground->ladder(), ground->fit().errors) > kNearFloor)) return std::nullopt;
+  Diagnosis result = search(task, *ground);
+  if (result.verdict == Verdict::nothing_missing && !result.stopped) return std::nullopt;
+  result.seconds = meter.seconds();
+  return result;
+}
+
+}  // namespace
+
+Diagnosis find_missing_effects(const DiagnosisTask& task) {
+  if (task.resume != nullptr) return diagnose(task);
+  try {
+    if (std::optional<Diagnosis> found = by_horizon(task)) return std::move(*found);
   } catch (const TimeIsUp&) {
     lift_time_limit();
     return stopped_before_search(task.experiment, task.catalog, task.definition, task.among,
                                  "the fit of the model to short predictions");
   }
-}
-
-}  // namespace
-
-Diagnosis diagnose_by_horizon(const DiagnosisTask& task) {
-  ProgressMeter meter(task.progress);
-  const std::vector<Doubt> doubts = data_doubts({task.definition, task.model, task.trials, task.values, true});
-  Diagnosis result = search_or_say_why(task, meter);
-  for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
-  result.seconds = meter.seconds();
-  return result;
+  return diagnose(task);
 }
 
 }  // namespace lacuna

@@ -4,10 +4,10 @@
 
 namespace lacuna {
 
-/// METHOD: what effects, if any, the model lacks, by the errors of its predictions over a ladder of horizons. Doubts
-/// about the data stand beside the verdict. Where nothing can be predicted from any start, the verdict is
-/// `cannot_tell`. Where the time limit is reached (foundation/interrupt.h), it is lifted and the diagnosis is
-/// `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
-Diagnosis diagnose_by_horizon(const DiagnosisTask& task);
+/// METHOD: what effects, if any, the model lacks. Where its predictions are far from what noise allows they are what
+/// sets of effects are judged by, over a ladder of horizons; doubts about the data stand beside the verdict then. Where
+/// they are near, likelihoods are (`diagnose`). Where the time limit is reached (foundation/interrupt.h), it is lifted
+/// and the diagnosis is `stopped`. Throws `Error` where the trials do not fit the model, and `Interrupted`.
+Diagnosis find_missing_effects(const DiagnosisTask& task);
 
 }  // namespace lacuna

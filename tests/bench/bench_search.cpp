@@ -41,7 +41,7 @@ void run(const char* file, const std::vector<std::string>& among) {
   task.among = among;
   task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   task.note = [&](const std::string& what) { fmt::print(stderr, "{:.1f} s {}\n", spent(), what); };
-  const Missing missing = find_missing(task);
+  const Missing missing = find_missing(Ground(task));
   fmt::print("{}: lengths", file);
   for (const Rung& rung : missing.ladder.rungs) fmt::print(" {:.3g}", rung.length);
   fmt::print(" s\n");

@@ -19,12 +19,12 @@ Missing found(const PendulumTruth& truth) {
   const std::vector<Trial> trials = {recorded(truth, "multi.csv", multisine, 6.0, 3),
                                      recorded(truth, "steps.csv", steps, 6.0, 4)};
   const ModelDefinition definition = define_model(experiment, built_catalog());
-  return find_missing({.experiment = experiment,
-                       .catalog = built_catalog(),
-                       .trials = trials,
-                       .values = definition.start_values(),
-                       .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque"},
-                       .threads = 2});
+  return find_missing(Ground({.experiment = experiment,
+                              .catalog = built_catalog(),
+                              .trials = trials,
+                              .values = definition.start_values(),
+                              .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque"},
+                              .threads = 2}));
 }
 
 std::string answer_of(const Missing& missing) { return name_of_set(missing.ranking[missing.answer].model.added); }

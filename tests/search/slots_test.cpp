@@ -24,7 +24,7 @@ Look look_of(const std::vector<Seen>& effects) {
     hypothesis.entry.where = {seen.where};
     hypothesis.own.resize(seen.values);
     hypothesis.alike = seen.alike;
-    look.promises.push_back({look.hypotheses.size(), -seen.gain, {}, 1.0});
+    look.promises.push_back({look.hypotheses.size(), -seen.gain, {}, {}});
     look.hypotheses.push_back(std::move(hypothesis));
   }
   return look;
@@ -41,17 +41,18 @@ std::vector<std::string> slots(const std::vector<Seen>& effects, const std::vect
 
 using Names = std::vector<std::string>;
 
-TEST(Slots, ASimplerLawGoesBeforeARicherOneThatLooksLikeIt) {
-  EXPECT_EQ(slots({{"stribeck", 3, 1.0, {"coulomb"}}, {"coulomb", 1, 0.9}}), Names{"coulomb"});
+TEST(Slots, ALawThatPromisesMuchLessThanASimplerOneThatLooksLikeItHasNone) {
+  EXPECT_EQ(slots({{"coulomb", 1, 1.0}, {"stribeck", 3, 0.6, {"coulomb"}}}), Names{"coulomb"});
+  EXPECT_EQ(slots({{"coulomb", 1, 1.0}, {"stribeck", 3, 0.8, {"coulomb"}}}), (Names{"coulomb", "stribeck"}));
 }
 
-TEST(Slots, ARicherLawThatPromisesMuchMoreKeepsItsSlotBesideTheSimpleOne) {
+TEST(Slots, ARicherLawAndTheSimpleOneThatPromisesLessHaveOneEach) {
   EXPECT_EQ(slots({{"stribeck", 3, 1.0, {"coulomb"}}, {"coulomb", 1, 0.5}}), (Names{"stribeck", "coulomb"}));
 }
 
 TEST(Slots, WhatLooksDifferentOrIsElsewhereHasItsOwn) {
-  EXPECT_EQ(slots({{"stribeck", 3, 1.0, {"coulomb"}}, {"coulomb", 1, 0.9}, {"stribeck", 3, 0.8, {}, "joint.other"}}),
-            (Names{"coulomb", "stribeck"}));
+  EXPECT_EQ(slots({{"coulomb", 1, 1.0}, {"stribeck", 3, 0.3, {"coulomb"}, "joint.other"}, {"spring", 3, 0.2}}),
+            (Names{"coulomb", "stribeck", "spring"}));
 }
 
 TEST(Slots, NothingThatTheModelHasAlready) {
