@@ -25,7 +25,24 @@ namespace {
 struct DiagnoseOptions : CommonOptions {
   std::vector<std::string> among;
   std::filesystem::path out;
+  bool by_horizon = false;
 };
+
+DiagnosisTask task_of(const DiagnoseOptions& options, const Workbench& bench, const FitResult& fit,
+                      ProgressLine& line) {
+  const Rig& rig = bench.rig();
+  return {.experiment = rig.experiment,
+          .catalog = *rig.catalog,
+          .definition = rig.definition,
+          .model = *rig.model,
+          .trials = rig.trials,
+          .values = fit.parameters(),
+          .among = options.among,
+          .segment = rig.experiment.diagnosis.segment,
+          .seed = options.seed.value_or(rig.experiment.seed),
+          .threads = bench.threads(),
+          .progress = line.callback()};
+}
 
 /// Goes on from where an interrupted call came to, and keeps where it comes to itself.
 Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const FitResult& fit) {
@@ -35,21 +52,12 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   if (before && !options.quiet)
     fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->tried.size(), "model"));
   ProgressLine line(options.quiet);
-  Diagnosis diagnosis = find_missing_effects({.experiment = rig.experiment,
-                                  .catalog = *rig.catalog,
-                                  .definition = rig.definition,
-                                  .model = *rig.model,
-                                  .trials = rig.trials,
-                                  .values = fit.parameters(),
-                                  .among = options.among,
-                                  .segment = rig.experiment.diagnosis.segment,
-                                  .seed = options.seed.value_or(rig.experiment.seed),
-                                  .threads = bench.threads(),
-                                  .progress = line.callback(),
-                                  .resume = before ? &*before : nullptr,
-                                  .keep = [&](const SearchState& state) {
-                                    bench.ledger().keep_unfinished(bench.revision(), rig, options.among, state);
-                                  }});
+  DiagnosisTask task = task_of(options, bench, fit, line);
+  task.resume = before ? &*before : nullptr;
+  task.keep = [&](const SearchState& state) {
+    bench.ledger().keep_unfinished(bench.revision(), rig, options.among, state);
+  };
+  Diagnosis diagnosis = diagnose(task);
   diagnosis.findings.insert(diagnosis.findings.end(), fit.cannot_tell.begin(), fit.cannot_tell.end());
   return diagnosis;
 }
@@ -62,6 +70,10 @@ struct Found {
 Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) try {
   const Rig& rig = bench.rig();
   const FitResult fit = bench.fit_model().result;
+  if (options.by_horizon) {
+    ProgressLine line(options.quiet);
+    return {find_missing_effects(task_of(options, bench, fit, line))};
+  }
   if (const auto known = bench.ledger().known_diagnosis(bench.revision(), rig, options.among))
     return {read_diagnosis(*known), true};
   Diagnosis made = make_diagnosis(options, bench, fit);
@@ -110,6 +122,8 @@ void add_diagnose_command(CLI::App& program) {
   add_work_options(*command, *options);
   add_time_limit_option(*command);
   command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
+  command->add_flag("--by-horizon", options->by_horizon,
+                    "Judge by errors over several horizons, for recordings of real rigs; nothing is kept");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {
     try {

@@ -1,16 +1,14 @@
 #include "search/find_missing.h"
 
 #include "foundation/interrupt.h"
+#include "search/set_order.h"
 #include "search/slots.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <set>
-#include <tuple>
 
 namespace lacuna {
 namespace {
@@ -23,14 +21,10 @@ constexpr std::size_t kParents = 4;         ///< of which further effects are lo
 constexpr std::size_t kPromisesBeside = 6;  ///< effects refitted beside each
 constexpr std::size_t kFinishedBeside = 2;  ///< of these, fitted to all segments
 constexpr std::size_t kTriples = 2;         ///< pairs beside which a third is looked for
-constexpr double kOfAValue = 0.5;      ///< of what a value must gain: by so much simpler sets come first on the way
-constexpr double kBlocksAValue = 3.0;  ///< of time, that a set of effects has at least for each of its values
-constexpr double kUntold = 0.1;        ///< of that: what a value must gain that the data do not tell
-constexpr double kWorthAFit = 0.5;     ///< of what an effect must gain: a fit to all segments is made for
-constexpr double kPresent = 2.0;       ///< standard errors by which the cost rises where an effect goes
-constexpr double kSameCost = 1e-3;     ///< nats
-constexpr double kAlikeCost = 0.01;    ///< nats
-constexpr double kRelevant = 0.10;     ///< of what the best set gains: what each value of an effect must gain
+constexpr double kOfAValue = 0.5;   ///< of what a value must gain: by so much simpler sets come first on the way
+constexpr double kWorthAFit = 0.5;  ///< of what an effect must gain: a fit to all segments is made for
+constexpr double kPresent = 2.0;    ///< standard errors by which the cost rises where an effect goes
+constexpr double kSameCost = 1e-3;  ///< nats
 
 constexpr double kFewSamples = 6000.0;  ///< of all rungs: with fewer, more sets are fitted
 constexpr double kBroadest = 4.0;
@@ -44,7 +38,7 @@ std::size_t breadth_of(const Ladder& ladder) {
 
 class SetSearch {
  public:
-  explicit SetSearch(const Ground& ground) : ground_(ground), sets_(ground_) {}
+  explicit SetSearch(const Ground& ground) : ground_(ground), sets_(ground_), order_(sets_) {}
 
   Missing run() {
     say("the model as it is");
@@ -108,7 +102,7 @@ class SetSearch {
 
   /// Fits the first of these to all segments, but for those that even there gain less than they must.
   void finish_best(const std::vector<std::string>& ordered, std::size_t most) {
-    const double gain = largest_gain();
+    const double gain = order_.largest_gain();
     for (std::size_t i = 0; i < std::min(ordered.size(), most); ++i) {
       const FittedSet& set = *sets_.find(ordered[i]);
       double before = rough_base_;
@@ -269,39 +263,14 @@ class SetSearch {
                     ratio(set.fit.errors.cost, ground_.fit().errors.cost), ratio(set.cross.cost, cross_of(""))));
   }
 
-  double largest_gain() const {
-    double gain = 0.0;
-    for (const auto& [name, set] : sets_.all())
-      if (set.fit.errors.valid) gain = std::max(gain, cross_of("") - set.cross.cost);
-    return gain;
-  }
-
-  /// Whether the data are enough for its values.
-  bool is_told(const FittedSet& set) const {
-    const int more = set.cross.told - sets_.find("")->cross.told;
-    return kBlocksAValue * static_cast<double>(more) <= static_cast<double>(set.cross.by_block.size());
-  }
-
-  /// Names of the sets of so many effects, the best for their size first.
-  std::vector<std::string> best_of(std::size_t size, std::size_t most) const {
-    const double gain = largest_gain();
-    std::vector<std::string> names;
-    for (const auto& [name, set] : sets_.all())
-      if (set.model.added.size() == size && set.fit.errors.valid && is_told(set)) names.push_back(name);
-    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-      return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
-    });
-    if (names.size() > most) names.resize(most);
-    return names;
-  }
-
   /// Looks for a further effect beside the best sets of a size, as long as those are better than smaller ones.
   void grow(std::size_t size, std::size_t parents) {
-    std::vector<std::string> names = best_of(size, 4 * parents);
-    keep_different(names, [&](const std::string& name) { return with_size(*sets_.find(name), largest_gain()); });
+    std::vector<std::string> names = order_.best_of(size, 4 * parents);
+    keep_different(names,
+                   [&](const std::string& name) { return order_.with_size(*sets_.find(name), order_.largest_gain()); });
     if (names.size() > parents) names.resize(parents);
-    const std::vector<std::string> smaller = best_of(size - 1, 1);
-    const double gain = largest_gain();
+    const std::vector<std::string> smaller = order_.best_of(size - 1, 1);
+    const double gain = order_.largest_gain();
     for (const std::string& name : names)
       if (size == 1 || cross_of(smaller.front()) - cross_of(name) > kRelevant * gain)
         expand(name, kPromisesBeside, kFinishedBeside);
@@ -347,38 +316,9 @@ class SetSearch {
       const FittedSet* without = sets_.find(name_of_set(others));
       if (!without || !without->fit.errors.valid) continue;
       const CostDifference worth = difference(set, *without);
-      say(fmt::format("  beyond {}: {:.3f} ± {:.3f}", name_of_set(others), worth.nats, worth.error));
       if (!(worth.nats > kPresent * worth.error)) return false;
     }
     return true;
-  }
-
-  /// What a set costs with what each value that it has more must earn: less makes up for the form of another effect.
-  /// A value that the data do not tell must earn a little.
-  double with_size(const FittedSet& set, double gain) const {
-    const FittedSet& base = *sets_.find("");
-    const auto values = static_cast<double>(set.model.values.size() - base.model.values.size());
-    const double told = std::clamp(static_cast<double>(set.cross.told - base.cross.told),
-                                   static_cast<double>(set.model.added.size()), std::max(values, 0.0));
-    return set.cross.cost + kRelevant * gain * (told + kUntold * (values - told));
-  }
-
-  static std::set<std::string> effects_of(const FittedSet& set) {
-    std::set<std::string> names;
-    for (const EffectEntry& entry : set.model.added) names.insert(name_of_set({entry}));
-    return names;
-  }
-
-  /// Whether a set has another effect in the place of one of the answer's and costs no more than the difference's
-  /// error. Of sets that were not fitted to all segments the costs on some of them are compared.
-  static bool does_the_same(const FittedSet& set, const FittedSet& answer) {
-    const std::set<std::string> own = effects_of(answer), other = effects_of(set);
-    std::vector<std::string> both;
-    std::set_intersection(own.begin(), own.end(), other.begin(), other.end(), std::back_inserter(both));
-    if (own.empty() || other.size() != own.size() || both.size() + 1 != own.size()) return false;
-    if (!set.fit.errors.valid) return set.rough.errors.cost - answer.rough.errors.cost < kAlikeCost;
-    const CostDifference over = difference(answer, set);
-    return over.nats < std::max(kAlikeCost, over.error);
   }
 
   Missing conclude() {
@@ -386,23 +326,18 @@ class SetSearch {
     missing.ladder = ground_.ladder();
     std::vector<std::string> names;
     for (std::size_t size = 0; size <= 3; ++size)
-      for (const std::string& name : best_of(size, 8)) names.push_back(name);
+      for (const std::string& name : order_.best_of(size, 8)) names.push_back(name);
     std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
       return sets_.find(a)->cross.cost < sets_.find(b)->cross.cost;
     });
-    const double gain = std::max(0.0, cross_of("") - cross_of(names.front()));  // of the sets that the data tell
+    const double gain = std::max(0.0, cross_of("") - cross_of(names.front()));  // of those, which the data tell
     std::vector<std::string> order = names;
     std::stable_sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
-      return with_size(*sets_.find(a), gain) < with_size(*sets_.find(b), gain);
+      return order_.with_size(*sets_.find(a), gain) < order_.with_size(*sets_.find(b), gain);
     });
-    for (const std::string& name : order)
-      say(fmt::format("{} {:.3f} {}", name, with_size(*sets_.find(name), gain) - cross_of(""),
-                      sets_.find(name)->cross.told));
     const FittedSet* answer = sets_.find("");
     for (const std::string& name : order) {
       answer = sets_.find(name);
-      say(fmt::format("{}: {:.3f} with its size, {} told", name, with_size(*answer, gain) - cross_of(""),
-                      answer->cross.told));
       if (all_present(*answer)) break;
     }
     missing.base = ranked("", *answer);
@@ -423,6 +358,7 @@ class SetSearch {
 
   const Ground& ground_;
   ModelSets sets_;
+  SetOrder order_;
   std::size_t breadth_ = 1;
   KnownProbes probes_;  ///< of the first look
   Look first_;

@@ -196,7 +196,6 @@ std::optional<Diagnosis> by_horizon(const DiagnosisTask& task) {
 }  // namespace
 
 Diagnosis find_missing_effects(const DiagnosisTask& task) {
-  if (task.resume != nullptr) return diagnose(task);
   try {
     if (std::optional<Diagnosis> found = by_horizon(task)) return std::move(*found);
   } catch (const TimeIsUp&) {

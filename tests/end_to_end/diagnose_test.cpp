@@ -65,6 +65,27 @@ TEST(Diagnose, TwoKnownLoadsTellLoadFrictionFromTheMotorsConstant) {
   EXPECT_TRUE(covers(document["values"]["actuator.servo.motor.torque_constant"], 0.32)) << document["values"];
 }
 
+TEST(Diagnose, ByHorizonNamesTheSameAndKeepsNothing) {
+  const Program program;
+  program.copy_lifting_servo();
+  const Outcome outcome = program.run({"diagnose", "lifting-servo.toml", "--by-horizon", "--json=found.json", "--among",
+                                       "load_friction", "coulomb_friction", "viscous_friction"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const nlohmann::json document = found(program);
+  EXPECT_EQ(document["verdict"], "effect_found");
+  EXPECT_TRUE(document["probability"].is_null());
+  ASSERT_EQ(document["ranking"][0]["effects"].size(), 1U);
+  const nlohmann::json& effect = document["ranking"][0]["effects"][0];
+  EXPECT_EQ(effect["effect"], "load_friction");
+  EXPECT_NEAR(effect["parameters"]["ratio"]["value"].get<double>(), 0.22, 0.005);
+  ASSERT_GE(document["horizons"].size(), 3U);
+  const nlohmann::json& longest = document["horizons"].back();
+  EXPECT_LT(longest["answer"].get<double>(), 0.5 * longest["base"].get<double>());
+  EXPECT_THAT(outcome.output, HasSubstr("error where not fitted"));
+  const Outcome stored = program.run({"sql", "lifting-servo.db", "--csv", "SELECT count(*) FROM diagnoses"});
+  EXPECT_THAT(stored.output, HasSubstr("\n0"));
+}
+
 /// Records a pendulum of that mass, whose motor is not centred, with an encoder of 1 mrad.
 void record_pendulum(const Program& program, const std::string& name, const std::string& mass) {
   program.write("sim.toml", R"([experiment]
