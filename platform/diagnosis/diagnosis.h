@@ -68,7 +68,7 @@ struct HorizonError {
 struct RankedModel {
   std::vector<FoundEffect> effects;
   std::vector<std::string> look_alikes;  ///< what these data do not tell from its last effect, "name @ where"
-  Gain gain;                             ///< by what its mean log error where it was not fitted is below the base's, nats
+  Gain gain;                             ///< of the mean log error where it was not fitted, over the base, nats
   double probability = 0.0;              ///< among the ranking and the base; uncalibrated
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels

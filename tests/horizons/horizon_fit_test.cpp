@@ -78,7 +78,7 @@ TEST_F(HorizonFits, TheLadderReachesFromTenSamplesToWholeTrials) {
   EXPECT_TRUE(ladder.reaches_whole_trials);
   EXPECT_NEAR(ladder.rungs.front().length, 0.1, 1e-9);
   EXPECT_NEAR(ladder.rungs.back().length, 12.0, 1e-9);
-  EXPECT_EQ(ladder.rungs.front().segments.size(), 120u);
+  EXPECT_EQ(ladder.rungs.front().segments.size(), 60u);
   for (const Rung& rung : ladder.rungs) {
     EXPECT_GT(rung.floor[0], 0.5 * kNoise * kNoise);
     EXPECT_TRUE(rung.counts[0]);
