@@ -347,8 +347,9 @@ class SetSearch {
     }
     for (const auto& [name, set] : sets_.all()) {
       for (const EffectEntry& entry : set.model.added) missing.examined.insert(name_of_set({entry}));
-      if (does_the_same(set, *answer)) missing.alike.push_back(effects_of(set));
+      if (does_the_same(set, *answer)) missing.alike.merge(effects_of(set));
     }
+    for (const std::string& name : effects_of(*answer)) missing.alike.erase(name);
     missing.refits = sets_.refits();
     missing.hypotheses = first_.hypotheses.size();
     missing.untestable = first_.untestable;

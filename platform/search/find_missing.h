@@ -20,10 +20,10 @@ struct RankedSet {
 };
 
 struct Missing {
-  bool stopped = false;                      ///< by the time limit: of what was fitted until then
-  std::set<std::string> examined;            ///< effects that were fitted, "name @ where"
-  std::vector<std::set<std::string>> alike;  ///< sets that do what the answer does, but for one of its effects
-  std::size_t hypotheses = 0;                ///< effect × place
+  bool stopped = false;            ///< by the time limit: of what was fitted until then
+  std::set<std::string> examined;  ///< effects that were fitted, "name @ where"
+  std::set<std::string> alike;     ///< effects that do in the place of one of the answer's what it does
+  std::size_t hypotheses = 0;      ///< effect × place
   std::vector<Untestable> untestable;
   bool timing = false;             ///< when commands act was fitted
   std::vector<RankedSet> ranking;  ///< the least cost first

@@ -12,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace lacuna {
 namespace {
@@ -23,12 +22,6 @@ constexpr double kFarAboveFloor = 3.0;  ///< of the model's error, where no effe
 constexpr std::size_t kMostRanked = 8;
 constexpr int kNotes = 110;  ///< of a usual search
 constexpr double kTwoSided = 1.96;
-
-std::set<std::string> names_in(const RankedSet& set) {
-  std::set<std::string> names;
-  for (const EffectEntry& entry : set.model.added) names.insert(name_of_set({entry}));
-  return names;
-}
 
 /// The fit in the form in which values and intervals are stated.
 Refit refit_of(const RankedSet& set, bool timing) {
@@ -71,9 +64,9 @@ class Told {
     for (const RankedSet* set : shown()) result.ranking.push_back(ranked(*set));
     if (!answer_.model.added.empty()) {
       result.verdict = Verdict::effect_found;
-      result.ranking.front().look_alikes = look_alikes();
+      result.ranking.front().look_alikes.assign(missing_.alike.begin(), missing_.alike.end());
       result.answer_gain = gain_of(answer_.over_base);
-    } else {
+    } else if (!missing_.stopped) {
       result.verdict = result.base_times_floor > kFarAboveFloor ? Verdict::not_in_library : Verdict::nothing_missing;
     }
     result.values = own_values(answer_.model.added, answer_.model.definition, refit_of(answer_, missing_.timing));
@@ -132,16 +125,6 @@ class Told {
     model.times_floor = times_floor(missing_.ladder, set.errors);
     model.segment = longest();
     return model;
-  }
-
-  /// Effects that stand in the place of one of the answer's in a set that is as good.
-  std::vector<std::string> look_alikes() const {
-    const std::set<std::string> own = names_in(answer_);
-    std::vector<std::string> alike;
-    for (const std::set<std::string>& names : missing_.alike)
-      for (const std::string& name : names)
-        if (!own.contains(name) && std::find(alike.begin(), alike.end(), name) == alike.end()) alike.push_back(name);
-    return alike;
   }
 
   const Missing& missing_;
