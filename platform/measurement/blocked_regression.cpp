@@ -18,8 +18,16 @@ BlockedRegression::BlockedRegression(Eigen::Index regressors, Eigen::Index targe
       total_(Eigen::MatrixXd::Zero(regressors + targets, regressors + targets)) {}
 
 void BlockedRegression::add(std::size_t block, const Eigen::VectorXd& row) {
-  products_[block].noalias() += row * row.transpose();
-  total_.noalias() += row * row.transpose();
+  // Plain loops: Eigen's products of vectors this short cost more, and a hundred times more in a build for debugging.
+  const Eigen::Index n = row.size();
+  double* of_block = products_[block].data();
+  double* of_all = total_.data();
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double product = row.data()[i] * row.data()[j];
+      of_block[j * n + i] += product;
+      of_all[j * n + i] += product;
+    }
 }
 
 double BlockedRegression::variance(Eigen::Index target) const {

@@ -141,6 +141,16 @@ SampledPair sample_pair(const Signals& first, const Signals& second, double step
 /// Which side's readings explain the other's signals.
 enum class By { second, first };
 
+/// One, a row of features and one of targets; false where a value is missing.
+bool join(const Eigen::MatrixXd& features, Eigen::Index feature, const Eigen::MatrixXd& targets, Eigen::Index target,
+          Eigen::VectorXd& row) {
+  double* to = row.data();
+  *to++ = 1.0;
+  for (Eigen::Index c = 0; c < features.cols(); ++c) *to++ = features.data()[c * features.rows() + feature];
+  for (Eigen::Index c = 0; c < targets.cols(); ++c) *to++ = targets.data()[c * targets.rows() + target];
+  return std::all_of(row.data(), to, [](double value) { return std::isfinite(value); });
+}
+
 /// Row i of the first goes with row i − shift of the second.
 BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift) {
   throw_if_interrupted();
@@ -153,8 +163,7 @@ BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift) {
   const auto end = std::min(rows, static_cast<std::int64_t>(pair.second.lattice.count) + shift);
   for (std::int64_t i = (begin + kRowStride - 1) / kRowStride * kRowStride; i < end; i += kRowStride) {
     const std::int64_t of_features = by == By::second ? i - shift : i, of_targets = by == By::second ? i : i - shift;
-    row << 1.0, features.row(of_features).transpose(), targets.row(of_targets).transpose();
-    if (row.allFinite()) regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
+    if (join(features, of_features, targets, of_targets, row)) regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
   }
   return regression;
 }
