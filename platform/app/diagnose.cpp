@@ -6,7 +6,6 @@
 #include "app/workbench.h"
 #include "diagnosis/among.h"
 #include "diagnosis/cut_trials.h"
-#include "diagnosis/search_state.h"
 #include "diagnosis/stopped_search.h"
 #include "foundation/counted.h"
 #include "foundation/interrupt.h"
@@ -25,7 +24,6 @@ namespace {
 struct DiagnoseOptions : CommonOptions {
   std::vector<std::string> among;
   std::filesystem::path out;
-  bool by_horizon = false;
 };
 
 DiagnosisTask task_of(const DiagnoseOptions& options, const Workbench& bench, const FitResult& fit,
@@ -44,20 +42,24 @@ DiagnosisTask task_of(const DiagnoseOptions& options, const Workbench& bench, co
           .progress = line.callback()};
 }
 
+/// How many an earlier call need not have looked at in vain.
+std::size_t kept_models(const UnfinishedSearch& search) {
+  return search.fits.size() + (search.likelihoods ? search.likelihoods->tried.size() : 0);
+}
+
 /// Goes on from where an interrupted call came to, and keeps where it comes to itself.
 Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const FitResult& fit) {
   bench.ledger().check_kept();
   const Rig& rig = bench.rig();
-  const std::optional<SearchState> before = bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
+  const std::optional<UnfinishedSearch> before =
+      bench.ledger().unfinished_diagnosis(bench.revision(), rig, options.among);
   if (before && !options.quiet)
-    fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(before->tried.size(), "model"));
+    fmt::print(stderr, "going on after {}, which an earlier call had done\n", counted(kept_models(*before), "model"));
   ProgressLine line(options.quiet);
-  DiagnosisTask task = task_of(options, bench, fit, line);
-  task.resume = before ? &*before : nullptr;
-  task.keep = [&](const SearchState& state) {
-    bench.ledger().keep_unfinished(bench.revision(), rig, options.among, state);
-  };
-  Diagnosis diagnosis = diagnose(task);
+  const SearchMemory memory{before ? &*before : nullptr, [&](const UnfinishedSearch& search) {
+                              bench.ledger().keep_unfinished(bench.revision(), rig, options.among, search);
+                            }};
+  Diagnosis diagnosis = find_missing_effects(task_of(options, bench, fit, line), memory);
   diagnosis.findings.insert(diagnosis.findings.end(), fit.cannot_tell.begin(), fit.cannot_tell.end());
   return diagnosis;
 }
@@ -70,10 +72,6 @@ struct Found {
 Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) try {
   const Rig& rig = bench.rig();
   const FitResult fit = bench.fit_model().result;
-  if (options.by_horizon) {
-    ProgressLine line(options.quiet);
-    return {find_missing_effects(task_of(options, bench, fit, line))};
-  }
   if (const auto known = bench.ledger().known_diagnosis(bench.revision(), rig, options.among))
     return {read_diagnosis(*known), true};
   Diagnosis made = make_diagnosis(options, bench, fit);
@@ -122,8 +120,6 @@ void add_diagnose_command(CLI::App& program) {
   add_work_options(*command, *options);
   add_time_limit_option(*command);
   command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
-  command->add_flag("--by-horizon", options->by_horizon,
-                    "Judge by errors over several horizons, for recordings of real rigs; nothing is kept");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {
     try {

@@ -3,7 +3,7 @@
 #include "app/records.h"
 #include "app/used_plugins.h"
 #include "foundation/interrupt.h"
-#include "report/search_state_json.h"
+#include "report/unfinished_search_json.h"
 #include "storage/storage_error.h"
 
 #include <fmt/format.h>
@@ -104,14 +104,14 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vec
 }
 
 void Ledger::keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
-                             const SearchState& state) {
-  store_.keep_unfinished_diagnosis(revision.id, settings(rig, among), search_state_json(state));
+                             const UnfinishedSearch& search) {
+  store_.keep_unfinished_diagnosis(revision.id, settings(rig, among), unfinished_search_json(search));
 }
 
-std::optional<SearchState> Ledger::unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
-                                                        const std::vector<std::string>& among) const {
+std::optional<UnfinishedSearch> Ledger::unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                                             const std::vector<std::string>& among) const {
   const std::optional<std::string> document = store_.unfinished_diagnosis_of(revision.id, settings(rig, among));
-  return document ? read_search_state(*document) : std::nullopt;
+  return document ? read_unfinished_search(*document) : std::nullopt;
 }
 
 std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials, const ModelDefinition& definition) {

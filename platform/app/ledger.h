@@ -2,9 +2,9 @@
 
 #include "app/options.h"
 #include "app/rig.h"
-#include "diagnosis/search_state.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
+#include "search/unfinished_search.h"
 #include "storage/result_store.h"
 
 #include <functional>
@@ -56,9 +56,9 @@ class Ledger {
                     const Diagnosis& diagnosis);
   /// Where that diagnosis stands, for a later call to go on from.
   void keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
-                       const SearchState& state);
-  std::optional<SearchState> unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
-                                                  const std::vector<std::string>& among) const;
+                       const UnfinishedSearch& search);
+  std::optional<UnfinishedSearch> unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                                       const std::vector<std::string>& among) const;
 
   /// Counts a look at the held-out trials before anything of them is shown.
   int count_look(const StoredRevision& revision);

@@ -132,7 +132,7 @@ std::vector<Doubt> amount_doubts(const DoubtTask& task) {
   }
   if (fitted == 0) return doubts;
   if (seconds < kStretch * kFewestPerTrial - 1e-9)
-    doubts.push_back({Severity::disqualifying,
+    doubts.push_back({Severity::too_little,
                       fmt::format("the fit files hold {:.3g} s, {:.0f} stretches of {} s: as many agree by chance too "
                                   "often; record {} s at least, better ten times as much",
                                   seconds, std::floor(seconds / kStretch), kStretch, kStretch * kFewestPerTrial)});

@@ -46,14 +46,14 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
   add(copy_doubts(task.trials));
   add(amount_doubts(task));
   std::stable_partition(doubts.begin(), doubts.end(),
-                        [](const Doubt& doubt) { return doubt.severity == Severity::disqualifying; });
+                        [](const Doubt& doubt) { return doubt.severity != Severity::note; });
   return doubts;
 }
 
 std::vector<std::string> disqualifying(const std::vector<Doubt>& doubts) {
   std::vector<std::string> sentences;
   for (const Doubt& doubt : doubts)
-    if (doubt.severity == Severity::disqualifying) sentences.push_back(doubt.sentence);
+    if (doubt.severity != Severity::note) sentences.push_back(doubt.sentence);
   return sentences;
 }
 

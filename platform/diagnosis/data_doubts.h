@@ -13,7 +13,7 @@ namespace lacuna {
 /// where the trials do not fit the model.
 std::vector<Doubt> data_doubts(const DoubtTask& task);
 
-/// The sentences of the disqualifying ones.
+/// The sentences of those that are more than notes.
 std::vector<std::string> disqualifying(const std::vector<Doubt>& doubts);
 
 }  // namespace lacuna

@@ -12,6 +12,7 @@ namespace lacuna {
 /// How much a doubt takes from a verdict.
 enum class Severity {
   note,          ///< to be said beside the verdict
+  too_little,    ///< likelihoods tell nothing from data of this length; predictions may
   disqualifying  ///< no verdict on an effect may be drawn from these data
 };
 

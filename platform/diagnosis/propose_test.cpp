@@ -1,6 +1,5 @@
 #include "diagnosis/propose_test.h"
 
-#include "diagnosis/test_conditions.h"
 #include "diagnosis/timing.h"
 #include "evaluation/test_space.h"
 
@@ -43,14 +42,14 @@ bool worthwhile(const NextTest& test) {
 }
 
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
-                                     const FittedRival& other, const Round& round, std::uint64_t seed, int threads,
-                                     const ProgressCallback& progress) {
-  TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(round.base.trials));
-  limit_to_trials(space, round.base.trials);
-  TestConditions conditions = like_the_trials(round, space.control_period);
+                                     const FittedRival& other, const std::vector<Trial>& trials,
+                                     const ConditionsAt& conditions_at, std::uint64_t seed, int threads) {
+  TestSpace space = test_space(one.definition.structure.robot, one.definition.engine, longest(trials));
+  limit_to_trials(space, trials);
+  TestConditions conditions = conditions_at(space.control_period);
   std::vector<KnownSetup> setups = known_setups(one.definition, experiment.target.recording);
   const int more = kMoreForASetup * static_cast<int>(std::min(setups.size(), kMostPaidFor) - 1);
-  const double interval = longest_command_interval(round.base.trials);
+  const double interval = longest_command_interval(trials);
   const std::unique_ptr<CompiledModel> first = compile(one.definition.structure, one.definition.engine),
                                        second = compile(other.definition.structure, other.definition.engine);
   NextTestTask task{.catalog = catalog,
@@ -62,8 +61,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experim
                     .setups = std::move(setups),
                     .evaluations = kEvaluations + more,
                     .seed = seed,
-                    .threads = threads,
-                    .progress = progress};
+                    .threads = threads};
   try {
     return next_test(task);
   } catch (const Interrupted&) {

@@ -2,8 +2,9 @@
 
 #include "config/experiment.h"
 #include "diagnosis/next_test.h"
-#include "diagnosis/round.h"
+#include "diagnosis/test_conditions.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,13 +17,15 @@ struct FittedRival {
   const Refit& fit;
 };
 
+/// How the test begins and is read, given the s between its readings.
+using ConditionsAt = std::function<TestConditions(double period)>;
+
 /// METHOD step 12, for a diagnosis that leaves two models: the test that would settle it, no longer than the longest
-/// trial, begun as these were and within their commands, read with the noise of the round, in one of the setups of the
-/// experiment's recordings. Nothing where the robot has
-/// no actuator that takes a test.
+/// trial, within the commands of these, under the conditions that a callback gives, in one of the setups of the
+/// experiment's recordings. Nothing where the robot has no actuator that takes a test.
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
-                                     const FittedRival& other, const Round& round, std::uint64_t seed, int threads,
-                                     const ProgressCallback& progress);
+                                     const FittedRival& other, const std::vector<Trial>& trials,
+                                     const ConditionsAt& conditions_at, std::uint64_t seed, int threads);
 
 /// Whether a test tells enough for a trip to the rig, and more than a random one does.
 bool worthwhile(const NextTest& test);

@@ -140,7 +140,8 @@ class EndedSearch {
     const std::optional<NextTest> test =
         propose_test(task_.catalog, task_.experiment,
                      {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
-                     {name_of(alike.entry), other.definition, fit}, ending_.last, task_.seed, task_.threads, {});
+                     {name_of(alike.entry), other.definition, fit}, ending_.last.base.trials,
+                     [&](double period) { return like_the_trials(ending_.last, period); }, task_.seed, task_.threads);
     if (!test) return;
     if (!worthwhile(*test)) {
       result_.findings.push_back(

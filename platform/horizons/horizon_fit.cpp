@@ -46,25 +46,50 @@ double weight_of_priors(const Ladder& ladder) {
   return 1.0 / most;
 }
 
+/// Predictions on one ladder, judged.
+class Judge {
+ public:
+  Judge(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space)
+      : ladder_(ladder),
+        predictor_(predictor),
+        space_(space),
+        problem_(predictor, space, all_segments(ladder), ladder.channels) {}
+
+  FitPoint start(const std::vector<double>& values) const {
+    return problem_.start(space_.clamp(space_.to_coordinates(values)));
+  }
+
+  HorizonErrors errors(const FitPoint& at) {
+    if (!problem_.residuals(at, residuals_)) return {};
+    residuals_ = in_units(problem_, std::move(residuals_));
+    return horizon_errors(ladder_, predictor_.trials(), residuals_);
+  }
+
+  /// Makes that point, which was judged last, the fit.
+  void keep(const FitPoint& point, const HorizonErrors& errors, HorizonFit& fit) const {
+    fit.errors = errors;
+    fit.values = space_.to_values(point.values);
+    fit.states = point.states;
+    fit.residuals = residuals_;
+  }
+
+  std::uint64_t simulations() const { return problem_.simulations(); }
+
+ private:
+  const Ladder& ladder_;
+  const TrialPredictor& predictor_;
+  const ParameterSpace& space_;
+  ShootingProblem problem_;
+  std::vector<Eigen::VectorXd> residuals_;
+};
+
 /// Steps on one ladder, from `values`; the best is left in `fit`.
 void descend(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space, int steps,
              HorizonFit& fit) {
-  ShootingProblem problem(predictor, space, all_segments(ladder), ladder.channels);
-  std::vector<Eigen::VectorXd> residuals;
-  const auto judge = [&](const FitPoint& at) {
-    if (!problem.residuals(at, residuals)) return HorizonErrors{};
-    residuals = in_units(problem, std::move(residuals));
-    return horizon_errors(ladder, predictor.trials(), residuals);
-  };
-  const auto keep = [&](const FitPoint& point, const HorizonErrors& errors) {
-    fit.errors = errors;
-    fit.values = space.to_values(point.values);
-    fit.states = point.states;
-    fit.residuals = residuals;
-  };
+  Judge judge(ladder, predictor, space);
   fit.prior_weight = weight_of_priors(ladder);
-  const FitPoint start = problem.start(space.clamp(space.to_coordinates(fit.values)));
-  keep(start, judge(start));
+  const FitPoint start = judge.start(fit.values);
+  judge.keep(start, judge.errors(start), fit);
   double damping = 0.0;
   for (int i = 0; fit.errors.valid && i < steps; ++i) {
     const LinearLadder linear = linearise(ladder, predictor, space, fit, kOneBlock);
@@ -73,15 +98,15 @@ void descend(const Ladder& ladder, const TrialPredictor& predictor, const Parame
     const double before = fit.errors.cost;
     for (; damping < kMostDamping; damping = std::max(kLeastDamping, kMoreDamping * damping)) {
       const FitPoint point = moved(fit, space, linear.step(damping));
-      const HorizonErrors now = judge(point);
+      const HorizonErrors now = judge.errors(point);
       if (!now.valid || now.cost >= before) continue;
-      keep(point, now);
+      judge.keep(point, now, fit);
       break;
     }
     if (before - fit.errors.cost < kTolerance) break;
     damping = damping > kLeastDamping ? damping / kMoreDamping : 0.0;
   }
-  fit.simulations += problem.simulations();
+  fit.simulations += judge.simulations();
 }
 
 }  // namespace
@@ -96,12 +121,23 @@ HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, 
   return fit;
 }
 
+HorizonFit fit_at(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
+                  const std::vector<double>& values, const std::vector<Eigen::VectorXd>& states) {
+  Judge judge(ladder, predictor, space);
+  HorizonFit fit;
+  fit.prior_weight = weight_of_priors(ladder);
+  FitPoint point = judge.start(values);
+  if (states.size() == point.states.size()) point.states = states;
+  judge.keep(point, judge.errors(point), fit);
+  fit.values = values;  // digit for digit
+  fit.simulations = judge.simulations();
+  return fit;
+}
+
 HorizonErrors errors_on(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                         const std::vector<double>& values) {
-  ShootingProblem problem(predictor, space, all_segments(ladder), ladder.channels);
-  std::vector<Eigen::VectorXd> residuals;
-  if (!problem.residuals(problem.start(space.clamp(space.to_coordinates(values))), residuals)) return {};
-  return horizon_errors(ladder, predictor.trials(), in_units(problem, std::move(residuals)));
+  Judge judge(ladder, predictor, space);
+  return judge.errors(judge.start(values));
 }
 
 }  // namespace lacuna

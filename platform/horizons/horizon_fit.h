@@ -30,6 +30,10 @@ enum class Climb {
 HorizonFit fit_to_ladder(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                          const std::vector<double>& start, Climb climb = Climb::from_the_bottom);
 
+/// A fit that was made before: with values, and starts where they were refitted, as they are.
+HorizonFit fit_at(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
+                  const std::vector<double>& values, const std::vector<Eigen::VectorXd>& states = {});
+
 /// The errors with values as they are, starts as the data tell them.
 HorizonErrors errors_on(const Ladder& ladder, const TrialPredictor& predictor, const ParameterSpace& space,
                         const std::vector<double>& values);

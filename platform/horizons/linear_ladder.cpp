@@ -18,6 +18,7 @@ constexpr double kSettledCost = 1e-5;  ///< nats a round
 constexpr double kDamping = 0.01;      ///< of a diagonal, where blocks are left out: what data hardly tell stays
 constexpr double kRidge = 1e-9;        ///< of a diagonal
 constexpr double kTold = 1e-3;         ///< eigenvalue of a combination of values that data tell, of 1
+constexpr int kFewestBlocks = 6;       ///< beside one a value, by which an error is estimated
 
 /// Minimises ½ sᵀAs − bᵀs within bounds: what would leave them is put on them, one after the other.
 Eigen::VectorXd bounded_minimum(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& lower,
@@ -263,19 +264,57 @@ LinearFit LinearLadder::best(std::span<const std::size_t> changes, double dampin
   return fit;
 }
 
-/// H⁻¹ Σ s sᵀ H⁻¹ with the scores s of blocks, which may be correlated within (P. J. Huber, 1967).
+/// H⁻¹ Σ s sᵀ H⁻¹ with the scores s of blocks, which may be correlated within (P. J. Huber, 1967), and with their
+/// neighbours: each value is as uncertain as blocks once, twice or four times as long say at most. What horizons say
+/// differently is not chance but form, and is added: a jackknife that leaves out one rung after the other.
 Eigen::MatrixXd LinearLadder::covariance(Eigen::MatrixXd normal) const {
   const Eigen::Index own = normal.rows();
+  normal.diagonal() *= 1.0 + kRidge;
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks_, own);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     scores.row(places_[i].block) += row_weights_(row) * base_(row, 0) * base_.row(row).tail(own);
   }
   scores.rowwise() -= scores.colwise().mean().eval();
-  normal.diagonal() *= 1.0 + kRidge;
-  const double few = static_cast<double>(blocks_) / std::max(1.0, static_cast<double>(blocks_ - 1 - own));
-  const Eigen::MatrixXd moved = normal.ldlt().solve(scores.transpose());
-  return few * moved * moved.transpose();
+  const Eigen::LDLT<Eigen::MatrixXd> solved = normal.ldlt();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(own, own);
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(own);
+  for (int together = 1; together <= 4 && (together == 1 || blocks_ / together >= kFewestBlocks + own); together *= 2) {
+    const int groups = (blocks_ + together - 1) / together;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(own, groups);
+    for (int b = 0; b < blocks_; ++b) sums.col(b / together) += scores.row(b).transpose();
+    const double few = static_cast<double>(groups) / std::max(1.0, static_cast<double>(groups - 1 - own));
+    const Eigen::MatrixXd moved = solved.solve(sums);
+    const Eigen::MatrixXd one = few * moved * moved.transpose();
+    if (together == 1) all = one;
+    most = most.cwiseMax(one.diagonal());
+  }
+  const Eigen::VectorXd wider = (most.array() / all.diagonal().array().max(1e-300)).sqrt();
+  return wider.asDiagonal() * all * wider.asDiagonal() + between_rungs(normal);
+}
+
+/// Of the values that a fit without one rung would have, to first order.
+Eigen::MatrixXd LinearLadder::between_rungs(const Eigen::MatrixXd& normal) const {
+  const Eigen::Index own = normal.rows();
+  std::vector<Eigen::MatrixXd> of_rung(rungs_, Eigen::MatrixXd::Zero(own, own + 1));
+  for (const Cell& cell : cells_) {
+    const auto rows = base_.middleRows(cell.first, cell.size);
+    const Eigen::VectorXd weights = row_weights_.segment(cell.first, cell.size);
+    of_rung[cell.rung] += rows.rightCols(own).transpose() * weights.asDiagonal() * rows;
+  }
+  std::vector<Eigen::VectorXd> moved;
+  for (const Eigen::MatrixXd& rung : of_rung) {
+    if (rung.isZero(0.0)) continue;
+    Eigen::MatrixXd others = normal - rung.rightCols(own);
+    others.diagonal() += kDamping * normal.diagonal();
+    moved.emplace_back(others.ldlt().solve(-rung.col(0)));
+  }
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(own, own);
+  if (moved.size() < 2) return sum;
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(own);
+  for (const Eigen::VectorXd& one : moved) mean += one / static_cast<double>(moved.size());
+  for (const Eigen::VectorXd& one : moved) sum += (one - mean) * (one - mean).transpose();
+  return sum * (1.0 - 1.0 / static_cast<double>(moved.size()));
 }
 
 CrossFit LinearLadder::cross_fit(int folds) const {

@@ -102,6 +102,7 @@ class LinearLadder {
   double cost_of_squares(const std::vector<Eigen::MatrixXd>& products, const Eigen::VectorXd& sizes,
                          std::vector<double>& means) const;
   Eigen::MatrixXd covariance(Eigen::MatrixXd normal) const;
+  Eigen::MatrixXd between_rungs(const Eigen::MatrixXd& normal) const;
 
   std::size_t rungs_, channels_;
   std::vector<Cell> cells_;

@@ -345,10 +345,14 @@ class SetSearch {
       if (sets_.find(name) == answer) missing.answer = missing.ranking.size();
       missing.ranking.push_back(ranked(name, *answer));
     }
+    std::optional<std::string> nearest;
     for (const auto& [name, set] : sets_.all()) {
       for (const EffectEntry& entry : set.model.added) missing.examined.insert(name_of_set({entry}));
-      if (does_the_same(set, *answer)) missing.alike.merge(effects_of(set));
+      if (!does_the_same(set, *answer)) continue;
+      missing.alike.merge(effects_of(set));
+      if (!nearest || set.rough.errors.cost < sets_.find(*nearest)->rough.errors.cost) nearest = name;
     }
+    if (nearest && sets_.finish(*nearest).fit.errors.valid) missing.look_alike = ranked(*nearest, *answer);
     for (const std::string& name : effects_of(*answer)) missing.alike.erase(name);
     missing.refits = sets_.refits();
     missing.hypotheses = first_.hypotheses.size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,8 +23,10 @@ struct RankedSet {
 struct Missing {
   bool stopped = false;            ///< by the time limit: of what was fitted until then
   std::set<std::string> examined;  ///< effects that were fitted, "name @ where"
-  std::set<std::string> alike;     ///< effects that do in the place of one of the answer's what it does
-  std::size_t hypotheses = 0;      ///< effect × place
+  std::optional<RankedSet>
+      look_alike;  ///< the best set with another effect in the place of one of the answer's, which does the same
+  std::set<std::string> alike;  ///< effects that do in the place of one of the answer's what it does
+  std::size_t hypotheses = 0;   ///< effect × place
   std::vector<Untestable> untestable;
   bool timing = false;             ///< when commands act was fitted
   std::vector<RankedSet> ranking;  ///< the least cost first

@@ -4,6 +4,7 @@
 #include "diagnosis/contender.h"
 #include "horizons/linear_ladder.h"
 #include "loading/plugin_catalog.h"
+#include "search/unfinished_search.h"
 
 #include <functional>
 #include <memory>
@@ -26,6 +27,8 @@ struct MissingTask {
   std::vector<double> values;           ///< of the model's free values, to begin with
   std::vector<std::string> among = {};  ///< effects to try; empty: all
   int threads = 1;
+  const KeptFits* known = nullptr;                    ///< of an earlier search for the same; null: none
+  std::function<void(const KeptFits&)> keep = {};     ///< gets all fits after each
   std::function<void(const std::string&)> note = {};  ///< gets a line for every look and fit
 };
 
@@ -56,6 +59,8 @@ class Ground {
   const HorizonFit& fit() const { return fit_; }     ///< of it
   const Ladder& ladder() const { return ladder_; }
   double block() const { return block_; }  ///< s, of time that is drawn together
+  const SmoothedStarts& starts() const { return *starts_; }
+  const std::vector<ChannelNoise>& noise() const { return noise_; }  ///< of readings
   bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's
 
   /// The ladder's segments for another model.

@@ -1,135 +1,22 @@
 #include "search/horizon_diagnosis.h"
 
 #include "diagnosis/data_doubts.h"
-#include "diagnosis/selection.h"
 #include "diagnosis/stopped_search.h"
-#include "foundation/interrupt.h"
 #include "fitting/progress_meter.h"
+#include "foundation/interrupt.h"
 #include "search/find_missing.h"
+#include "search/horizon_findings.h"
+#include "search/settling_test.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
 namespace lacuna {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNearFloor = 2.0;      ///< of the model's error
-constexpr double kFarAboveFloor = 3.0;  ///< of the model's error, where no effect lowers it: something else is missing
-constexpr std::size_t kMostRanked = 8;
-constexpr int kNotes = 110;  ///< of a usual search
-constexpr double kTwoSided = 1.96;
-
-/// The fit in the form in which values and intervals are stated.
-Refit refit_of(const RankedSet& set, bool timing) {
-  Refit fit;
-  fit.valid = fit.converged = true;
-  const ParameterSpace space(set.model.definition.free);
-  fit.values = set.model.values;
-  if (timing) {
-    fit.timing = fit.values.back();
-    fit.values.pop_back();
-  }
-  fit.covariance = set.covariance;
-  const Eigen::VectorXd at = space.to_coordinates(fit.values);
-  for (Eigen::Index j = 0; j < at.size(); ++j)
-    fit.at_bound.push_back(at(j) <= space.lower()(j) || at(j) >= space.upper()(j));
-  return fit;
-}
-
-Gain gain_of(const CostDifference& difference) {
-  return {difference.nats, difference.error, difference.nats - kTwoSided * difference.error,
-          difference.nats + kTwoSided * difference.error};
-}
-
-double rms(const HorizonErrors& errors, std::size_t rung, std::size_t channel) {
-  const bool is_known = errors.valid && errors.weight[rung][channel] > 0.0;
-  return is_known ? std::sqrt(errors.mean_square[rung][channel]) : kUnknown;
-}
-
-class Told {
- public:
-  explicit Told(const Missing& missing) : missing_(missing), answer_(missing.ranking[missing.answer]) {}
-
-  void into(Diagnosis& result) const {
-    result.hypotheses = missing_.hypotheses;
-    result.untestable = missing_.untestable;
-    result.horizons = horizons();
-    result.base = errors_of(missing_.base);
-    result.base_segment = longest();
-    result.base_times_floor = times_floor(missing_.ladder, missing_.base.errors);
-    for (const RankedSet* set : shown()) result.ranking.push_back(ranked(*set));
-    if (!answer_.model.added.empty()) {
-      result.verdict = Verdict::effect_found;
-      result.ranking.front().look_alikes.assign(missing_.alike.begin(), missing_.alike.end());
-      result.answer_gain = gain_of(answer_.over_base);
-    } else if (!missing_.stopped) {
-      result.verdict = result.base_times_floor > kFarAboveFloor ? Verdict::not_in_library : Verdict::nothing_missing;
-    }
-    result.values = own_values(answer_.model.added, answer_.model.definition, refit_of(answer_, missing_.timing));
-  }
-
- private:
-  /// The answer, if it has effects, then the others that have, the least cost first.
-  std::vector<const RankedSet*> shown() const {
-    std::vector<const RankedSet*> sets;
-    if (!answer_.model.added.empty()) sets.push_back(&answer_);
-    for (const RankedSet& set : missing_.ranking)
-      if (&set != &answer_ && !set.model.added.empty() && sets.size() < kMostRanked) sets.push_back(&set);
-    return sets;
-  }
-
-  double longest() const {
-    for (std::size_t r = missing_.ladder.rungs.size(); r-- > 0;)
-      for (const double weight : missing_.ladder.rungs[r].weight)
-        if (weight > 0.0) return missing_.ladder.rungs[r].length;
-    return 0.0;
-  }
-
-  std::vector<HorizonError> horizons() const {
-    std::vector<HorizonError> all;
-    for (std::size_t r = 0; r < missing_.ladder.rungs.size(); ++r)
-      for (std::size_t c = 0; c < missing_.ladder.channels.size(); ++c) {
-        if (!(missing_.base.errors.weight[r][c] > 0.0)) continue;
-        const std::string& channel = missing_.ladder.channels[c].channel;
-        all.push_back({missing_.ladder.rungs[r].length, channel, missing_.ladder.channels[c].unit,
-                       std::sqrt(missing_.ladder.rungs[r].floor[c]), rms(missing_.base.errors, r, c),
-                       rms(answer_.errors, r, c), rms(missing_.base.held_out, r, c), rms(answer_.held_out, r, c)});
-      }
-    return all;
-  }
-
-  /// Over the longest horizon at which a channel is judged.
-  std::vector<ChannelError> errors_of(const RankedSet& set) const {
-    std::vector<ChannelError> errors;
-    for (std::size_t c = 0; c < missing_.ladder.channels.size(); ++c) {
-      const std::string& channel = missing_.ladder.channels[c].channel;
-      for (std::size_t r = missing_.ladder.rungs.size(); r-- > 0;) {
-        if (!(set.errors.weight[r][c] > 0.0)) continue;
-        errors.push_back({channel, missing_.ladder.channels[c].unit, std::sqrt(missing_.ladder.rungs[r].floor[c]),
-                          rms(set.errors, r, c), rms(set.held_out, r, c)});
-        break;
-      }
-    }
-    return errors;
-  }
-
-  RankedModel ranked(const RankedSet& set) const {
-    RankedModel model;
-    model.effects = found_effects(set.model.added, set.model.definition, refit_of(set, missing_.timing));
-    model.gain = gain_of(set.over_base);
-    model.errors = errors_of(set);
-    model.times_floor = times_floor(missing_.ladder, set.errors);
-    model.segment = longest();
-    return model;
-  }
-
-  const Missing& missing_;
-  const RankedSet& answer_;
-};
+constexpr double kNearFloor = 2.0;  ///< of the model's error: likelihoods see smaller effects there
+constexpr int kNotes = 110;         ///< of a usual search
 
 /// Candidates that no set was fitted with.
 std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& missing) {
@@ -138,55 +25,102 @@ std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& 
   return names;
 }
 
-/// What is searched, with a line of progress for all that is done.
-MissingTask missing_task(const DiagnosisTask& task, ProgressMeter& meter) {
-  MissingTask missing{task.experiment, task.catalog, task.trials, task.values, task.among, task.threads, {}};
-  meter.set_parts(kNotes);
-  missing.note = [&meter](const std::string& what) {
-    meter.end_part();
-    meter.begin_part(what);
-  };
-  return missing;
-}
-
-Diagnosis search(const DiagnosisTask& task, const Ground& ground) {
-  Diagnosis result;
-  const Missing missing = find_missing(ground);
-  Told(missing).into(result);
-  if (missing.stopped) mark_stopped({"the search", not_examined(task, missing), {}}, 0, result);
-  for (const Doubt& doubt : data_doubts({task.definition, task.model, task.trials, task.values, true}))
-    result.findings.push_back(doubt.sentence);
-  return result;
-}
-
-/// Nothing where the model is nearly as good as the noise allows or nothing can be predicted: likelihoods see smaller
-/// effects then, for the noise is what they are about.
-std::optional<Diagnosis> by_horizon(const DiagnosisTask& task) {
-  ProgressMeter meter(task.progress);
-  std::unique_ptr<const Ground> ground;
-  try {
-    ground = std::make_unique<const Ground>(missing_task(task, meter));
-  } catch (const NothingPredictable&) {
-    return std::nullopt;
+/// One diagnosis, by whichever procedure sees more.
+class HorizonDiagnosis {
+ public:
+  HorizonDiagnosis(const DiagnosisTask& task, const SearchMemory& memory) : task_(task), memory_(memory) {
+    if (memory.resume) unfinished_ = *memory.resume;
   }
-  if (!(times_floor(ground->ladder(), ground->fit().errors) > kNearFloor)) return std::nullopt;
-  Diagnosis result = search(task, *ground);
-  if (result.verdict == Verdict::nothing_missing && !result.stopped) return std::nullopt;
-  result.seconds = meter.seconds();
-  return result;
-}
+
+  Diagnosis run() {
+    doubts_ = data_doubts({task_.definition, task_.model, task_.trials, task_.values, true});
+    if (std::optional<Diagnosis> found = by_horizon()) return std::move(*found);
+    return by_likelihood();
+  }
+
+ private:
+  bool has(Severity severity) const {
+    return std::any_of(doubts_.begin(), doubts_.end(), [&](const Doubt& doubt) { return doubt.severity == severity; });
+  }
+
+  void keep() const {
+    if (memory_.keep) memory_.keep(unfinished_);
+  }
+
+  /// What is searched, with a line of progress for all that is done.
+  MissingTask missing_task(ProgressMeter& meter) {
+    MissingTask missing{task_.experiment, task_.catalog, task_.trials, task_.values, task_.among, task_.threads};
+    if (memory_.resume) missing.known = &memory_.resume->fits;
+    missing.keep = [this](const KeptFits& fits) {
+      unfinished_.fits = fits;
+      keep();
+    };
+    meter.set_parts(kNotes);
+    missing.note = [&meter](const std::string& what) {
+      meter.end_part();
+      meter.begin_part(what);
+    };
+    return missing;
+  }
+
+  /// Nothing where no prediction can be judged, and where likelihoods see more: near the noise, which is what they are
+  /// about, if the data are enough for them.
+  std::optional<Diagnosis> by_horizon() {
+    ProgressMeter meter(task_.progress);
+    std::unique_ptr<const Ground> ground;
+    try {
+      ground = std::make_unique<const Ground>(missing_task(meter));
+    } catch (const NothingPredictable&) {
+      return std::nullopt;
+    }
+    const bool by_predictions_alone = has(Severity::too_little);
+    if (!by_predictions_alone && times_floor(ground->ladder(), ground->fit().errors) <= kNearFloor) return std::nullopt;
+    Diagnosis result = search(*ground);
+    const bool found_nothing = result.verdict == Verdict::nothing_missing && !result.stopped;
+    if (found_nothing && !by_predictions_alone) return std::nullopt;
+    if (found_nothing && has(Severity::disqualifying)) result.verdict = Verdict::cannot_tell;
+    result.seconds = meter.seconds();
+    return result;
+  }
+
+  Diagnosis search(const Ground& ground) const {
+    const Missing missing = find_missing(ground);
+    Diagnosis result = findings_of(missing);
+    if (missing.stopped)
+      mark_stopped({"the search", not_examined(task_, missing), {}}, unfinished_.fits.size(), result);
+    else
+      propose_settling_test(task_, ground, missing, result);
+    for (const Doubt& doubt : doubts_) result.findings.push_back(doubt.sentence);
+    return result;
+  }
+
+  Diagnosis by_likelihood() {
+    DiagnosisTask task = task_;
+    const std::optional<SearchState> before = unfinished_.likelihoods;
+    task.resume = before ? &*before : nullptr;
+    task.keep = [this](const SearchState& state) {
+      unfinished_.likelihoods = state;
+      keep();
+    };
+    return diagnose(task);
+  }
+
+  const DiagnosisTask& task_;
+  const SearchMemory& memory_;
+  UnfinishedSearch unfinished_;
+  std::vector<Doubt> doubts_;
+};
 
 }  // namespace
 
-Diagnosis find_missing_effects(const DiagnosisTask& task) {
+Diagnosis find_missing_effects(const DiagnosisTask& task, const SearchMemory& memory) {
   try {
-    if (std::optional<Diagnosis> found = by_horizon(task)) return std::move(*found);
+    return HorizonDiagnosis(task, memory).run();
   } catch (const TimeIsUp&) {
     lift_time_limit();
     return stopped_before_search(task.experiment, task.catalog, task.definition, task.among,
                                  "the fit of the model to short predictions");
   }
-  return diagnose(task);
 }
 
 }  // namespace lacuna

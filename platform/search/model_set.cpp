@@ -37,7 +37,28 @@ const FittedSet* ModelSets::find(const std::string& name) const {
   return found == sets_.end() ? nullptr : &found->second;
 }
 
+const KeptFit* ModelSets::known(const std::string& name) const {
+  const KeptFits* known = ground_.task().known;
+  if (!known) return nullptr;
+  const auto found = known->find(name);
+  return found == known->end() ? nullptr : &found->second;
+}
+
+void ModelSets::keep(const std::string& name, const FittedSet& set) {
+  if (!ground_.task().keep) return;
+  KeptFit& kept = kept_[name];
+  if (set.rough.errors.valid) kept.rough = set.rough.values;
+  if (set.fit.errors.valid) kept.values = set.fit.values, kept.states = set.fit.states;
+  ground_.task().keep(kept_);
+}
+
 namespace {
+
+HorizonFit nowhere() {
+  HorizonFit fit;
+  fit.errors.cost = std::numeric_limits<double>::infinity();
+  return fit;
+}
 
 HorizonFit fit_from(const Starts& starts, const Ladder& ladder, const ModelBench& bench) {
   const std::vector<double>* best = nullptr;
@@ -50,6 +71,15 @@ HorizonFit fit_from(const Starts& starts, const Ladder& ladder, const ModelBench
   return fit_to_ladder(ladder, bench.predictor(), bench.space(), *best, Climb::from_the_bottom);
 }
 
+HorizonFit best_fit(const std::vector<Starts>& ways, const Ladder& ladder, const ModelBench& bench) {
+  HorizonFit best = nowhere();
+  for (const Starts& starts : ways) {
+    HorizonFit found = fit_from(starts, ladder, bench);
+    if (found.errors.valid && found.errors.cost < best.errors.cost) best = std::move(found);
+  }
+  return best;
+}
+
 }  // namespace
 
 const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts>& ways) {
@@ -57,14 +87,17 @@ const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts
   FittedSet set{model, {}, {}, {}};
   const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
   const Ladder few = quick(ground_.ladder_for(bench));
-  set.rough.errors.cost = std::numeric_limits<double>::infinity();
-  for (const Starts& starts : ways) {
-    ++refits_;
-    HorizonFit found = fit_from(starts, few, bench);
-    if (found.errors.valid && found.errors.cost < set.rough.errors.cost) set.rough = std::move(found);
+  const std::string name = name_of_set(model.added);
+  if (const KeptFit* fit = known(name)) {
+    set.rough = fit->rough.empty() ? nowhere() : fit_at(few, bench.predictor(), bench.space(), fit->rough);
+  } else {
+    refits_ += static_cast<int>(ways.size());
+    set.rough = best_fit(ways, few, bench);
   }
   if (set.rough.errors.valid) set.model.values = set.rough.values;
-  return sets_[name_of_set(model.added)] = std::move(set);
+  FittedSet& kept = sets_[name] = std::move(set);
+  keep(name, kept);
+  return kept;
 }
 
 const FittedSet& ModelSets::finish(const std::string& name) {
@@ -73,10 +106,14 @@ const FittedSet& ModelSets::finish(const std::string& name) {
   const MissingTask& task = ground_.task();
   const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
   const Ladder ladder = ground_.ladder_for(bench);
-  set.fit = fit_to_ladder(ladder, bench.predictor(), bench.space(), set.rough.values, Climb::whole);
+  const KeptFit* fit = known(name);
+  set.fit = fit && !fit->values.empty()
+                ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
+                : fit_to_ladder(ladder, bench.predictor(), bench.space(), set.rough.values, Climb::whole);
   if (!set.fit.errors.valid) return set;
   set.model.values = set.fit.values;
   set.cross = cross_fitted(bench, ladder, set.fit);
+  keep(name, set);
   return set;
 }
 

@@ -44,10 +44,13 @@ class ModelSets {
   int refits() const { return refits_; }
 
  private:
+  const KeptFit* known(const std::string& name) const;
+  void keep(const std::string& name, const FittedSet& set);
   CrossFit cross_fitted(const ModelBench& bench, const Ladder& ladder, const HorizonFit& fit) const;
 
   const Ground& ground_;
   std::map<std::string, FittedSet> sets_;
+  KeptFits kept_;
   int refits_ = 0;
 };
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "diagnosis/diagnosis.h"
+#include "diagnosis/refit.h"
+#include "search/find_missing.h"
+
+namespace lacuna {
+
+/// What a search found: verdict, ranking, effects with intervals, errors by horizon. States no probability.
+Diagnosis findings_of(const Missing& missing);
+
+/// A set's fit in the form in which values and intervals are stated. `timing`: the last value is when commands act.
+Refit refit_of(const RankedSet& set, bool timing);
+
+}  // namespace lacuna
