@@ -137,11 +137,11 @@ class EndedSearch {
     const auto& [which, fit] = ending_.again.inseparable.front();
     const KeptRival& alike = step.rivals[which];
     const Contender other = with_effect_of(alike, step, ending_.plain, task_.catalog);
-    const std::optional<NextTest> test =
-        propose_test(task_.catalog, task_.experiment,
-                     {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
-                     {name_of(alike.entry), other.definition, fit}, ending_.last.base.trials,
-                     [&](double period) { return like_the_trials(ending_.last, period); }, task_.seed, task_.threads);
+    const std::optional<NextTest> test = propose_test(
+        task_.catalog, task_.experiment,
+        {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
+        {name_of(alike.entry), other.definition, fit}, ending_.last.base.trials,
+        [&](double period) { return like_the_trials(ending_.last, period); }, task_.seed, task_.threads);
     if (!test) return;
     if (!worthwhile(*test)) {
       result_.findings.push_back(

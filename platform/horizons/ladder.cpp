@@ -19,8 +19,10 @@ constexpr double kShareOfQuick = 0.2;  ///< of a rung's segments, for a first lo
 constexpr std::size_t kSegmentsOfQuick = 6;
 constexpr std::size_t kMostSegments = 60;  ///< of a rung, evenly spread: more tell hardly more
 constexpr std::size_t kMostSamples = 4000;
-constexpr std::size_t kFewSegments = 3;  ///< which are kept however long they are
-constexpr double kShortestTrial = 0.7;   ///< of a rung's length: a shorter trial says nothing of it
+constexpr std::size_t kFewSegments = 2;  ///< which are kept however long they are
+constexpr double kLongest = 3000.0;      ///< samples of a horizon: longer ones cost more time than they tell
+constexpr std::size_t kSamplesOfQuick = 3000;
+constexpr double kShortestTrial = 0.7;  ///< of a rung's length: a shorter trial says nothing of it
 
 std::vector<std::size_t> trials_of(const LadderTask& task) {
   std::vector<std::size_t> trials;
@@ -78,12 +80,24 @@ Segment segment_of(const LadderTask& task, const Stretch& counted, double run_in
   return segment;
 }
 
-std::vector<Segment> not_too_many(std::vector<Segment> segments) {
+std::size_t samples_of(const std::vector<Segment>& segments) {
   std::size_t samples = 0;
   for (const Segment& segment : segments) samples += static_cast<std::size_t>(segment.stretch.size());
+  return samples;
+}
+
+std::vector<Segment> not_too_many(std::vector<Segment> segments) {
+  const std::size_t samples = samples_of(segments);
   if (samples == 0) return segments;
   const std::size_t wanted = std::max(kFewSegments, kMostSamples * segments.size() / samples);
   return thinned(std::move(segments), std::min(kMostSegments, wanted));
+}
+
+/// A body in the air or on the ground: between two readings it may hit something, so that only where a recording begins
+/// do the readings around a sample tell its state.
+bool starts_in_flight(const RobotSpec& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [](const JointSpec& joint) { return joint.kind == JointKind::free; });
 }
 
 std::vector<Segment> segments_of(const LadderTask& task, double length, bool refits) {
@@ -93,6 +107,7 @@ std::vector<Segment> segments_of(const LadderTask& task, double length, bool ref
     const Trial& trial = task.predictor.trials()[t];
     if (duration(trial) < kShortestTrial * length) continue;
     for (const Stretch& stretch : cut(trial, t, length)) {
+      if (stretch.first > 0 && starts_in_flight(task.robot)) break;
       Segment segment = segment_of(task, stretch, run_in, refits);
       if (segment.rows.size() > segment.unknown.size() + 3) segments.push_back(std::move(segment));
     }
@@ -209,10 +224,10 @@ Ladder build_ladder(const LadderTask& task) {
   if (longest_held_out > 0.0) longest = std::min(longest, longest_held_out);
   for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(task.noise.size()); ++c)
     if (const double own = median_interval(task.predictor.trials(), c); own > 0.0) interval = std::min(interval, own);
+  longest = std::min(longest, kLongest * interval);
   const double shortest = std::min(kShortest * interval, longest / 3.0);
   double length = longest;
   Rung last = rung_of(task, length, true);
-  ladder.reaches_whole_trials = means_something(last);
   while (!means_something(last) && length > 1.5 * shortest) last = rung_of(task, length *= 0.7, true);
   const double ratio = std::pow(length / shortest, 1.0 / (kRungs - 1));
   const int rungs = ratio < 1.5 ? 3 : kRungs;
@@ -240,7 +255,14 @@ Ladder thinned(const Ladder& ladder, double share, std::size_t least) {
 }
 
 Ladder quick(const Ladder& ladder) {
-  return thinned(first_rungs(ladder, ladder.rungs.size() - 1), kShareOfQuick, kSegmentsOfQuick);
+  Ladder few = thinned(first_rungs(ladder, ladder.rungs.size() - 1), kShareOfQuick, kSegmentsOfQuick);
+  for (Rung& rung : few.rungs) {
+    const std::size_t samples = samples_of(rung.segments);
+    if (samples > kSamplesOfQuick)
+      rung.segments =
+          thinned(std::move(rung.segments), std::max<std::size_t>(1, kSamplesOfQuick * rung.segments.size() / samples));
+  }
+  return few;
 }
 
 Ladder first_rungs(const Ladder& ladder, std::size_t count) {

@@ -24,7 +24,6 @@ struct Rung {
 struct Ladder {
   std::vector<Rung> rungs;
   std::vector<ChannelNoise> channels;
-  bool reaches_whole_trials = false;
 };
 
 /// What a ladder is built from.

@@ -38,6 +38,8 @@ struct Missing {
 
 /// Mean over rungs and channels of the error over its floor, in proportion.
 double times_floor(const Ladder& ladder, const HorizonErrors& errors);
+/// The same of that rung and channel where it is most.
+double most_times_floor(const Ladder& ladder, const HorizonErrors& errors);
 
 /// Throws `Interrupted`. Where the time limit is reached it is lifted, and the search `stopped`.
 Missing find_missing(const Ground& ground);

@@ -1,5 +1,6 @@
 #include "search/ground.h"
 
+#include "config/decided.h"
 #include "diagnosis/timing.h"
 
 #include <algorithm>
@@ -16,6 +17,12 @@ std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing)
   return timing ? with_timing(definition.free) : definition.free;
 }
 
+/// Steps that the program has chosen for free runs over whole recordings are finer than predictions need.
+Experiment with_coarse_steps(Experiment experiment) {
+  if (substeps_decided(experiment)) experiment.engine.substeps = 1;
+  return experiment;
+}
+
 }  // namespace
 
 ModelBench::ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
@@ -27,7 +34,7 @@ ModelBench::ModelBench(const ModelDefinition& definition, const CompiledModel& m
 Ground::Ground(const MissingTask& task)
     : task_(task),
       timing_(longest_command_interval(task.trials) > 0.0),
-      plain_(lacuna::plain(task.experiment, task.catalog, task.values)) {
+      plain_(lacuna::plain(with_coarse_steps(task.experiment), task.catalog, task.values)) {
   if (timing_) plain_.values.push_back(0.0);
   noise_ = sensor_noise(plain_.definition.structure.robot, task_.trials);
   reader_ = plain_;

@@ -15,7 +15,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNearFloor = 2.0;  ///< of the model's error: likelihoods see smaller effects there
+constexpr double kNearFloor = 6.0;  ///< of the model's error at every horizon: likelihoods see smaller effects there
 constexpr int kNotes = 110;         ///< of a usual search
 
 /// Candidates that no set was fitted with.
@@ -47,9 +47,11 @@ class HorizonDiagnosis {
     if (memory_.keep) memory_.keep(unfinished_);
   }
 
-  /// What is searched, with a line of progress for all that is done.
+  /// What is searched, with a line of progress for all that is done. It begins with the values that the file has: a fit
+  /// of free runs may have gone far off with a model that lacks something.
   MissingTask missing_task(ProgressMeter& meter) {
-    MissingTask missing{task_.experiment, task_.catalog, task_.trials, task_.values, task_.among, task_.threads};
+    MissingTask missing{task_.experiment, task_.catalog, task_.trials, task_.definition.start_values(),
+                        task_.among,      task_.threads};
     if (memory_.resume) missing.known = &memory_.resume->fits;
     missing.keep = [this](const KeptFits& fits) {
       unfinished_.fits = fits;
@@ -74,8 +76,13 @@ class HorizonDiagnosis {
       return std::nullopt;
     }
     const bool by_predictions_alone = has(Severity::too_little);
-    if (!by_predictions_alone && times_floor(ground->ladder(), ground->fit().errors) <= kNearFloor) return std::nullopt;
+    if (!by_predictions_alone && most_times_floor(ground->ladder(), ground->fit().errors) <= kNearFloor)
+      return std::nullopt;
     Diagnosis result = search(*ground);
+    if (result.verdict == Verdict::not_in_library) {  // what the library lacks, likelihoods put into a formula
+      Diagnosis by_likelihoods = by_likelihood();
+      if (by_likelihoods.verdict == Verdict::not_in_library) return by_likelihoods;
+    }
     const bool found_nothing = result.verdict == Verdict::nothing_missing && !result.stopped;
     if (found_nothing && !by_predictions_alone) return std::nullopt;
     if (found_nothing && has(Severity::disqualifying)) result.verdict = Verdict::cannot_tell;

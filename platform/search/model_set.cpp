@@ -23,13 +23,18 @@ std::string name_of_set(const std::vector<EffectEntry>& added) {
 }
 
 ModelSets::ModelSets(const Ground& ground) : ground_(ground) {
+  if (ground.task().known) kept_ = *ground.task().known;
   const Contender& plain = ground.plain();
   const ModelBench bench(plain.definition, *plain.model, ground.task().trials, ground.timing(), ground.task().threads);
-  sets_[""] = {plain, ground.fit(), ground.fit(), cross_fitted(bench, ground.ladder_for(bench), ground.fit())};
+  const Ladder ladder = ground.ladder_for(bench), few = quick(ladder);
+  sets_[""] = {plain, fit_to_ladder(few, bench.predictor(), bench.space(), plain.values, Climb::whole),
+               judged(bench, ladder, ground.fit())};
 }
 
-CrossFit ModelSets::cross_fitted(const ModelBench& bench, const Ladder& ladder, const HorizonFit& fit) const {
-  return linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kFolds);
+JudgedFit ModelSets::judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const {
+  if (!fit.errors.valid) return {};
+  CrossFit cross = linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kFolds);
+  return {std::move(fit), std::move(cross)};
 }
 
 const FittedSet* ModelSets::find(const std::string& name) const {
@@ -47,18 +52,12 @@ const KeptFit* ModelSets::known(const std::string& name) const {
 void ModelSets::keep(const std::string& name, const FittedSet& set) {
   if (!ground_.task().keep) return;
   KeptFit& kept = kept_[name];
-  if (set.rough.errors.valid) kept.rough = set.rough.values;
-  if (set.fit.errors.valid) kept.values = set.fit.values, kept.states = set.fit.states;
+  if (set.few.errors.valid) kept.rough = set.few.values;
+  if (set.all.valid()) kept.values = set.all.fit.values, kept.states = set.all.fit.states;
   ground_.task().keep(kept_);
 }
 
 namespace {
-
-HorizonFit nowhere() {
-  HorizonFit fit;
-  fit.errors.cost = std::numeric_limits<double>::infinity();
-  return fit;
-}
 
 HorizonFit fit_from(const Starts& starts, const Ladder& ladder, const ModelBench& bench) {
   const std::vector<double>* best = nullptr;
@@ -72,10 +71,10 @@ HorizonFit fit_from(const Starts& starts, const Ladder& ladder, const ModelBench
 }
 
 HorizonFit best_fit(const std::vector<Starts>& ways, const Ladder& ladder, const ModelBench& bench) {
-  HorizonFit best = nowhere();
+  HorizonFit best;
   for (const Starts& starts : ways) {
     HorizonFit found = fit_from(starts, ladder, bench);
-    if (found.errors.valid && found.errors.cost < best.errors.cost) best = std::move(found);
+    if (found.errors.valid && (!best.errors.valid || found.errors.cost < best.errors.cost)) best = std::move(found);
   }
   return best;
 }
@@ -83,18 +82,18 @@ HorizonFit best_fit(const std::vector<Starts>& ways, const Ladder& ladder, const
 }  // namespace
 
 const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts>& ways) {
-  const MissingTask& task = ground_.task();
-  FittedSet set{model, {}, {}, {}};
-  const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+  FittedSet set{model, {}, {}};
+  const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
+                         ground_.task().threads);
   const Ladder few = quick(ground_.ladder_for(bench));
   const std::string name = name_of_set(model.added);
   if (const KeptFit* fit = known(name)) {
-    set.rough = fit->rough.empty() ? nowhere() : fit_at(few, bench.predictor(), bench.space(), fit->rough);
+    if (!fit->rough.empty()) set.few = fit_at(few, bench.predictor(), bench.space(), fit->rough);
   } else {
     refits_ += static_cast<int>(ways.size());
-    set.rough = best_fit(ways, few, bench);
+    set.few = best_fit(ways, few, bench);
   }
-  if (set.rough.errors.valid) set.model.values = set.rough.values;
+  if (set.few.errors.valid) set.model.values = set.few.values;
   FittedSet& kept = sets_[name] = std::move(set);
   keep(name, kept);
   return kept;
@@ -102,22 +101,22 @@ const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts
 
 const FittedSet& ModelSets::finish(const std::string& name) {
   FittedSet& set = sets_.at(name);
-  if (set.fit.errors.valid || !set.rough.errors.valid) return set;
-  const MissingTask& task = ground_.task();
-  const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+  if (set.all.valid() || !set.few.errors.valid) return set;
+  const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
+                         ground_.task().threads);
   const Ladder ladder = ground_.ladder_for(bench);
   const KeptFit* fit = known(name);
-  set.fit = fit && !fit->values.empty()
-                ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
-                : fit_to_ladder(ladder, bench.predictor(), bench.space(), set.rough.values, Climb::whole);
-  if (!set.fit.errors.valid) return set;
-  set.model.values = set.fit.values;
-  set.cross = cross_fitted(bench, ladder, set.fit);
+  set.all = judged(bench, ladder,
+                   fit && !fit->values.empty()
+                       ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
+                       : fit_to_ladder(ladder, bench.predictor(), bench.space(), set.few.values, Climb::whole));
+  if (!set.all.valid()) return set;
+  set.model.values = set.all.fit.values;
   keep(name, set);
   return set;
 }
 
-CostDifference difference(const FittedSet& one, const FittedSet& than) {
+CostDifference difference(const JudgedFit& one, const JudgedFit& than) {
   const Eigen::VectorXd by_block = than.cross.by_block - one.cross.by_block;
   CostDifference result{than.cross.cost - one.cross.cost, 0.0};
   // Neighbouring blocks may err together: the largest error of blocks once, twice and four times as long.

@@ -9,12 +9,19 @@
 
 namespace lacuna {
 
-/// A set of effects beside the model, fitted to the whole ladder.
+/// A set's fit, and what the set costs where it was not fitted. Not valid before it is made.
+struct JudgedFit {
+  HorizonFit fit;
+  CrossFit cross;
+
+  bool valid() const { return fit.errors.valid; }
+};
+
+/// A set of effects beside the model, fitted to few segments (`quick`), then to all.
 struct FittedSet {
-  Contender model;   ///< its `added` are the set; `values` with the timing last, where that is fitted
-  HorizonFit rough;  ///< on some of the segments
-  HorizonFit fit;    ///< on all; not valid before `finish`
-  CrossFit cross;    ///< what the set costs where it was not fitted
+  Contender model;  ///< its `added` are the set; `values` of the last fit, with the timing last where that is fitted
+  HorizonFit few;
+  JudgedFit all;
 };
 
 std::string name_of_set(const std::vector<EffectEntry>& added);
@@ -25,28 +32,29 @@ struct CostDifference {
   double error = 0.0;
 };
 
-CostDifference difference(const FittedSet& one, const FittedSet& than);
+CostDifference difference(const JudgedFit& one, const JudgedFit& than);
 
 /// Values of a model with a set from one of which a fit begins: the best of them.
 using Starts = std::vector<std::vector<double>>;
 
-/// Fits sets and remembers them.
+/// Fits sets and remembers them. The model as it is stands among them, its name empty.
 class ModelSets {
  public:
   explicit ModelSets(const Ground& ground);
 
-  /// The set fitted to some of the segments, once from each of these; the best fit stays.
+  /// The set fitted to few segments, once from each of these; the best fit stays.
   const FittedSet& fit(const Contender& model, const std::vector<Starts>& ways);
   /// From there, on all.
   const FittedSet& finish(const std::string& name);
   const FittedSet* find(const std::string& name) const;
+  const FittedSet& base() const { return *find(""); }
   const std::map<std::string, FittedSet>& all() const { return sets_; }
   int refits() const { return refits_; }
 
  private:
   const KeptFit* known(const std::string& name) const;
   void keep(const std::string& name, const FittedSet& set);
-  CrossFit cross_fitted(const ModelBench& bench, const Ladder& ladder, const HorizonFit& fit) const;
+  JudgedFit judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const;
 
   const Ground& ground_;
   std::map<std::string, FittedSet> sets_;
