@@ -18,6 +18,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,7 @@ struct AddOptions : CommonOptions {
   std::string id;
   std::vector<std::string> start;  ///< name=value
   std::vector<std::string> fixed;
+  bool answer = false;  ///< add what the latest diagnosis found
 };
 
 /// The effect's name, or with a number behind it where that id is taken.
@@ -138,62 +140,110 @@ bool evolves_models(const Rig& rig) {
   return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests();
 }
 
-/// The experiment before and after; everything is checked before the file is touched.
-struct Extension {
-  std::string text, edited;
+struct Addition {
   EffectEntry entry;
-  Rig base, extended;
   bool from_diagnosis = false;  ///< the start values that were not typed
   bool only_place = false;      ///< the place was not typed, and no other is possible
 };
 
-Extension extension_of(AddOptions options) {
-  std::string text = read_text(options.experiment);
-  Rig base = open_rig(options);
-  settle_substeps(base, base.fit_trials(), options.threads);
-  const bool says_where = !options.where.empty();
-  if (!says_where) options.where = default_place(base, options.effect);
-  check_id(options.id, base.experiment.model.effects);
-  EffectEntry entry = entry_of(options, base.experiment.model.effects);
-  std::string edited = insert_effect(text, entry);
-  Rig extended = open_extended(options, edited, base);
-  check_new(options, entry.id, extended.definition.effects);
-  std::map<std::string, double> found = diagnosed_start(options, base, extended, entry);
+/// The experiment before and after; everything is checked before the file is touched.
+struct Extension {
+  std::string text, edited;
+  std::vector<Addition> added;
+  Rig base, extended;
+};
+
+/// The rig with one more effect, which is put into `edited`, the text that `before` was read from. `base`: without any
+/// of those that are added.
+Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edited, std::vector<Addition>& added) {
+  const bool says_where = !one.where.empty();
+  if (!says_where) one.where = default_place(before, one.effect);
+  check_id(one.id, before.experiment.model.effects);
+  EffectEntry entry = entry_of(one, before.experiment.model.effects);
+  const std::string text = edited;
+  edited = insert_effect(text, entry);
+  Rig extended = open_extended(one, edited, before);
+  check_new(one, entry.id, extended.definition.effects);
+  std::map<std::string, double> found = diagnosed_start(one, base, extended, entry);
   for (const auto& [name, value] : entry.start) found[name] = value;
   const bool from_diagnosis = found.size() > entry.start.size();
   entry.start = std::move(found);
   if (evolves_models(base)) entry.range = search_range(entry, extended.definition);
   if (from_diagnosis || !entry.range.empty()) {
     edited = insert_effect(text, entry);
-    extended = open_extended(options, edited, base);
+    extended = open_extended(one, edited, before);
   }
-  return {std::move(text),
-          std::move(edited),
-          std::move(entry),
-          std::move(base),
-          std::move(extended),
-          from_diagnosis,
-          !says_where && !options.where.empty()};
+  added.push_back({std::move(entry), from_diagnosis, !says_where && !one.where.empty()});
+  return extended;
+}
+
+/// The effect that was typed, or those of the diagnosed answer: a command each.
+std::vector<AddOptions> asked_for(const AddOptions& options, const Rig& base) {
+  if (!options.answer) return {options};
+  std::vector<AddOptions> all;
+  for (const auto& [effect, place] : diagnosed_answer(options, base)) {
+    AddOptions one = options;
+    one.effect = effect;
+    if (place != "world") one.where = {place};
+    all.push_back(std::move(one));
+  }
+  if (all.empty())
+    throw_problem({}, fmt::format("--answer: no diagnosis of this model found an effect; {} looks for one",
+                                  command_to_type("diagnose", options)));
+  return all;
+}
+
+Extension extension_of(const AddOptions& options) {
+  const std::string text = read_text(options.experiment);
+  Rig base = open_rig(options);
+  settle_substeps(base, base.fit_trials(), options.threads);
+  std::string edited = text;
+  std::vector<Addition> added;
+  std::optional<Rig> extended;
+  for (const AddOptions& one : asked_for(options, base))
+    extended = extend(one, base, extended ? *extended : base, edited, added);
+  return {text, std::move(edited), std::move(added), std::move(base), std::move(*extended)};
+}
+
+void check_request(const AddOptions& options) {
+  if (!options.answer && options.effect.empty())
+    throw_problem({}, "add: name the effect, or write --answer for what the last diagnosis found");
+  const bool says_more = !options.effect.empty() || !options.where.empty() || !options.id.empty() ||
+                         !options.start.empty() || !options.fixed.empty();
+  if (options.answer && says_more)
+    throw_problem({},
+                  "add --answer: takes effects, places and values from the diagnosis; write no effect beside it, "
+                  "nor --where, --id, --start or --fixed");
 }
 
 void run_add(const AddOptions& options) {
+  check_request(options);
   check_output(options.json);
   check_replaceable(options.experiment);
   Extension made = extension_of(options);
-  const std::string redundancy = redundancy_of(made.extended.definition, made.entry.id);
+  std::vector<std::string> ids, redundancies;
+  for (const Addition& addition : made.added) {
+    ids.push_back(addition.entry.id);
+    if (std::string text = redundancy_of(made.extended.definition, addition.entry.id); !text.empty())
+      redundancies.push_back(std::move(text));
+  }
   const RevisionErrors before = errors_before_edit(options, std::move(made.base));
   const RevisionErrors after = errors_with_edit(options, std::move(made.extended), made.text, made.edited);
   if (!takes_standard_output(options.json)) {
     fmt::print("{}\n{}", options.experiment.string(), text_diff(made.text, made.edited));
-    if (made.only_place)
-      fmt::print("{} is placed on {}, the only place possible\n", made.entry.id, made.entry.where.front());
-    if (made.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", made.entry.id);
+    for (const Addition& addition : made.added) {
+      const EffectEntry& entry = addition.entry;
+      if (addition.only_place)
+        fmt::print("{} is placed on {}, the only place possible\n", entry.id, entry.where.front());
+      if (addition.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", entry.id);
+    }
     fmt::print("{}", change_text(before, after, command_to_type("undo", options)));
-    if (!redundancy.empty()) fmt::print("{}\n", redundancy);
+    for (const std::string& redundancy : redundancies) fmt::print("{}\n", redundancy);
     fmt::print("undo: {}\n→ {}\n", command_to_type("undo", options), command_to_type("compare", options));
   }
   if (options.json)
-    write_output(*options.json, change_json(made.entry.id, before, after, command_to_type("undo", options)));
+    write_output(*options.json, change_json(fmt::format("{}", fmt::join(ids, " + ")), before, after,
+                                            command_to_type("undo", options)));
 }
 
 }  // namespace
@@ -202,9 +252,8 @@ void add_add_command(CLI::App& program) {
   auto options = std::make_shared<AddOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model and fit it again");
   add_experiment_options(*command, *options);
-  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")
-      ->required()
-      ->option_text("NAME");
+  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")->option_text("NAME");
+  command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
   command
       ->add_option("--where", options->where,
                    "Element to place it on, such as joint.hinge; may be repeated (default: the only one possible)")

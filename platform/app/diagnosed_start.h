@@ -14,4 +14,8 @@ namespace lacuna {
 std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
                                               const EffectEntry& entry);
 
+/// Effects and their places that the latest diagnosis of `base` found to be missing; none where the database has no
+/// such diagnosis.
+std::vector<std::pair<std::string, std::string>> diagnosed_answer(const CommonOptions& options, const Rig& base);
+
 }  // namespace lacuna

@@ -222,6 +222,8 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
   if (outside && !most && !diagnosis.formulas.empty())
     text +=
         fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
+  if (diagnosis.verdict == Verdict::effect_found && diagnosis.ranking.front().effects.size() > 1)
+    return text + fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
   if (diagnosis.verdict == Verdict::effect_found || (outside && most))
     for (const FoundEffect& effect : diagnosis.ranking.front().effects)
       text += fmt::format("→ lacuna add {} {}{}{}\n", shell_word(file), shell_word(effect.effect),

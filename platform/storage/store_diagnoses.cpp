@@ -86,6 +86,17 @@ std::vector<CandidateValueRecord> ResultStore::diagnosed_values(RevisionId revis
   return values;
 }
 
+std::vector<std::string> ResultStore::diagnosed_answer(RevisionId revision) const {
+  std::vector<std::string> effects;
+  Statement row(database_,
+                "SELECT value FROM diagnosis JOIN candidate_model ON candidate_model.diagnosis = diagnosis.id,"
+                " json_each(candidate_model.effects) WHERE candidate_model.rank = 1 AND verdict = 'effect_found'"
+                " AND diagnosis.id = (SELECT max(id) FROM diagnosis WHERE revision = ?)");
+  row.with(revision);
+  while (row.step()) effects.push_back(row.text(0));
+  return effects;
+}
+
 void ResultStore::keep_unfinished_diagnosis(RevisionId revision, const std::string& settings,
                                             const std::string& document) {
   Transaction transaction(database_);

@@ -84,6 +84,26 @@ TEST(Diagnose, TellsErrorsByHorizon) {
   EXPECT_THAT(outcome.output, HasSubstr("error where not fitted"));
 }
 
+TEST(Diagnose, AddTakesTheAnswer) {
+  const Program program;
+  program.copy_lifting_servo();
+  const Outcome early = program.run({"add", "lifting-servo.toml", "--answer"});
+  EXPECT_EQ(early.exit_code, 2);
+  EXPECT_THAT(early.errors,
+              HasSubstr("no diagnosis of this model found an effect; lacuna diagnose lifting-servo.toml"));
+  const Outcome found = program.run(
+      {"diagnose", "lifting-servo.toml", "--among", "load_friction", "coulomb_friction", "viscous_friction"});
+  ASSERT_EQ(found.exit_code, 0) << found.errors;
+  const Outcome both = program.run({"add", "lifting-servo.toml", "coulomb_friction", "--answer"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.errors, HasSubstr("write no effect beside it"));
+  const Outcome added = program.run({"add", "lifting-servo.toml", "--answer"});
+  ASSERT_EQ(added.exit_code, 0) << added.errors;
+  EXPECT_THAT(added.output, HasSubstr("load_friction starts where the diagnosis left it"));
+  EXPECT_THAT(program.read("lifting-servo.toml"), HasSubstr("effect = \"load_friction\""));
+  EXPECT_EQ(program.run({"check", "lifting-servo.toml"}).exit_code, 0);
+}
+
 /// Records a pendulum of that mass, whose motor is not centred, with an encoder of 1 mrad.
 void record_pendulum(const Program& program, const std::string& name, const std::string& mass) {
   program.write("sim.toml", R"([experiment]
