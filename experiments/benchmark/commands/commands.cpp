@@ -31,6 +31,7 @@ int run_program(int argc, char** argv) {
   add_run_command(*hidden);
   add_calibrate_command(*hidden);
   add_figures_command(*hidden);
+  add_real_command(program);
   program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
   lacuna::watch_for_interrupts();
   try {

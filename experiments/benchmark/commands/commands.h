@@ -16,5 +16,6 @@ void add_make_command(CLI::App& program);
 void add_run_command(CLI::App& program);
 void add_calibrate_command(CLI::App& program);
 void add_figures_command(CLI::App& program);
+void add_real_command(CLI::App& program);
 
 }  // namespace hidden_effects

@@ -1,9 +1,9 @@
 #include "commands/commands.h"
+#include "commands/lacuna_program.h"
 #include "commands/not_empty.h"
 
 #include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
-#include "foundation/digest.h"
 #include "foundation/interrupt.h"
 #include "runs/case_store.h"
 #include "runs/run_case.h"
@@ -30,9 +30,6 @@ struct RunOptions {
   int longest = 1800;
   bool keep = false, baselines = false, settle = false, without_oracle = false, again = false;
 };
-
-/// Beside this program, where a build puts both.
-fs::path lacuna_beside() { return fs::read_symlink("/proc/self/exe").parent_path() / "lacuna"; }
 
 std::string duration_text(double seconds) {
   const auto minutes = static_cast<long>(seconds / 60.0);
@@ -66,15 +63,6 @@ std::string answer_text(const CaseResult& result) {
   return fmt::format("{}, {:.0f} s{}", words, first.seconds, settling_text(result));
 }
 
-/// What it says of itself and which file it is: another build may give other results.
-std::string identity_of(const ProgramSettings& settings, const fs::path& folder) {
-  const std::string version = program_version(settings, folder);
-  if (version.empty() || version.find_first_not_of("0123456789.") != std::string::npos)
-    throw std::invalid_argument(
-        fmt::format("--lacuna {}: is not lacuna, whose --version is a number", settings.lacuna.string()));
-  return fmt::format("{}, {:.16}", version, lacuna::sha256_of_file(settings.lacuna));
-}
-
 /// A line a case, with the time that the rest takes if it goes on like this.
 class Telling {
  public:
@@ -95,11 +83,8 @@ std::string failures_text(int failed) {
 void run(const RunOptions& options) {
   const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), options.cases, options.part);
   const WorkFolder work(options.work);
-  const fs::path file = options.lacuna.empty() ? lacuna_beside() : fs::absolute(options.lacuna);
-  if (!fs::exists(file))
-    throw std::invalid_argument(fmt::format("there is no program {}; name it with --lacuna", file.string()));
-  const ProgramSettings settings{file, static_cast<double>(options.longest), options.most_diagnoses,
-                                 lacuna::interrupt_requested};
+  ProgramSettings settings = program_settings(options.lacuna, options.longest);
+  settings.most_diagnoses = options.most_diagnoses;
   Database database(options.database);
   keep_version(database, options.version, identity_of(settings, work.path()));
   const Telling told;
