@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace lacuna {
@@ -103,12 +104,45 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   }
   const auto rows = static_cast<double>(panel.y_names.size());
   gain.y2.assign(panel.y_names.size(), kBar);
-  const Series chance{"chance, 95 %",     Mark::path, kOrange, {diagnosis.chance_95, diagnosis.chance_95},
-                      {-0.5, rows - 0.5}, {}};
-  panel.series = {gain, interval, chance};
-  Figure figure{
-      fmt::format("{} · {}", title, verdict_text(diagnosis)), "held-out log likelihood over the model [nats]", {panel}};
+  panel.series = {gain, interval};
+  std::string label = "how much lower the mean log error is than the model's, where not fitted [nats; 0.69: half]";
+  if (diagnosis.horizons.empty()) {
+    label = "held-out log likelihood over the model [nats]";
+    panel.series.push_back(
+        {"chance, 95 %", Mark::path, kOrange, {diagnosis.chance_95, diagnosis.chance_95}, {-0.5, rows - 0.5}, {}});
+  }
+  Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)), label, {panel}};
   figure.height = 200 + 44 * static_cast<int>(panel.y_names.size());
+  return figure;
+}
+
+/// Errors of predictions over their horizon, a panel a channel.
+Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
+  std::map<std::string, Panel> panels;
+  for (const HorizonError& error : diagnosis.horizons) {
+    Panel& panel = panels[error.channel];
+    if (panel.series.empty()) {
+      panel.y_label = fmt::format("{} [{}]", error.channel, error.unit);
+      panel.log_y = true;
+      panel.series = {{"the model as it is", Mark::line_points, kOrange, {}, {}, {}},
+                      {"with the answer", Mark::line_points, kBlue, {}, {}, {}},
+                      {"with the answer, held out", Mark::points, kGreen, {}, {}, {}},
+                      {"floor", Mark::line, kGrey, {}, {}, {}}};
+    }
+    const std::array values = {error.base, error.answer, error.answer_held_out, error.floor};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!(values[i] > 0.0)) continue;
+      panel.series[i].x.push_back(error.horizon);
+      panel.series[i].y.push_back(values[i]);
+    }
+  }
+  Figure figure{fmt::format("{} · error of predictions", title), "horizon [s]", {}};
+  for (auto& [channel, panel] : panels) {
+    std::erase_if(panel.series, [](const Series& series) { return series.x.empty(); });
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.log_x = true;
+  figure.height = 200 + 260 * static_cast<int>(figure.panels.size());
   return figure;
 }
 
@@ -122,6 +156,7 @@ std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, co
     files.push_back(folder / names.next(name));
     write_svg(figure, files.back());
   };
+  if (!diagnosis.horizons.empty()) draw(horizons_figure(diagnosis, title), "errors-by-horizon.svg");
   if (!diagnosis.ranking.empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");
   for (const std::string& joint : joints_of(diagnosis))
     draw(force_figure(diagnosis, joint, title), "residual-force-" + joint + ".svg");

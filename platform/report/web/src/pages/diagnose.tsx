@@ -19,6 +19,7 @@ import {
   type Ranked,
 } from './diagnose_data';
 import { Features } from './diagnose_features';
+import { Horizons } from './diagnose_horizons';
 
 const kDiagnoses = `SELECT diagnosis.id, experiment.name AS experiment, revision.number AS revision, diagnosis.document
   FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
@@ -70,6 +71,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
           </span>
         )}
       </p>
+      {document.horizons.length > 0 && <Horizons errors={document.horizons} />}
       {document.ranking.length > 0 && <Ranking document={document} />}
       <Force document={document} />
       <Features row={row} chosen={choices.feature} />
@@ -99,6 +101,17 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
   return first ? [...rows, ...formulas] : [...formulas, ...rows];
 }
 
+/** What the gains are, below their picture. */
+function gainNote(document: DiagnosisDocument): string {
+  if (document.horizons.length > 0)
+    return 'How much lower the mean logarithm of the error over all horizons is than that of the model alone, where it was not fitted, with 95 % intervals; 0.69 is half the error.';
+  const first =
+    document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest
+      ? 'First: the formula below. '
+      : '';
+  return `${first}Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`;
+}
+
 function Ranking({ document }: { document: DiagnosisDocument }) {
   const outdone = document.verdict === 'not_in_library' && !firstIsAnswer(document);
   return (
@@ -106,9 +119,9 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Forest
         title="How much better each predicts what was left out"
         label="gain / nats"
-        chance={document.chance_95}
+        chance={document.horizons.length > 0 ? null : document.chance_95}
         rows={rowsOf(document)}
-        note={`${outdone && !document.formulas_of_rest ? 'First: the formula below. ' : ''}Log likelihood over that of the model alone, with 95 % intervals; 5 nats are odds of 150 to 1. Dashed: what the best of ${document.hypotheses} effects reaches by chance in 95 % of cases (${plain(document.chance_95)} nats; p ${plain(document.p_by_chance, 2)}).`}
+        note={gainNote(document)}
       />
       <Figure
         title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}

@@ -27,6 +27,18 @@ export interface Ranked {
   gain_ci95: [number | null, number | null];
 }
 
+/** RMS errors of predictions of one channel over one horizon; nothing where a value is not known. */
+export interface HorizonError {
+  horizon_s: number;
+  channel: string;
+  unit: string;
+  floor: number | null;
+  base: number | null;
+  answer: number | null;
+  base_held_out: number | null;
+  answer_held_out: number | null;
+}
+
 /** A force that the residual shows, over one feature. */
 export interface ForceCurve {
   joint: string;
@@ -49,6 +61,8 @@ export interface DiagnosisDocument {
   units: Record<string, string>;
   noise_floor: Record<string, number>;
   base: { cv_rmse: Record<string, number>; ratio_to_floor: number | null };
+  /** Where errors over horizons decided; `gain` is then how much lower the mean log error is. None in documents of before. */
+  horizons: HorizonError[];
   ranking: Ranked[];
   p_by_chance: number | null;
   chance_95: number | null;
@@ -139,6 +153,7 @@ export function readDocument(text: string): DiagnosisDocument {
     units: {},
     noise_floor: {},
     base: { cv_rmse: {}, ratio_to_floor: null },
+    horizons: [],
     ranking: [],
     p_by_chance: null,
     chance_95: null,

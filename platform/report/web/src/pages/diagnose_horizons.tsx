@@ -1,0 +1,72 @@
+import { saveCsv } from '../kit/download';
+import { quantity, times } from '../kit/format';
+import { Figure } from '../ui/figure';
+import type { HorizonError } from './diagnose_data';
+
+/** How the answer changes the error of predictions, from a few readings to the longest horizon. */
+export function Horizons({ errors }: { errors: HorizonError[] }) {
+  const heldOut = errors.some((one) => one.base_held_out !== null);
+  return (
+    <Figure
+      title="Error of predictions over several horizons"
+      downloads={[{ label: 'CSV', run: () => saveErrors(errors) }]}
+      note="RMS, from starts that the readings tell: of the model as it is → with the answer. Floor: what noise, starts and integration leave a right model."
+    >
+      <div class="scrolls">
+        <table class="grid">
+          <thead>
+            <tr>
+              <th scope="col">channel</th>
+              <th scope="col" class="number">
+                over
+              </th>
+              <th scope="col" class="number">
+                fit
+              </th>
+              {heldOut && (
+                <th scope="col" class="number">
+                  held out
+                </th>
+              )}
+              <th scope="col" class="number">
+                floor
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {errors.map((one) => (
+              <tr key={one.channel + one.horizon_s}>
+                <td>{one.channel}</td>
+                <td class="number">{quantity(one.horizon_s, 's')}</td>
+                <td class="number">{change(one.base, one.answer, one.unit)}</td>
+                {heldOut && <td class="number">{change(one.base_held_out, one.answer_held_out, one.unit)}</td>}
+                <td class="number">{quantity(one.floor, one.unit)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </Figure>
+  );
+}
+
+function change(base: number | null, answer: number | null, unit: string): string {
+  if (base === null || answer === null) return '–';
+  return `${quantity(base, unit)} → ${quantity(answer, unit)} (${times(answer / base)})`;
+}
+
+const saveErrors = (errors: HorizonError[]) =>
+  saveCsv(
+    ['channel', 'horizon_s', 'unit', 'base', 'answer', 'base_held_out', 'answer_held_out', 'floor'],
+    errors.map((one) => [
+      one.channel,
+      one.horizon_s,
+      one.unit,
+      one.base,
+      one.answer,
+      one.base_held_out,
+      one.answer_held_out,
+      one.floor,
+    ]),
+    'horizons',
+  );
