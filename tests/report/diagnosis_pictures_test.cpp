@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -45,6 +46,24 @@ Diagnosis not_in_library() {
   }
   diagnosis.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0003}}, {}}};
   return diagnosis;
+}
+
+TEST(DiagnosisPictures, ShowErrorsByHorizonWhereThoseDecided) {
+  const TestFolder folder;
+  Diagnosis found;
+  found.verdict = Verdict::effect_found;
+  found.ranking = {ranked("viscous_friction", 1.8, 0.1)};
+  constexpr double kNotHeldOut = std::numeric_limits<double>::quiet_NaN();
+  found.horizons = {{0.1, "angle", "rad", 1e-3, 12e-3, 1e-3, kNotHeldOut, kNotHeldOut},
+                    {1.0, "angle", "rad", 2e-3, 90e-3, 3e-3, kNotHeldOut, kNotHeldOut}};
+  const auto files = draw_diagnosis(found, "rig", folder.path());
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].filename(), "errors-by-horizon.svg");
+  const std::string errors = read_bytes(files[0]), ranking = read_bytes(files[1]);
+  EXPECT_THAT(errors, HasSubstr("with the answer"));
+  EXPECT_THAT(errors, Not(HasSubstr("held out")));
+  EXPECT_THAT(ranking, HasSubstr("mean log error"));
+  EXPECT_THAT(ranking, Not(HasSubstr("chance")));
 }
 
 TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace lacuna {
@@ -54,6 +55,20 @@ Diagnosis diagnosis(Verdict verdict) {
   result.next_test_worth = result.next_test + ": 12 nats a trial";
   result.seconds = 31.0;
   return result;
+}
+
+TEST(DiagnosisText, TellsErrorsByHorizonAndAddsAllEffectsAtOnce) {
+  Diagnosis found = diagnosis(Verdict::effect_found);
+  found.probability = std::numeric_limits<double>::quiet_NaN();
+  found.horizons = {{0.1, "angle", "rad", 1e-3, 12.1e-3, 0.9e-3, 13e-3, 1.3e-3}};
+  found.ranking.front().effects.push_back({"quadratic_drag", "body.arm", {}});
+  found.ranking.front().gain = {std::log(2.0), 0.1, std::log(1.6), std::log(2.5)};
+  const std::string text = diagnosis_text(found, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("verdict effect_found\n"));
+  EXPECT_THAT(text, ContainsRegex("angle over 0.10 s +12.1 mrad → 900 µrad +×0.0744 +13.0 mrad → 1.30 mrad +×0.1 "));
+  EXPECT_THAT(text, HasSubstr("×0.5 [0.4, 0.62]"));
+  EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml --answer\n"));
+  EXPECT_THAT(text, Not(HasSubstr("stays below")));
 }
 
 TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {

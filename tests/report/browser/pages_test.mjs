@@ -377,7 +377,7 @@ function pagesOf(way, open) {
         await go(page, base, '#/sql');
         await page.waitForSelector('.tabulator-row');
         await page.waitForSelector(`.figure-title:has-text("${title}")`);
-        assert.ok((await page.locator('.chart .point').count()) >= 2);
+        await page.waitForFunction(() => document.querySelectorAll('.chart .point').length >= 2);
       }
     });
 

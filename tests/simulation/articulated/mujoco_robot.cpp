@@ -47,6 +47,7 @@ std::string joints(const RobotSpec& robot, const BodySpec& body) {
     case JointKind::slider: return write("slide", joint->axis);
     case JointKind::universal: return write("hinge", joint->axis) + write("hinge", joint->axis2);
     case JointKind::ball: return write("ball", joint->axis);
+    case JointKind::free: return "<freejoint/>";
     case JointKind::fixed: break;
   }
   return {};
