@@ -163,7 +163,8 @@ BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift) {
   const auto end = std::min(rows, static_cast<std::int64_t>(pair.second.lattice.count) + shift);
   for (std::int64_t i = (begin + kRowStride - 1) / kRowStride * kRowStride; i < end; i += kRowStride) {
     const std::int64_t of_features = by == By::second ? i - shift : i, of_targets = by == By::second ? i : i - shift;
-    if (join(features, of_features, targets, of_targets, row)) regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
+    if (join(features, of_features, targets, of_targets, row))
+      regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
   }
   return regression;
 }
