@@ -126,7 +126,7 @@ Figure horizons_figure(const Diagnosis& diagnosis, const std::string& title) {
       panel.log_y = true;
       panel.series = {{"the model as it is", Mark::line_points, kOrange, {}, {}, {}},
                       {"with the answer", Mark::line_points, kBlue, {}, {}, {}},
-                      {"with the answer, held out", Mark::points, kGreen, {}, {}, {}},
+                      {"with the answer, held out", Mark::line_points, kGreen, {}, {}, {}},
                       {"floor", Mark::line, kGrey, {}, {}, {}}};
     }
     const std::array values = {error.base, error.answer, error.answer_held_out, error.floor};
