@@ -3,6 +3,8 @@
 #include "diagnosis/timing.h"
 #include "evaluation/test_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -35,10 +37,24 @@ double longest(const std::vector<Trial>& trials) {
   return std::min(most, kLongest);
 }
 
-}  // namespace
-
+/// Whether a test tells enough for a trip to the rig, and more than a random one does.
 bool worthwhile(const NextTest& test) {
   return test.nats > test.random_nats && test.nats > kWorthwhile && test.trials <= kMostTrips;
+}
+
+}  // namespace
+
+void state_next_test(const std::optional<NextTest>& test, Diagnosis& diagnosis) {
+  if (!test) return;
+  if (!worthwhile(*test)) {
+    diagnosis.findings.push_back(
+        fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
+                    test->rivals[0], test->rivals[1]));
+    return;
+  }
+  diagnosis.next_test = test->line;
+  diagnosis.next_test_setup = test->setup;
+  diagnosis.next_test_worth = to_string(*test);
 }
 
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,

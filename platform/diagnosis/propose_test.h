@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/experiment.h"
+#include "diagnosis/diagnosis.h"
 #include "diagnosis/next_test.h"
 #include "diagnosis/test_conditions.h"
 
@@ -27,7 +28,7 @@ std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experim
                                      const FittedRival& other, const std::vector<Trial>& trials,
                                      const ConditionsAt& conditions_at, std::uint64_t seed, int threads);
 
-/// Whether a test tells enough for a trip to the rig, and more than a random one does.
-bool worthwhile(const NextTest& test);
+/// What a diagnosis says of a proposal: the test, or that none is worth it; nothing where none was made.
+void state_next_test(const std::optional<NextTest>& test, Diagnosis& diagnosis);
 
 }  // namespace lacuna

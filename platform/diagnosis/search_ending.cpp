@@ -137,21 +137,13 @@ class EndedSearch {
     const auto& [which, fit] = ending_.again.inseparable.front();
     const KeptRival& alike = step.rivals[which];
     const Contender other = with_effect_of(alike, step, ending_.plain, task_.catalog);
-    const std::optional<NextTest> test = propose_test(
-        task_.catalog, task_.experiment,
-        {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
-        {name_of(alike.entry), other.definition, fit}, ending_.last.base.trials,
-        [&](double period) { return like_the_trials(ending_.last, period); }, task_.seed, task_.threads);
-    if (!test) return;
-    if (!worthwhile(*test)) {
-      result_.findings.push_back(
-          fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
-                      test->rivals[0], test->rivals[1]));
-      return;
-    }
-    result_.next_test = test->line;
-    result_.next_test_setup = test->setup;
-    result_.next_test_worth = to_string(*test);
+    state_next_test(
+        propose_test(
+            task_.catalog, task_.experiment,
+            {name_of(step.rivals[step.chosen].entry), ending_.answer.definition, ending_.last.fit},
+            {name_of(alike.entry), other.definition, fit}, ending_.last.base.trials,
+            [&](double period) { return like_the_trials(ending_.last, period); }, task_.seed, task_.threads),
+        result_);
   }
 
   /// Whether a controller made the commands so that what is identified from them is another than with it in the loop.

@@ -3,8 +3,6 @@
 #include "diagnosis/propose_test.h"
 #include "search/horizon_findings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -48,20 +46,12 @@ void propose_settling_test(const DiagnosisTask& task, const Ground& ground, cons
   const RankedSet& answer = missing.ranking[missing.answer];
   const RankedSet& other = *missing.look_alike;
   const Refit fit = refit_of(answer, missing.timing), of_other = refit_of(other, missing.timing);
-  const std::optional<NextTest> test = propose_test(
-      task.catalog, task.experiment, {name_of_set(answer.model.added), answer.model.definition, fit},
-      {name_of_set(other.model.added), other.model.definition, of_other}, task.trials,
-      [&](double period) { return conditions(ground, answer.errors, period); }, task.seed, task.threads);
-  if (!test) return;
-  if (!worthwhile(*test)) {
-    result.findings.push_back(
-        fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
-                    test->rivals[0], test->rivals[1]));
-    return;
-  }
-  result.next_test = test->line;
-  result.next_test_setup = test->setup;
-  result.next_test_worth = to_string(*test);
+  state_next_test(
+      propose_test(
+          task.catalog, task.experiment, {name_of_set(answer.model.added), answer.model.definition, fit},
+          {name_of_set(other.model.added), other.model.definition, of_other}, task.trials,
+          [&](double period) { return conditions(ground, answer.errors, period); }, task.seed, task.threads),
+      result);
 }
 
 }  // namespace lacuna
