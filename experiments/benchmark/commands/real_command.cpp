@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace hidden_effects {
 namespace {
@@ -39,6 +40,8 @@ void copy_rigs(const fs::path& from, const fs::path& to) {
 void run(const RealOptions& options) {
   if (!std::getenv("LACUNA_DATA"))
     throw std::invalid_argument("LACUNA_DATA names no folder: set it to the one that has the recordings");
+  for (const auto& [option, path] : {std::pair{"--rigs", options.rigs}, std::pair{"--answers", options.answers}})
+    if (!fs::exists(path)) throw std::invalid_argument(fmt::format("{} {}: is not there", option, path.string()));
   const std::vector<AcceptedAnswer> answers = read_accepted_answers(options.answers);
   for (const std::string& name : options.only)
     if (std::none_of(answers.begin(), answers.end(), [&](const AcceptedAnswer& one) { return one.rig == name; }))
