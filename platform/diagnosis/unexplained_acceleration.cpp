@@ -37,8 +37,10 @@ int order_of(const RobotSpec& robot, const Channel& channel) {
   return 0;
 }
 
+constexpr double kLongestKept = 0.5;  ///< s of prediction after which a model is no longer where the robot is
+
 /// 0, free runs, where these stay close to what was measured; else the longest horizon, not chosen by the data, that
-/// every trial of the table has, or 0.
+/// every trial of the table has and that is not too long, or 0.
 double horizon_for(const Comparison& comparison, const FeatureTable& table) {
   const bool close = std::all_of(comparison.trials.begin(), comparison.trials.end(), [](const TrialComparison& trial) {
     return trial.held_out || !trial.valid ||
@@ -51,7 +53,7 @@ double horizon_for(const Comparison& comparison, const FeatureTable& table) {
   for (const std::size_t t : table.trial) {
     double own = 0.0;
     for (const HorizonScore& score : comparison.trials[t].horizons)
-      if (!score.automatic) own = std::max(own, score.horizon);
+      if (!score.automatic && score.horizon <= kLongestKept) own = std::max(own, score.horizon);
     longest = std::min(longest, own);
   }
   return std::isfinite(longest) ? longest : 0.0;

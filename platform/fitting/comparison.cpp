@@ -6,10 +6,12 @@
 #include "fitting/stages.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "measurement/clock_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,7 +22,10 @@ constexpr int kParts = 4;  ///< free runs, as written, horizons, floor
 /// Of the larger of error and floor: a tenth of its square. What the integrator does wrong beyond that is taken for the
 /// model's.
 constexpr double kCoarseSteps = 0.32;
-constexpr double kNoticedRise = 0.01;  ///< of the error as written
+constexpr double kNoticedRise = 0.01;                               ///< of the error as written
+constexpr std::array kUsualHorizons = {0.1, 0.5, 2.0, 10.0, 50.0};  ///< s
+constexpr double kFewestSamples = 5.0;                              ///< of a horizon
+constexpr double kPartOfTrial = 0.5;                                ///< that a horizon is at most
 
 /// The noise that fit trials show; of channels that only held-out trials have, theirs.
 std::vector<ChannelNoise> noise_of(const ComparisonTask& task) {
@@ -41,7 +46,8 @@ class Comparer {
         meter_(task.progress),
         noise_(noise_of(task)),
         predictor_(task.model, task.trials, task.threads),
-        states_(task.definition.structure.robot, predictor_, noise_) {
+        states_(task.definition.structure.robot, predictor_, noise_),
+        horizons_(task.horizons.empty() ? usual_horizons(task.trials) : task.horizons) {
     meter_.set_parts(kParts);
   }
 
@@ -191,11 +197,10 @@ class Comparer {
 
   void score_horizons() {
     meter_.begin_part("horizons");
-    for (const double horizon : task_.horizons) add_horizon(horizon, false);
+    for (const double horizon : horizons_) add_horizon(horizon, false);
     const double longest = automatic_horizon(predictor_, states_, task_.values, kHead);
     result_.start_horizon = longest;
-    const bool adds =
-        std::none_of(task_.horizons.begin(), task_.horizons.end(), [&](double h) { return h >= longest; });
+    const bool adds = std::none_of(horizons_.begin(), horizons_.end(), [&](double h) { return h >= longest; });
     if (adds && std::isfinite(longest)) add_horizon(longest, true);
     meter_.end_part();
   }
@@ -271,11 +276,26 @@ class Comparer {
   std::vector<ChannelNoise> noise_;
   TrialPredictor predictor_;
   StartStates states_;
+  const std::vector<double> horizons_;       ///< s
   std::vector<Eigen::VectorXd> from_start_;  ///< per trial and channel
   Comparison result_;
 };
 
 }  // namespace
+
+std::vector<double> usual_horizons(const std::vector<Trial>& trials) {
+  double interval = 0.0, longest = 0.0;
+  for (const Trial& trial : trials) {
+    const Eigen::VectorXd& times = trial.measured.times;
+    if (times.size() < 2) continue;
+    interval = std::max(interval, median_interval({times.data(), static_cast<std::size_t>(times.size())}));
+    longest = std::max(longest, times(times.size() - 1) - times(0));
+  }
+  std::vector<double> horizons;
+  for (const double horizon : kUsualHorizons)
+    if (horizon >= kFewestSamples * interval && horizon <= kPartOfTrial * longest) horizons.push_back(horizon);
+  return horizons;
+}
 
 Comparison compare(const ComparisonTask& task) { return Comparer(task).run(); }
 

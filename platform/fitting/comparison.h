@@ -21,7 +21,7 @@ struct ComparisonTask {
   std::vector<double> values;  ///< fitted values, in the order of `ModelDefinition::free`
   /// The same model with twice the substeps (`compile_finer`); null: the numerical share is not computed.
   const CompiledModel* finer = nullptr;
-  std::vector<double> horizons = {0.1, 0.5};  ///< s, scored beside the free run
+  std::vector<double> horizons = {};  ///< s, scored beside the free run; empty: `usual_horizons`
   std::uint64_t seed = 1;
   int threads = 1;
   ProgressCallback progress = {};
@@ -91,6 +91,10 @@ struct PooledScore {
   double worst_time = 0.0;  ///< s
   std::string floor_origin;
 };
+
+/// 0.1 to 50 s, each four or five times as long as the one before, as far as the trials have samples for them and go
+/// twice as long. The same for every model of these recordings.
+std::vector<double> usual_horizons(const std::vector<Trial>& trials);
 
 struct Comparison {
   std::vector<TrialComparison> trials;  ///< in the order of the task

@@ -3,6 +3,7 @@
 #include "foundation/unit.h"
 #include "report/bound_text.h"
 #include "report/error_text.h"
+#include "report/horizon_text.h"
 #include "report/interval_text.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
@@ -31,6 +32,16 @@ const FittedValue* value_at(const FitResult& fit, const std::string& address) {
   return found == fit.values.end() ? nullptr : &*found;
 }
 
+/// Empty where the two were not predicted over that length.
+std::vector<std::string> horizon_row(const RevisionErrors& before, const RevisionErrors& after,
+                                     const PooledScore& channel, double horizon) {
+  const double then = restarted_error(before.comparison, channel.channel, horizon, false);
+  const double now = restarted_error(after.comparison, channel.channel, horizon, false);
+  if (!std::isfinite(then) || !std::isfinite(now)) return {};
+  return {fmt::format(" over {:g} s", horizon), format_quantity(then, channel.unit) + " →",
+          format_quantity(now, channel.unit), error_ratio_text(now, then), ""};
+}
+
 std::string error_rows(const RevisionErrors& before, const RevisionErrors& after) {
   std::vector<std::vector<std::string>> rows = {{"fit files", "RMSE", "", "× floor", ""}};
   for (const PooledScore& now : after.comparison.pooled) {
@@ -38,6 +49,9 @@ std::string error_rows(const RevisionErrors& before, const RevisionErrors& after
     if (now.held_out || !then) continue;
     rows.push_back({now.channel, error_text(*then) + " →", error_text(now), times_floor_text(then->times_floor) + " →",
                     times_floor_text(now.times_floor)});
+    for (const double horizon : horizons_of(after.comparison, false))
+      if (std::vector<std::string> row = horizon_row(before, after, now, horizon); !row.empty())
+        rows.push_back(std::move(row));
   }
   return text_table(rows);
 }

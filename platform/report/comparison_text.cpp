@@ -3,6 +3,7 @@
 #include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "report/bound_text.h"
+#include "report/horizon_text.h"
 #include "report/interval_text.h"
 #include "report/setup_report.h"
 #include "report/text_table.h"
@@ -33,12 +34,6 @@ std::string heading_line(const ComparisonHeading& heading, const Comparison& com
   return line + (heading.reused ? " (known)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
 }
 
-const ChannelScore* score_of(const TrialComparison& trial, const std::string& channel) {
-  const auto found = std::find_if(trial.channels.begin(), trial.channels.end(),
-                                  [&](const ChannelScore& score) { return score.channel == channel; });
-  return found == trial.channels.end() ? nullptr : &*found;
-}
-
 std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelScore& score) {
   const std::string kind = trial.held_out ? " held out" : " fit";
   if (!trial.valid) return {kind, trial.trial, "invalid", "-", "-", "-"};
@@ -48,33 +43,6 @@ std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelSc
           times_floor_text(score.times_floor),
           quantity(score.max_error, score.unit),
           std::isfinite(score.max_error_time) ? fmt::format("{:.2f} s", score.max_error_time) : "-"};
-}
-
-/// Root of the mean square over the fit trials, or the held-out ones, of a channel's error over one horizon; NaN
-/// where none was scored.
-double restarted_error(const Comparison& comparison, const std::string& channel, double horizon, bool held_out) {
-  double squares = 0.0;
-  int count = 0;
-  for (const TrialComparison& trial : comparison.trials) {
-    const ChannelScore* score = score_of(trial, channel);
-    if (trial.held_out != held_out || !score) continue;
-    for (const HorizonScore& restarted : trial.horizons) {
-      const double error = restarted.rmse[static_cast<std::size_t>(score - trial.channels.data())];
-      if (restarted.horizon != horizon || !std::isfinite(error)) continue;
-      squares += error * error;
-      ++count;
-    }
-  }
-  return std::sqrt(squares / count);
-}
-
-std::vector<double> horizons_of(const Comparison& comparison) {
-  std::vector<double> horizons;
-  for (const TrialComparison& trial : comparison.trials)
-    for (const HorizonScore& score : trial.horizons)
-      if (std::find(horizons.begin(), horizons.end(), score.horizon) == horizons.end())
-        horizons.push_back(score.horizon);
-  return horizons;
 }
 
 std::string horizons_line(const Comparison& comparison, const std::string& channel, const std::string& unit) {

@@ -5,6 +5,7 @@
 #include "foundation/unit.h"
 #include "report/figure.h"
 #include "report/file_name.h"
+#include "report/horizon_text.h"
 #include "report/setup_report.h"
 #include "report/text_table.h"
 #include "report/times_floor_text.h"
@@ -80,6 +81,33 @@ std::string channel_table(const std::vector<HistoryRow>& rows, const std::string
   return text;
 }
 
+/// By revision, errors of predictions over each length, and what they are of the first revision's; empty where none is
+/// stored.
+std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string& channel) {
+  const HistoryRow* first = nullptr;
+  for (const HistoryRow& row : rows)
+    if (!first && !row.horizons.empty()) first = &row;
+  if (!first) return "";
+  std::vector<std::string> head = {"rev", channel + " over"};
+  for (const HorizonRow& one : first->horizons) head.insert(head.end(), {fmt::format("{:g} s", one.horizon), ""});
+  std::vector<std::vector<std::string>> table = {head};
+  for (const bool held_out : {false, true})
+    for (const HistoryRow& row : rows) {
+      std::vector<std::string> cells = {std::to_string(row.number), held_out ? "held out" : "fit"};
+      bool is_known = false;
+      for (const HorizonRow& then : first->horizons) {
+        const auto now = std::find_if(row.horizons.begin(), row.horizons.end(),
+                                      [&](const HorizonRow& one) { return one.horizon == then.horizon; });
+        const double error = now == row.horizons.end() ? kNotKnown : held_out ? now->held_out_rmse : now->fit_rmse;
+        is_known = is_known || std::isfinite(error);
+        const std::string ratio = error_ratio_text(error, held_out ? then.held_out_rmse : then.fit_rmse);
+        cells.insert(cells.end(), {error_quantity(error, row.unit), &row == first ? "" : ratio});
+      }
+      if (is_known) table.push_back(cells);
+    }
+  return text_table(table, 2);
+}
+
 Figure figure_of(const std::vector<HistoryRow>& rows, const std::string& channel, const std::string& title) {
   Series fit{"fit", Mark::line_points, kBlue, {}, {}, {}}, held_out{"held out", Mark::line_points, kOrange, {}, {}, {}};
   Panel panel;
@@ -104,7 +132,10 @@ Figure figure_of(const std::vector<HistoryRow>& rows, const std::string& channel
 std::string history_text(const std::vector<HistoryRow>& rows, int held_out_looks,
                          const std::vector<KnownSetup>& setups) {
   std::string text;
-  for (const std::string& channel : channels_of(rows)) text += channel_table(rows_of(rows, channel), channel);
+  for (const std::string& channel : channels_of(rows)) {
+    const std::vector<HistoryRow> own = rows_of(rows, channel);
+    text += channel_table(own, channel) + horizon_table(own, channel);
+  }
   if (text.empty()) text = channel_table(rows, "never compared");
   return text + fmt::format("held-out looks {}\n", held_out_looks) + setups_text(setups);
 }
@@ -115,7 +146,11 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
     return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
   };
   nlohmann::ordered_json revisions = nlohmann::ordered_json::array();
-  for (const HistoryRow& row : rows)
+  for (const HistoryRow& row : rows) {
+    nlohmann::ordered_json horizons = nlohmann::ordered_json::array();
+    for (const HorizonRow& one : row.horizons)
+      horizons.push_back(
+          {{"horizon_s", one.horizon}, {"fit_rmse", one.fit_rmse}, {"held_out_rmse", one.held_out_rmse}});
     revisions.push_back({{"revision", row.number},
                          {"parent", row.parent ? nlohmann::ordered_json(*row.parent) : nlohmann::ordered_json(nullptr)},
                          {"change", row.change},
@@ -127,7 +162,9 @@ std::string history_json(const std::vector<HistoryRow>& rows, int held_out_looks
                          {"held_out_rmse", row.held_out_rmse},
                          {"floor", row.floor},
                          {"times_floor", row.times_floor},
-                         {"failed_trials", row.failed_trials}});
+                         {"failed_trials", row.failed_trials},
+                         {"horizons", horizons}});
+  }
   return nlohmann::ordered_json{{"held_out_looks", held_out_looks},
                                 {"missing", text_or_null(missing)},
                                 {"next", text_or_null(next)},

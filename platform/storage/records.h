@@ -217,6 +217,13 @@ struct StoredFit {
   FitRecord record;
 };
 
+/// Errors of predictions that begin anew every `horizon` seconds, pooled over trials.
+struct HorizonRow {
+  double horizon = 0.0;  ///< s
+  double fit_rmse = kNotKnown;
+  double held_out_rmse = kNotKnown;
+};
+
 /// One channel of one revision, pooled over trials, from its latest refitted comparisons.
 struct HistoryRow {
   RevisionId revision;
@@ -230,8 +237,9 @@ struct HistoryRow {
   double fit_rmse = kNotKnown;
   double held_out_rmse = kNotKnown;
   double floor = kNotKnown;
-  double times_floor = kNotKnown;  ///< held-out RMSE (if never looked at, fit RMSE) / floor
-  int failed_trials = 0;           ///< that cannot be simulated; the error of their side is then not known
+  double times_floor = kNotKnown;         ///< held-out RMSE (if never looked at, fit RMSE) / floor
+  int failed_trials = 0;                  ///< that cannot be simulated; the error of their side is then not known
+  std::vector<HorizonRow> horizons = {};  ///< the shortest first
 };
 
 /// A value of an effect that a candidate adds, SI.

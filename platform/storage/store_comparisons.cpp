@@ -152,6 +152,27 @@ std::optional<StoredComparison> ResultStore::latest_comparison(RevisionId revisi
                            .seconds = seconds_of(database_, "comparison", id.value)}};
 }
 
+namespace {
+
+/// Of a revision's channel in its latest refitted comparisons, with held-out trials and without.
+std::vector<HorizonRow> horizons_of(const Database& database, RevisionId revision, const std::string& channel) {
+  Statement row(database,
+                "WITH score AS (SELECT s.comparison, s.horizon, s.rmse, t.held_out FROM comparison_score AS s"
+                "   JOIN comparison AS c ON c.id = s.comparison JOIN trial AS t ON t.id = s.trial"
+                "   WHERE c.revision = ?1 AND c.kind = 'refitted' AND s.channel = ?2 AND s.horizon > 0),"
+                " newest AS (SELECT held_out, max(comparison) AS comparison FROM score GROUP BY held_out),"
+                " pooled AS (SELECT score.horizon, score.held_out, sqrt(avg(score.rmse * score.rmse)) AS rmse"
+                "   FROM score JOIN newest USING (held_out, comparison) GROUP BY score.horizon, score.held_out)"
+                " SELECT horizon, max(iif(held_out = 0, rmse, NULL)), max(iif(held_out = 1, rmse, NULL))"
+                " FROM pooled GROUP BY horizon ORDER BY horizon");
+  row.with(revision, channel);
+  std::vector<HorizonRow> rows;
+  while (row.step()) rows.push_back({row.real(0), row.real(1), row.real(2)});
+  return rows;
+}
+
+}  // namespace
+
 std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
   const std::optional<StoredRevision> current = current_revision(experiment);
   Statement row(database_,
@@ -178,6 +199,8 @@ std::vector<HistoryRow> ResultStore::history(ExperimentId experiment) const {
                     .times_floor = row.real(9),
                     .failed_trials = row.number(10)});
   }
+  for (HistoryRow& one : rows)
+    if (!one.channel.empty()) one.horizons = horizons_of(database_, one.revision, one.channel);
   return rows;
 }
 
