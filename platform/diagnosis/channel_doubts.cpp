@@ -71,8 +71,8 @@ Doubt constant_doubt(const Look& look, bool expected) {
   return {expected ? Severity::disqualifying : Severity::note,
           fmt::format("{}: {} is {} from the first sample to the last{}", look.trial.name, look.channel.name,
                       format_quantity(look.shape.lowest, look.channel.unit),
-                      expected ? ", though the commands change: if the sensor was not connected or the joint was "
-                                 "blocked, leave the file out"
+                      expected ? ", though the commands change: if the sensor was not connected, the joint was "
+                                 "blocked or its friction is above all that was commanded, leave the file out"
                                : "")};
 }
 
@@ -88,13 +88,16 @@ Doubt clipped_doubt(const Look& look, bool is_tried) {
 }
 
 Doubt scatter_doubt(const Look& look, bool expected) {
-  const std::string moved = look.motion > 0.1 * look.scatter
-                                ? "what moves is " + format_quantity(look.motion, look.channel.unit) + " (RMS)"
-                                : "no motion is to be seen beside it";
+  const bool is_seen = look.motion > 0.1 * look.scatter;
+  const std::string moved = is_seen ? "what moves is " + format_quantity(look.motion, look.channel.unit) + " (RMS)"
+                                    : "no motion is to be seen beside it";
   const char* advice = "small effects drown in such noise";
   if (!look.moves())
-    advice = expected ? "the noise is larger than the signal; move further, or measure better"
-                      : "it tells little but that the joint hardly moved";
+    advice = !expected ? "it tells little but that the joint hardly moved"
+             : is_seen
+                 ? "the noise is larger than the signal; move further, or measure better"
+                 : "the joint is blocked, or its friction is above all that was commanded, or the noise hides how "
+                   "it moves; free it, command more, or measure better";
   return {!look.moves() && expected ? Severity::disqualifying : Severity::note,
           fmt::format("{}: {} scatters by {} from sample to sample, and {}: {}", look.trial.name, look.channel.name,
                       format_quantity(look.scatter, look.channel.unit), moved, advice)};
