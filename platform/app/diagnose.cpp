@@ -26,15 +26,14 @@ struct DiagnoseOptions : CommonOptions {
   std::filesystem::path out;
 };
 
-DiagnosisTask task_of(const DiagnoseOptions& options, const Workbench& bench, const FitResult& fit,
-                      ProgressLine& line) {
+DiagnosisTask task_of(const DiagnoseOptions& options, const Workbench& bench, ProgressLine& line) {
   const Rig& rig = bench.rig();
   return {.experiment = rig.experiment,
           .catalog = *rig.catalog,
           .definition = rig.definition,
           .model = *rig.model,
           .trials = rig.trials,
-          .values = fit.parameters(),
+          .values = {},
           .among = options.among,
           .segment = rig.experiment.diagnosis.segment,
           .seed = options.seed.value_or(rig.experiment.seed),
@@ -48,7 +47,7 @@ std::size_t kept_models(const UnfinishedSearch& search) {
 }
 
 /// Goes on from where an interrupted call came to, and keeps where it comes to itself.
-Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const FitResult& fit) {
+Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench) {
   bench.ledger().check_kept();
   const Rig& rig = bench.rig();
   const std::optional<UnfinishedSearch> before =
@@ -59,8 +58,14 @@ Diagnosis make_diagnosis(const DiagnoseOptions& options, Workbench& bench, const
   const SearchMemory memory{before ? &*before : nullptr, [&](const UnfinishedSearch& search) {
                               bench.ledger().keep_unfinished(bench.revision(), rig, options.among, search);
                             }};
-  Diagnosis diagnosis = find_missing_effects(task_of(options, bench, fit, line), memory);
-  diagnosis.findings.insert(diagnosis.findings.end(), fit.cannot_tell.begin(), fit.cannot_tell.end());
+  std::vector<std::string> not_told;
+  const FreeRunFit fit = [&] {
+    const FitResult result = bench.fit_model().result;
+    not_told = result.cannot_tell;
+    return result.parameters();
+  };
+  Diagnosis diagnosis = find_missing_effects(task_of(options, bench, line), memory, fit);
+  diagnosis.findings.insert(diagnosis.findings.end(), not_told.begin(), not_told.end());
   return diagnosis;
 }
 
@@ -71,10 +76,9 @@ struct Found {
 
 Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) try {
   const Rig& rig = bench.rig();
-  const FitResult fit = bench.fit_model().result;
   if (const auto known = bench.ledger().known_diagnosis(bench.revision(), rig, options.among))
     return {read_diagnosis(*known), true};
-  Diagnosis made = make_diagnosis(options, bench, fit);
+  Diagnosis made = make_diagnosis(options, bench);
   lift_time_limit();  // what follows is quick
   if (made.stopped)
     bench.ledger().keep_stopped(bench.revision(), rig, options.among, made);

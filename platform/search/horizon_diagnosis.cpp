@@ -6,6 +6,7 @@
 #include "foundation/interrupt.h"
 #include "search/find_missing.h"
 #include "search/horizon_findings.h"
+#include "search/set_search.h"
 #include "search/settling_test.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kNearFloor = 6.0;  ///< of the model's error at every horizon: likelihoods see smaller effects there
-constexpr int kNotes = 110;         ///< of a usual search
+constexpr int kNotes = 90;          ///< of a usual search, which grow and shrink with its breadth,
+constexpr int kFewestNotes = 10;    ///< and those that every search has
 
 /// Candidates that no set was fitted with.
 std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& missing) {
@@ -28,17 +30,24 @@ std::vector<std::string> not_examined(const DiagnosisTask& task, const Missing& 
 /// One diagnosis, by whichever procedure sees more.
 class HorizonDiagnosis {
  public:
-  HorizonDiagnosis(const DiagnosisTask& task, const SearchMemory& memory) : task_(task), memory_(memory) {
+  HorizonDiagnosis(const DiagnosisTask& task, const SearchMemory& memory, const FreeRunFit& fit)
+      : task_(task), memory_(memory), fit_(fit) {
     if (memory.resume) unfinished_ = *memory.resume;
   }
 
   Diagnosis run() {
-    doubts_ = data_doubts({task_.definition, task_.model, task_.trials, task_.values, true});
     if (std::optional<Diagnosis> found = by_horizon()) return std::move(*found);
     return by_likelihood();
   }
 
  private:
+  /// The model's, as fitted to the ladder.
+  std::vector<double> values_of(const Ground& ground) const {
+    std::vector<double> values = ground.plain().values;
+    values.resize(task_.definition.free.size());
+    return values;
+  }
+
   bool has(Severity severity) const {
     return std::any_of(doubts_.begin(), doubts_.end(), [&](const Doubt& doubt) { return doubt.severity == severity; });
   }
@@ -57,7 +66,7 @@ class HorizonDiagnosis {
       unfinished_.fits = fits;
       keep();
     };
-    meter.set_parts(kNotes);
+    meter.set_parts(kNotes + kFewestNotes);
     missing.note = [&meter](const std::string& what) {
       meter.end_part();
       meter.begin_part(what);
@@ -75,9 +84,11 @@ class HorizonDiagnosis {
     } catch (const NothingPredictable&) {
       return std::nullopt;
     }
+    doubts_ = data_doubts({task_.definition, task_.model, task_.trials, values_of(*ground), true});
     const bool by_predictions_alone = has(Severity::too_little);
     if (!by_predictions_alone && most_times_floor(ground->ladder(), ground->fit().errors) <= kNearFloor)
       return std::nullopt;
+    meter.set_parts(static_cast<int>(kNotes * std::min(1.0, breadth_of(*ground))) + kFewestNotes);
     Diagnosis result = search(*ground);
     if (result.verdict == Verdict::not_in_library) {  // what the library lacks, likelihoods put into a formula
       Diagnosis by_likelihoods = by_likelihood();
@@ -97,12 +108,15 @@ class HorizonDiagnosis {
       mark_stopped({"the search", not_examined(task_, missing), {}}, unfinished_.fits.size(), result);
     else
       propose_settling_test(task_, ground, missing, result);
+    if (const std::string note = reach_note(missing.ladder, task_.trials); !note.empty())
+      result.findings.push_back(note);
     for (const Doubt& doubt : doubts_) result.findings.push_back(doubt.sentence);
     return result;
   }
 
   Diagnosis by_likelihood() {
     DiagnosisTask task = task_;
+    if (fit_) task.values = fit_();
     const std::optional<SearchState> before = unfinished_.likelihoods;
     task.resume = before ? &*before : nullptr;
     task.keep = [this](const SearchState& state) {
@@ -114,19 +128,19 @@ class HorizonDiagnosis {
 
   const DiagnosisTask& task_;
   const SearchMemory& memory_;
+  const FreeRunFit& fit_;
   UnfinishedSearch unfinished_;
   std::vector<Doubt> doubts_;
 };
 
 }  // namespace
 
-Diagnosis find_missing_effects(const DiagnosisTask& task, const SearchMemory& memory) {
+Diagnosis find_missing_effects(const DiagnosisTask& task, const SearchMemory& memory, const FreeRunFit& fit) {
   try {
-    return HorizonDiagnosis(task, memory).run();
+    return HorizonDiagnosis(task, memory, fit).run();
   } catch (const TimeIsUp&) {
     lift_time_limit();
-    return stopped_before_search(task.experiment, task.catalog, task.definition, task.among,
-                                 "the fit of the model to short predictions");
+    return stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "the fit of the model");
   }
 }
 
