@@ -11,13 +11,6 @@ constexpr int kWinsorRounds = 100;
 constexpr double kSettled = 1e-3;  ///< of the mean, from round to round
 constexpr double kFewEffective = 8.0;
 
-std::size_t channel_index(const Ladder& ladder, const Trial& trial, Eigen::Index column) {
-  const std::string& name = trial.measured.channels[static_cast<std::size_t>(column)].name;
-  std::size_t c = 0;
-  while (ladder.channels[c].channel != name) ++c;
-  return c;
-}
-
 /// Squared residuals of one rung and channel, by segment.
 struct Cell {
   std::vector<double> squares;

@@ -18,9 +18,10 @@ constexpr std::size_t kMostForShare = 48;
 constexpr double kShareOfQuick = 0.2;  ///< of a rung's segments, for a first look
 constexpr std::size_t kSegmentsOfQuick = 6;
 constexpr std::size_t kMostSegments = 60;  ///< of a rung, evenly spread: more tell hardly more
-constexpr std::size_t kMostSamples = 4000;
+constexpr double kMostSamples = 4000.0;
 constexpr std::size_t kFewSegments = 2;  ///< which are kept however long they are
 constexpr double kLongest = 3000.0;      ///< samples of a horizon: longer ones cost more time than they tell
+constexpr double kFewCoordinates = 2.0;  ///< of a robot: each further one costs time, and is read as well
 constexpr std::size_t kSamplesOfQuick = 3000;
 constexpr double kShortestTrial = 0.7;  ///< of a rung's length: a shorter trial says nothing of it
 
@@ -86,10 +87,16 @@ std::size_t samples_of(const std::vector<Segment>& segments) {
   return samples;
 }
 
-std::vector<Segment> not_too_many(std::vector<Segment> segments) {
+/// By how much fewer samples are predicted of a robot that has many coordinates.
+double share_of_samples(const StartStates& states) {
+  return std::min(1.0, kFewCoordinates / static_cast<double>(states.coordinates()));
+}
+
+std::vector<Segment> not_too_many(const LadderTask& task, std::vector<Segment> segments) {
   const std::size_t samples = samples_of(segments);
   if (samples == 0) return segments;
-  const std::size_t wanted = std::max(kFewSegments, kMostSamples * segments.size() / samples);
+  const double share = share_of_samples(task.states) * kMostSamples / static_cast<double>(samples);
+  const auto wanted = std::max(kFewSegments, static_cast<std::size_t>(share * static_cast<double>(segments.size())));
   return thinned(std::move(segments), std::min(kMostSegments, wanted));
 }
 
@@ -112,7 +119,7 @@ std::vector<Segment> segments_of(const LadderTask& task, double length, bool ref
       if (segment.rows.size() > segment.unknown.size() + 3) segments.push_back(std::move(segment));
     }
   }
-  return not_too_many(std::move(segments));
+  return not_too_many(task, std::move(segments));
 }
 
 std::map<std::string, std::size_t> index_of_channels(const std::vector<ChannelNoise>& channels) {
@@ -224,11 +231,12 @@ Ladder build_ladder(const LadderTask& task) {
   if (longest_held_out > 0.0) longest = std::min(longest, longest_held_out);
   for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(task.noise.size()); ++c)
     if (const double own = median_interval(task.predictor.trials(), c); own > 0.0) interval = std::min(interval, own);
-  longest = std::min(longest, kLongest * interval);
+  longest = std::min(longest, share_of_samples(task.states) * kLongest * interval);
   const double shortest = std::min(kShortest * interval, longest / 3.0);
   double length = longest;
   Rung last = rung_of(task, length, true);
   while (!means_something(last) && length > 1.5 * shortest) last = rung_of(task, length *= 0.7, true);
+  ladder.ended_by_starts = length < longest;
   const double ratio = std::pow(length / shortest, 1.0 / (kRungs - 1));
   const int rungs = ratio < 1.5 ? 3 : kRungs;
   for (int k = 0; k + 1 < rungs; ++k)
@@ -269,6 +277,13 @@ Ladder first_rungs(const Ladder& ladder, std::size_t count) {
   Ladder part = ladder;
   part.rungs.resize(count);
   return part;
+}
+
+std::size_t channel_index(const Ladder& ladder, const Trial& trial, Eigen::Index column) {
+  const std::string& name = trial.measured.channels[static_cast<std::size_t>(column)].name;
+  std::size_t c = 0;
+  while (ladder.channels[c].channel != name) ++c;
+  return c;
 }
 
 std::vector<Segment> all_segments(const Ladder& ladder) {

@@ -24,6 +24,7 @@ struct Rung {
 struct Ladder {
   std::vector<Rung> rungs;
   std::vector<ChannelNoise> channels;
+  bool ended_by_starts = false;  ///< longer predictions than the last rung's would tell of their starts alone
 };
 
 /// What a ladder is built from.
@@ -51,5 +52,8 @@ Ladder quick(const Ladder& ladder);
 Ladder first_rungs(const Ladder& ladder, std::size_t count);
 
 std::vector<Segment> all_segments(const Ladder& ladder);
+
+/// Which of the ladder's channels a column of a trial's readings is.
+std::size_t channel_index(const Ladder& ladder, const Trial& trial, Eigen::Index column);
 
 }  // namespace lacuna

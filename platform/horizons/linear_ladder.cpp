@@ -18,6 +18,7 @@ constexpr double kSettledCost = 1e-5;  ///< nats a round
 constexpr double kDamping = 0.01;      ///< of a diagonal, where blocks are left out: what data hardly tell stays
 constexpr double kRidge = 1e-9;        ///< of a diagonal
 constexpr double kTold = 1e-3;         ///< eigenvalue of a combination of values that data tell, of 1
+constexpr int kEnoughTrials = 3;       ///< of which one can be left out
 constexpr int kFewestBlocks = 6;       ///< beside one a value, by which an error is estimated
 
 /// Minimises ½ sᵀAs − bᵀs within bounds: what would leave them is put on them, one after the other.
@@ -108,9 +109,7 @@ void LinearLadder::place_rows(const Parts& parts) {
       const Trial& trial = parts.trials[segment.stretch.trial];
       weights_.emplace_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(segment.rows.size())));
       for (std::size_t r = 0; r < segment.rows.size(); ++r) {
-        const std::string& name = trial.measured.channels[static_cast<std::size_t>(segment.columns[r])].name;
-        std::size_t channel = 0;
-        while (parts.ladder.channels[channel].channel != name) ++channel;
+        const std::size_t channel = channel_index(parts.ladder, trial, segment.columns[r]);
         if (parts.fit.errors.weight[rung][channel] == 0.0) continue;
         const double mean = parts.fit.errors.mean_square[rung][channel];
         const double off = std::abs(parts.fit.residuals[k](static_cast<Eigen::Index>(r)));
@@ -317,9 +316,14 @@ Eigen::MatrixXd LinearLadder::between_rungs(const Eigen::MatrixXd& normal) const
   return sum * (1.0 - 1.0 / static_cast<double>(moved.size()));
 }
 
-CrossFit LinearLadder::cross_fit(int folds) const {
+CrossFit LinearLadder::cross_fit(int stretches) const {
   const Eigen::Index own = base_.cols() - 1;
-  const auto fold_of = [&](const Place& place) { return static_cast<std::size_t>(place.block * folds / blocks_); };
+  const bool by_trial = trials_ >= kEnoughTrials;
+  const int folds = by_trial ? trials_ : stretches;
+  const auto fold_of = [&](const Place& place) {
+    return static_cast<std::size_t>(by_trial ? trial_of_block_[static_cast<std::size_t>(place.block)]
+                                             : place.block * folds / blocks_);
+  };
   // Normal equations by fold, of which each leaves its own out.
   std::vector<Eigen::MatrixXd> parts(static_cast<std::size_t>(folds), Eigen::MatrixXd::Zero(own + 1, own + 1));
   for (std::size_t i = 0; i < places_.size(); ++i) {

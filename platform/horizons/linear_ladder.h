@@ -60,10 +60,10 @@ class LinearLadder {
   /// The best sizes of the own values with these changes beside them.
   LinearFit best(std::span<const std::size_t> changes, double damping = 0.0) const;
 
-  /// What was recorded is parted, by trial where there are three or more, else in so many stretches of time; each part
-  /// is predicted with the own values that the others alone would have, to first order. Models on one ladder have the
-  /// same blocks.
-  CrossFit cross_fit(int folds) const;
+  /// What was recorded is parted, by trial where there are three or more, else in so many `stretches` of time; each
+  /// part is predicted with the own values that the others alone would have, to first order. Models on one ladder have
+  /// the same blocks.
+  CrossFit cross_fit(int stretches) const;
 
   /// The best step of the model's own values and starts; gains little where the fit has converged. `damping`: of the
   /// diagonal of the normal equations, for a shorter step (K. Levenberg, 1944; D. Marquardt, 1963).

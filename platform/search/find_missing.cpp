@@ -16,7 +16,7 @@ constexpr std::size_t kMostSets = 16;
 /// What follows from sets that are fitted to all segments.
 class Conclusion {
  public:
-  Conclusion(const Ground& ground, ModelSets& sets) : ground_(ground), sets_(sets), order_(sets, Segments::all) {}
+  Conclusion(const Ground& ground, ModelSets& sets) : ground_(ground), sets_(sets), order_(sets.all(), Segments::all) {}
 
   Missing conclude() {
     const FittedSet& answer = choose();

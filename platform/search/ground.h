@@ -58,7 +58,8 @@ class Ground {
   const Contender& plain() const { return plain_; }  ///< the model as it is
   const HorizonFit& fit() const { return fit_; }     ///< of it
   const Ladder& ladder() const { return ladder_; }
-  double block() const { return block_; }  ///< s, of time that is drawn together
+  int coordinates() const { return states_->coordinates(); }  ///< of the robot
+  double block() const { return block_; }                     ///< s, of time that is drawn together
   const SmoothedStarts& starts() const { return *starts_; }
   const std::vector<ChannelNoise>& noise() const { return noise_; }  ///< of readings
   bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's

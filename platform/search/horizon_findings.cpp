@@ -3,6 +3,9 @@
 #include "diagnosis/selection.h"
 #include "fitting/parameter_space.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +16,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarAboveFloor = 3.0;  ///< of the model's error, where no effect lowers it: something else is missing
 constexpr std::size_t kMostRanked = 8;
 constexpr double kTwoSided = 1.96;
+constexpr double kLongEnough = 0.3;  ///< of the longest trial
 
 Gain gain_of(const CostDifference& difference) {
   return {difference.nats, difference.error, difference.nats - kTwoSided * difference.error,
@@ -22,6 +26,14 @@ Gain gain_of(const CostDifference& difference) {
 double rms(const HorizonErrors& errors, std::size_t rung, std::size_t channel) {
   const bool is_known = errors.valid && errors.weight[rung][channel] > 0.0;
   return is_known ? std::sqrt(errors.mean_square[rung][channel]) : kUnknown;
+}
+
+/// s; 0: nothing is.
+double longest_judged(const Ladder& ladder) {
+  for (std::size_t r = ladder.rungs.size(); r-- > 0;)
+    for (const double weight : ladder.rungs[r].weight)
+      if (weight > 0.0) return ladder.rungs[r].length;
+  return 0.0;
 }
 
 class Told {
@@ -56,12 +68,7 @@ class Told {
     return sets;
   }
 
-  double longest() const {
-    for (std::size_t r = missing_.ladder.rungs.size(); r-- > 0;)
-      for (const double weight : missing_.ladder.rungs[r].weight)
-        if (weight > 0.0) return missing_.ladder.rungs[r].length;
-    return 0.0;
-  }
+  double longest() const { return longest_judged(missing_.ladder); }
 
   std::vector<HorizonError> horizons() const {
     std::vector<HorizonError> all;
@@ -121,6 +128,23 @@ Refit refit_of(const RankedSet& set, bool timing) {
   for (Eigen::Index j = 0; j < at.size(); ++j)
     fit.at_bound.push_back(at(j) <= space.lower()(j) || at(j) >= space.upper()(j));
   return fit;
+}
+
+std::string reach_note(const Ladder& ladder, const std::vector<Trial>& trials) {
+  double longest = 0.0;
+  for (const Trial& trial : trials)
+    if (!trial.held_out)
+      longest = std::max(longest, trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0));
+  const double reach = longest_judged(ladder);
+  if (!(reach > 0.0) || reach > kLongEnough * longest) return "";
+  return fmt::format(
+      "predictions are judged over {:.2g} s at most, of recordings of {:.3g} s: {}; what acts more slowly "
+      "(a drift, warming, a clock) is not told",
+      reach, longest,
+      ladder.ended_by_starts
+          ? "over longer ones what is unknown of a start grows to more than a quarter of the motion, as "
+            "with unstable or chaotic motion and noisy readings"
+          : "longer ones would take more time than they tell");
 }
 
 Diagnosis findings_of(const Missing& missing) {

@@ -40,10 +40,7 @@ std::vector<Eigen::VectorXd> scales_of(const Ladder& ladder, const std::vector<T
     for (const Segment& segment : ladder.rungs[r].segments) {
       Eigen::VectorXd rows(static_cast<Eigen::Index>(segment.rows.size()));
       for (std::size_t i = 0; i < segment.rows.size(); ++i) {
-        const std::string& name =
-            trials[segment.stretch.trial].measured.channels[static_cast<std::size_t>(segment.columns[i])].name;
-        std::size_t c = 0;
-        while (ladder.channels[c].channel != name) ++c;
+        const std::size_t c = channel_index(ladder, trials[segment.stretch.trial], segment.columns[i]);
         const bool counts = errors.weight[r][c] > 0.0;
         rows(static_cast<Eigen::Index>(i)) =
             counts ? std::sqrt(std::max(errors.mean_square[r][c], ladder.rungs[r].floor[c]))

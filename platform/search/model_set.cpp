@@ -8,7 +8,7 @@
 namespace lacuna {
 namespace {
 
-constexpr int kFolds = 3;
+constexpr int kStretches = 3;
 constexpr double kFewestBlocks = 6.0;  ///< by which an error is estimated
 
 }  // namespace
@@ -33,7 +33,7 @@ ModelSets::ModelSets(const Ground& ground) : ground_(ground) {
 
 JudgedFit ModelSets::judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const {
   if (!fit.errors.valid) return {};
-  CrossFit cross = linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kFolds);
+  CrossFit cross = linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kStretches);
   return {std::move(fit), std::move(cross)};
 }
 
@@ -99,9 +99,23 @@ const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts
   return kept;
 }
 
-const FittedSet& ModelSets::finish(const std::string& name) {
+const FittedSet& ModelSets::finish(const std::string& name) { return finish(name, find(name)->few.values); }
+
+const FittedSet& ModelSets::finish(const Contender& model, const std::vector<double>& start) {
+  const std::string name = name_of_set(model.added);
+  if (!find(name)) {
+    FittedSet& set = sets_[name] = {model, {}, {}};
+    const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
+                           ground_.task().threads);
+    set.few = fit_at(quick(ground_.ladder_for(bench)), bench.predictor(), bench.space(), start);
+  }
+  return finish(name, start);
+}
+
+const FittedSet& ModelSets::finish(const std::string& name, const std::vector<double>& start) {
   FittedSet& set = sets_.at(name);
   if (set.all.valid() || !set.few.errors.valid) return set;
+  ++refits_;
   const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
                          ground_.task().threads);
   const Ladder ladder = ground_.ladder_for(bench);
@@ -109,7 +123,7 @@ const FittedSet& ModelSets::finish(const std::string& name) {
   set.all = judged(bench, ladder,
                    fit && !fit->values.empty()
                        ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
-                       : fit_to_ladder(ladder, bench.predictor(), bench.space(), set.few.values, Climb::whole));
+                       : fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::whole));
   if (!set.all.valid()) return set;
   set.model.values = set.all.fit.values;
   keep(name, set);

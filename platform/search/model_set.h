@@ -24,6 +24,9 @@ struct FittedSet {
   JudgedFit all;
 };
 
+/// By name; the model as it is stands among them, its name empty.
+using FittedSets = std::map<std::string, FittedSet>;
+
 std::string name_of_set(const std::vector<EffectEntry>& added);
 
 /// Cost of one set over another, positive where `than` costs more, with its standard error from blocks of time.
@@ -37,7 +40,7 @@ CostDifference difference(const JudgedFit& one, const JudgedFit& than);
 /// Values of a model with a set from one of which a fit begins: the best of them.
 using Starts = std::vector<std::vector<double>>;
 
-/// Fits sets and remembers them. The model as it is stands among them, its name empty.
+/// Fits sets and remembers them.
 class ModelSets {
  public:
   explicit ModelSets(const Ground& ground);
@@ -46,18 +49,21 @@ class ModelSets {
   const FittedSet& fit(const Contender& model, const std::vector<Starts>& ways);
   /// From there, on all.
   const FittedSet& finish(const std::string& name);
+  /// On all from `start`, unless it is fitted to all already.
+  const FittedSet& finish(const Contender& model, const std::vector<double>& start);
   const FittedSet* find(const std::string& name) const;
   const FittedSet& base() const { return *find(""); }
-  const std::map<std::string, FittedSet>& all() const { return sets_; }
+  const FittedSets& all() const { return sets_; }
   int refits() const { return refits_; }
 
  private:
   const KeptFit* known(const std::string& name) const;
   void keep(const std::string& name, const FittedSet& set);
+  const FittedSet& finish(const std::string& name, const std::vector<double>& start);
   JudgedFit judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const;
 
   const Ground& ground_;
-  std::map<std::string, FittedSet> sets_;
+  FittedSets sets_;
   KeptFits kept_;
   int refits_ = 0;
 };

@@ -34,30 +34,30 @@ double SetOrder::cost(const FittedSet& set) const {
 
 double SetOrder::largest_gain() const {
   double gain = 0.0;
-  for (const auto& [name, set] : sets_.all())
-    if (is_fitted(set)) gain = std::max(gain, cost(sets_.base()) - cost(set));
+  for (const auto& [name, set] : sets_)
+    if (is_fitted(set)) gain = std::max(gain, cost(base()) - cost(set));
   return gain;
 }
 
 double SetOrder::with_size(const FittedSet& set, double gain) const {
   const auto effects = static_cast<double>(set.model.added.size());
-  const auto more = static_cast<double>(set.model.values.size() - sets_.base().model.values.size());
+  const auto more = static_cast<double>(set.model.values.size() - base().model.values.size());
   const double values = std::max(effects, more), least = cost(set) + far_from_joints(set);
   if (segments_ == Segments::few) return least + kOnTheWay * kRelevant * gain * values;
-  const int more_told = set.all.cross.told - sets_.base().all.cross.told;
+  const int more_told = set.all.cross.told - base().all.cross.told;
   const double told = std::clamp(static_cast<double>(more_told), effects, values);
   return least + kRelevant * gain * (told + kUntold * (values - told));
 }
 
 bool SetOrder::is_told(const FittedSet& set) const {
-  const int more = set.all.cross.told - sets_.base().all.cross.told;
+  const int more = set.all.cross.told - base().all.cross.told;
   return kBlocksAValue * static_cast<double>(more) <= static_cast<double>(set.all.cross.by_block.size());
 }
 
 std::vector<std::string> SetOrder::ordered() const {
   const double gain = largest_gain();
   std::vector<std::pair<double, std::string>> order;
-  for (const auto& [name, set] : sets_.all())
+  for (const auto& [name, set] : sets_)
     if (is_fitted(set)) order.emplace_back(with_size(set, gain), name);
   std::sort(order.begin(), order.end());
   std::vector<std::string> names;
@@ -78,7 +78,7 @@ std::vector<std::string> SetOrder::best_among(const std::vector<std::string>& na
 
 std::vector<std::string> SetOrder::best_of(std::size_t size, std::size_t most) const {
   std::vector<std::string> names = ordered();
-  std::erase_if(names, [&](const std::string& name) { return sets_.find(name)->model.added.size() != size; });
+  std::erase_if(names, [&](const std::string& name) { return sets_.at(name).model.added.size() != size; });
   if (names.size() > most) names.resize(most);
   return names;
 }

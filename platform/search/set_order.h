@@ -17,10 +17,10 @@ enum class Segments { few, all };
 /// which only lead to those, what they cost there. `sets` must outlive it.
 class SetOrder {
  public:
-  SetOrder(const ModelSets& sets, Segments segments) : sets_(sets), segments_(segments) {}
+  SetOrder(const FittedSets& sets, Segments segments) : sets_(sets), segments_(segments) {}
 
   /// What the set costs.
-  double cost(const std::string& name) const { return cost(*sets_.find(name)); }
+  double cost(const std::string& name) const { return cost(sets_.at(name)); }
   /// Nats, of the set that costs least, over the model as it is.
   double largest_gain() const;
   /// What a set costs with what its values must earn: an effect that earns less makes up for the form of another one. A
@@ -39,7 +39,9 @@ class SetOrder {
   double cost(const FittedSet& set) const;
   bool is_told(const FittedSet& set) const;
 
-  const ModelSets& sets_;
+  const FittedSet& base() const { return sets_.at(""); }
+
+  const FittedSets& sets_;
   Segments segments_;
 };
 

@@ -24,24 +24,19 @@ constexpr std::size_t kFinishedPairs = 4;   ///< pairs,
 constexpr std::size_t kFinishedBeside = 2;  ///< and of those beside a parent
 constexpr double kWorthFinishing = 0.5;     ///< of what an effect must gain: a fit to all segments is made for
 
-constexpr double kFewSamples = 6000.0;  ///< of all rungs: with fewer, more sets are fitted
+constexpr double kFewSamples = 6000.0;    ///< of all rungs: with fewer, more sets are fitted
+constexpr double kManySamples = 25000.0;  ///< of all rungs: with more, fewer are
+constexpr double kFewCoordinates = 2.0;   ///< of a robot: a sample of one with more costs more, by the square
 constexpr double kBroadest = 4.0;
-
-/// How many times as many sets are fitted as to a long recording.
-std::size_t breadth_of(const Ladder& ladder) {
-  double samples = 1.0;
-  for (const Segment& segment : all_segments(ladder)) samples += static_cast<double>(segment.stretch.size());
-  return static_cast<std::size_t>(std::clamp(kFewSamples / samples, 1.0, kBroadest));
-}
 
 class SetSearch {
  public:
   SetSearch(const Ground& ground, ModelSets& sets)
       : ground_(ground),
         sets_(sets),
-        few_(sets, Segments::few),
-        all_(sets, Segments::all),
-        breadth_(breadth_of(ground.ladder())) {}
+        few_(sets.all(), Segments::few),
+        all_(sets.all(), Segments::all),
+        breadth_(breadth_of(ground)) {}
 
   SearchedLibrary run() {
     SearchedLibrary searched;
@@ -49,11 +44,12 @@ class SetSearch {
       look_alone();
       searched.hypotheses = first_.hypotheses.size();
       searched.untestable = first_.untestable;
-      finish(few_.best_of(1, kFinishedAlone * breadth_));
+      finish(few_.best_of(1, many(kFinishedAlone)));
       pair_up();
-      finish(few_.best_of(2, kFinishedPairs * breadth_));
-      grow(1, kParents);
-      grow(2, kPairParents);
+      finish(few_.best_of(2, many(kFinishedPairs)));
+      grow(1, std::min(kParents, many(kParents)));
+      grow(2, std::min(kPairParents, many(kPairParents)));
+      simplify();
     } catch (const TimeIsUp&) {
       lift_time_limit();
       searched.stopped = true;
@@ -64,6 +60,10 @@ class SetSearch {
  private:
   void say(const std::string& what) const {
     if (ground_.task().note) ground_.task().note(what);
+  }
+  /// So many sets, of a usual recording.
+  std::size_t many(std::size_t usual) const {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(breadth_ * static_cast<double>(usual))));
   }
   static std::string ratio(double cost, double to) { return fmt::format("×{:.3f}", std::exp(cost - to)); }
 
@@ -80,9 +80,9 @@ class SetSearch {
   void look_alone() {
     say("the model as it is");
     const FittedSet& base = sets_.base();
-    first_ = look_beside(ground_, base.model, base.few, nullptr, kPairs);
+    first_ = look_beside(ground_, base.model, base.few, nullptr, std::min(kPairs, many(kPairs)));
     say("looked beside the model");
-    for (const Promise& promise : slots_of(first_, {}, breadth_ * kSlots))
+    for (const Promise& promise : slots_of(first_, {}, many(kSlots)))
       fit(with_promised(ground_, base, first_, promise));
     for (const PairPromise& pair : first_.pairs) fit(with_promised(ground_, first_, pair));
   }
@@ -107,7 +107,7 @@ class SetSearch {
 
   /// The best effects alone, two at a time: what is missing may show in neither of them alone.
   void pair_up() {
-    const std::vector<std::string> chosen = one_of_a_kind(few_, kToPairUp * breadth_);
+    const std::vector<std::string> chosen = one_of_a_kind(few_, many(kToPairUp));
     for (std::size_t i = 0; i < chosen.size(); ++i)
       for (std::size_t j = i + 1; j < chosen.size(); ++j) {
         const FittedSet &one = *sets_.find(chosen[i]), &other = *sets_.find(chosen[j]);
@@ -125,12 +125,38 @@ class SetSearch {
       const Look look = look_beside(ground_, parent.model, parent.all.fit, &first_.probes);
       say("looked beside " + name);
       std::vector<std::string> better;
-      for (const Promise& promise : slots_of(look, parent.model.added, breadth_ * kPromisesBeside)) {
+      for (const Promise& promise : slots_of(look, parent.model.added, many(kPromisesBeside))) {
         const FittedSet& set = fit(with_promised(ground_, parent, look, promise));
         if (set.few.errors.valid && parent.few.errors.cost - set.few.errors.cost > kWorthFinishing * kRelevant * gain)
           better.push_back(name_of_set(set.model.added));
       }
-      finish(few_.best_among(better, breadth_ * kFinishedBeside));
+      finish(few_.best_among(better, many(kFinishedBeside)));
+    }
+  }
+
+  static std::string name_with(const FittedSet& set, std::size_t member, const Hypothesis& other) {
+    std::vector<EffectEntry> added = set.model.added;
+    added[member] = other.entry;
+    return name_of_set(added);
+  }
+
+  /// Of the best set each effect with those that are simpler and of its kind: a fit of these that ended beside its best
+  /// values would leave the richer one as the answer.
+  void simplify() {
+    const std::vector<std::string> best = all_.ordered();
+    if (best.empty()) return;
+    const FittedSet set = *sets_.find(best.front());
+    for (std::size_t i = 0; i < set.model.added.size(); ++i) {
+      const Hypothesis& member = first_named(name_of_set({set.model.added[i]}));
+      for (const Hypothesis& simpler : first_.hypotheses) {
+        if (simpler.own.size() >= member.own.size() || simpler.where() != member.where()) continue;
+        if (!are_alike(simpler, member)) continue;
+        const FittedSet* known = sets_.find(name_with(set, i, simpler));
+        if (known && known->all.valid()) continue;
+        throw_if_interrupted();
+        const StartedSet started = with_simpler(ground_, set, i, simpler);
+        say_finished(sets_.finish(started.model, started.ways.front().front()));
+      }
     }
   }
 
@@ -139,22 +165,33 @@ class SetSearch {
     for (const std::string& name : names) {
       if (sets_.find(name)->all.valid()) continue;
       throw_if_interrupted();
-      const FittedSet& set = sets_.finish(name);
-      if (!set.all.valid()) continue;
-      say(fmt::format("    {} on all: {} fitted, {} where not fitted", name,
+      say_finished(sets_.finish(name));
+    }
+  }
+
+  void say_finished(const FittedSet& set) const {
+    if (set.all.valid())
+      say(fmt::format("    {} on all: {} fitted, {} where not fitted", name_of_set(set.model.added),
                       ratio(set.all.fit.errors.cost, sets_.base().all.fit.errors.cost),
                       ratio(set.all.cross.cost, sets_.base().all.cross.cost)));
-    }
   }
 
   const Ground& ground_;
   ModelSets& sets_;
   const SetOrder few_, all_;
-  const std::size_t breadth_;
+  const double breadth_;
   Look first_;  ///< beside the model as it is
 };
 
 }  // namespace
+
+double breadth_of(const Ground& ground) {
+  double samples = 1.0;
+  for (const Segment& segment : all_segments(ground.ladder())) samples += static_cast<double>(segment.stretch.size());
+  if (samples < kFewSamples) return std::floor(std::min(kFewSamples / samples, kBroadest));
+  const double coordinates = std::max(1.0, ground.coordinates() / kFewCoordinates);
+  return std::min(1.0, kManySamples / (samples * coordinates * coordinates));
+}
 
 SearchedLibrary search_sets(const Ground& ground, ModelSets& sets) { return SetSearch(ground, sets).run(); }
 

@@ -16,4 +16,7 @@ struct SearchedLibrary {
 /// segments first, the best to all. Throws `Interrupted`.
 SearchedLibrary search_sets(const Ground& ground, ModelSets& sets);
 
+/// How many times as many sets are fitted as to a usual recording of a robot with few coordinates.
+double breadth_of(const Ground& ground);
+
 }  // namespace lacuna

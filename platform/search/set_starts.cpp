@@ -91,4 +91,24 @@ StartedSet with_both(const Ground& ground, const FittedSet& better, const Fitted
   return set;
 }
 
+StartedSet with_simpler(const Ground& ground, const FittedSet& set, std::size_t member, const Hypothesis& simpler) {
+  std::vector<EffectEntry> added = set.model.added;
+  const std::string old_id = added[member].id;
+  added[member] = simpler.entry;
+  ValuesByAddress values;
+  take_values(set, true, values);
+  ValuesByAddress of_other = values;
+  take_own(simpler, simpler.entry.id, simpler.defaults, values);
+  for (const auto& [address, value] : of_other)
+    if (const std::string same = "effect." + simpler.entry.id + address.substr(address.rfind('.'));
+        address.starts_with("effect." + old_id + ".") && values.contains(same))
+      values[same] = value;
+  StartedSet started{with_effects(ground.plain(), added, {}, ground.task().catalog), {}};
+  std::vector<double> start;
+  for (const FreeValue& free : started.model.definition.free) start.push_back(values.at(free.address));
+  if (ground.timing()) start.push_back(set.model.values.back());
+  started.ways.push_back({start});
+  return started;
+}
+
 }  // namespace lacuna

@@ -20,4 +20,8 @@ StartedSet with_promised(const Ground& ground, const Look& look, const PairPromi
 /// Two effects that were fitted alone; what the model has beside them stays as the better one has it.
 StartedSet with_both(const Ground& ground, const FittedSet& better, const FittedSet& other);
 
+/// A set with a simpler effect of the same kind in the place of one of its effects: it begins as the other ended, with
+/// those of its values that both have.
+StartedSet with_simpler(const Ground& ground, const FittedSet& set, std::size_t member, const Hypothesis& simpler);
+
 }  // namespace lacuna

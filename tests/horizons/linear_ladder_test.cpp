@@ -14,25 +14,29 @@ constexpr double kNoise = 0.01;
 constexpr std::size_t kSegments = 20;
 constexpr Eigen::Index kRows = 25;
 
-/// One channel, one rung of twenty segments of a second; what a model leaves is noise and what a test adds.
+/// One channel, one rung of twenty segments of a second in so many trials; what a model leaves is noise and what a test
+/// adds.
 struct OneRung {
   Ladder ladder;
-  std::vector<Trial> trials{1};
+  std::vector<Trial> trials;
   HorizonFit fit;
   std::vector<Eigen::VectorXd> noise, wave, slope;
 
-  OneRung() {
-    const auto samples = static_cast<Eigen::Index>(kSegments) * kRows;
-    trials[0].measured.channels = {{"angle", "rad"}};
-    trials[0].measured.times = Eigen::VectorXd::LinSpaced(samples, 0.0, 20.0);
-    trials[0].measured.samples = TimeSeries::Samples::Zero(samples, 1);
+  explicit OneRung(std::size_t count = 1) : trials(count) {
+    const auto in_each = static_cast<Eigen::Index>(kSegments / count);
+    for (Trial& trial : trials) {
+      trial.measured.channels = {{"angle", "rad"}};
+      trial.measured.times = Eigen::VectorXd::LinSpaced(in_each * kRows, 0.0, static_cast<double>(in_each));
+      trial.measured.samples = TimeSeries::Samples::Zero(in_each * kRows, 1);
+    }
     ladder.channels = {{"angle", "rad", kNoise, ""}};
     Rung rung{1.0, std::vector<Segment>(kSegments), {1e-8}, {0.0}, {1.0}, {true}, {1.0}};
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal(0.0, kNoise);
     for (std::size_t k = 0; k < kSegments; ++k) {
       Segment& segment = rung.segments[k];
-      segment.stretch = {0, static_cast<Eigen::Index>(k) * kRows, static_cast<Eigen::Index>(k + 1) * kRows};
+      const auto at = static_cast<Eigen::Index>(k) % in_each;
+      segment.stretch = {k / static_cast<std::size_t>(in_each), at * kRows, (at + 1) * kRows};
       for (Eigen::Index row = 0; row < kRows; ++row) segment.rows.push_back(row);
       segment.columns.assign(static_cast<std::size_t>(kRows), 0);
       for (std::vector<Eigen::VectorXd>* column : {&noise, &wave, &slope})
@@ -95,6 +99,17 @@ TEST(LinearLadder, AFitOfNoiseCostsMoreWhereItWasNotFitted) {
   EXPECT_NEAR(cross.by_block.sum(), 0.0, 1e-9);
   EXPECT_EQ(cross.told, 1);
   EXPECT_GT(cross.covariance(0, 0), 0.0);
+}
+
+TEST(LinearLadder, LeavesOutOneTrialAfterTheOther) {
+  OneRung rung(4);
+  rung.leave(0.0, 0.0);
+  for (std::size_t k = 0; k < kSegments / 4; ++k) rung.fit.residuals[k] += 0.3 * rung.slope[k];
+  rung.fit.errors = horizon_errors(rung.ladder, rung.trials, rung.fit.residuals);
+  const double slope = rung.slope[0].squaredNorm() / static_cast<double>(kRows);
+  // Three trials say 0, where the first has 0.3; with it two of the other three say a third of that.
+  const double expected = slope * (0.3 * 0.3 + 3.0 * 0.1 * 0.1) / 4.0 + kNoise * kNoise;
+  EXPECT_NEAR(rung.linear().cross_fit(2).cost, 0.5 * std::log(expected), 0.03);
 }
 
 }  // namespace
