@@ -81,6 +81,12 @@ std::string channel_table(const std::vector<HistoryRow>& rows, const std::string
   return text;
 }
 
+double error_over(const HistoryRow& row, double horizon, bool held_out) {
+  for (const HorizonRow& one : row.horizons)
+    if (one.horizon == horizon) return held_out ? one.held_out_rmse : one.fit_rmse;
+  return kNotKnown;
+}
+
 /// By revision, errors of predictions over each length, and what they are of the first revision's; empty where none is
 /// stored.
 std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string& channel) {
@@ -96,11 +102,9 @@ std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string
       std::vector<std::string> cells = {std::to_string(row.number), held_out ? "held out" : "fit"};
       bool is_known = false;
       for (const HorizonRow& then : first->horizons) {
-        const auto now = std::find_if(row.horizons.begin(), row.horizons.end(),
-                                      [&](const HorizonRow& one) { return one.horizon == then.horizon; });
-        const double error = now == row.horizons.end() ? kNotKnown : held_out ? now->held_out_rmse : now->fit_rmse;
+        const double error = error_over(row, then.horizon, held_out);
         is_known = is_known || std::isfinite(error);
-        const std::string ratio = error_ratio_text(error, held_out ? then.held_out_rmse : then.fit_rmse);
+        const std::string ratio = error_ratio_text(error, error_over(*first, then.horizon, held_out));
         cells.insert(cells.end(), {error_quantity(error, row.unit), &row == first ? "" : ratio});
       }
       if (is_known) table.push_back(cells);

@@ -75,6 +75,19 @@ TEST(Compare, ShortHorizonsForgiveAWrongModelMore) {
   EXPECT_LT(horizons[1].rmse[0], comparison.trials[0].channels[0].rmse);
 }
 
+TEST(UsualHorizons, GoFromAFewSamplesToHalfTheLongestTrial) {
+  const auto horizons = [](double interval, double duration) {
+    Trial trial;
+    trial.measured.times =
+        Eigen::VectorXd::LinSpaced(1 + static_cast<Eigen::Index>(duration / interval), 0.0, duration);
+    return usual_horizons({trial});
+  };
+  EXPECT_THAT(horizons(0.002, 4.0), testing::ElementsAre(0.1, 0.5, 2.0));
+  EXPECT_THAT(horizons(0.001, 25.0), testing::ElementsAre(0.1, 0.5, 2.0, 10.0));
+  EXPECT_THAT(horizons(1.0 / 15.0, 3.0), testing::ElementsAre(0.5));
+  EXPECT_THAT(horizons(0.0005, 0.1), testing::IsEmpty());
+}
+
 TEST(Compare, TellsHowLongAStartStaysCertain) {
   const Comparison comparison = compare_spring({spring_trial(kNoise, 1)}, 0.5);
   // A line through N = 11 samples of T = 50 ms is uncertain by σ √(1/N + 12 (t − T/2)²/(N T²)): 2 σ after 0.12 s,

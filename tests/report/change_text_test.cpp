@@ -55,6 +55,20 @@ TEST(ChangeText, NamesEachFileAndHorizonWhoseErrorRoseAndHowToTakeItBack) {
   EXPECT_EQ(document["undo"], "lacuna undo rig.toml");
 }
 
+TEST(ChangeText, SetsErrorsOverEachLengthSideBySide) {
+  const auto pooled = [](RevisionErrors revision, double rmse) {
+    PooledScore score;
+    score.channel = "angle";
+    score.unit = "rad";
+    score.rmse = rmse;
+    revision.comparison.pooled = {score};
+    return revision;
+  };
+  const RevisionErrors before = pooled(errors({trial("sine.csv", false, 1e-3, 2e-4)}), 1e-3);
+  const RevisionErrors after = pooled(errors({trial("sine.csv", false, 1e-4, 5e-5)}), 1e-4);
+  EXPECT_THAT(change_text(before, after), testing::ContainsRegex(" over 0.5 s +200 µrad → +50.0 µrad +×0.25"));
+}
+
 TEST(ChangeText, NamesAFileThatCannotBeSimulatedAnyMore) {
   TrialComparison failed = trial("sine.csv", false, std::nan(""), std::nan(""));
   failed.valid = false;

@@ -58,6 +58,19 @@ TEST(HistoryText, SaysWhereTheFloorIsNotKnown) {
   EXPECT_THAT(history_text({row(1, "rigid", 8e-3, kNotKnown, kNotKnown)}, 0), HasSubstr("floor not known"));
 }
 
+TEST(HistoryText, ShowsErrorsOverEachLengthAndWhatTheyAreOfTheFirst) {
+  HistoryRow rigid = row(1, "rigid", 8e-3, 9e-3, 9.0), friction = row(2, "friction", 1e-3, kNotKnown, 1.0);
+  rigid.horizons = {{0.1, 2e-3, 3e-3}, {2.0, 8e-3, 9e-3}};
+  friction.horizons = {{0.1, 1e-3, kNotKnown}, {2.0, 1e-3, kNotKnown}};
+  const std::string text = history_text({rigid, friction}, 1);
+  EXPECT_THAT(text, testing::ContainsRegex("rev +angle over +0.1 s +2 s"));
+  EXPECT_THAT(text, testing::ContainsRegex("1 +fit +2.00 mrad +8.00 mrad"));
+  EXPECT_THAT(text, testing::ContainsRegex("2 +fit +1.00 mrad +×0.5 +1.00 mrad +×0.12"));
+  EXPECT_THAT(text, testing::ContainsRegex("1 +held out +3.00 mrad +9.00 mrad"));
+  EXPECT_THAT(text, Not(testing::ContainsRegex("2 +held out")));
+  EXPECT_THAT(history_json({rigid}, 0), HasSubstr("\"horizon_s\": 0.1"));
+}
+
 TEST(HistoryCsv, QuotesTextsThatWouldBreakTheTable) {
   EXPECT_THAT(history_csv({row(2, "friction, \"dry\"", 1e-3, 1e-3, 1.0)}),
               HasSubstr("\n2,,\"friction, \"\"dry\"\"\",0,angle,rad,"));

@@ -179,6 +179,28 @@ TEST_F(ResultStoreTest, HistoryShowsTheErrorByRevisionInUnitsAndMultiplesOfTheFl
   EXPECT_TRUE(rows[1].current);
 }
 
+TEST_F(ResultStoreTest, HistoryHasTheErrorsOverEachLengthOfTheLatestComparison) {
+  const SmallDatabase small = fill_small_database(store_);
+  begin();
+  for (const double scale : {1.0, 0.5}) {
+    ComparisonRecord record = test::comparison_of(small, {}, 3, scale);
+    record.fit = std::nullopt;
+    for (const bool held_out : {false, true})
+      record.scores.push_back({.trial = held_out ? small.held_out_trial : small.fit_trial,
+                               .channel = "angle",
+                               .unit = "rad",
+                               .horizon = 0.5,
+                               .rmse = (held_out ? 0.004 : 0.002) * scale});
+    store_.record_comparison(small.rigid, record);
+  }
+  const std::vector<HistoryRow> rows = store_.history(small.experiment);
+  ASSERT_EQ(rows[0].horizons.size(), 1U);
+  EXPECT_EQ(rows[0].horizons[0].horizon, 0.5);
+  EXPECT_NEAR(rows[0].horizons[0].fit_rmse, 0.001, 1e-15);
+  EXPECT_NEAR(rows[0].horizons[0].held_out_rmse, 0.002, 1e-15);
+  EXPECT_TRUE(rows[1].horizons.empty());
+}
+
 TEST_F(ResultStoreTest, AComparisonWithoutHeldOutTrialsKeepsTheEarlierLook) {
   const SmallDatabase small = fill_small_database(store_);
   begin();
