@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPresent = 2.0;  ///< standard errors by which the cost rises where an effect goes
 constexpr std::size_t kMostSets = 16;
+constexpr double kWorse = 0.05;  ///< nats of held-out predictions by which an effect that makes them worse is left out
 
 /// What follows from sets that are fitted to all segments.
 class Conclusion {
@@ -19,8 +20,8 @@ class Conclusion {
   Conclusion(const Ground& ground, ModelSets& sets) : ground_(ground), sets_(sets), order_(sets.all(), Segments::all) {}
 
   Missing conclude() {
-    const FittedSet& answer = choose();
     Missing missing;
+    const FittedSet& answer = confirmed(choose(), missing.not_confirmed);
     missing.ladder = ground_.ladder();
     missing.base = ranked("", answer);
     for (const std::string& name : by_cost(answer)) {
@@ -76,6 +77,37 @@ class Conclusion {
     return true;
   }
 
+  /// What is left of an answer of several effects without those that make predictions of held-out recordings worse:
+  /// what is missing helps there, too.
+  const FittedSet& confirmed(const FittedSet& answer, std::vector<NotConfirmed>& left_out) {
+    const FittedSet* set = &answer;
+    while (set->model.added.size() > 1) {
+      const HorizonErrors with_all = held_out(*set);
+      if (!with_all.valid) break;
+      const FittedSet* best = nullptr;
+      std::size_t worst = 0;
+      double least = with_all.cost - kWorse;
+      for (std::size_t i = 0; i < set->model.added.size(); ++i) {
+        const FittedSet& less = without_member(*set, i);
+        const HorizonErrors errors = less.all.valid() ? held_out(less) : HorizonErrors();
+        if (errors.valid && errors.cost < least) least = errors.cost, best = &less, worst = i;
+      }
+      if (!best) break;
+      const double base = held_out(sets_.base()).cost;
+      left_out.push_back(
+          {name_of_set({set->model.added[worst]}), std::exp(with_all.cost - base), std::exp(least - base)});
+      set = best;
+    }
+    return *set;
+  }
+
+  /// Not valid where nothing is held out.
+  HorizonErrors held_out(const FittedSet& set) const {
+    const MissingTask& task = ground_.task();
+    const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+    return errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
+  }
+
   /// Names, the least cost first; the answer's among them, and the model's as it is.
   std::vector<std::string> by_cost(const FittedSet& answer) const {
     std::vector<std::string> names = order_.ordered();
@@ -90,17 +122,13 @@ class Conclusion {
   RankedSet ranked(const std::string& name, const FittedSet& answer) const {
     const FittedSet& set = *sets_.find(name);
     const JudgedFit& fit = set.all;
-    RankedSet one{set.model,
-                  fit.cross.covariance,
-                  fit.cross.cost,
-                  fit.fit.errors,
-                  {},
-                  difference(answer.all, fit),
-                  difference(fit, sets_.base().all)};
-    const MissingTask& task = ground_.task();
-    const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
-    one.held_out = errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
-    return one;
+    return {set.model,
+            fit.cross.covariance,
+            fit.cross.cost,
+            fit.fit.errors,
+            held_out(set),
+            difference(answer.all, fit),
+            difference(fit, sets_.base().all)};
   }
 
   void find_alike(const FittedSet& answer, Missing& missing) {

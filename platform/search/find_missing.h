@@ -20,13 +20,21 @@ struct RankedSet {
   CostDifference over_base;    ///< what the model as it is costs more than it
 };
 
+/// An effect that recordings which nothing was fitted to speak against.
+struct NotConfirmed {
+  std::string effect;    ///< "name @ where"
+  double with_it = 0.0;  ///< error of the held-out predictions over the model's as it is, geometric mean
+  double without = 0.0;
+};
+
 struct Missing {
   bool stopped = false;            ///< by the time limit: of what was fitted until then
   std::set<std::string> examined;  ///< effects that were fitted, "name @ where"
   std::optional<RankedSet>
       look_alike;  ///< the best set with another effect in the place of one of the answer's, which does the same
-  std::set<std::string> alike;  ///< effects that do in the place of one of the answer's what it does
-  std::size_t hypotheses = 0;   ///< effect × place
+  std::vector<NotConfirmed> not_confirmed;  ///< left out of the answer again
+  std::set<std::string> alike;              ///< effects that do in the place of one of the answer's what it does
+  std::size_t hypotheses = 0;               ///< effect × place
   std::vector<Untestable> untestable;
   bool timing = false;             ///< when commands act was fitted
   std::vector<RankedSet> ranking;  ///< the least cost first

@@ -108,6 +108,7 @@ class HorizonDiagnosis {
       mark_stopped({"the search", not_examined(task_, missing), {}}, unfinished_.fits.size(), result);
     else
       propose_settling_test(task_, ground, missing, result);
+    for (std::string& note : confirmation_notes(missing)) result.findings.push_back(std::move(note));
     if (const std::string note = reach_note(missing.ladder, task_.trials); !note.empty())
       result.findings.push_back(note);
     for (const Doubt& doubt : doubts_) result.findings.push_back(doubt.sentence);

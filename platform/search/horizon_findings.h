@@ -12,6 +12,9 @@ Diagnosis findings_of(const Missing& missing);
 /// A set's fit in the form in which values and intervals are stated. `timing`: the last value is when commands act.
 Refit refit_of(const RankedSet& set, bool timing);
 
+/// Which effects held-out recordings spoke against: a sentence each.
+std::vector<std::string> confirmation_notes(const Missing& missing);
+
 /// What the ladder does not reach: a sentence, empty where it reaches a third of the longest trial.
 std::string reach_note(const Ladder& ladder, const std::vector<Trial>& trials);
 
