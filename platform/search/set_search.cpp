@@ -120,7 +120,7 @@ class SetSearch {
     const double gain = all_.largest_gain();
     const std::vector<std::string> smaller = all_.best_of(size - 1, 1);
     for (const std::string& name : size == 1 ? one_of_a_kind(all_, parents) : all_.best_of(size, parents)) {
-      if (size > 1 && all_.cost(smaller.front()) - all_.cost(name) <= kRelevant * gain) continue;
+      if (size > 1 && !smaller.empty() && all_.cost(smaller.front()) - all_.cost(name) <= kRelevant * gain) continue;
       const FittedSet parent = *sets_.find(name);
       const Look look = look_beside(ground_, parent.model, parent.all.fit, &first_.probes);
       say("looked beside " + name);
@@ -150,7 +150,7 @@ class SetSearch {
       const Hypothesis& member = first_named(name_of_set({set.model.added[i]}));
       for (const Hypothesis& simpler : first_.hypotheses) {
         if (simpler.own.size() >= member.own.size() || simpler.where() != member.where()) continue;
-        if (!are_alike(simpler, member)) continue;
+        if (!are_alike(simpler, member) || effects_of(set).contains(name_of_set({simpler.entry}))) continue;
         const FittedSet* known = sets_.find(name_with(set, i, simpler));
         if (known && known->all.valid()) continue;
         throw_if_interrupted();
