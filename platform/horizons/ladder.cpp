@@ -266,9 +266,9 @@ Ladder quick(const Ladder& ladder) {
   Ladder few = thinned(first_rungs(ladder, ladder.rungs.size() - 1), kShareOfQuick, kSegmentsOfQuick);
   for (Rung& rung : few.rungs) {
     const std::size_t samples = samples_of(rung.segments);
-    if (samples > kSamplesOfQuick)
-      rung.segments =
-          thinned(std::move(rung.segments), std::max<std::size_t>(1, kSamplesOfQuick * rung.segments.size() / samples));
+    if (samples <= kSamplesOfQuick) continue;
+    const std::size_t most = std::max<std::size_t>(1, kSamplesOfQuick * rung.segments.size() / samples);
+    rung.segments = thinned(std::move(rung.segments), most);
   }
   return few;
 }

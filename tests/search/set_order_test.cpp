@@ -23,15 +23,15 @@ class Sets {
  public:
   Sets() { add({}, 0.0, 0); }
 
-  std::string add(const std::vector<std::string>& effects, double cost, int more, int untold = 0) {
+  std::string add(const std::vector<std::string>& effects, double cost, std::size_t more, std::size_t untold = 0) {
     FittedSet set;
     set.model.added = entries(effects);
-    set.model.values.assign(static_cast<std::size_t>(1 + more), 0.0);
+    set.model.values.assign(1 + more, 0.0);
     set.few.errors.valid = set.all.fit.errors.valid = true;
     set.few.errors.cost = set.all.cross.cost = cost;
-    set.all.cross.told = 1 + more - untold;
+    set.all.cross.told = static_cast<int>(1 + more - untold);
     set.all.cross.by_block = Eigen::VectorXd::Zero(kBlocks);
-    const std::string name = name_of_set(set.model.added);
+    std::string name = name_of_set(set.model.added);
     sets_[name] = std::move(set);
     return name;
   }
