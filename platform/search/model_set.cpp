@@ -115,15 +115,15 @@ const FittedSet& ModelSets::finish(const Contender& model, const std::vector<dou
 const FittedSet& ModelSets::finish(const std::string& name, const std::vector<double>& start) {
   FittedSet& set = sets_.at(name);
   if (set.all.valid() || !set.few.errors.valid) return set;
-  ++refits_;
   const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
                          ground_.task().threads);
   const Ladder ladder = ground_.ladder_for(bench);
   const KeptFit* fit = known(name);
+  const bool is_kept = fit && !fit->values.empty();
+  refits_ += is_kept ? 0 : 1;
   set.all = judged(bench, ladder,
-                   fit && !fit->values.empty()
-                       ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
-                       : fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::whole));
+                   is_kept ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
+                           : fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::whole));
   if (!set.all.valid()) return set;
   set.model.values = set.all.fit.values;
   keep(name, set);
