@@ -103,8 +103,7 @@ class Conclusion {
 
   /// Not valid where nothing is held out.
   HorizonErrors held_out(const FittedSet& set) const {
-    const MissingTask& task = ground_.task();
-    const ModelBench bench(set.model.definition, *set.model.model, task.trials, ground_.timing(), task.threads);
+    const ModelBench bench = ground_.bench_for(set.model);
     return errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
   }
 

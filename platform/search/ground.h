@@ -64,6 +64,10 @@ class Ground {
   const std::vector<ChannelNoise>& noise() const { return noise_; }  ///< of readings
   bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's
 
+  /// Another model of the same robot, on the task's trials. `model` must outlive it.
+  ModelBench bench_for(const Contender& model) const {
+    return {model.definition, *model.model, task_.trials, timing_, task_.threads};
+  }
   /// The ladder's segments for another model.
   Ladder ladder_for(const ModelBench& bench, bool held_out = false) const;
 

@@ -259,7 +259,7 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
   Look look;
   const MissingTask& task = ground.task();
   look.hypotheses = list_hypotheses(model.experiment, task.catalog, model.definition, task.among, look.untestable);
-  const ModelBench bench(model.definition, *model.model, task.trials, ground.timing(), task.threads);
+  const ModelBench bench = ground.bench_for(model);
   Contender here = model;
   here.values = fit.values;
   const Ladder ladder = quick(ground.ladder_for(bench));

@@ -25,7 +25,7 @@ std::string name_of_set(const std::vector<EffectEntry>& added) {
 ModelSets::ModelSets(const Ground& ground) : ground_(ground) {
   if (ground.task().known) kept_ = *ground.task().known;
   const Contender& plain = ground.plain();
-  const ModelBench bench(plain.definition, *plain.model, ground.task().trials, ground.timing(), ground.task().threads);
+  const ModelBench bench = ground_.bench_for(plain);
   const Ladder ladder = ground.ladder_for(bench), few = quick(ladder);
   sets_[""] = {plain, fit_to_ladder(few, bench.predictor(), bench.space(), plain.values, Climb::whole),
                judged(bench, ladder, ground.fit())};
@@ -83,8 +83,7 @@ HorizonFit best_fit(const std::vector<Starts>& ways, const Ladder& ladder, const
 
 const FittedSet& ModelSets::fit(const Contender& model, const std::vector<Starts>& ways) {
   FittedSet set{model, {}, {}};
-  const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
-                         ground_.task().threads);
+  const ModelBench bench = ground_.bench_for(set.model);
   const Ladder few = quick(ground_.ladder_for(bench));
   const std::string name = name_of_set(model.added);
   if (const KeptFit* fit = known(name)) {
@@ -105,8 +104,7 @@ const FittedSet& ModelSets::finish(const Contender& model, const std::vector<dou
   const std::string name = name_of_set(model.added);
   if (!find(name)) {
     FittedSet& set = sets_[name] = {model, {}, {}};
-    const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
-                           ground_.task().threads);
+    const ModelBench bench = ground_.bench_for(set.model);
     set.few = fit_at(quick(ground_.ladder_for(bench)), bench.predictor(), bench.space(), start);
   }
   return finish(name, start);
@@ -115,8 +113,7 @@ const FittedSet& ModelSets::finish(const Contender& model, const std::vector<dou
 const FittedSet& ModelSets::finish(const std::string& name, const std::vector<double>& start) {
   FittedSet& set = sets_.at(name);
   if (set.all.valid() || !set.few.errors.valid) return set;
-  const ModelBench bench(set.model.definition, *set.model.model, ground_.task().trials, ground_.timing(),
-                         ground_.task().threads);
+  const ModelBench bench = ground_.bench_for(set.model);
   const Ladder ladder = ground_.ladder_for(bench);
   const KeptFit* fit = known(name);
   const bool is_kept = fit && !fit->values.empty();
