@@ -1,17 +1,18 @@
 #include "diagnosis/calibration.h"
 
-#include "diagnosis/evidence.h"
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lacuna {
 
 extern const char* const kCalibrationDocument;  ///< calibration.json
 
 namespace {
+
+constexpr double kMostByHorizon = 0.95;  ///< what as few measured rigs as there are can show
 
 using nlohmann::ordered_json;
 
@@ -68,12 +69,18 @@ const ShippedCalibration& shipped_calibration() {
   return shipped;
 }
 
-void tell_probability(Diagnosis& diagnosis, bool steady, bool covered) {
-  diagnosis.evidence = evidence_of(diagnosis, steady);
+std::string calibrated_as(const std::string& verdict, bool by_horizon) {
+  return by_horizon ? verdict + " by horizon" : verdict;
+}
+
+void tell_probability(Diagnosis& diagnosis, Evidence evidence, bool covered) {
+  diagnosis.evidence = std::move(evidence);
   const Calibration& calibration = shipped_calibration().all;
-  const auto known = calibration.find(std::string(to_string(diagnosis.verdict)));
+  const bool by_horizon = !diagnosis.horizons.empty();
+  const auto known = calibration.find(calibrated_as(std::string(to_string(diagnosis.verdict)), by_horizon));
   if (!covered || diagnosis.form_only || known == calibration.end()) return;
-  diagnosis.probability = known->second.probability(diagnosis.evidence);
+  const double probability = known->second.probability(diagnosis.evidence);
+  diagnosis.probability = by_horizon ? std::min(probability, kMostByHorizon) : probability;
   diagnosis.calibrated = true;
 }
 

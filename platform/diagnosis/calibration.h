@@ -25,7 +25,7 @@ struct VerdictCalibration {
   double probability(const Evidence& evidence) const;
 };
 
-/// By name of the verdict; one that is not there is not calibrated.
+/// By `calibrated_as`; what is not there is not calibrated.
 using Calibration = std::map<std::string, VerdictCalibration>;
 
 /// How often verdicts with such evidence were right in cases whose missing effect was known: a logistic regression
@@ -42,7 +42,10 @@ const ShippedCalibration& shipped_calibration();
 ShippedCalibration read_calibration(const std::string& document);
 std::string calibration_json(const ShippedCalibration& calibration, const std::string& source);
 
+/// Under which name a verdict is calibrated: what predictions over several horizons say apart from what likelihoods do.
+std::string calibrated_as(const std::string& verdict, bool by_horizon);
+
 /// Sets evidence and, where the verdict is calibrated, the probability. `covered`: the cases hold such robots.
-void tell_probability(Diagnosis& diagnosis, bool steady, bool covered);
+void tell_probability(Diagnosis& diagnosis, Evidence evidence, bool covered);
 
 }  // namespace lacuna

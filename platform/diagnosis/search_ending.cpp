@@ -3,6 +3,7 @@
 #include "diagnosis/calibration.h"
 #include "diagnosis/channel_errors.h"
 #include "diagnosis/conclusion.h"
+#include "diagnosis/evidence.h"
 #include "diagnosis/feedback_bias.h"
 #include "diagnosis/jackknife.h"
 #include "diagnosis/propose_test.h"
@@ -37,7 +38,7 @@ class EndedSearch {
       mark_stopped({ending_.meter.what(), {}, {}}, ending_.state.tried.size() - 1, result_);
       return;
     }
-    tell_probability(result_, steady_, !ending_.cut.free_run);
+    tell_probability(result_, evidence_of(result_, steady_), !ending_.cut.free_run);
   }
 
  private:

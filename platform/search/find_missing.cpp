@@ -101,11 +101,7 @@ class Conclusion {
     return *set;
   }
 
-  /// Not valid where nothing is held out.
-  HorizonErrors held_out(const FittedSet& set) const {
-    const ModelBench bench = ground_.bench_for(set.model);
-    return errors_on(ground_.ladder_for(bench, true), bench.predictor(), bench.space(), set.model.values);
-  }
+  HorizonErrors held_out(const FittedSet& set) const { return held_out_errors(ground_, set.model); }
 
   /// Names, the least cost first; the answer's among them, and the model's as it is.
   std::vector<std::string> by_cost(const FittedSet& answer) const {

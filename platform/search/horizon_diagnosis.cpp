@@ -1,10 +1,13 @@
 #include "search/horizon_diagnosis.h"
 
+#include "diagnosis/calibration.h"
 #include "diagnosis/data_doubts.h"
 #include "diagnosis/stopped_search.h"
 #include "fitting/progress_meter.h"
 #include "foundation/interrupt.h"
+#include "search/decisions.h"
 #include "search/find_missing.h"
+#include "search/horizon_evidence.h"
 #include "search/horizon_findings.h"
 #include "search/set_search.h"
 #include "search/settling_test.h"
@@ -16,7 +19,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kNearFloor = 6.0;  ///< of the model's error at every horizon: likelihoods see smaller effects there
+constexpr int kForLikelihoods = 2;  ///< of a robot that likelihoods can be asked about in some minutes
 constexpr int kNotes = 90;          ///< of a usual search, which grow and shrink with its breadth,
 constexpr int kFewestNotes = 10;    ///< and those that every search has
 
@@ -86,7 +89,7 @@ class HorizonDiagnosis {
     }
     doubts_ = data_doubts({task_.definition, task_.model, task_.trials, values_of(*ground), true});
     const bool by_predictions_alone = has(Severity::too_little);
-    if (!by_predictions_alone && most_times_floor(ground->ladder(), ground->fit().errors) <= kNearFloor)
+    if (!by_predictions_alone && is_near_floor(most_times_floor(ground->ladder(), ground->fit().errors)))
       return std::nullopt;
     meter.set_parts(static_cast<int>(kNotes * std::min(1.0, breadth_of(*ground))) + kFewestNotes);
     Diagnosis result = search(*ground);
@@ -94,10 +97,22 @@ class HorizonDiagnosis {
       Diagnosis by_likelihoods = by_likelihood();
       if (by_likelihoods.verdict == Verdict::not_in_library) return by_likelihoods;
     }
+    if (result.verdict == Verdict::effect_found && !result.stopped)
+      if (const Helped helped = where_answer_helps(result.horizons); !helps_everywhere(helped))
+        result = undecided(std::move(result), helped, ground->coordinates());
     const bool found_nothing = result.verdict == Verdict::nothing_missing && !result.stopped;
     if (found_nothing && !by_predictions_alone) return std::nullopt;
     if (found_nothing && has(Severity::disqualifying)) result.verdict = Verdict::cannot_tell;
     result.seconds = meter.seconds();
+    return result;
+  }
+
+  /// What helps at some horizons alone. Likelihoods may know better.
+  Diagnosis undecided(Diagnosis result, const Helped& helped, int coordinates) {
+    if (coordinates <= kForLikelihoods && !has(Severity::too_little))
+      if (Diagnosis other = by_likelihood(); other.verdict != Verdict::effect_found || explains_to_noise(other))
+        return other;
+    doubt_answer(helped, result);
     return result;
   }
 
@@ -106,8 +121,10 @@ class HorizonDiagnosis {
     Diagnosis result = findings_of(missing);
     if (missing.stopped)
       mark_stopped({"the search", not_examined(task_, missing), {}}, unfinished_.fits.size(), result);
-    else
+    else {
+      tell_probability(result, evidence_of(missing, result.horizons), true);
       propose_settling_test(task_, ground, missing, result);
+    }
     for (std::string& note : confirmation_notes(missing)) result.findings.push_back(std::move(note));
     if (const std::string note = reach_note(missing.ladder, task_.trials); !note.empty())
       result.findings.push_back(note);

@@ -130,6 +130,19 @@ Refit refit_of(const RankedSet& set, bool timing) {
   return fit;
 }
 
+void doubt_answer(const Helped& helped, Diagnosis& result) {
+  result.verdict = Verdict::cannot_tell;
+  result.probability = kUnknown;
+  result.calibrated = false;
+  result.findings.insert(
+      result.findings.begin(),
+      fmt::format(
+          "the best of the library lowers the error at {} of {} horizons and channels only, and what is missing "
+          "would lower it at nearly all: it stands for something else; see below which horizons it leaves, and "
+          "record what differs there, one joint at a time where there are several",
+          helped.at, helped.of));
+}
+
 std::vector<std::string> confirmation_notes(const Missing& missing) {
   std::vector<std::string> notes;
   for (const NotConfirmed& one : missing.not_confirmed)

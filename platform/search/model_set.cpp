@@ -8,7 +8,6 @@
 namespace lacuna {
 namespace {
 
-constexpr int kStretches = 3;
 constexpr double kFewestBlocks = 6.0;  ///< by which an error is estimated
 
 }  // namespace
@@ -28,12 +27,12 @@ ModelSets::ModelSets(const Ground& ground) : ground_(ground) {
   const ModelBench bench = ground_.bench_for(plain);
   const Ladder ladder = ground.ladder_for(bench), few = quick(ladder);
   sets_[""] = {plain, fit_to_ladder(few, bench.predictor(), bench.space(), plain.values, Climb::whole),
-               judged(bench, ladder, ground.fit())};
+               judged(ground, bench, ladder, ground.fit())};
 }
 
-JudgedFit ModelSets::judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const {
+JudgedFit judged(const Ground& ground, const ModelBench& bench, const Ladder& ladder, HorizonFit fit) {
   if (!fit.errors.valid) return {};
-  CrossFit cross = linearise(ladder, bench.predictor(), bench.space(), fit, ground_.block()).cross_fit(kStretches);
+  CrossFit cross = linearise(ladder, bench.predictor(), bench.space(), fit, ground.block()).cross_fit(kStretches);
   return {std::move(fit), std::move(cross)};
 }
 
@@ -118,13 +117,18 @@ const FittedSet& ModelSets::finish(const std::string& name, const std::vector<do
   const KeptFit* fit = known(name);
   const bool is_kept = fit && !fit->values.empty();
   refits_ += is_kept ? 0 : 1;
-  set.all = judged(bench, ladder,
+  set.all = judged(ground_, bench, ladder,
                    is_kept ? fit_at(ladder, bench.predictor(), bench.space(), fit->values, fit->states)
                            : fit_to_ladder(ladder, bench.predictor(), bench.space(), start, Climb::whole));
   if (!set.all.valid()) return set;
   set.model.values = set.all.fit.values;
   keep(name, set);
   return set;
+}
+
+HorizonErrors held_out_errors(const Ground& ground, const Contender& model) {
+  const ModelBench bench = ground.bench_for(model);
+  return errors_on(ground.ladder_for(bench, true), bench.predictor(), bench.space(), model.values);
 }
 
 CostDifference difference(const JudgedFit& one, const JudgedFit& than) {

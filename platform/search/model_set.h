@@ -37,6 +37,14 @@ struct CostDifference {
 
 CostDifference difference(const JudgedFit& one, const JudgedFit& than);
 
+inline constexpr int kStretches = 3;  ///< of time, of which each is left out in turn
+
+/// Of a model's values as they are. Not valid where nothing is held out.
+HorizonErrors held_out_errors(const Ground& ground, const Contender& model);
+
+/// A fit with what the set costs where it was not fitted. Not valid where the fit is not.
+JudgedFit judged(const Ground& ground, const ModelBench& bench, const Ladder& ladder, HorizonFit fit);
+
 /// Values of a model with a set from one of which a fit begins: the best of them.
 using Starts = std::vector<std::vector<double>>;
 
@@ -60,7 +68,6 @@ class ModelSets {
   const KeptFit* known(const std::string& name) const;
   void keep(const std::string& name, const FittedSet& set);
   const FittedSet& finish(const std::string& name, const std::vector<double>& start);
-  JudgedFit judged(const ModelBench& bench, const Ladder& ladder, HorizonFit fit) const;
 
   const Ground& ground_;
   FittedSets sets_;

@@ -1,4 +1,5 @@
 #include "diagnosis/calibration.h"
+#include "diagnosis/evidence.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ TEST(Calibration, DoesNotCoverRobotsThatItsCasesDoNotHold) {
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::nothing_missing;
   diagnosis.probability = 0.7;
-  tell_probability(diagnosis, true, false);
+  tell_probability(diagnosis, evidence_of(diagnosis, true), false);
   EXPECT_FALSE(diagnosis.calibrated);
   EXPECT_DOUBLE_EQ(diagnosis.probability, 0.7);
   EXPECT_TRUE(diagnosis.evidence.contains("surprise"));
@@ -52,7 +53,7 @@ TEST(Evidence, LeadIsThatOverModelsThatTheDataTellApart) {
   };
   diagnosis.ranking = {model("coulomb_friction", 100.0), model("stribeck_friction", 99.0), model("cogging", 1.0)};
   diagnosis.ranking.front().look_alikes = {"stribeck_friction @ joint.hinge"};
-  tell_probability(diagnosis, true, false);
+  tell_probability(diagnosis, evidence_of(diagnosis, true), false);
   EXPECT_NEAR(diagnosis.evidence.at("log_lead"), 2.0, 1e-12);
   EXPECT_DOUBLE_EQ(diagnosis.evidence.at("look_alikes"), 1.0);
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lacuna {
 namespace {
 
@@ -33,6 +35,20 @@ TEST(ReachNote, SaysWhatALadderDoesNotReachAndWhy) {
 
 TEST(ReachNote, SaysNothingWhereATrialIsPredictedForLong) {
   EXPECT_EQ(reach_note(ladder_to(5.0, true), of_ten_seconds()), "");
+}
+
+TEST(DoubtAnswer, TakesTheVerdictBackAndSaysWhy) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::effect_found;
+  diagnosis.probability = 0.9;
+  diagnosis.calibrated = true;
+  diagnosis.findings = {"another"};
+  doubt_answer({3, 8}, diagnosis);
+  EXPECT_EQ(diagnosis.verdict, Verdict::cannot_tell);
+  EXPECT_TRUE(std::isnan(diagnosis.probability));
+  EXPECT_FALSE(diagnosis.calibrated);
+  ASSERT_EQ(diagnosis.findings.size(), 2U);
+  EXPECT_THAT(diagnosis.findings.front(), HasSubstr("at 3 of 8 horizons"));
 }
 
 }  // namespace

@@ -37,16 +37,26 @@ std::vector<std::string> common_evidence(const Verdicts& verdicts) {
 constexpr std::array kPenalties = {1.0, 3.0, 10.0, 30.0, 100.0};
 constexpr double kLeastProbability = 1e-6;
 
+/// Figures of which more says less for a verdict; of all others more says more.
+const std::set<std::string> kAgainst = {"further_effects", "left",      "log_base_error", "log_error",
+                                        "look_alikes",     "structure", "unsteady"};
+
 struct EvidenceTable {
   std::vector<std::string> names, rigs;  ///< by column, by row
   Eigen::MatrixXd rows;
   Eigen::VectorXd right;
+  Eigen::VectorXd signs;  ///< of the weights, by column
+
+  LogisticFit fit(double penalty) const { return fit_logistic(rows, right, penalty, signs); }
 };
 
 EvidenceTable table_of(const Verdicts& verdicts) {
-  EvidenceTable table{common_evidence(verdicts), {}, {}, {}};
+  EvidenceTable table{common_evidence(verdicts), {}, {}, {}, {}};
   table.rows.resize(static_cast<Eigen::Index>(verdicts.size()), static_cast<Eigen::Index>(table.names.size()));
   table.right.resize(table.rows.rows());
+  table.signs.resize(table.rows.cols());
+  for (Eigen::Index j = 0; j < table.signs.size(); ++j)
+    table.signs(j) = kAgainst.contains(table.names[static_cast<std::size_t>(j)]) ? -1.0 : 1.0;
   for (Eigen::Index i = 0; i < table.rows.rows(); ++i) {
     const JudgedVerdict& one = *verdicts[static_cast<std::size_t>(i)];
     table.rigs.push_back(one.rig);
@@ -64,7 +74,7 @@ double loss_on_other_rigs(const EvidenceTable& table, double penalty) {
     std::vector<Eigen::Index> own, others;
     for (std::size_t i = 0; i < table.rigs.size(); ++i)
       (table.rigs[i] == rig ? own : others).push_back(static_cast<Eigen::Index>(i));
-    const LogisticFit fit = fit_logistic(table.rows(others, Eigen::all), table.right(others), penalty);
+    const LogisticFit fit = fit_logistic(table.rows(others, Eigen::all), table.right(others), penalty, table.signs);
     for (const Eigen::Index i : own) {
       const double p = logistic(fit.intercept + table.rows.row(i).dot(fit.weights));
       loss -= std::log(std::max(kLeastProbability, table.right(i) > 0.5 ? p : 1.0 - p));
@@ -83,7 +93,7 @@ double best_penalty(const EvidenceTable& table) {
 
 lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
   const EvidenceTable table = table_of(verdicts);
-  const LogisticFit fit = fit_logistic(table.rows, table.right, best_penalty(table));
+  const LogisticFit fit = table.fit(best_penalty(table));
   lacuna::VerdictCalibration calibration{fit.intercept, {}};
   for (Eigen::Index j = 0; j < table.rows.cols(); ++j)
     calibration.terms.push_back({table.names[static_cast<std::size_t>(j)], fit.weights(j), table.rows.col(j).minCoeff(),
@@ -102,10 +112,13 @@ std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::
            "JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (v.version, v.set_name, v.number, 1) "
            "WHERE +v.version IN (SELECT value FROM json_each(?)) AND +v.set_name = ? AND v.verdict <> 'cannot_tell' "
            "AND j.group_name <> 'contact' ORDER BY v.number, v.version",
-           {list_cell(versions), set}))
+           {list_cell(versions), set})) {
+    const nlohmann::json diagnosis = nlohmann::json::parse(text(row[6]));
+    const bool by_horizon = !diagnosis.value("horizons", nlohmann::json::array()).empty();
     verdicts.push_back({text(row[0]), text(row[1]), fmt::format("{:g}", real(row[2])), text(row[3]), text(row[4]),
-                        text(row[5]), nlohmann::json::parse(text(row[6])).value("evidence", lacuna::Evidence{}),
-                        real(row[7])});
+                        lacuna::calibrated_as(text(row[5]), by_horizon),
+                        diagnosis.value("evidence", lacuna::Evidence{}), real(row[7])});
+  }
   return verdicts;
 }
 

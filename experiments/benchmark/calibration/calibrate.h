@@ -10,7 +10,8 @@ namespace hidden_effects {
 
 /// A first verdict with what spoke for it, and whether it is right (view `verdict_right`).
 struct JudgedVerdict {
-  std::string rig, noise, strength, effect, form, verdict;  ///< of the case, as `FigureValue` has them; of the answer
+  std::string rig, noise, strength, effect, form;  ///< of the case, as `FigureValue` has them
+  std::string verdict;                             ///< as `lacuna::calibrated_as` names it
   lacuna::Evidence evidence;
   double is_right = 0.0;
 };
@@ -19,8 +20,9 @@ struct JudgedVerdict {
 std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::vector<std::string>& versions,
                                            const std::string& set);
 
-/// Fits the log odds of each verdict, with the penalty of weights that tells each rig best from the others; verdicts
-/// with few cases for each figure of evidence get an intercept alone, those with less than ten cases in all nothing.
+/// Fits the log odds of each verdict, whose slopes have the sign that each figure of evidence must have, with the
+/// penalty of weights that tells each rig best from the others; verdicts with few cases for each figure of evidence get
+/// an intercept alone, those with less than ten cases in all nothing.
 lacuna::Calibration calibrate(const std::vector<JudgedVerdict>& verdicts);
 
 /// For all cases, and for those of all rigs but one, each in turn.

@@ -61,4 +61,20 @@ LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& rig
   return fit;
 }
 
+LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right, double penalty,
+                         const Eigen::VectorXd& signs) {
+  Eigen::MatrixXd kept = rows;
+  for (Eigen::Index round = 0; round <= rows.cols(); ++round) {
+    const LogisticFit fit = fit_logistic(kept, right, penalty);
+    const Eigen::VectorXd scales =
+        ((kept.rowwise() - kept.colwise().mean()).colwise().squaredNorm() / static_cast<double>(kept.rows()))
+            .cwiseSqrt();
+    const Eigen::VectorXd along = fit.weights.cwiseProduct(signs).cwiseProduct(scales);
+    Eigen::Index worst = 0;
+    if (along.size() == 0 || along.minCoeff(&worst) >= 0.0) return fit;
+    kept.col(worst).setZero();
+  }
+  return fit_logistic(kept, right, penalty);
+}
+
 }  // namespace hidden_effects

@@ -17,4 +17,8 @@ double logistic(double log_odds);
 /// means, is held by half a right and half a wrong case (H. Jeffreys' prior), so that it is finite where all are right.
 LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right, double penalty = 1.0);
 
+/// The same with the sign of each weight known, 1 or −1: one that would be otherwise is zero.
+LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& right, double penalty,
+                         const Eigen::VectorXd& signs);
+
 }  // namespace hidden_effects

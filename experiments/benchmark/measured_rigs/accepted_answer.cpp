@@ -25,6 +25,7 @@ AcceptedAnswer read(const TomlNode& table) {
   answer.experiments = texts(table.find("experiments"));
   answer.nothing_missing = texts(table.find("nothing_missing"));
   answer.may = texts(table.find("may"));
+  answer.check = texts(table.find("check"));
   if (const TomlNode* needs = table.find("needs"))
     for (const TomlNode& one : needs->items) answer.needs.push_back(texts(&one));
   if (answer.rig.empty() || answer.experiments.empty() || answer.needs.empty())

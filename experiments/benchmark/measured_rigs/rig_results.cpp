@@ -1,6 +1,7 @@
 #include "measured_rigs/rig_results.h"
 
 #include "foundation/whole_file.h"
+#include "measured_rigs/set_scores.h"
 #include "runs/case_failure.h"
 #include "runs/child_process.h"
 #include "runs/read_results.h"
@@ -35,6 +36,7 @@ std::string complaint_of(std::string text) {
 RigResult told(RigResult result, const json& kept) {
   result.seconds = kept.at("seconds");
   result.failure = kept.at("failure");
+  if (const json& over = kept.at("over_check"); over.is_number()) result.over_check = over;
   if (result.failure.empty()) result.diagnosis = read_diagnosis(kept.at("diagnosis").dump());
   return result;
 }
@@ -51,15 +53,29 @@ double held_out_ratio(const DiagnosisRecord& diagnosis) {
   return count > 0.0 ? std::exp(sum / count) : kUnknown;
 }
 
+std::vector<std::string> effects_of(const DiagnosisRecord& diagnosis) {
+  std::vector<std::string> names;
+  if (diagnosis.verdict == "effect_found" && !diagnosis.ranking.empty())
+    for (const RankedEffectRecord& effect : diagnosis.ranking.front().effects)
+      names.push_back(effect.what.effect + " @ " + effect.what.place);
+  return names;
+}
+
+/// Held-out error of what was found over that of the check's model.
+double over_check(const AcceptedAnswer& accepted, const std::string& experiment, const fs::path& folder,
+                  const DiagnosisRecord& diagnosis) {
+  const std::vector<std::string> found = effects_of(diagnosis);
+  if (accepted.check.empty() || found.empty()) return kUnknown;
+  const std::vector<double> costs = held_out_costs(folder / experiment, {found, accepted.check});
+  return std::exp(costs.front() - costs.back());
+}
+
 std::string ratio_text(double ratio) { return std::isfinite(ratio) ? fmt::format("× {:.3f}", ratio) : "–"; }
 
 std::string answer_text(const RigResult& result) {
   if (!result.diagnosis) return result.failure;
   const DiagnosisRecord& diagnosis = *result.diagnosis;
-  std::vector<std::string> names;
-  if (diagnosis.verdict == "effect_found" && !diagnosis.ranking.empty())
-    for (const RankedEffectRecord& effect : diagnosis.ranking.front().effects)
-      names.push_back(effect.what.effect + " @ " + effect.what.place);
+  const std::vector<std::string> names = effects_of(diagnosis);
   return names.empty() ? diagnosis.verdict : fmt::format("{}", fmt::join(names, " + "));
 }
 
@@ -91,27 +107,32 @@ RigResult run_rig(const AcceptedAnswer& accepted, const std::string& experiment,
       run_child({settings.lacuna.string(), "diagnose", experiment, "--quiet", "--json=found.json"}, folder,
                 settings.longest, settings.stop);
   if (outcome.stopped) throw CaseStopped();
-  json kept = {{"identity", identity}, {"seconds", outcome.seconds}, {"failure", ""}};
+  json kept = {{"identity", identity}, {"seconds", outcome.seconds}, {"failure", ""}, {"over_check", nullptr}};
   if (outcome.timed_out)
     kept["failure"] = fmt::format("no answer within {:.0f} s", settings.longest);
   else if (outcome.code != 0)
     kept["failure"] = fmt::format("exit code {}: {}", outcome.code, complaint_of(outcome.errors));
-  else
+  else {
     kept["diagnosis"] = json::parse(text_of(folder / "found.json"));
+    const double over = over_check(accepted, experiment, folder, read_diagnosis(kept["diagnosis"].dump()));
+    if (std::isfinite(over)) kept["over_check"] = over;
+  }
   lacuna::write_whole(file, kept.dump(1), lacuna::Link::replaced);
   return told(result, kept);
 }
 
 std::string table_of(const std::vector<RigResult>& results) {
-  std::string text = "| experiment | | answer | not fitted | held out | s |\n| --- | --- | --- | --- | --- | --- |\n";
+  std::string text =
+      "| experiment | | answer | not fitted | held out | over the check's | s |\n| --- | --- | --- | --- | --- | --- | "
+      "--- |\n";
   std::map<std::string, bool> rigs;
   for (const RigResult& one : results) {
     const bool found = one.diagnosis && one.diagnosis->verdict == "effect_found" && !one.diagnosis->ranking.empty();
     const double held_out = one.diagnosis ? held_out_ratio(*one.diagnosis) : kUnknown;
     const bool by_horizon = std::isfinite(held_out);
-    text += fmt::format("| {} | {} | {} | {} | {} | {:.0f} |\n", one.experiment, grade_text(one), answer_text(one),
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {:.0f} |\n", one.experiment, grade_text(one), answer_text(one),
                         ratio_text(found && by_horizon ? std::exp(-one.diagnosis->ranking.front().gain) : kUnknown),
-                        ratio_text(found ? held_out : kUnknown), one.seconds);
+                        ratio_text(found ? held_out : kUnknown), ratio_text(one.over_check), one.seconds);
     const auto [rig, is_new] = rigs.emplace(one.accepted->rig, true);
     rig->second = rig->second && is_right(one);
   }

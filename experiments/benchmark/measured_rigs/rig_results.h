@@ -16,7 +16,8 @@ struct RigResult {
   std::string experiment;  ///< file
   std::string failure;     ///< a sentence; empty: there is a diagnosis
   std::optional<DiagnosisRecord> diagnosis;
-  double seconds = kUnknown;  ///< of the whole command, the fit of the model included
+  double seconds = kUnknown;     ///< of the whole command, the fit of the model included
+  double over_check = kUnknown;  ///< held-out error of the answer over that of the check's model (set_scores.h)
 };
 
 /// Diagnoses an experiment in a folder that holds it and the robots, as a user would: default settings. A result of an
@@ -25,7 +26,8 @@ RigResult run_rig(const AcceptedAnswer& accepted, const std::string& experiment,
                   const ProgramSettings& settings, const std::string& identity);
 
 /// Markdown: an experiment a row, with its grade, the answer, how much it lowers the error where it was not fitted and
-/// on what is held out, and seconds; then how many rigs are right. A rig is right where all of its experiments are.
+/// on what is held out, what that is over the check's, and seconds; then how many rigs are right. A rig is right where
+/// all of its experiments are.
 std::string table_of(const std::vector<RigResult>& results);
 
 }  // namespace hidden_effects

@@ -30,6 +30,18 @@ TEST(LogisticFit, StaysFiniteWhereAllAreRight) {
   EXPECT_NEAR(logistic(fit.intercept), 20.5 / 21.0, 1e-6);
 }
 
+/// Two columns say the same; by chance the second speaks against what it must speak for.
+TEST(LogisticFit, GivesNoWeightTheSignThatItCannotHave) {
+  Eigen::MatrixXd rows(6, 2);
+  rows << 0, 0, 0, 1, 1, 1, 1, 0, 2, 1, 2, 2;
+  Eigen::VectorXd right(6);
+  right << 0, 0, 0, 1, 1, 1;
+  ASSERT_LT(fit_logistic(rows, right, 0.1).weights(1), 0.0);
+  const LogisticFit fit = fit_logistic(rows, right, 0.1, Eigen::VectorXd::Ones(2));
+  EXPECT_GT(fit.weights(0), 0.0);
+  EXPECT_DOUBLE_EQ(fit.weights(1), 0.0);
+}
+
 JudgedVerdict verdict(const char* rig, double lead, bool right) {
   return {rig, "white", "3", "cogging", "the library's form", "effect_found", {{"log_lead", lead}}, right ? 1.0 : 0.0};
 }
