@@ -4,7 +4,7 @@
 #include "app/rig.h"
 #include "app/run_summary.h"
 #include "config/file_references.h"
-#include "diagnosis/cut_trials.h"
+#include "diagnosis/rounds/cut_trials.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/rig.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/findings/diagnosis.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "storage/records.h"

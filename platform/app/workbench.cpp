@@ -2,7 +2,7 @@
 
 #include "app/integration.h"
 #include "app/progress_line.h"
-#include "diagnosis/data_doubts.h"
+#include "diagnosis/data_checks/data_doubts.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 

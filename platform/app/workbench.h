@@ -4,7 +4,7 @@
 #include "app/options.h"
 #include "app/replace_file.h"
 #include "app/rig.h"
-#include "diagnosis/where_it_fails.h"
+#include "diagnosis/where_it_fails/where_it_fails.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "report/change_text.h"
@@ -51,7 +51,7 @@ class Workbench {
   void enter(const Fitted& fitted, const Comparison& comparison, TextReplacement& file);
   /// Where the model fails on the fit trials of a comparison with all of the rig's.
   WhereItFails where_it_fails(const FitResult& fit, const Comparison& comparison) const;
-  /// What of the data allows no verdict on a fitted model (diagnosis/data_doubts.h), sentences.
+  /// What of the data allows no verdict on a fitted model (diagnosis/data_checks/data_doubts.h), sentences.
   std::vector<std::string> faults(const FitResult& fit) const;
 
   const Rig& rig() const { return rig_; }

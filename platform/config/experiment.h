@@ -136,7 +136,7 @@ struct NoiseSection {
 
 /// How it is found out what the model lacks (diagnosis/).
 struct DiagnosisSection {
-  double segment = 0.0;  ///< s; 0: by the amount of data (diagnosis/cut_trials.h)
+  double segment = 0.0;  ///< s; 0: by the amount of data (diagnosis/rounds/cut_trials.h)
 };
 
 /// An experiment file, checked. `locations` tells where a key stands: "model.effects[0].where[1]".

@@ -29,7 +29,8 @@ std::string cross_check_text(const CrossCheck& check);
 /// The values of a fit with their 95 % intervals, and what the data cannot tell.
 std::string fit_text(const FitResult& fit);
 
-/// What is wrong with the data of a fit (diagnosis/data_doubts.h), and what that means; empty where nothing is.
+/// What is wrong with the data of a fit (diagnosis/data_checks/data_doubts.h), and what that means; empty where nothing
+/// is.
 std::string failed_checks_text(const std::vector<std::string>& faults);
 
 }  // namespace lacuna

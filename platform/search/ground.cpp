@@ -1,7 +1,7 @@
 #include "search/ground.h"
 
 #include "config/decided.h"
-#include "diagnosis/timing.h"
+#include "diagnosis/refit/timing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/experiment.h"
-#include "diagnosis/contender.h"
+#include "diagnosis/candidates/contender.h"
 #include "horizons/linear_ladder.h"
 #include "loading/plugin_catalog.h"
 #include "search/unfinished_search.h"

@@ -1,8 +1,9 @@
 #include "search/horizon_diagnosis.h"
 
-#include "diagnosis/calibration.h"
-#include "diagnosis/data_doubts.h"
-#include "diagnosis/stopped_search.h"
+#include "diagnosis/data_checks/data_doubts.h"
+#include "diagnosis/likelihoods/diagnose.h"
+#include "diagnosis/verdict/calibration.h"
+#include "diagnosis/verdict/stopped_search.h"
 #include "fitting/progress_meter.h"
 #include "foundation/interrupt.h"
 #include "search/decisions.h"

@@ -30,11 +30,14 @@ bool is_of_class(const RankedSet& set, const Missing& missing) {
   return static_cast<std::size_t>(count) >= answer.size();
 }
 
-/// By how much, in standard errors, the answer is ahead of the nearest set that says something else.
+/// By how much, in standard errors, the answer is ahead of the nearest set that says something else with no more
+/// values.
 double lead(const Missing& missing) {
+  const std::size_t values = missing.ranking[missing.answer].model.definition.free.size();
   double least = kMostSure;
   for (const RankedSet& set : missing.ranking)
-    if (!is_of_class(set, missing)) least = std::min(least, sureness(set.over_answer));
+    if (set.model.definition.free.size() <= values && !is_of_class(set, missing))
+      least = std::min(least, sureness(set.over_answer));
   return least;
 }
 

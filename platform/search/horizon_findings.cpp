@@ -1,6 +1,6 @@
 #include "search/horizon_findings.h"
 
-#include "diagnosis/selection.h"
+#include "diagnosis/rounds/selection.h"
 #include "fitting/parameter_space.h"
 
 #include <fmt/format.h>

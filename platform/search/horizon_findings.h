@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnosis/diagnosis.h"
-#include "diagnosis/refit.h"
+#include "diagnosis/findings/diagnosis.h"
+#include "diagnosis/refit/refit.h"
 #include "search/decisions.h"
 #include "search/find_missing.h"
 

@@ -2,7 +2,7 @@
 
 #include <lacuna/error.h>
 
-#include "diagnosis/data_scales.h"
+#include "diagnosis/candidates/data_scales.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "search/slots.h"

@@ -1,6 +1,6 @@
 #include "search/probe_sizes.h"
 
-#include "diagnosis/data_scales.h"
+#include "diagnosis/candidates/data_scales.h"
 #include "fitting/parameter_space.h"
 #include "fitting/rms_of_parts.h"
 

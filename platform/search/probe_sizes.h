@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/hypothesis.h"
+#include "diagnosis/candidates/hypothesis.h"
 
 #include <functional>
 #include <map>

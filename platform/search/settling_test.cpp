@@ -1,6 +1,6 @@
 #include "search/settling_test.h"
 
-#include "diagnosis/propose_test.h"
+#include "diagnosis/experiment_design/propose_test.h"
 #include "search/horizon_findings.h"
 
 #include <algorithm>

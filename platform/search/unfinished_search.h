@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/search_state.h"
+#include "diagnosis/rounds/search_state.h"
 
 #include <Eigen/Core>
 

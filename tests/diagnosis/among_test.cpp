@@ -1,4 +1,4 @@
-#include "diagnosis/among.h"
+#include "diagnosis/candidates/among.h"
 
 #include "config/experiment_reader.h"
 #include "plugins/built_catalog.h"

@@ -1,7 +1,7 @@
-#include "diagnosis/base_bench.h"
+#include "diagnosis/rounds/base_bench.h"
 
-#include "diagnosis/cut_trials.h"
 #include "diagnosis/recorded_pendulum.h"
+#include "diagnosis/rounds/cut_trials.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "diagnosis/calibration.h"
-#include "diagnosis/evidence.h"
+#include "diagnosis/verdict/calibration.h"
+#include "diagnosis/verdict/evidence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/likelihoods/diagnose.h"
 
 #include "config/experiment_reader.h"
 #include "contacts/contact_recording.h"

@@ -1,6 +1,6 @@
-#include "diagnosis/cross_validation.h"
+#include "diagnosis/refit/cross_validation.h"
 
-#include "diagnosis/force_regression.h"
+#include "diagnosis/residual_force/force_regression.h"
 #include "diagnosis/synthetic_segments.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/data_doubts.h"
+#include "diagnosis/data_checks/data_doubts.h"
 
 #include "diagnosis/recorded_pendulum.h"
 

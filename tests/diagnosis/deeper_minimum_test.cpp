@@ -1,4 +1,4 @@
-#include "diagnosis/deeper_minimum.h"
+#include "diagnosis/rounds/deeper_minimum.h"
 
 #include "diagnosis/pendulum_rounds.h"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/feedback_bias.h"
+#include "diagnosis/data_checks/feedback_bias.h"
 
 #include "diagnosis/recorded_pendulum.h"
 #include "measurement/recorded_controller.h"

@@ -1,4 +1,4 @@
-#include "diagnosis/fewer_effects.h"
+#include "diagnosis/rounds/fewer_effects.h"
 
 #include <gtest/gtest.h>
 

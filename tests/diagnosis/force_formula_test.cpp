@@ -1,8 +1,8 @@
-#include "diagnosis/force_formula.h"
+#include "diagnosis/residual_force/force_formula.h"
 
-#include "diagnosis/free_force.h"
-#include "diagnosis/screening.h"
 #include "diagnosis/linear_refit.h"
+#include "diagnosis/residual_force/free_force.h"
+#include "diagnosis/screening/screening.h"
 #include "diagnosis/synthetic_segments.h"
 
 #include <boost/math/distributions/chi_squared.hpp>

@@ -1,4 +1,4 @@
-#include "diagnosis/selection.h"
+#include "diagnosis/rounds/selection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "config/experiment_reader.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/likelihoods/diagnose.h"
 #include "diagnosis/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
 

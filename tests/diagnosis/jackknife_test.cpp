@@ -1,4 +1,4 @@
-#include "diagnosis/jackknife.h"
+#include "diagnosis/refit/jackknife.h"
 
 #include "diagnosis/synthetic_segments.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "diagnosis/noise_model.h"
-#include "diagnosis/refit.h"
-#include "diagnosis/whitened_problem.h"
+#include "diagnosis/noise/noise_model.h"
+#include "diagnosis/refit/refit.h"
+#include "diagnosis/refit/whitened_problem.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include "config/experiment_reader.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/likelihoods/diagnose.h"
 #include "foundation/address.h"
 #include "measurement/recording.h"
 #include "plugins/built_catalog.h"

@@ -1,9 +1,9 @@
-#include "diagnosis/next_test.h"
+#include "diagnosis/experiment_design/next_test.h"
 
 #include "config/experiment_reader.h"
-#include "diagnosis/rival_predictor.h"
-#include "diagnosis/test_judge.h"
-#include "diagnosis/test_line.h"
+#include "diagnosis/experiment_design/rival_predictor.h"
+#include "diagnosis/experiment_design/test_judge.h"
+#include "diagnosis/experiment_design/test_line.h"
 #include "evaluation/test_space.h"
 #include "fitting/parameter_space.h"
 #include "plugins/built_catalog.h"

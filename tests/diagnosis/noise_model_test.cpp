@@ -1,4 +1,4 @@
-#include "diagnosis/noise_model.h"
+#include "diagnosis/noise/noise_model.h"
 
 #include "diagnosis/synthetic_segments.h"
 

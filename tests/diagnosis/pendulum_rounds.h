@@ -1,9 +1,9 @@
 #pragma once
 
 #include "config/experiment_reader.h"
-#include "diagnosis/cut_trials.h"
 #include "diagnosis/recorded_pendulum.h"
-#include "diagnosis/round.h"
+#include "diagnosis/rounds/cut_trials.h"
+#include "diagnosis/rounds/round.h"
 #include "plugins/built_catalog.h"
 
 #include <gtest/gtest.h>

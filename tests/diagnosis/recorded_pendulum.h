@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/doubt.h"
+#include "diagnosis/data_checks/doubt.h"
 #include "fitting/seeded_noise.h"
 #include "foundation/address.h"
 

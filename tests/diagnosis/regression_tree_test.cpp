@@ -1,4 +1,4 @@
-#include "diagnosis/regression_tree.h"
+#include "diagnosis/where_it_fails/regression_tree.h"
 
 #include "fitting/seeded_noise.h"
 

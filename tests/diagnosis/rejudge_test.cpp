@@ -1,7 +1,7 @@
-#include "diagnosis/rejudge.h"
+#include "diagnosis/rounds/rejudge.h"
 
 #include "diagnosis/pendulum_rounds.h"
-#include "diagnosis/ranking.h"
+#include "diagnosis/rounds/ranking.h"
 
 #include <gtest/gtest.h>
 

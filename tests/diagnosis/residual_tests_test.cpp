@@ -1,4 +1,4 @@
-#include "diagnosis/residual_tests.h"
+#include "diagnosis/where_it_fails/residual_tests.h"
 
 #include "fitting/seeded_noise.h"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/rival_refit.h"
+#include "diagnosis/experiment_design/rival_refit.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "diagnosis/screening.h"
+#include "diagnosis/screening/screening.h"
 
 #include "diagnosis/synthetic_segments.h"
 

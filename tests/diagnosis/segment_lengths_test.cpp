@@ -1,5 +1,5 @@
-#include "diagnosis/segment_lengths.h"
 #include "diagnosis/recorded_pendulum.h"
+#include "diagnosis/rounds/segment_lengths.h"
 
 #include "plugins/built_catalog.h"
 

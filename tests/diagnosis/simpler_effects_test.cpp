@@ -1,4 +1,4 @@
-#include "diagnosis/simpler_effects.h"
+#include "diagnosis/rounds/simpler_effects.h"
 
 #include "config/experiment_reader.h"
 #include "plugins/built_catalog.h"

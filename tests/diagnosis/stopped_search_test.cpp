@@ -1,7 +1,7 @@
 #include "config/experiment_reader.h"
-#include "diagnosis/diagnosis.h"
+#include "diagnosis/likelihoods/diagnose.h"
 #include "diagnosis/recorded_pendulum.h"
-#include "diagnosis/search_state.h"
+#include "diagnosis/rounds/search_state.h"
 #include "foundation/interrupt.h"
 #include "plugins/built_catalog.h"
 

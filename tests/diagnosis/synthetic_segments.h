@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnosis/force_responses.h"
-#include "diagnosis/linear_segments.h"
+#include "diagnosis/noise/force_responses.h"
+#include "diagnosis/noise/linear_segments.h"
 #include "fitting/seeded_noise.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "diagnosis/test_conditions.h"
+#include "diagnosis/experiment_design/test_conditions.h"
 
 #include <gtest/gtest.h>
 

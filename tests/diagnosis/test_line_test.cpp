@@ -1,4 +1,4 @@
-#include "diagnosis/test_line.h"
+#include "diagnosis/experiment_design/test_line.h"
 
 #include "plugins/built_catalog.h"
 

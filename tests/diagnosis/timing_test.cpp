@@ -1,4 +1,4 @@
-#include "diagnosis/timing.h"
+#include "diagnosis/refit/timing.h"
 
 #include "diagnosis/pendulum_rounds.h"
 

@@ -1,4 +1,4 @@
-#include "diagnosis/unexplained_motion.h"
+#include "diagnosis/verdict/unexplained_motion.h"
 
 #include "diagnosis/recorded_pendulum.h"
 

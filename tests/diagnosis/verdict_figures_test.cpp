@@ -1,7 +1,7 @@
-#include "diagnosis/verdict_figures.h"
+#include "diagnosis/verdict/verdict_figures.h"
 
-#include "diagnosis/round.h"
-#include "diagnosis/selection.h"
+#include "diagnosis/rounds/round.h"
+#include "diagnosis/rounds/selection.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 #include "config/experiment_reader.h"
-#include "diagnosis/where_it_fails.h"
+#include "diagnosis/where_it_fails/where_it_fails.h"
 #include "fitting/fit.h"
 #include "foundation/address.h"
 #include "measurement/recording.h"

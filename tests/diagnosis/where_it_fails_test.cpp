@@ -1,6 +1,6 @@
-#include "diagnosis/where_it_fails.h"
+#include "diagnosis/where_it_fails/where_it_fails.h"
 
-#include "diagnosis/motion.h"
+#include "diagnosis/where_it_fails/motion.h"
 #include "fitting/error_parts.h"
 #include "fitting/seeded_noise.h"
 #include "foundation/address.h"

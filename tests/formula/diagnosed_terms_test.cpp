@@ -1,4 +1,4 @@
-#include "diagnosis/force_features.h"
+#include "diagnosis/residual_force/force_features.h"
 #include "formula/force_law.h"
 #include "foundation/placement_unit.h"
 #include "foundation/unit.h"

@@ -49,6 +49,13 @@ TEST(HorizonEvidence, LeadsOverSetsThatSaySomethingElse) {
   EXPECT_NEAR(evidence_of(friction_found(), {}).at("lead"), 3.0, 1e-12);
 }
 
+TEST(HorizonEvidence, LeadsOverSetsWithNoMoreValues) {
+  Missing missing = friction_found();
+  missing.ranking.push_back(set_of({"viscous_friction", "joint_spring", "cogging"}, -0.1, 0.1));
+  missing.ranking.back().model.definition.free.resize(3);
+  EXPECT_NEAR(evidence_of(missing, {}).at("lead"), 3.0, 1e-12);
+}
+
 TEST(HorizonEvidence, TellsWhatIsLeftAboveTheFloor) {
   EXPECT_NEAR(evidence_of(friction_found(), {}).at("left"), std::log(4.0) / std::log(16.0), 1e-12);
   EXPECT_NEAR(evidence_of(friction_found(), {}).at("sureness"), 7.0, 1e-12);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/calibration.h"
+#include "diagnosis/verdict/calibration.h"
 #include "runs/database.h"
 
 #include <string>

@@ -1,0 +1,147 @@
+#include "diagnosis/candidates/hypothesis.h"
+
+#include "foundation/address.h"
+
+#include <lacuna/error.h>
+#include <lacuna/physical_effect.h>
+
+#include <algorithm>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+template <class Spec>
+void add_names(const std::vector<Spec>& elements, const std::string& kind, std::vector<std::string>& names) {
+  for (const Spec& element : elements) names.push_back(kind + "." + element.name);
+  if (elements.size() > 1) names.push_back(kind + ".*");
+}
+
+/// Places of a kind: each element, then all of them; an empty string for the world.
+std::vector<std::string> places(const RobotSpec& robot, ElementKind kind) {
+  std::vector<std::string> names;
+  switch (kind) {
+    case ElementKind::joint: add_names(robot.joints, "joint", names); break;
+    case ElementKind::body: add_names(robot.bodies, "body", names); break;
+    case ElementKind::actuator: add_names(robot.actuators, "actuator", names); break;
+    case ElementKind::sensor: add_names(robot.sensors, "sensor", names); break;
+    case ElementKind::world: names.emplace_back(); break;
+  }
+  return names;
+}
+
+/// What the base has already: the effect, and the elements that it is on.
+bool is_there(const ModelDefinition& base, const std::string& effect, const std::string& place) {
+  for (const EffectEntry& entry : base.effects) {
+    if (entry.effect != effect) continue;
+    if (place.empty()) return true;
+    const ElementMatch wanted = match_elements(base.structure.robot, {place});
+    const ElementMatch present = match_elements(base.structure.robot, entry.where);
+    for (const int element : wanted.elements)
+      if (wanted.kind == present.kind &&
+          std::find(present.elements.begin(), present.elements.end(), element) != present.elements.end())
+        return true;
+  }
+  return false;
+}
+
+std::string free_id(const EffectList& effects, const std::string& name) {
+  const auto taken = [&](const std::string& id) {
+    return std::any_of(effects.begin(), effects.end(), [&](const EffectEntry& entry) { return entry.id == id; });
+  };
+  std::string id = name;
+  for (int number = 2; taken(id); ++number) id = name + "_" + std::to_string(number);
+  return id;
+}
+
+std::size_t index_of(const std::vector<FreeValue>& free, const std::string& address) {
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (free[i].address == address) return i;
+  throw Error("the model lost its value " + address + " when an effect was added");
+}
+
+Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, const ModelDefinition& base,
+                const EffectDescription& description, EffectEntry entry) {
+  Hypothesis hypothesis;
+  entry.id = free_id(experiment.model.effects, entry.effect);
+  hypothesis.entry = entry;
+  hypothesis.definition = define_model(with_effect(experiment, entry), catalog);
+  const std::vector<FreeValue>& free = hypothesis.definition.free;
+  for (const FreeValue& value : base.free) hypothesis.base.push_back(index_of(free, value.address));
+  for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+    const ParameterDeclaration& parameter = description.parameters[i];
+    hypothesis.own.push_back(index_of(free, effect_address(entry.id, parameter.name)));
+    hypothesis.defaults.push_back(parameter.default_value);
+    hypothesis.neutral.push_back(description.neutral.empty() ? parameter.default_value : description.neutral[i]);
+  }
+  hypothesis.alike = description.look_alikes;
+  hypothesis.model = compile(hypothesis.definition.structure, hypothesis.definition.engine);
+  return hypothesis;
+}
+
+/// The reason alone: what stands before it names a line and a file that the user did not write.
+std::string reason_of(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  const std::size_t file = line.find(".so): ");
+  return file == std::string::npos ? line : line.substr(file + 6);
+}
+
+std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among) {
+  if (!among.empty()) return among;
+  std::vector<std::string> names;
+  for (const PluginListing& listing : catalog.list())
+    if (listing.kind == "effect" && listing.problem.empty()) names.push_back(listing.name);
+  return names;
+}
+
+}  // namespace
+
+bool is_length(const FreeValue& free) { return free.unit == "m" && free.scale == Scale::linear; }
+
+bool has_place(const Hypothesis& hypothesis) {
+  constexpr std::ptrdiff_t kDimensions = 3;
+  return std::count_if(hypothesis.own.begin(), hypothesis.own.end(),
+                       [&](std::size_t i) { return is_length(hypothesis.definition.free[i]); }) == kDimensions;
+}
+
+std::string Hypothesis::where() const { return entry.where.empty() ? "world" : entry.where.front(); }
+
+std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const std::vector<double>& of_own) const {
+  std::vector<double> all(definition.free.size());
+  for (std::size_t i = 0; i < base.size(); ++i) all[base[i]] = of_base[i];
+  for (std::size_t i = 0; i < own.size(); ++i) all[own[i]] = of_own[i];
+  return all;
+}
+
+Experiment with_effect(Experiment experiment, EffectEntry entry) {
+  if (entry.id.empty()) entry.id = free_id(experiment.model.effects, entry.effect);
+  experiment.model.effects.push_back(std::move(entry));
+  return experiment;
+}
+
+std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const PluginCatalog& catalog,
+                                        const ModelDefinition& base, const std::vector<std::string>& among,
+                                        std::vector<Untestable>& untestable) {
+  std::vector<Hypothesis> all;
+  for (const std::string& name : effect_names(catalog, among)) {
+    const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
+    std::vector<Untestable> reasons;
+    const std::size_t before = all.size();
+    for (const ElementKind kind : description.placements)
+      for (const std::string& place : places(base.structure.robot, kind)) {
+        if (is_there(base, name, place)) continue;
+        EffectEntry entry;
+        entry.effect = name;
+        if (!place.empty()) entry.where = {place};
+        try {
+          all.push_back(make(experiment, catalog, base, description, std::move(entry)));
+        } catch (const Error& error) {
+          reasons.push_back({name, place, reason_of(error.what())});
+        }
+      }
+    if (all.size() == before && !reasons.empty()) untestable.push_back(reasons.front());
+  }
+  return all;
+}
+
+}  // namespace lacuna
