@@ -81,27 +81,32 @@ inline double steps(double t) {
   return kLevels[static_cast<std::size_t>(t / 0.8) % kLevels.size()];
 }
 
-/// A recording of 100 samples a second.
+/// How often a recording has a sample, and where the pendulum hangs at its start.
+struct RecordedAs {
+  double interval = 0.01;  // s
+  double angle = 0.0;      // rad
+};
+
 inline Trial recorded(const PendulumTruth& truth, const std::string& name, const std::function<double(double)>& command,
-                      double duration, std::uint64_t seed) {
-  constexpr double kInterval = 0.01;  // s
+                      double duration, std::uint64_t seed, const RecordedAs& as = {}) {
+  const double interval = as.interval;
   constexpr int kSubsteps = 50;
-  constexpr double h = kInterval / kSubsteps;
-  const auto samples = static_cast<Eigen::Index>(std::lround(duration / kInterval)) + 1;
+  const double h = interval / kSubsteps;
+  const auto samples = static_cast<Eigen::Index>(std::lround(duration / interval)) + 1;
   Trial trial;
   trial.name = name;
   trial.measured.channels = {{"angle", "rad"}};
   trial.commands.series.channels = command_channels(pendulum_robot());
-  trial.measured.times = Eigen::VectorXd::LinSpaced(samples, 0.0, kInterval * static_cast<double>(samples - 1));
+  trial.measured.times = Eigen::VectorXd::LinSpaced(samples, 0.0, interval * static_cast<double>(samples - 1));
   trial.commands.series.times = trial.measured.times;
   trial.measured.samples.resize(samples, 1);
   trial.commands.series.samples.resize(samples, 1);
   trial.sensor_noise = {truth.noise};
   SeededNoise random(seed, 0);
-  double q = 0.0, v = 0.0, disturbance = 0.0;
+  double q = as.angle, v = 0.0, disturbance = 0.0;
   const auto late = static_cast<std::size_t>(std::lround(truth.lateness / h));
   std::vector<double> past(late, 0.0);
-  const double kept = std::exp(-kInterval / 0.2);
+  const double kept = std::exp(-interval / 0.2);
   for (Eigen::Index i = 0; i < samples; ++i) {
     past.push_back(q);
     const double reading = past[past.size() - 1 - late] + truth.noise * random.normal();
@@ -111,7 +116,7 @@ inline Trial recorded(const PendulumTruth& truth, const std::string& name, const
     disturbance = kept * disturbance + truth.disturbance * std::sqrt(1.0 - kept * kept) * random.normal();
     for (int k = 0; k < kSubsteps; ++k) {
       const double sent = trial.measured.times(i) + k * h - truth.delay;
-      const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / kInterval + 1e-9);
+      const auto held = sent < 0.0 ? Eigen::Index{0} : static_cast<Eigen::Index>(sent / interval + 1e-9);
       const bool from_before = sent < 0.0 && std::isfinite(truth.before);
       const double wanted = from_before ? truth.before : trial.commands.series.samples(std::min(held, i), 0);
       past.push_back(q);
