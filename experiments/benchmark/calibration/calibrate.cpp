@@ -22,27 +22,39 @@ constexpr std::size_t kCasesPerFigure = 5;
 /// beside them (H. Jeffreys' prior).
 constexpr std::size_t kFewestVerdicts = 3;
 
-/// Figures that all of them have.
-std::vector<std::string> common_evidence(const Verdicts& verdicts) {
-  std::vector<std::string> names;
-  for (const auto& [name, unused] : verdicts.front()->evidence)
-    if (std::all_of(verdicts.begin(), verdicts.end(),
-                    [&, name = name](const JudgedVerdict* one) { return one->evidence.contains(name); }))
-      names.push_back(name);
-  if (verdicts.size() < kCasesPerFigure * names.size()) names.clear();
-  return names;
+/// A figure of evidence, and whether more of it says more for a verdict, 1, or less, −1.
+struct KnownFigure {
+  const char* name;
+  double sign;
+};
+
+/// Those that say most first.
+constexpr std::array kFigures = {KnownFigure{"lead", 1.0},           KnownFigure{"improved", 1.0},
+                                 KnownFigure{"left", -1.0},          KnownFigure{"structure", -1.0},
+                                 KnownFigure{"log_error", -1.0},     KnownFigure{"log_lead", 1.0},
+                                 KnownFigure{"sureness", 1.0},       KnownFigure{"log_gain", 1.0},
+                                 KnownFigure{"look_alikes", -1.0},   KnownFigure{"further_effects", -1.0},
+                                 KnownFigure{"unsteady", -1.0},      KnownFigure{"surprise", 1.0},
+                                 KnownFigure{"log_base_error", -1.0}};
+
+/// Figures that all of them have, as many as there are cases for.
+std::vector<KnownFigure> common_evidence(const Verdicts& verdicts) {
+  std::vector<KnownFigure> figures;
+  for (const KnownFigure& figure : kFigures)
+    if ((figures.size() + 1) * kCasesPerFigure <= verdicts.size() &&
+        std::all_of(verdicts.begin(), verdicts.end(),
+                    [&](const JudgedVerdict* one) { return one->evidence.contains(figure.name); }))
+      figures.push_back(figure);
+  return figures;
 }
 
 /// Of the weights (logistic_regression.h).
 constexpr std::array kPenalties = {1.0, 3.0, 10.0, 30.0, 100.0};
 constexpr double kLeastProbability = 1e-6;
 
-/// Figures of which more says less for a verdict; of all others more says more.
-const std::set<std::string> kAgainst = {"further_effects", "left",      "log_base_error", "log_error",
-                                        "look_alikes",     "structure", "unsteady"};
-
 struct EvidenceTable {
-  std::vector<std::string> names, rigs;  ///< by column, by row
+  std::vector<KnownFigure> figures;  ///< by column
+  std::vector<std::string> rigs;     ///< by row
   Eigen::MatrixXd rows;
   Eigen::VectorXd right;
   Eigen::VectorXd signs;  ///< of the weights, by column
@@ -52,17 +64,17 @@ struct EvidenceTable {
 
 EvidenceTable table_of(const Verdicts& verdicts) {
   EvidenceTable table{common_evidence(verdicts), {}, {}, {}, {}};
-  table.rows.resize(static_cast<Eigen::Index>(verdicts.size()), static_cast<Eigen::Index>(table.names.size()));
+  table.rows.resize(static_cast<Eigen::Index>(verdicts.size()), static_cast<Eigen::Index>(table.figures.size()));
   table.right.resize(table.rows.rows());
   table.signs.resize(table.rows.cols());
   for (Eigen::Index j = 0; j < table.signs.size(); ++j)
-    table.signs(j) = kAgainst.contains(table.names[static_cast<std::size_t>(j)]) ? -1.0 : 1.0;
+    table.signs(j) = table.figures[static_cast<std::size_t>(j)].sign;
   for (Eigen::Index i = 0; i < table.rows.rows(); ++i) {
     const JudgedVerdict& one = *verdicts[static_cast<std::size_t>(i)];
     table.rigs.push_back(one.rig);
     table.right(i) = one.is_right;
     for (Eigen::Index j = 0; j < table.rows.cols(); ++j)
-      table.rows(i, j) = one.evidence.at(table.names[static_cast<std::size_t>(j)]);
+      table.rows(i, j) = one.evidence.at(table.figures[static_cast<std::size_t>(j)].name);
   }
   return table;
 }
@@ -96,8 +108,8 @@ lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
   const LogisticFit fit = table.fit(best_penalty(table));
   lacuna::VerdictCalibration calibration{fit.intercept, {}};
   for (Eigen::Index j = 0; j < table.rows.cols(); ++j)
-    calibration.terms.push_back({table.names[static_cast<std::size_t>(j)], fit.weights(j), table.rows.col(j).minCoeff(),
-                                 table.rows.col(j).maxCoeff()});
+    calibration.terms.push_back({table.figures[static_cast<std::size_t>(j)].name, fit.weights(j),
+                                 table.rows.col(j).minCoeff(), table.rows.col(j).maxCoeff()});
   return calibration;
 }
 

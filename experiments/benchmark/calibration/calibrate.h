@@ -21,8 +21,8 @@ std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::
                                            const std::string& set);
 
 /// Fits the log odds of each verdict, whose slopes have the sign that each figure of evidence must have, with the
-/// penalty of weights that tells each rig best from the others; verdicts with few cases for each figure of evidence get
-/// an intercept alone, those with less than ten cases in all nothing.
+/// penalty of weights that tells each rig best from the others. Verdicts with few cases are told from fewer figures,
+/// those with less than three from nothing.
 lacuna::Calibration calibrate(const std::vector<JudgedVerdict>& verdicts);
 
 /// For all cases, and for those of all rigs but one, each in turn.
