@@ -65,7 +65,7 @@ LogisticFit fit_logistic(const Eigen::MatrixXd& rows, const Eigen::VectorXd& rig
                          const Eigen::VectorXd& signs) {
   Eigen::MatrixXd kept = rows;
   for (Eigen::Index round = 0; round <= rows.cols(); ++round) {
-    const LogisticFit fit = fit_logistic(kept, right, penalty);
+    LogisticFit fit = fit_logistic(kept, right, penalty);
     const Eigen::VectorXd scales =
         ((kept.rowwise() - kept.colwise().mean()).colwise().squaredNorm() / static_cast<double>(kept.rows()))
             .cwiseSqrt();
