@@ -43,9 +43,11 @@ std::string change_text(double before, double after, const std::string& unit) {
   return fmt::format("{} → {}", format_quantity(before, unit, 3), format_quantity(after, unit, 3));
 }
 
-/// Errors by horizon: of the model as it is and with the answer, fitted and held out.
+/// Errors by horizon: of the model as it is and with the answer, fitted and held out. One that helps at some horizons
+/// alone is shown, too, though it is no verdict.
 std::string horizons_text(const Diagnosis& diagnosis) {
-  const bool has_answer = diagnosis.verdict == Verdict::effect_found;
+  const bool is_doubted = diagnosis.verdict == Verdict::cannot_tell && diagnosis.answer_gain.value > 0.0;
+  const bool has_answer = diagnosis.verdict == Verdict::effect_found || is_doubted;
   std::vector<std::vector<std::string>> rows = {{"error of predictions", "fit", "", "held out", "", "floor"}};
   for (const HorizonError& one : diagnosis.horizons) {
     const std::string what = fmt::format("{} over {}", one.channel, format_quantity(one.horizon, "s", 2));

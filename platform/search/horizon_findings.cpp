@@ -138,7 +138,7 @@ void doubt_answer(const Helped& helped, Diagnosis& result) {
       result.findings.begin(),
       fmt::format(
           "the best of the library lowers the error at {} of {} horizons and channels only, and what is missing "
-          "would lower it at nearly all: it stands for something else; see below which horizons it leaves, and "
+          "would lower it at nearly all: it stands for something else; the table of errors says which it leaves: "
           "record what differs there, one joint at a time where there are several",
           helped.at, helped.of));
 }

@@ -71,6 +71,16 @@ TEST(DiagnosisText, TellsErrorsByHorizonAndAddsAllEffectsAtOnce) {
   EXPECT_THAT(text, Not(HasSubstr("stays below")));
 }
 
+TEST(DiagnosisText, ShowsWhichHorizonsADoubtedAnswerLeaves) {
+  Diagnosis doubted = diagnosis(Verdict::cannot_tell);
+  doubted.probability = std::numeric_limits<double>::quiet_NaN();
+  doubted.answer_gain = {0.7, 0.1, 0.5, 0.9};
+  doubted.horizons = {{0.1, "angle", "rad", 1e-3, 12.1e-3, 12e-3, 13e-3, 13e-3}};
+  const std::string text = diagnosis_text(doubted, "rig.toml");
+  EXPECT_THAT(text, ContainsRegex("angle over 0.10 s +12.1 mrad → 12.0 mrad +×0.992"));
+  EXPECT_THAT(text, Not(HasSubstr("lacuna add")));
+}
+
 TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
   EXPECT_THAT(text, HasSubstr("verdict effect_found · P 0.97 (uncalibrated)"));
