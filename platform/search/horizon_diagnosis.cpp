@@ -98,13 +98,13 @@ class HorizonDiagnosis {
       Diagnosis by_likelihoods = by_likelihood();
       if (by_likelihoods.verdict == Verdict::not_in_library) return by_likelihoods;
     }
+    result.seconds = meter.seconds();
     if (result.verdict == Verdict::effect_found && !result.stopped)
       if (const Helped helped = where_answer_helps(result.horizons); !helps_everywhere(helped))
-        result = undecided(std::move(result), helped, ground->coordinates());
+        return undecided(std::move(result), helped, ground->coordinates());
     const bool found_nothing = result.verdict == Verdict::nothing_missing && !result.stopped;
     if (found_nothing && !by_predictions_alone) return std::nullopt;
     if (found_nothing && has(Severity::disqualifying)) result.verdict = Verdict::cannot_tell;
-    result.seconds = meter.seconds();
     return result;
   }
 
