@@ -20,7 +20,8 @@ constexpr std::size_t kRungsForProbes = 3;
 constexpr std::size_t kForSizes = 2;   ///< segments of a rung by which sizes are found
 constexpr double kWorthAPair = 0.02;   ///< nats beyond the better of two effects
 constexpr std::size_t kForPairs = 60;  ///< effects of which pairs are looked at
-constexpr double kFarthest = 20.0;     ///< times its probe's size that an effect may be promised at
+constexpr WantedChange kWantedOfProbe = {0.2, 0.6, true};
+constexpr double kFarthest = 20.0;  ///< times its probe's size that an effect may be promised at
 
 /// What is simulated of each hypothesis.
 struct Stage {
@@ -192,7 +193,8 @@ std::vector<std::vector<TriedProbe>> best_probes(const Stage& stage, const Model
     const OwnResiduals simulate = [&](const std::vector<double>& own, std::vector<Eigen::VectorXd>& rows) {
       return few.relative(own, rows);
     };
-    for (SizedProbe& sized : size_probes(hypotheses[h], simulate, scales)) probes[h].push_back({std::move(sized), {}});
+    for (SizedProbe& sized : size_probes(hypotheses[h], simulate, kWantedOfProbe, scales))
+      probes[h].push_back({std::move(sized), {}});
     respond(stage, hypotheses[h], probes[h]);
   });
   for (std::size_t h = 0; h < probes.size(); ++h) probes[h] = most_promising(hypotheses[h], probes[h], linear);

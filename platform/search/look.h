@@ -1,7 +1,7 @@
 #pragma once
 
+#include "diagnosis/screening/probe_sizes.h"
 #include "search/ground.h"
-#include "search/probe_sizes.h"
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "search/probe_sizes.h"
+#include "diagnosis/screening/probe_sizes.h"
 
 #include "diagnosis/candidates/data_scales.h"
 #include "fitting/parameter_space.h"
@@ -17,9 +17,7 @@ constexpr double kStride = 100.0;  ///< at most, from a size to the next
 constexpr int kTrials = 24;
 constexpr double kBeside = 0.01;                  ///< of a parameter's range, where one matters only beside another
 constexpr double kOutside = 2.0;                  ///< of the robot's length, where nothing of it gets
-constexpr double kEnough = 0.2;                   ///< of the residual
 constexpr double kTooMuch = 1.5;                  ///< of the residual
-constexpr double kAim = 0.6;                      ///< of the residual
 constexpr double kVisible = 1e-3;                 ///< of the residual
 constexpr std::array kOtherOrders = {0.1, 0.01};  ///< of a shape's usual value
 constexpr double kNeverReached = 10.0;            ///< of the usual speed
@@ -39,9 +37,10 @@ double size_of(const RobotSpec& robot) {
 /// How far a parameter must go from its neutral value to matter.
 class Climber {
  public:
-  Climber(const Hypothesis& hypothesis, const OwnResiduals& simulate)
+  Climber(const Hypothesis& hypothesis, const OwnResiduals& simulate, const WantedChange& wanted)
       : hypothesis_(hypothesis),
         simulate_(simulate),
+        wanted_(wanted),
         space_(hypothesis.definition.free),
         robot_size_(size_of(hypothesis.definition.structure.robot)),
         others_(hypothesis.neutral) {
@@ -92,16 +91,16 @@ class Climber {
         most = *change;
         best = way;
       }
-      is_enough_ = change && *change >= kEnough * residual_ && *change <= kTooMuch * residual_;
+      is_enough_ = change && *change >= wanted_.enough * residual_ && *change <= kTooMuch * residual_;
       if (is_enough_) return value(i, way);
       if (change && *change > kTooMuch * residual_) jumps.emplace_back(way, *change);
-      const bool small = change && *change < kEnough * residual_;
+      const bool small = change && *change < wanted_.enough * residual_;
       if (small && way >= range) break;
       (small ? below : above) = way;
       way = next_way(below, above, range, way, change);
     }
     if (most >= kVisible) return value(i, best);
-    return !jumps.empty() ? std::optional(value(i, beyond_jump(jumps))) : std::nullopt;
+    return wanted_.may_jump && !jumps.empty() ? std::optional(value(i, beyond_jump(jumps))) : std::nullopt;
   }
 
   /// Of ways that all change too much, the furthest on which what grows with the way does not yet outgrow the jump.
@@ -134,9 +133,10 @@ class Climber {
 
   /// As far as a change in proportion would need, between what is too little and what is too much.
   double next_way(double below, double above, double range, double way, const std::optional<double>& change) const {
-    const double wanted = !change         ? 0.1 * way
-                          : *change > 0.0 ? way * std::clamp(kAim * residual_ / *change, 1.0 / kStride, kStride)
-                                          : way * kStride;
+    const double wanted = !change ? 0.1 * way
+                          : *change > 0.0
+                              ? way * std::clamp(wanted_.aimed_at * residual_ / *change, 1.0 / kStride, kStride)
+                              : way * kStride;
     if (wanted > below && wanted < above) return wanted;
     if (wanted >= above && above >= range) return range;
     return below > 0.0 ? std::sqrt(below * above) : above / kStride;
@@ -144,6 +144,7 @@ class Climber {
 
   const Hypothesis& hypothesis_;
   const OwnResiduals& simulate_;
+  const WantedChange& wanted_;
   ParameterSpace space_;
   double robot_size_;       ///< m; 0: a single point
   double residual_ = 1.0;   ///< on these segments, multiples of the sensor noise
@@ -268,8 +269,8 @@ std::vector<SizedProbe> sized_probes(Climber& climber, const Hypothesis& hypothe
 }  // namespace
 
 std::vector<SizedProbe> size_probes(const Hypothesis& hypothesis, const OwnResiduals& simulate,
-                                    const std::map<std::string, double>& scales) {
-  Climber climber(hypothesis, simulate);
+                                    const WantedChange& wanted, const std::map<std::string, double>& scales) {
+  Climber climber(hypothesis, simulate, wanted);
   return climber.valid() ? sized_probes(climber, hypothesis, scales) : std::vector<SizedProbe>();
 }
 

@@ -21,9 +21,17 @@ struct SizedProbe {
 /// False where it cannot be simulated.
 using OwnResiduals = std::function<bool(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals)>;
 
+/// What a size is looked for, as changes of the prediction over what the model leaves.
+struct WantedChange {
+  double enough;  ///< at the least
+  double aimed_at;
+  bool may_jump;  ///< where all sizes change too much, one of them is taken: a foot leaves the ground at the smallest
+                  ///< tilt
+};
+
 /// Probes of a hypothesis; a parameter that changes nothing by itself (it shapes the effect) is tried at a few values
 /// that `scales` suggest. Empty: nothing that the effect does here can be seen.
 std::vector<SizedProbe> size_probes(const Hypothesis& hypothesis, const OwnResiduals& simulate,
-                                    const std::map<std::string, double>& scales);
+                                    const WantedChange& wanted, const std::map<std::string, double>& scales);
 
 }  // namespace lacuna
