@@ -51,7 +51,7 @@ class Workbench {
   void enter(const Fitted& fitted, const Comparison& comparison, TextReplacement& file);
   /// Where the model fails on the fit trials of a comparison with all of the rig's.
   WhereItFails where_it_fails(const FitResult& fit, const Comparison& comparison) const;
-  /// What of the data allows no verdict on a fitted model (diagnosis/data_checks/data_doubts.h), sentences.
+  /// Faults of the data, sentences (diagnosis/data_checks/data_doubts.h).
   std::vector<std::string> faults(const FitResult& fit) const;
 
   const Rig& rig() const { return rig_; }

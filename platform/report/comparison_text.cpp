@@ -130,7 +130,7 @@ std::string failed_checks_text(const std::vector<std::string>& faults) {
   std::string text;
   for (const std::string& fault : faults) text += "data check failed: " + fault + "\n";
   if (!text.empty())
-    text += "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on such data\n";
+    text += "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include "diagnosis/data_checks/data_doubts.h"
 #include "diagnosis/likelihoods/diagnose.h"
 #include "diagnosis/verdict/calibration.h"
+#include "diagnosis/verdict/doubted_data.h"
 #include "diagnosis/verdict/stopped_search.h"
 #include "fitting/progress_meter.h"
 #include "foundation/interrupt.h"
@@ -52,8 +53,9 @@ class HorizonDiagnosis {
     return values;
   }
 
-  bool has(Severity severity) const {
-    return std::any_of(doubts_.begin(), doubts_.end(), [&](const Doubt& doubt) { return doubt.severity == severity; });
+  bool too_little_for_likelihoods() const {
+    return std::any_of(doubts_.begin(), doubts_.end(),
+                       [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
   }
 
   void keep() const {
@@ -89,7 +91,7 @@ class HorizonDiagnosis {
       return std::nullopt;
     }
     doubts_ = data_doubts({task_.definition, task_.model, task_.trials, values_of(*ground), true});
-    const bool by_predictions_alone = has(Severity::too_little);
+    const bool by_predictions_alone = too_little_for_likelihoods();
     if (!by_predictions_alone && is_near_floor(most_times_floor(ground->ladder(), ground->fit().errors)))
       return std::nullopt;
     meter.set_parts(static_cast<int>(kNotes * std::min(1.0, breadth_of(*ground))) + kFewestNotes);
@@ -102,18 +104,18 @@ class HorizonDiagnosis {
     if (result.verdict == Verdict::effect_found && !result.stopped)
       if (const Helped helped = where_answer_helps(result.horizons); !helps_everywhere(helped))
         return undecided(std::move(result), helped, ground->coordinates());
-    const bool found_nothing = result.verdict == Verdict::nothing_missing && !result.stopped;
-    if (found_nothing && !by_predictions_alone) return std::nullopt;
-    if (found_nothing && has(Severity::disqualifying)) result.verdict = Verdict::cannot_tell;
+    if (result.verdict == Verdict::nothing_missing && !result.stopped && !by_predictions_alone) return std::nullopt;
+    add_doubts(doubts_, result);
     return result;
   }
 
   /// What helps at some horizons alone. Likelihoods may know better.
   Diagnosis undecided(Diagnosis result, const Helped& helped, int coordinates) {
-    if (coordinates <= kForLikelihoods && !has(Severity::too_little))
+    if (coordinates <= kForLikelihoods && !too_little_for_likelihoods())
       if (Diagnosis other = by_likelihood(); other.verdict != Verdict::effect_found || explains_to_noise(other))
         return other;
     doubt_answer(helped, result);
+    add_doubts(doubts_, result);
     return result;
   }
 
@@ -129,7 +131,6 @@ class HorizonDiagnosis {
     for (std::string& note : confirmation_notes(missing)) result.findings.push_back(std::move(note));
     if (const std::string note = reach_note(missing.ladder, task_.trials); !note.empty())
       result.findings.push_back(note);
-    for (const Doubt& doubt : doubts_) result.findings.push_back(doubt.sentence);
     return result;
   }
 

@@ -22,7 +22,7 @@ std::vector<Doubt> doubts_of(const RecordedPendulum& rig) {
   return data_doubts({rig.definition, *rig.model, rig.trials, rig.values});
 }
 
-std::vector<std::string> faults_of(const RecordedPendulum& rig) { return disqualifying(doubts_of(rig)); }
+std::vector<std::string> faults_of(const RecordedPendulum& rig) { return faults_among(doubts_of(rig)); }
 
 std::vector<std::string> notes_of(const RecordedPendulum& rig) {
   std::vector<std::string> notes;
@@ -212,7 +212,7 @@ TEST(DataDoubts, NoteASaturatedChannelWhereSaturationIsTried) {
   RecordedPendulum rig;
   for (std::size_t i = 0; i < 3; ++i) rig.angle(i) = rig.angle(i).cwiseMin(0.15);
   const std::vector<Doubt> doubts = data_doubts({rig.definition, *rig.model, rig.trials, rig.values, true});
-  EXPECT_THAT(disqualifying(doubts), IsEmpty());
+  EXPECT_THAT(faults_among(doubts), IsEmpty());
   ASSERT_THAT(doubts, Not(IsEmpty()));
   EXPECT_THAT(doubts.front().sentence, HasSubstr("angle stays at 0.150 rad"));
 }

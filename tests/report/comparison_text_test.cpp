@@ -112,7 +112,7 @@ TEST(FailedChecksText, NamesEachFaultAndWhatItMeans) {
   EXPECT_EQ(failed_checks_text({"sine.csv: angle does not move", "steps.csv: angle does not move"}),
             "data check failed: sine.csv: angle does not move\n"
             "data check failed: steps.csv: angle does not move\n"
-            "the fitted values may be wrong; correct the data first: lacuna diagnose gives no verdict on such data\n");
+            "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n");
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ bool should_move(const Look& look, const std::vector<Look>& all) {
 }
 
 Doubt constant_doubt(const Look& look, bool expected) {
-  return {expected ? Severity::disqualifying : Severity::note,
+  return {expected ? Severity::fault : Severity::note,
           fmt::format("{}: {} is {} from the first sample to the last{}", look.trial.name, look.channel.name,
                       format_quantity(look.shape.lowest, look.channel.unit),
                       expected ? ", though the commands change: if the sensor was not connected, the joint was "
@@ -79,7 +79,7 @@ Doubt constant_doubt(const Look& look, bool expected) {
 Doubt clipped_doubt(const Look& look, bool is_tried) {
   const SignalShape& shape = look.shape;
   const double limit = shape.clipped_high ? shape.highest : shape.lowest;
-  return {is_tried ? Severity::note : Severity::disqualifying,
+  return {is_tried ? Severity::note : Severity::fault,
           fmt::format("{}: {} stays at {} for {:.2g} % of the samples, {} entered and left at full speed: its range "
                       "ended there, and what it did not see looks like a force; mask these times",
                       look.trial.name, look.channel.name, format_quantity(limit, look.channel.unit),
@@ -98,7 +98,7 @@ Doubt scatter_doubt(const Look& look, bool expected) {
                  ? "the noise is larger than the signal; move further, or measure better"
                  : "the joint is blocked, or its friction is above all that was commanded, or the noise hides how "
                    "it moves; free it, command more, or measure better";
-  return {!look.moves() && expected ? Severity::disqualifying : Severity::note,
+  return {!look.moves() && expected ? Severity::fault : Severity::note,
           fmt::format("{}: {} scatters by {} from sample to sample, and {}: {}", look.trial.name, look.channel.name,
                       format_quantity(look.scatter, look.channel.unit), moved, advice)};
 }

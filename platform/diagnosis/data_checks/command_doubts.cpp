@@ -56,18 +56,18 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
   const bool sure = std::abs(times) > kSure * deviation, responds = sure && explained >= kExplained;
   if (sure && times < 0.0 && explained >= kExplainedAgainst) {
     doubts.push_back(
-        {Severity::disqualifying,
+        {Severity::fault,
          fmt::format("{} accelerates against the command {} ({:.3g} times what the model says): the sign of a column "
                      "or the joint's axis is wrong, or the column is a measurement, which lags the motion",
                      data.channel, actuator, times)});
   } else if (responds && (times > kBeyondEffects || times < 1.0 / kBeyondEffects)) {
     doubts.push_back(
-        {Severity::disqualifying,
+        {Severity::fault,
          fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
                      "units of both columns and the model's inertia",
                      data.channel, times, actuator, unit_guess(times, data.unit))});
   } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing) {
-    doubts.push_back({Severity::disqualifying,
+    doubts.push_back({Severity::fault,
                       fmt::format("{} does not follow the command {}: of {} (RMS) that it should make, the file shows "
                                   "{:.1f} %; check that the column is the command of this joint and its unit",
                                   data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit),
@@ -89,7 +89,7 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
     at_now += profile->squares(now);
   }
   if (at_now < kWorseNow * at_best) return;
-  doubts.push_back({Severity::disqualifying,
+  doubts.push_back({Severity::fault,
                     fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
                                 "unexplained so; the command column is a measurement, or is stamped late",
                                 -1e3 * lags.lags(best), at_now / at_best)});

@@ -42,7 +42,7 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
   add(channel_doubts(task));
   const std::vector<Doubt> feedback = feedback_doubts(task);
   add(feedback);
-  if (disqualifying(feedback).empty()) add(motion_doubts(task));  // else the commands are none
+  if (faults_among(feedback).empty()) add(motion_doubts(task));  // else the commands are none
   add(copy_doubts(task.trials));
   add(amount_doubts(task));
   std::stable_partition(doubts.begin(), doubts.end(),
@@ -50,7 +50,7 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
   return doubts;
 }
 
-std::vector<std::string> disqualifying(const std::vector<Doubt>& doubts) {
+std::vector<std::string> faults_among(const std::vector<Doubt>& doubts) {
   std::vector<std::string> sentences;
   for (const Doubt& doubt : doubts)
     if (doubt.severity != Severity::note) sentences.push_back(doubt.sentence);

@@ -7,13 +7,13 @@
 
 namespace lacuna {
 
-/// What speaks against drawing a verdict from these data, the disqualifying first. A few simulations of the fit trials,
+/// What speaks against these data, the faults first. A few simulations of the fit trials,
 /// none of them fitted; nothing is random. Recordings of a rig that lacks an effect are no reason for doubt: each test
 /// allows for an inertia, stiffness, damping, dry friction and offset that differ from the model's. Throws `Error`
 /// where the trials do not fit the model.
 std::vector<Doubt> data_doubts(const DoubtTask& task);
 
 /// The sentences of those that are more than notes.
-std::vector<std::string> disqualifying(const std::vector<Doubt>& doubts);
+std::vector<std::string> faults_among(const std::vector<Doubt>& doubts);
 
 }  // namespace lacuna

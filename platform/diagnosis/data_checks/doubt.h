@@ -11,9 +11,9 @@ namespace lacuna {
 
 /// How much a doubt takes from a verdict.
 enum class Severity {
-  note,          ///< to be said beside the verdict
-  too_little,    ///< likelihoods tell nothing from data of this length; predictions may
-  disqualifying  ///< no verdict on an effect may be drawn from these data
+  note,        ///< to be said beside the verdict
+  too_little,  ///< likelihoods tell nothing from data of this length; predictions may
+  fault        ///< what looks like an effect may be this
 };
 
 /// A reason to trust the data less: a sentence that names the file and the channel, what was seen in numbers, and what

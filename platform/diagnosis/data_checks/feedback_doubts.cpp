@@ -129,7 +129,7 @@ std::vector<Doubt> feedback_doubts(const DoubtTask& task) {
   std::vector<Doubt> doubts;
   for (const auto& [names, one] : readings)
     doubts.push_back(
-        {Severity::disqualifying,
+        {Severity::fault,
          fmt::format("{}: the command {} is what the sensors read at the same moment, their noise included "
                      "(all but {:.1g} % of it): it is a measurement or computed from one; name the column "
                      "that was sent to the actuator",

@@ -88,7 +88,7 @@ std::set<std::size_t> doubt_lags(const AccelerationTable& table, const CommandLa
       if (is_shift(lags, left, shift) && (!worst || shift.added > worst->added)) worst = shift;
     }
     if (!worst) break;
-    doubts.push_back({Severity::disqualifying, shifted_sentence(table, left, *worst, named)});
+    doubts.push_back({Severity::fault, shifted_sentence(table, left, *worst, named)});
     shifted.insert(left[worst->place]->trial);
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(worst->place));
   }
@@ -190,7 +190,7 @@ void doubt_agreement(const AccelerationTable& table, std::vector<const ChannelAc
       place = i;
     }
     if (place == channels.size()) return;
-    doubts.push_back({Severity::disqualifying, contradiction_sentence(table, worst, count > 2)});
+    doubts.push_back({Severity::fault, contradiction_sentence(table, worst, count > 2)});
     channels.erase(channels.begin() + static_cast<std::ptrdiff_t>(place));
   }
 }

@@ -56,7 +56,7 @@ std::optional<Doubt> unit_doubt(const DoubtTask& task, const AccelerationTable& 
       const double after = unexplained_share(other);
       if (other.empty() || after > kBetter * before) continue;
       return Doubt{
-          Severity::disqualifying,
+          Severity::fault,
           fmt::format("{}: the readings in {} are {:.3g} times too large, as where {}: the model leaves {:.0f} % "
                       "of the squared acceleration unexplained as they are, and {:.2g} % so; check the unit of "
                       "the column",

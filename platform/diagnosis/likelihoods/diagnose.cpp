@@ -2,6 +2,7 @@
 
 #include "diagnosis/data_checks/data_doubts.h"
 #include "diagnosis/likelihoods/effect_search.h"
+#include "diagnosis/verdict/doubted_data.h"
 #include "diagnosis/verdict/stopped_search.h"
 #include "foundation/interrupt.h"
 
@@ -28,20 +29,23 @@ bool is_found(const Diagnosis& diagnosis) {
          std::any_of(diagnosis.ranking.front().effects.begin(), diagnosis.ranking.front().effects.end(), saturates);
 }
 
+bool are_too_little(const std::vector<Doubt>& doubts) {
+  return std::any_of(doubts.begin(), doubts.end(),
+                     [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
+}
+
 Diagnosis look_and_search(const DiagnosisTask& task) {
   DoubtTask about{task.definition, task.model, task.trials, task.values, is_tried(task)};
   std::vector<Doubt> doubts = data_doubts(about);
-  if (!disqualifying(doubts).empty()) return without_search(doubts);
+  if (are_too_little(doubts)) return without_search(doubts);
   Diagnosis result = search_effects(task);
-  if (about.saturation_is_tried && !result.stopped &&
-      !is_found(result)) {  // then clipped readings are not explained, and allow no verdict
+  if (about.saturation_is_tried && !result.stopped && !is_found(result)) {  // then clipped readings are not explained
     about.saturation_is_tried = false;
     doubts = data_doubts(about);
-    if (!disqualifying(doubts).empty()) return without_search(doubts);
   }
   if (!task.among.empty() && result.verdict == Verdict::not_in_library)
     result.findings.emplace_back("only the effects that were named were tried: another one of the library may have it");
-  for (const Doubt& doubt : doubts) result.findings.push_back(doubt.sentence);
+  add_doubts(doubts, result);
   return result;
 }
 
