@@ -15,7 +15,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -69,6 +71,9 @@ std::string read_recordings(RigDraft& draft) {
   }
   const Eigen::VectorXd& times = draft.recording->trials.front().measured.times;
   draft.interval = median_interval({times.data(), static_cast<std::size_t>(times.size())});
+  draft.shortest = std::numeric_limits<double>::infinity();
+  for (const Trial& trial : draft.recording->trials)
+    draft.shortest = std::min(draft.shortest, trial.measured.times(trial.measured.times.size() - 1));
   return {};
 }
 

@@ -16,7 +16,9 @@
 namespace lacuna {
 namespace {
 
-constexpr double kLongestStep = 2e-3;  // s
+constexpr double kLongestStep = 1e-2;   // s; where a model needs finer steps, they are cut into substeps
+constexpr double kFitHorizon = 2.0;     // s
+constexpr double kLongRecording = 6.0;  // s
 constexpr int kCommentColumn = 40;
 
 /// A line with its comment to the right of it. A column's name may be in the comment, and may have line breaks in it.
@@ -66,7 +68,7 @@ std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
   const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel.name),
                                        toml_text(column.name), unit_or_blank(column, channel.unit), noise.key);
   std::string comment = "guessed: " + column.reason;
-  if (!known) comment += "; unit as in rad, deg, m, mm, rad/s";
+  if (!known) comment += "; unit as in rad, deg, m, mm, rad/s; of an encoder's counts \"1\" and counts_per_turn = 4096";
   if (!noise.reason.empty()) comment += "; " + noise.reason;
   return with_comment(line, comment);
 }
@@ -152,6 +154,13 @@ std::string free_text(const RobotSpec& robot) {
     text += fmt::format("# \"body.{}.mass\" = [\"0.5 kg\", \"2 kg\"]\n", robot.bodies.front().name);
   if (!robot.joints.empty()) text += fmt::format("# \"joint.{}.damping\" = [0.0, 1.0]\n", robot.joints.front().name);
   return text;
+}
+
+/// Errors of whole recordings add up; of long ones a part tells values better.
+std::string fit_text(const RigDraft& draft) {
+  if (draft.shortest < kLongRecording) return "";
+  return "\n[fit]\n" + with_comment(fmt::format("horizon = \"{:g} s\"", kFitHorizon),
+                                    "of predictions that are fitted; \"whole\": of whole recordings");
 }
 
 std::string body_text(const GuessedJoint& joint, bool is_first) {
@@ -250,8 +259,9 @@ std::string experiment_text(const RigDraft& draft) {
       name, counted(draft.files.size(), "recording"), kBlank,
       plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));
   text += target_text(draft) + columns_text(draft);
-  text += fmt::format("\n[model]\nfile = {}\neffects = []\n{}\n[engine]\n",
-                      toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)));
+  text +=
+      fmt::format("\n[model]\nfile = {}\neffects = []\n{}{}\n[engine]\n",
+                  toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)), fit_text(draft));
   const std::string value = fmt::format("step = \"{:.4g} ms\"", 1e3 * step);
   return text + (draft.interval > 0.0
                      ? with_comment(value, fmt::format("the recordings' interval is {:.4g} ms", 1e3 * draft.interval))

@@ -20,6 +20,7 @@ struct RigDraft {
   std::vector<std::filesystem::path> files;
   std::optional<Recording> recording;  ///< as read with the guess; none where the files have problems
   double interval = 0.0;               ///< s, median; 0: not known
+  double shortest = 0.0;               ///< s, of the recordings; 0: not known
 };
 
 /// The name that the experiment and its robot get: the file's, with what cannot be in a name left out.
@@ -44,7 +45,7 @@ RobotSpec placeholder_robot(const RigGuess& guess);
 /// A blank as it stands in a draft, `"FILL IN kg"` with its quotes; left as it is, `check` refuses it.
 std::string blank(const std::string& unit);
 
-/// A step for the engine: the sampling interval, or the largest part of it that is at most 2 ms. Without one, 1 ms.
+/// A step for the engine: the sampling interval, or the largest part of it that is at most 10 ms. Without one, 1 ms.
 double step_for(double interval);
 
 }  // namespace lacuna

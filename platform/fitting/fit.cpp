@@ -278,7 +278,6 @@ class Fitter {
   }
 
   void go_on_from(JudgedValues& best, const PlannedStage& last) {
-    const double before = candidates_.front().residual, there = best.candidate.residual;
     meter_.add_parts(1);
     const std::vector<Candidate> refined = refine_all(*best.problem, {best.candidate.values}, watched(search(kFine)),
                                                       meter_, last.name + ", from " + best.name);
@@ -289,10 +288,10 @@ class Fitter {
     take(is_further ? further : best, last);
     count_in(further);
     result_.notes.push_back(fmt::format(
-        "the stages disagree: over {}, which the fit minimises, {} fit better ({:.3g} × the sensor noise) than where "
-        "shorter segments led ({:.3g} ×); the fit {}",
-        last.length > 0.0 ? last.name : "whole trials", best.name, there, before,
-        is_further ? fmt::format("went on from them, to {:.3g} ×", candidates_.front().residual)
+        "the stages disagree: over {}, which the fit minimises, {} fit better than where shorter segments led; the fit "
+        "{}",
+        last.length > 0.0 ? last.name : "whole trials", best.name,
+        is_further ? fmt::format("went on from them, to {:.3g} × the sensor noise", candidates_.front().residual)
                    : "found nothing better from there and keeps them"));
   }
 

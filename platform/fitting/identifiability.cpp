@@ -69,8 +69,10 @@ std::string sentence(const std::vector<Part>& parts) {
 std::vector<std::string> undetermined_sentences(const Uncertainty& uncertainty, const FitPoint& point,
                                                 const ParameterSpace& space, const std::vector<FreeValue>& free) {
   std::vector<std::string> sentences;
-  for (const Eigen::VectorXd& direction : uncertainty.undetermined)
-    sentences.push_back(sentence(parts_of(direction, uncertainty, point, space, free)));
+  for (const Eigen::VectorXd& direction : uncertainty.undetermined) {
+    std::string text = sentence(parts_of(direction, uncertainty, point, space, free));
+    if (std::find(sentences.begin(), sentences.end(), text) == sentences.end()) sentences.push_back(std::move(text));
+  }
   return sentences;
 }
 
