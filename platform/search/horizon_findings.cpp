@@ -134,6 +134,9 @@ void doubt_answer(const Helped& helped, Diagnosis& result) {
   result.verdict = Verdict::cannot_tell;
   result.probability = kUnknown;
   result.calibrated = false;
+  result.next_test.clear();  // it would tell the answer from another, and neither is one
+  result.next_test_worth.clear();
+  result.next_test_setup.reset();
   result.findings.insert(
       result.findings.begin(),
       fmt::format(

@@ -43,12 +43,14 @@ TEST(DoubtAnswer, TakesTheVerdictBackAndSaysWhy) {
   diagnosis.probability = 0.9;
   diagnosis.calibrated = true;
   diagnosis.findings = {"another"};
+  diagnosis.next_test = "steps motor 1 N*m";
   doubt_answer({3, 8}, diagnosis);
   EXPECT_EQ(diagnosis.verdict, Verdict::cannot_tell);
   EXPECT_TRUE(std::isnan(diagnosis.probability));
   EXPECT_FALSE(diagnosis.calibrated);
   ASSERT_EQ(diagnosis.findings.size(), 2U);
   EXPECT_THAT(diagnosis.findings.front(), HasSubstr("at 3 of 8 horizons"));
+  EXPECT_EQ(diagnosis.next_test, "");
 }
 
 }  // namespace
