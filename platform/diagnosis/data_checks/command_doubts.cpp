@@ -89,10 +89,10 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
     at_now += profile->squares(now);
   }
   if (at_now < kWorseNow * at_best) return;
-  doubts.push_back({Severity::fault,
-                    fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
-                                "unexplained so; the command column is a measurement, or is stamped late",
-                                -1e3 * lags.lags(best), at_now / at_best)});
+  doubts.push_back(
+      {Severity::fault, fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
+                                    "unexplained so; the command column is a measurement, or is stamped late",
+                                    -1e3 * lags.lags(best), at_now / at_best)});
 }
 
 }  // namespace
