@@ -1,12 +1,13 @@
 #include "simulation/articulated/event_search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostTrials = 60;
-constexpr double kLocated = 4e-16;  ///< of the step, or of the distance at its start
+constexpr double kLocated = 4e-16;  ///< of the step, which is never shorter, or of the distance at its start
 
 }  // namespace
 
@@ -53,7 +54,7 @@ double EventSearch::locate(const Event& event, const Setting& setting, double le
   double at_low = distance(event, setting.from, setting.from), at_high = distance(event, setting.from, step_.after());
   const double small = kLocated * at_low;
   for (int trial = 0; trial < kMostTrials && high - low > kLocated * length; ++trial) {
-    length_now = high - at_high * (high - low) / (at_high - at_low);
+    length_now = std::max(high - at_high * (high - low) / (at_high - at_low), kLocated * length);
     take(setting, length_now);
     const double now = distance(event, setting.from, step_.after());
     if (std::abs(now) <= small) break;

@@ -158,6 +158,17 @@ TEST(ArticulatedFriction, StopsWhereItShould) {
   EXPECT_GT(error_of_stop("ode"), 1e-3);
 }
 
+/// The moment at which it rests is nearer to the start of the step than the length of the step is exact.
+TEST(ArticulatedFriction, StopsWhatHardlyMoves) {
+  RobotSpec robot = one_joint(JointKind::slider, 1.0);
+  robot.joints[0].dry_friction = 2.0;
+  SimulationRun run = articulated(robot, 0.01);
+  run.from({0.0}, {1e-73});
+  const SimulationResult result = run.run({0.0, 0.1});
+  EXPECT_EQ(column(result.readings, "velocity")(1), 0.0);
+  EXPECT_NEAR(column(result.readings, "position")(1), 0.0, 1e-15);
+}
+
 /// Two bodies of 1 kg on sliders along one axis with dry friction, the first on the world.
 RobotSpec two_sliders(const std::string& parent_of_second, double first_friction, double second_friction) {
   RobotSpec robot = one_joint(JointKind::slider, 1.0);
