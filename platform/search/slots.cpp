@@ -9,13 +9,10 @@ namespace {
 constexpr double kSamePromise = 0.01;  ///< nats
 constexpr double kNearlyAsMuch = 0.7;  ///< of what a simpler law promises to gain: a promise is only of first order
 
-/// Whether an effect would do what one that is there already does.
-bool repeats(const Look& look, const Promise& promise, const std::vector<EffectEntry>& beside) {
-  const Hypothesis& one = look.hypotheses[promise.hypothesis];
+/// Whether an effect is there already.
+bool is_there(const Hypothesis& one, const std::vector<EffectEntry>& beside) {
   return std::any_of(beside.begin(), beside.end(), [&](const EffectEntry& there) {
-    const bool alike = one.entry.effect == there.effect ||
-                       std::find(one.alike.begin(), one.alike.end(), there.effect) != one.alike.end();
-    return alike && !there.where.empty() && one.where() == there.where.front();
+    return one.entry.effect == there.effect && !there.where.empty() && one.where() == there.where.front();
   });
 }
 
@@ -43,7 +40,7 @@ std::vector<Promise> slots_of(const Look& look, const std::vector<EffectEntry>& 
       return are_alike(one, other) && same_place(one, other) && other.own.size() <= one.own.size() &&
              look.cost - promise.cost < kNearlyAsMuch * (look.cost - better.cost);
     });
-    if (!outdone && !repeats(look, promise, beside)) slots.push_back(promise);
+    if (!outdone && !is_there(one, beside)) slots.push_back(promise);
   }
   return slots;
 }

@@ -59,7 +59,14 @@ TEST(Slots, NothingThatTheModelHasAlready) {
   EffectEntry there;
   there.effect = "coulomb";
   there.where = {"joint.hinge"};
-  EXPECT_EQ(slots({{"stribeck", 3, 1.0, {"coulomb"}}, {"spring", 1, 0.9}}, {there}), Names{"spring"});
+  EXPECT_EQ(slots({{"coulomb", 1, 1.0}, {"spring", 1, 0.9}}, {there}), Names{"spring"});
+}
+
+TEST(Slots, WhatLooksLikeAnEffectThatIsThereMayComeBesideIt) {
+  EffectEntry there;
+  there.effect = "coulomb";
+  there.where = {"joint.hinge"};
+  EXPECT_EQ(slots({{"load", 1, 1.0, {"coulomb"}}, {"spring", 1, 0.9}}, {there}), (Names{"load", "spring"}));
 }
 
 TEST(Slots, NoMoreThanAskedFor) {
