@@ -53,11 +53,6 @@ class HorizonDiagnosis {
     return values;
   }
 
-  bool too_little_for_likelihoods() const {
-    return std::any_of(doubts_.begin(), doubts_.end(),
-                       [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
-  }
-
   void keep() const {
     if (memory_.keep) memory_.keep(unfinished_);
   }
@@ -91,7 +86,7 @@ class HorizonDiagnosis {
       return std::nullopt;
     }
     doubts_ = data_doubts({task_.definition, task_.model, task_.trials, values_of(*ground), true});
-    const bool by_predictions_alone = too_little_for_likelihoods();
+    const bool by_predictions_alone = too_little_for_likelihoods(doubts_);
     if (!by_predictions_alone && is_near_floor(most_times_floor(ground->ladder(), ground->fit().errors)))
       return std::nullopt;
     meter.set_parts(static_cast<int>(kNotes * std::min(1.0, breadth_of(*ground))) + kFewestNotes);
@@ -111,7 +106,7 @@ class HorizonDiagnosis {
 
   /// What helps at some horizons alone. Likelihoods may know better.
   Diagnosis undecided(Diagnosis result, const Helped& helped, int coordinates) {
-    if (coordinates <= kForLikelihoods && !too_little_for_likelihoods())
+    if (coordinates <= kForLikelihoods && !too_little_for_likelihoods(doubts_))
       if (Diagnosis other = by_likelihood(); other.verdict != Verdict::effect_found || explains_to_noise(other))
         return other;
     doubt_answer(helped, result);

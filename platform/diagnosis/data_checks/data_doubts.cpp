@@ -57,4 +57,9 @@ std::vector<std::string> faults_among(const std::vector<Doubt>& doubts) {
   return sentences;
 }
 
+bool too_little_for_likelihoods(const std::vector<Doubt>& doubts) {
+  return std::any_of(doubts.begin(), doubts.end(),
+                     [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
+}
+
 }  // namespace lacuna

@@ -16,4 +16,7 @@ std::vector<Doubt> data_doubts(const DoubtTask& task);
 /// The sentences of those that are more than notes.
 std::vector<std::string> faults_among(const std::vector<Doubt>& doubts);
 
+/// Whether likelihoods tell nothing from so little data.
+bool too_little_for_likelihoods(const std::vector<Doubt>& doubts);
+
 }  // namespace lacuna

@@ -29,15 +29,10 @@ bool is_found(const Diagnosis& diagnosis) {
          std::any_of(diagnosis.ranking.front().effects.begin(), diagnosis.ranking.front().effects.end(), saturates);
 }
 
-bool are_too_little(const std::vector<Doubt>& doubts) {
-  return std::any_of(doubts.begin(), doubts.end(),
-                     [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
-}
-
 Diagnosis look_and_search(const DiagnosisTask& task) {
   DoubtTask about{task.definition, task.model, task.trials, task.values, is_tried(task)};
   std::vector<Doubt> doubts = data_doubts(about);
-  if (are_too_little(doubts)) return without_search(doubts);
+  if (too_little_for_likelihoods(doubts)) return without_search(doubts);
   Diagnosis result = search_effects(task);
   if (about.saturation_is_tried && !result.stopped && !is_found(result)) {  // then clipped readings are not explained
     about.saturation_is_tried = false;
