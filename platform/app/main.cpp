@@ -1,6 +1,6 @@
-#include "app/commands.h"
-#include "app/plain_streams.h"
-#include "app/supervised.h"
+#include "app/commands/commands.h"
+#include "app/terminal/plain_streams.h"
+#include "app/terminal/supervised.h"
 
 int main(int argc, char** argv) {
   lacuna::make_streams_plain();

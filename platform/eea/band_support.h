@@ -1,7 +1,7 @@
 #pragma once
 
 #include "eea/ensemble_band.h"
-#include "storage/records.h"
+#include "storage/core/records.h"
 
 #include <lacuna/trial.h>
 

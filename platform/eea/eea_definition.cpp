@@ -5,7 +5,7 @@
 #include "evaluation/proposed_model.h"
 #include "foundation/address.h"
 #include "foundation/unit.h"
-#include "storage/eea_records.h"
+#include "storage/eea/eea_records.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include <lacuna/trial.h>
 
 #include "eea/eea_state.h"
-#include "storage/eea_records.h"
-#include "storage/failed_trials.h"
+#include "storage/eea/eea_records.h"
+#include "storage/eea/failed_trials.h"
 
 namespace lacuna {
 

@@ -4,7 +4,7 @@
 #include <lacuna/model_encoding.h>
 #include <lacuna/trial.h>
 
-#include "storage/eea_records.h"
+#include "storage/eea/eea_records.h"
 
 #include <cstdint>
 #include <optional>

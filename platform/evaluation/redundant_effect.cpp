@@ -2,7 +2,7 @@
 
 #include "evaluation/robot_values.h"
 #include "foundation/address.h"
-#include "storage/canonical_text.h"
+#include "storage/core/canonical_text.h"
 
 #include <lacuna/physical_effect.h>
 

@@ -1,7 +1,7 @@
 #include "fitting/covariance.h"
 
-#include "fitting/residual_memory.h"
 #include "fitting/reduced_rows.h"
+#include "fitting/residual_memory.h"
 #include "fitting/time_blocks.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,8 @@
 #include "loading/plugin_catalog.h"
 
+#include "foundation/shell_word.h"
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
-#include "foundation/shell_word.h"
 #include "loading/conformance.h"
 
 #include <sys/stat.h>

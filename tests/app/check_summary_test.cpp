@@ -1,4 +1,4 @@
-#include "app/check_summary.h"
+#include "app/workspace/check_summary.h"
 
 #include "config/robot_reader.h"
 

@@ -1,4 +1,4 @@
-#include "app/component_details.h"
+#include "app/workspace/component_details.h"
 
 #include "plugins/built_catalog.h"
 

@@ -1,4 +1,4 @@
-#include "app/default_place.h"
+#include "app/workspace/default_place.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

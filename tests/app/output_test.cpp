@@ -1,4 +1,4 @@
-#include "app/output.h"
+#include "app/terminal/output.h"
 
 #include "foundation/problem.h"
 #include "support/test_folder.h"

@@ -1,4 +1,4 @@
-#include "app/plain_streams.h"
+#include "app/terminal/plain_streams.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/posed_robot.h"
+#include "app/runs/posed_robot.h"
 
 #include <lacuna/error.h>
 

@@ -1,6 +1,6 @@
-#include "app/progress_line.h"
+#include "app/terminal/progress_line.h"
 
-#include "app/run_display.h"
+#include "app/runs/run_display.h"
 #include "fitting/progress_meter.h"
 
 #include <gmock/gmock.h>

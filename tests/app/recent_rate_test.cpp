@@ -1,4 +1,4 @@
-#include "app/recent_rate.h"
+#include "app/terminal/recent_rate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/replace_file.h"
+#include "app/terminal/replace_file.h"
 
 #include <lacuna/error.h>
 

@@ -1,8 +1,8 @@
-#include "app/replays.h"
+#include "app/runs/replays.h"
 
 #include "end_to_end/program.h"
 #include "end_to_end/small_run.h"
-#include "storage/page_query.h"
+#include "storage/queries/page_query.h"
 
 #include <lacuna/error.h>
 

@@ -1,4 +1,4 @@
-#include "app/search_range.h"
+#include "app/workspace/search_range.h"
 
 #include <gmock/gmock.h>
 

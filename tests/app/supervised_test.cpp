@@ -1,4 +1,4 @@
-#include "app/supervised.h"
+#include "app/terminal/supervised.h"
 
 #include "foundation/interrupt.h"
 #include "foundation/plugin_call.h"

@@ -1,4 +1,4 @@
-#include "app/text_diff.h"
+#include "app/terminal/text_diff.h"
 
 #include <gtest/gtest.h>
 

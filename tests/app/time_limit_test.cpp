@@ -1,4 +1,4 @@
-#include "app/time_limit.h"
+#include "app/terminal/time_limit.h"
 
 #include "foundation/problem.h"
 

@@ -1,4 +1,4 @@
-#include "app/workbench.h"
+#include "app/workspace/workbench.h"
 #include "bench/force_error.h"
 
 #include <fmt/core.h>

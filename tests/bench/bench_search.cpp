@@ -1,4 +1,4 @@
-#include "app/rig.h"
+#include "app/workspace/rig.h"
 #include "search/find_missing.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "bench/timed_run.h"
 
-#include "app/replicates.h"
+#include "app/runs/replicates.h"
 
 #include <lacuna/error.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/eea_bench.h"
+#include "app/runs/eea_bench.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "eea/same_rows.h"
 #include "eea/small_run.h"
-#include "report/shape_study.h"
+#include "report/figures/shape_study.h"
 #include "support/small_shape.h"
 #include "support/target_genome.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/eea_bench.h"
+#include "app/runs/eea_bench.h"
 #include "config/experiment_reader.h"
 #include "plugins/built_catalog.h"
 #include "support/small_experiment.h"

@@ -1,5 +1,5 @@
-#include "end_to_end/printed_lines.h"
 #include "end_to_end/guide.h"
+#include "end_to_end/printed_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "evaluation/trial_predictor.h"
 #include "fitting/analytic_models.h"
-#include "fitting/cross_check.h"
 #include "fitting/comparison.h"
+#include "fitting/cross_check.h"
 #include "support/robots.h"
 
 #include <gtest/gtest.h>

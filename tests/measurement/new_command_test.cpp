@@ -1,4 +1,4 @@
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "config/experiment_reader.h"
 #include "measurement_fixture.h"
 

@@ -1,10 +1,10 @@
-#include "app/component_details.h"
+#include "app/workspace/component_details.h"
 #include "config/experiment_reader.h"
 #include "eea/small_run.h"
 #include "evaluation/model_definition.h"
 #include "foundation/placement_unit.h"
-#include "support/test_folder.h"
 #include "plugins/built_catalog.h"
+#include "support/test_folder.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

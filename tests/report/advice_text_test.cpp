@@ -1,4 +1,4 @@
-#include "report/advice_text.h"
+#include "report/text/advice_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "report/bound_text.h"
+#include "report/text/bound_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/change_text.h"
+#include "report/text/change_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

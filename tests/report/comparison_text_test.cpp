@@ -1,6 +1,6 @@
-#include "report/comparison_text.h"
+#include "report/text/comparison_text.h"
 
-#include "report/comparison_json.h"
+#include "report/json/comparison_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "report/diagnosis_pictures.h"
+#include "report/figures/diagnosis_pictures.h"
 
 #include "support/test_folder.h"
 

@@ -1,4 +1,6 @@
-#include "report/diagnosis_text.h"
+#include "report/text/diagnosis_text.h"
+
+#include "documents/diagnosis_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

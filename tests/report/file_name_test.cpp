@@ -1,4 +1,4 @@
-#include "report/file_name.h"
+#include "report/figures/file_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
-#include "report/history_text.h"
+#include "report/figures/history_picture.h"
+#include "report/json/history_json.h"
+#include "report/text/history_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "foundation/plain_text.h"
-#include "report/figure.h"
-#include "report/history_text.h"
-#include "report/robot_drawing.h"
+#include "report/figures/figure.h"
+#include "report/figures/robot_drawing.h"
+#include "report/text/history_text.h"
 
 #include <lacuna/error.h>
 

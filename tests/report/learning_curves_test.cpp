@@ -1,4 +1,4 @@
-#include "report/learning_curves.h"
+#include "report/figures/learning_curves.h"
 
 #include "support/test_folder.h"
 

@@ -1,4 +1,4 @@
-#include "report/page_access.h"
+#include "report/pages/page_access.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "report/page_server.h"
+#include "report/pages/page_server.h"
 
-#include "report/pages.h"
-#include "report/processor_share.h"
-#include "storage/page_database.h"
-#include "storage/result_store.h"
+#include "report/pages/pages.h"
+#include "report/pages/processor_share.h"
+#include "storage/pages/page_database.h"
+#include "storage/results/result_store.h"
 #include "support/test_folder.h"
 
 #include <lacuna/error.h>

@@ -1,7 +1,7 @@
-#include "report/pages.h"
+#include "report/pages/pages.h"
 
-#include "report/base64.h"
-#include "report/gzip.h"
+#include "report/pages/base64.h"
+#include "report/pages/gzip.h"
 
 #include <lacuna/error.h>
 

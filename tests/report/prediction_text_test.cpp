@@ -1,7 +1,7 @@
-#include "report/prediction_text.h"
+#include "report/text/prediction_text.h"
 
-#include "report/prediction_data.h"
-#include "report/prediction_picture.h"
+#include "report/figures/prediction_picture.h"
+#include "report/json/prediction_data.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "report/run_pictures.h"
+#include "report/figures/run_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/run_text.h"
+#include "report/text/run_text.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "report/thinning.h"
+#include "report/figures/thinning.h"
 
 #include <gtest/gtest.h>
 

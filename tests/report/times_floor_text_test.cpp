@@ -1,4 +1,4 @@
-#include "report/times_floor_text.h"
+#include "report/text/times_floor_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/web_server.h"
+#include "report/pages/web_server.h"
 
 #include "report/raw_client.h"
 

@@ -1,6 +1,6 @@
-#include "report/where_text.h"
+#include "report/text/where_text.h"
 
-#include "report/where_json.h"
+#include "report/json/where_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "report/work_queue.h"
+#include "report/pages/work_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <lacuna/error.h>
 
-#include "storage/statement.h"
+#include "storage/core/statement.h"
 
 #include <gtest/gtest.h>
 

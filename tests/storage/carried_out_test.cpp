@@ -1,6 +1,6 @@
-#include "storage/carried_out.h"
+#include "storage/results/carried_out.h"
 
-#include "storage/result_store.h"
+#include "storage/results/result_store.h"
 #include "support/test_folder.h"
 
 #include <lacuna/error.h>

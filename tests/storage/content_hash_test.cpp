@@ -1,5 +1,5 @@
+#include "storage/core/statement.h"
 #include "storage/made_up_run.h"
-#include "storage/statement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "storage/asked.h"
-#include "storage/migrate.h"
+#include "storage/core/migrate.h"
+#include "storage/core/statement.h"
 #include "storage/small_database.h"
-#include "storage/statement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

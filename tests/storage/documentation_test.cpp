@@ -1,5 +1,5 @@
 #include "storage/made_up_run.h"
-#include "storage/query.h"
+#include "storage/queries/query.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

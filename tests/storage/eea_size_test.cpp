@@ -1,6 +1,6 @@
 #include "storage/asked.h"
+#include "storage/core/statement.h"
 #include "storage/made_up_run.h"
-#include "storage/statement.h"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>

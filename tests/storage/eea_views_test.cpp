@@ -1,5 +1,5 @@
 #include "storage/made_up_run.h"
-#include "storage/query_output.h"
+#include "storage/queries/query_output.h"
 
 #include <gtest/gtest.h>
 

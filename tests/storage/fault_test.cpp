@@ -1,8 +1,8 @@
 #include "storage/asked.h"
 #include "storage/child_process.h"
-#include "storage/query.h"
+#include "storage/core/statement.h"
+#include "storage/queries/query.h"
 #include "storage/small_database.h"
-#include "storage/statement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/eea_store.h"
+#include "storage/eea/eea_store.h"
 #include "storage/small_database.h"
 
 #include <cstdint>

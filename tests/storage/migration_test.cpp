@@ -1,7 +1,7 @@
 #include "storage/asked.h"
 #include "storage/child_process.h"
+#include "storage/core/statement.h"
 #include "storage/made_up_run.h"
-#include "storage/statement.h"
 
 #include <gtest/gtest.h>
 

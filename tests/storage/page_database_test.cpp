@@ -1,13 +1,13 @@
-#include "storage/page_database.h"
+#include "storage/pages/page_database.h"
 
 #include "foundation/problem.h"
 
 #include "storage/asked.h"
+#include "storage/core/without_folders.h"
 #include "storage/made_up_run.h"
-#include "storage/page_query.h"
-#include "storage/readable_database.h"
-#include "storage/stored_run.h"
-#include "storage/without_folders.h"
+#include "storage/pages/readable_database.h"
+#include "storage/queries/page_query.h"
+#include "storage/results/stored_run.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

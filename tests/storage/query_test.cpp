@@ -1,7 +1,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "storage/child_process.h"
-#include "storage/query_output.h"
+#include "storage/queries/query_output.h"
 #include "storage/small_database.h"
 
 #include <gmock/gmock.h>

@@ -2,8 +2,8 @@
 
 #include <lacuna/error.h>
 
-#include "storage/canonical_text.h"
-#include "storage/result_store.h"
+#include "storage/core/canonical_text.h"
+#include "storage/results/result_store.h"
 #include "support/test_folder.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "storage/small_database.h"
 
 #include <gmock/gmock.h>

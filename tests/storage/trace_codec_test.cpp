@@ -1,5 +1,5 @@
 #include "storage/small_database.h"
-#include "storage/trace_codec.h"
+#include "storage/traces/trace_codec.h"
 
 #include <gtest/gtest.h>
 

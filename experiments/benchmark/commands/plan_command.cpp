@@ -1,7 +1,7 @@
 #include "commands/commands.h"
 
 #include "contacts/contact_plan.h"
-#include "report/text_table.h"
+#include "report/text/text_table.h"
 #include "runs/case_truth.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "figures/pictures.h"
 
 #include "figures/matrix_picture.h"
-#include "report/figure.h"
+#include "report/figures/figure.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "measured_rigs/set_scores.h"
 
-#include "app/rig.h"
+#include "app/workspace/rig.h"
 #include "search/set_starts.h"
 
 #include <algorithm>

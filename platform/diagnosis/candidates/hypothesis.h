@@ -38,6 +38,7 @@ struct Untestable {
   std::string effect;
   std::string where;  ///< empty: nowhere
   std::string reason;
+  bool operator==(const Untestable&) const = default;
 };
 
 /// Every effect of the catalog on every element that it can be placed on, one at a time, and on all of them together

@@ -1,6 +1,6 @@
 #include "diagnosis/data_checks/copy_doubts.h"
 
-#include "storage/canonical_text.h"
+#include "storage/core/canonical_text.h"
 
 #include <fmt/format.h>
 

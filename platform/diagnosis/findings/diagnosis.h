@@ -30,12 +30,14 @@ struct FoundParameter {
   std::string unit;
   double value = 0.0;
   double lower_95 = 0.0, upper_95 = 0.0;
+  bool operator==(const FoundParameter&) const = default;
 };
 
 struct FoundEffect {
   std::string effect;
   std::string where;  ///< "joint.hinge"; "world"
   std::vector<FoundParameter> parameters;
+  bool operator==(const FoundEffect&) const = default;
 };
 
 /// The answer's effects, refitted over segments of another length.
@@ -43,6 +45,7 @@ struct EffectsAtLength {
   double segment = 0.0;  ///< s
   std::vector<FoundEffect> effects;
   double against = 0.0;  ///< by how much the deviance over these segments grows where the answer's own values are put
+  bool operator==(const EffectsAtLength&) const = default;
 };
 
 /// RMS over short bins, of one channel, in its unit.
@@ -52,6 +55,7 @@ struct ChannelError {
   double floor = 0.0;  ///< of the noise, as estimated
   double fit = 0.0;
   double held_out = 0.0;  ///< predicted from the other folds
+  bool operator==(const ChannelError&) const = default;
 };
 
 /// RMS errors of predictions of one channel over one horizon, from starts that the readings tell. NaN: not known.
@@ -62,6 +66,7 @@ struct HorizonError {
   double floor = 0.0;  ///< of reading noise, starts and integration
   double base = 0.0, answer = 0.0;
   double base_held_out = 0.0, answer_held_out = 0.0;
+  bool operator==(const HorizonError&) const = default;
 };
 
 /// A model that may be right, against the base.
@@ -73,6 +78,7 @@ struct RankedModel {
   std::vector<ChannelError> errors;
   double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
   double segment = 0.0;      ///< s, of the segments that the errors are about
+  bool operator==(const RankedModel&) const = default;
 };
 
 enum class FigureUnit { percent, nats, chance, times_floor };
@@ -86,6 +92,7 @@ struct AtThreshold {
   double value = 0.0, threshold = 0.0;   ///< of 1 where the unit is percent
   double low = 0.0, high = 0.0;          ///< between which it may come out
   Verdict other = Verdict::cannot_tell;  ///< the verdict beyond the threshold
+  bool operator==(const AtThreshold&) const = default;
 };
 
 /// Figures that say how sure a verdict is, by name (evidence.h).
@@ -96,6 +103,7 @@ struct StoppedSearch {
   std::string during;                     ///< "refits of candidates"
   std::vector<std::string> not_examined;  ///< candidates, "name @ where"
   std::string next;                       ///< what to do, a sentence
+  bool operator==(const StoppedSearch&) const = default;
 };
 
 struct Diagnosis {

@@ -27,6 +27,7 @@ struct Gain {
   double value = 0.0;
   double standard_error = 0.0;
   double lower_95 = 0.0, upper_95 = 0.0;
+  bool operator==(const Gain&) const = default;
 };
 
 /// By how much `better` predicts what was left out better than `worse`; both held-out deviances by block.

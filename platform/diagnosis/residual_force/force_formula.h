@@ -15,6 +15,7 @@ struct ForceFormula {
     std::string text;                                ///< such as "v*abs(v)"
     std::string unit;                                ///< of the text
     double coefficient = 0.0, standard_error = 0.0;  ///< force unit over `unit`
+    bool operator==(const Term&) const = default;
   };
   std::string joint;
   std::string unit;  ///< of the force, N*m or N

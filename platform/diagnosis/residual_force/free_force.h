@@ -19,6 +19,7 @@ struct ForceCurve {
   std::vector<double> at, force, standard_error;
   /// Of a slice: the whole force where the joint is at this position. Without it: what this quantity alone adds.
   std::optional<double> position = {};
+  bool operator==(const ForceCurve&) const = default;
 };
 
 /// A force on the joints of any form: a sum of functions of a joint's position, velocity and command, each linear

@@ -11,6 +11,7 @@ struct RandomForce {
   double deviation = 0.0;  ///< standard deviation of its mean over `duration`
   double duration = 0.0;   ///< s
   bool slow = false;       ///< correlated over `duration`; else it keeps its value for that long
+  bool operator==(const RandomForce&) const = default;
 };
 
 /// s: the correlation time at which a force of the same deviation has the same power at low frequencies.

@@ -1,6 +1,6 @@
 #include "runs/read_results.h"
 
-#include "report/diagnosis_text.h"
+#include "documents/diagnosis_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,274 @@
+#include "app/commands/commands.h"
+#include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "app/terminal/replace_file.h"
+#include "app/terminal/text_diff.h"
+#include "app/terminal/time_limit.h"
+#include "app/workspace/default_place.h"
+#include "app/workspace/diagnosed_start.h"
+#include "app/workspace/integration.h"
+#include "app/workspace/search_range.h"
+#include "app/workspace/workbench.h"
+#include "config/effects_editor.h"
+#include "config/value.h"
+#include "evaluation/redundant_effect.h"
+#include "foundation/problem.h"
+#include "foundation/shell_word.h"
+#include "report/text/change_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+struct AddOptions : CommonOptions {
+  std::string effect;
+  std::vector<std::string> where;
+  std::string id;
+  std::vector<std::string> start;  ///< name=value
+  std::vector<std::string> fixed;
+  bool answer = false;  ///< add what the latest diagnosis found
+};
+
+/// The effect's name, or with a number behind it where that id is taken.
+std::string free_id(const std::string& effect, const EffectList& effects) {
+  const auto taken = [&](const std::string& id) {
+    return std::any_of(effects.begin(), effects.end(), [&](const EffectEntry& entry) { return entry.id == id; });
+  };
+  std::string id = effect;
+  for (int number = 2; taken(id); ++number) id = fmt::format("{}_{}", effect, number);
+  return id;
+}
+
+std::pair<std::string, double> parse_start(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  try {
+    std::size_t used = 0;
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    const double value = std::stod(number, &used);
+    if (used == number.size() && std::isfinite(value)) return {text.substr(0, equals), value};
+  } catch (const std::exception&) {
+    // said below
+  }
+  throw_problem({}, "--start " + text + ": write it as parameter=number, in SI units, as in --start torque=0.1");
+}
+
+/// Those that the editor of the list would meet later, and say less well.
+void check_id(const std::string& id, const EffectList& effects) {
+  if (!id.empty() && !is_element_name(id))
+    throw_problem({}, "--id " + id + ": cannot be a name; use letters, digits, _ and -");
+  for (const EffectEntry& entry : effects)
+    if (entry.id == id)
+      throw_problem({}, "--id " + id + ": is taken by a " + entry.effect + " of the model; choose another name");
+}
+
+/// What the option was that became a key of the effect's entry, as it was typed.
+std::string typed(const std::string& key, const AddOptions& options) {
+  const auto element = [&](const std::string& option, const std::vector<std::string>& list) {
+    const std::size_t index = std::stoul(key.substr(key.find('[') + 1));
+    return option + (index < list.size() ? " " + list[index] : "");
+  };
+  if (key.starts_with("where[")) return element("--where", options.where);
+  if (key.starts_with("fixed[")) return element("--fixed", options.fixed);
+  if (key.starts_with("start.")) return "--start " + key.substr(6);
+  if (key == "where") return "--where";
+  return key == "id" ? "--id" : options.effect;
+}
+
+/// The experiment with the effect in it. What is wrong with the effect alone is said of the command's arguments: its
+/// entry stands in no file yet.
+Rig open_extended(const AddOptions& options, const std::string& edited, const Rig& base) {
+  try {
+    return open_rig(options, edited, base.catalog);
+  } catch (const BadInput& bad) {
+    const std::string entry = fmt::format("model.effects[{}]", base.experiment.model.effects.size());
+    ProblemList problems;
+    for (const Problem& problem : bad.problems()) {
+      const std::size_t end = problem.message.find(": ");
+      if (!problem.message.starts_with(entry) || end == std::string::npos) {
+        problems.add(problem.location, problem.message);
+        continue;
+      }
+      const std::string key = problem.message.substr(0, end).substr(std::min(end, entry.size() + 1));
+      problems.add({}, "add " + typed(key, options) + problem.message.substr(end));
+    }
+    problems.throw_if_any();
+    throw;
+  }
+}
+
+/// The element that both entries act on, "the world" where they name none; nothing if they have none in common.
+std::optional<std::string> shared_place(const EffectEntry& a, const EffectEntry& b) {
+  if (a.where.empty() && b.where.empty()) return "the world";
+  for (const std::string& element : a.where)
+    if (std::find(b.where.begin(), b.where.end(), element) != b.where.end()) return element;
+  return std::nullopt;
+}
+
+/// A second effect of one kind in one place is most often a command given twice; an id of its own says that it is not.
+void check_new(const AddOptions& options, const std::string& id, const EffectList& placed) {
+  if (!options.id.empty()) return;
+  const auto added = std::find_if(placed.begin(), placed.end(), [&](const auto& entry) { return entry.id == id; });
+  for (const EffectEntry& entry : placed) {
+    if (entry.id == id || entry.effect != options.effect) continue;
+    const std::optional<std::string> place = shared_place(entry, *added);
+    if (!place) continue;
+    throw_problem({}, fmt::format("{}: {} has one already (id {}); of two the data would tell at best what they do "
+                                  "together. To add a second one all the same, give it a name: --id {}",
+                                  options.effect, *place, entry.id, id));
+  }
+}
+
+EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
+  EffectEntry entry{options.id.empty() ? free_id(options.effect, effects) : options.id,
+                    options.effect,
+                    options.where,
+                    {},
+                    options.fixed};
+  for (const std::string& start : options.start) entry.start.insert(parse_start(start));
+  return entry;
+}
+
+bool evolves_models(const Rig& rig) {
+  return rig.catalog->make<TargetSystem>(rig.experiment.target.kind)->takes_tests();
+}
+
+struct Addition {
+  EffectEntry entry;
+  bool from_diagnosis = false;  ///< the start values that were not typed
+  bool only_place = false;      ///< the place was not typed, and no other is possible
+};
+
+/// The experiment before and after; everything is checked before the file is touched.
+struct Extension {
+  std::string text, edited;
+  std::vector<Addition> added;
+  Rig base, extended;
+};
+
+/// The rig with one more effect, which is put into `edited`, the text that `before` was read from. `base`: without any
+/// of those that are added.
+Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edited, std::vector<Addition>& added) {
+  const bool says_where = !one.where.empty();
+  if (!says_where) one.where = default_place(before, one.effect);
+  check_id(one.id, before.experiment.model.effects);
+  EffectEntry entry = entry_of(one, before.experiment.model.effects);
+  const std::string text = edited;
+  edited = insert_effect(text, entry);
+  Rig extended = open_extended(one, edited, before);
+  check_new(one, entry.id, extended.definition.effects);
+  std::map<std::string, double> found = diagnosed_start(one, base, extended, entry);
+  for (const auto& [name, value] : entry.start) found[name] = value;
+  const bool from_diagnosis = found.size() > entry.start.size();
+  entry.start = std::move(found);
+  if (evolves_models(base)) entry.range = search_range(entry, extended.definition);
+  if (from_diagnosis || !entry.range.empty()) {
+    edited = insert_effect(text, entry);
+    extended = open_extended(one, edited, before);
+  }
+  added.push_back({std::move(entry), from_diagnosis, !says_where && !one.where.empty()});
+  return extended;
+}
+
+/// The effect that was typed, or those of the diagnosed answer: a command each.
+std::vector<AddOptions> asked_for(const AddOptions& options, const Rig& base) {
+  if (!options.answer) return {options};
+  std::vector<AddOptions> all;
+  for (const auto& [effect, place] : diagnosed_answer(options, base)) {
+    AddOptions one = options;
+    one.effect = effect;
+    if (place != "world") one.where = {place};
+    all.push_back(std::move(one));
+  }
+  if (all.empty())
+    throw_problem({}, fmt::format("--answer: no diagnosis of this model found an effect; {} looks for one",
+                                  command_to_type("diagnose", options)));
+  return all;
+}
+
+Extension extension_of(const AddOptions& options) {
+  const std::string text = read_text(options.experiment);
+  Rig base = open_rig(options);
+  settle_substeps(base, base.fit_trials(), options.threads);
+  std::string edited = text;
+  std::vector<Addition> added;
+  std::optional<Rig> extended;
+  for (const AddOptions& one : asked_for(options, base))
+    extended = extend(one, base, extended ? *extended : base, edited, added);
+  return {text, std::move(edited), std::move(added), std::move(base), std::move(*extended)};
+}
+
+void check_request(const AddOptions& options) {
+  if (!options.answer && options.effect.empty())
+    throw_problem({}, "add: name the effect, or write --answer for what the last diagnosis found");
+  const bool says_more = !options.effect.empty() || !options.where.empty() || !options.id.empty() ||
+                         !options.start.empty() || !options.fixed.empty();
+  if (options.answer && says_more)
+    throw_problem({},
+                  "add --answer: takes effects, places and values from the diagnosis; write no effect beside it, "
+                  "nor --where, --id, --start or --fixed");
+}
+
+void run_add(const AddOptions& options) {
+  check_request(options);
+  check_output(options.json);
+  check_replaceable(options.experiment);
+  Extension made = extension_of(options);
+  std::vector<std::string> ids, redundancies;
+  for (const Addition& addition : made.added) {
+    ids.push_back(addition.entry.id);
+    if (std::string text = redundancy_of(made.extended.definition, addition.entry.id); !text.empty())
+      redundancies.push_back(std::move(text));
+  }
+  const RevisionErrors before = errors_before_edit(options, std::move(made.base));
+  const RevisionErrors after = errors_with_edit(options, std::move(made.extended), made.text, made.edited);
+  if (!takes_standard_output(options.json)) {
+    fmt::print("{}\n{}", options.experiment.string(), text_diff(made.text, made.edited));
+    for (const Addition& addition : made.added) {
+      const EffectEntry& entry = addition.entry;
+      if (addition.only_place)
+        fmt::print("{} is placed on {}, the only place possible\n", entry.id, entry.where.front());
+      if (addition.from_diagnosis) fmt::print("{} starts where the diagnosis left it\n", entry.id);
+    }
+    fmt::print("{}", change_text(before, after, command_to_type("undo", options)));
+    for (const std::string& redundancy : redundancies) fmt::print("{}\n", redundancy);
+    fmt::print("undo: {}\n→ {}\n", command_to_type("undo", options), command_to_type("compare", options));
+  }
+  if (options.json)
+    write_output(*options.json, change_json(fmt::format("{}", fmt::join(ids, " + ")), before, after,
+                                            command_to_type("undo", options)));
+}
+
+}  // namespace
+
+void add_add_command(CLI::App& program) {
+  auto options = std::make_shared<AddOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model and fit it again");
+  add_experiment_options(*command, *options);
+  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")->option_text("NAME");
+  command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
+  command
+      ->add_option("--where", options->where,
+                   "Element to place it on, such as joint.hinge; may be repeated (default: the only one possible)")
+      ->allow_extra_args(false)
+      ->option_text("ELEMENT");
+  command->add_option("--id", options->id, "Name of this placement (default: the effect's)")->option_text("NAME");
+  command->add_option("--start", options->start, "Start value of a parameter, in SI units: torque=0.1; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PARAMETER=NUMBER");
+  command->add_option("--fixed", options->fixed, "Parameter that is not fitted; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PARAMETER");
+  add_work_options(*command, *options);
+  add_time_limit_option(*command);
+  command->callback([options] { run_add(*options); });
+}
+
+}  // namespace lacuna

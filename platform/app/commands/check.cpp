@@ -1,0 +1,77 @@
+#include "app/commands/commands.h"
+#include "app/runs/run_summary.h"
+#include "app/terminal/options.h"
+#include "app/workspace/check_summary.h"
+#include "app/workspace/rig.h"
+#include "config/file_references.h"
+#include "diagnosis/rounds/cut_trials.h"
+#include "evaluation/trial_predictor.h"
+#include "fitting/disturbance.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct CheckOptions : CommonOptions {
+  std::string reference;
+};
+
+std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+/// What a fit, a comparison or a diagnosis would stop at before it simulates anything.
+std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
+  const SourceLocation file{options.experiment.string(), 0, 0};
+  std::vector<Problem> problems;
+  if (rig.count(false) == 0)
+    problems.push_back({file, "every trial is held out: name at least one under target.files to fit to"});
+  try {
+    const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
+    disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
+    check_segment(rig.experiment.diagnosis.segment, rig.trials);
+  } catch (const Error& error) {
+    problems.push_back({file, error.what()});
+  }
+  return problems;
+}
+
+void check(const CheckOptions& options) {
+  if (!options.reference.empty()) {
+    std::fputs(file_reference(options.reference).c_str(), stdout);
+    return;
+  }
+  Rig rig = open_rig(options);
+  const bool recorded = rig.experiment.target.kind == "recorded";
+  if (recorded)
+    if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+  if (!rig.left_out.empty()) rig.notes.push_back({rig.experiment.where("target.version"), rig.left_out});
+  const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
+  const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
+  fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program) {
+  auto options = std::make_shared<CheckOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("check", "Check an experiment file and everything it names");
+  add_experiment_options(*command, *options);
+  CLI::Option* reference = command
+                               ->add_option("--print-reference", options->reference,
+                                            "Print a reference of file keys instead: " + joined(file_reference_names()))
+                               ->option_text("NAME")
+                               ->check(CLI::IsMember(file_reference_names()));
+  CLI::Option* experiment = command->get_option("experiment");
+  experiment->required(false)->excludes(reference);
+  command->callback([options, experiment, reference] {
+    if (experiment->count() + reference->count() == 0) throw CLI::RequiredError(experiment->get_name());
+    check(*options);
+  });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,110 @@
+#include "app/commands/commands.h"
+
+#include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "app/terminal/plain_streams.h"
+#include "command_line/usage_error.h"
+#include "foundation/interrupt.h"
+#include "foundation/problem.h"
+#include "kernels/kernels.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+constexpr int kInterrupted = 75;
+
+/// Whether what was printed has arrived.
+bool output_has_arrived() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good() &&
+         exact_output().flush().good();
+}
+
+int say(const char* sentence, int code) {
+  std::fprintf(stderr, "%s\n", sentence);
+  return code;
+}
+
+int end_of_output() {
+  if (output_has_arrived()) return 0;
+  return say("standard output: cannot be written to its end; make room, or redirect it to another place", kFailed);
+}
+
+/// A long output fails while it is printed, by an exception that does not know which file it was.
+int complain(const std::exception& error, int code) {
+  return output_has_arrived() ? say(error.what(), code) : end_of_output();
+}
+
+/// CLI11 prints what a flag stands for without its value, as in --json{}.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));
+  }
+};
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Finds what a robot model is missing.", "lacuna");
+  program.require_subcommand(1);
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.footer("Exit codes: 0 done, 1 failed, 2 bad input, 75 interrupted and to be run again.");
+  program.set_version_flag("--version", std::string(LACUNA_VERSION));
+  add_check_command(program);
+  add_new_command(program);
+  add_trial_command(program);
+  add_run_command(program);
+  add_runs_command(program);
+  add_predict_command(program);
+  add_plot_command(program);
+  add_curves_command(program);
+  add_shapes_command(program);
+  add_replay_command(program);
+  add_reproduce_command(program);
+  add_hash_command(program);
+  add_fit_command(program);
+  add_compare_command(program);
+  add_diagnose_command(program);
+  add_add_command(program);
+  add_undo_command(program);
+  add_history_command(program);
+  add_plugins_command(program);
+  add_sql_command(program);
+  add_report_command(program);
+  add_serve_command(program);
+  add_help_command(program);
+
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
+  set_command_line(argc, argv);
+  forget_command_files();
+  watch_for_interrupts();
+  try {
+    dense_kernels();  // complains of LACUNA_KERNELS before any work is done
+    program.parse(argc, argv);
+    return end_of_output();
+  } catch (const CLI::Success& help_or_version) {
+    return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "%s\n", usage_sentence(program, error, argc, argv).c_str());
+    return kBadInput;
+  } catch (const BadInput& error) {
+    return complain(error, kBadInput);
+  } catch (const Interrupted& error) {
+    return complain(error, kInterrupted);
+  } catch (const std::exception& error) {
+    return complain(error, kFailed);
+  }
+}
+
+}  // namespace lacuna

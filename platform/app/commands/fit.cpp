@@ -1,0 +1,54 @@
+#include "app/commands/commands.h"
+#include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "app/terminal/progress_line.h"
+#include "app/terminal/time_limit.h"
+#include "app/workspace/workbench.h"
+#include "foundation/counted.h"
+#include "foundation/interrupt.h"
+#include "report/json/comparison_json.h"
+#include "report/text/comparison_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+std::string time_of(const Workbench::Fitted& fitted) {
+  if (fitted.known) return "known";
+  return format_duration(fitted.result.seconds) + (fitted.result.stopped ? ", stopped before it converged" : "");
+}
+
+void run_fit(const CommonOptions& options) {
+  check_output(options.json);
+  Workbench bench(options);
+  const Workbench::Fitted fitted = bench.fit_model(Workbench::AtTimeLimit::best_so_far);
+  lift_time_limit();  // what follows is quick
+  if (!takes_standard_output(options.json)) {
+    fmt::print("{} · revision {} · {} · {}\n", bench.rig().experiment.name, bench.revision().number,
+               counted(bench.rig().count(false), "fit trial"), time_of(fitted));
+    fmt::print("{}", fit_text(fitted.result));
+    fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
+    if (!fitted.result.stopped) fmt::print("→ {}\n", command_to_type("compare", options));
+  }
+  if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));
+  if (fitted.result.stopped)
+    throw Interrupted(stopped_by_time_limit() + "; the best values so far are stored. Run it again with more time");
+  bench.ledger().done();
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program) {
+  auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("fit", "Fit the model's free values to the fit files");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  add_time_limit_option(*command);
+  command->callback([options] { run_fit(*options); });
+}
+
+}  // namespace lacuna

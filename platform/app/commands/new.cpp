@@ -1,0 +1,226 @@
+#include "app/commands/commands.h"
+#include "app/terminal/output.h"
+#include "app/workspace/rig_draft.h"
+#include "config/robot_reader.h"
+#include "config/text_file.h"
+#include "config/toml_parser.h"
+#include "foundation/counted.h"
+#include "foundation/plain_text.h"
+#include "foundation/problem.h"
+#include "foundation/shell_word.h"
+#include "foundation/unit.h"
+#include "foundation/whole_file.h"
+#include "measurement/clock_check.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+struct NewOptions {
+  std::filesystem::path experiment;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path robot;
+  ColumnHints hints;
+};
+
+void refuse_existing(const std::filesystem::path& file) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file)))
+    throw Error(file.string() + ": is there already and is not overwritten; choose another name or move it away");
+}
+
+/// Writes files that must not exist, all or none; what another program wrote meanwhile is left alone.
+class NewFiles {
+ public:
+  void add(const std::filesystem::path& file, const std::string& text) {
+    WholeFile& draft = *drafts_.emplace_back(file, std::make_unique<WholeFile>(file, Link::replaced)).second;
+    draft.stream() << text;
+    draft.finish();
+  }
+  void publish() {
+    for (std::size_t i = 0; i < drafts_.size(); ++i) {
+      try {
+        drafts_[i].second->publish_as_new();
+      } catch (...) {
+        std::error_code ignored;
+        for (std::size_t made = 0; made < i; ++made) std::filesystem::remove(drafts_[made].first, ignored);
+        throw;
+      }
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::filesystem::path, std::unique_ptr<WholeFile>>> drafts_;
+};
+
+/// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
+std::string read_recordings(RigDraft& draft) {
+  try {
+    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft));
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  const Eigen::VectorXd& times = draft.recording->trials.front().measured.times;
+  draft.interval = median_interval({times.data(), static_cast<std::size_t>(times.size())});
+  draft.shortest = std::numeric_limits<double>::infinity();
+  for (const Trial& trial : draft.recording->trials)
+    draft.shortest = std::min(draft.shortest, trial.measured.times(trial.measured.times.size() - 1));
+  return {};
+}
+
+/// Refuses an experiment file, which is the file that is named by mistake most often, in one sentence.
+RobotSpec read_known_robot(const std::filesystem::path& file) {
+  const std::string text = read_text_file(file);
+  const TomlNode tree = parse_toml(text, file.string());
+  for (const TomlMember& member : tree.members)
+    if (member.name == "experiment" || member.name == "target")
+      throw_problem(member.location, fmt::format("--robot names an experiment file, not a robot file: it has [{}]; "
+                                                 "name the file that stands under model.file in it",
+                                                 member.name));
+  return read_robot_text(text, file);
+}
+
+RigDraft make_draft(const NewOptions& options) {
+  RigDraft draft;
+  draft.experiment = options.experiment;
+  draft.files = options.files;
+  draft.robot = options.robot;
+  if (options.robot.empty())
+    draft.robot = draft.experiment.parent_path() / (draft.experiment.stem().string() + "-robot.toml");
+  else
+    draft.known_robot = read_known_robot(options.robot);
+  std::vector<FileSample> samples;
+  for (const std::filesystem::path& file : draft.files) samples.push_back(sample_file(file));
+  draft.guess =
+      draft.known_robot ? guess_rig(samples, options.hints, *draft.known_robot) : guess_rig(samples, options.hints);
+  return draft;
+}
+
+void print_column(const std::string& what, const GuessedColumn& column, const std::string& reason) {
+  std::printf("  %-18s column %s%s%s (%s)\n", what.c_str(), column.name.c_str(), column.unit.empty() ? "" : " in ",
+              column.unit.c_str(), reason.c_str());
+}
+
+void print_joints(const RigGuess& guess) {
+  for (const GuessedJoint& joint : guess.joints) {
+    std::printf("  %-18s a %s\n", ("joint." + joint.name).c_str(), joint.slides ? "slider" : "hinge");
+    if (joint.position) print_column("  " + joint.position_sensor(), *joint.position, joint.position->reason);
+    if (joint.velocity) print_column("  " + joint.velocity_sensor(), *joint.velocity, joint.velocity->reason);
+    if (joint.command) print_column("  " + joint.motor(), *joint.command, joint.command->reason);
+  }
+}
+
+void print_matches(const RigGuess& guess) {
+  for (const MatchedColumn& match : guess.sensors)
+    print_column("sensor." + match.channel.name, match.column, match.column.reason);
+  for (const MatchedColumn& match : guess.commands)
+    print_column("actuator." + match.channel.name, match.column, match.column.reason);
+  for (const UnmatchedChannel& left : guess.unmatched)
+    std::printf("  %-18s %s.%s in %s: %s\n", "not matched", left.is_actuator ? "actuator" : "sensor",
+                left.channel.name.c_str(), left.channel.unit.c_str(), reason_of(left).c_str());
+}
+
+void print_guesses(const RigDraft& draft) {
+  const RigGuess& guess = draft.guess;
+  std::printf("guessed\n");
+  print_column("time", guess.time, guess.time.reason);
+  if (guess.trial) print_column("trials", *guess.trial, guess.trial->reason);
+  if (draft.known_robot)
+    print_matches(guess);
+  else
+    print_joints(guess);
+  for (const GuessedColumn& column : guess.unused) print_column("not used", column, column.reason);
+  std::printf("  %-18s %s: %s\n", "hold", guess.hold == Hold::zero_order ? "zero" : "first", guess.hold_reason.c_str());
+  if (draft.interval > 0.0)
+    std::printf("  %-18s %.4g Hz, %s\n", "sampling", 1.0 / draft.interval,
+                counted(draft.recording->trials.size(), "trial").c_str());
+  if (!guess.trial && draft.files.size() > 1)
+    std::printf("  %-18s %s (the last file)\n", "held out", draft.files.back().filename().c_str());
+}
+
+/// The lines with blanks, as places to go to.
+void print_blanks(const std::filesystem::path& file, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.starts_with('#') || line.find('"' + std::string(kBlank)) == line.npos) continue;
+    const std::size_t comment = line.find("  # ");
+    std::printf("  %s  %s\n", to_string(SourceLocation{file.string(), number, 0}).c_str(),
+                line.substr(0, std::min(comment, line.find_last_not_of(' ', comment) + 1)).c_str());
+  }
+}
+
+void make_new(const NewOptions& options) {
+  refuse_existing(options.experiment);
+  check_output(options.experiment.string());
+  RigDraft draft = make_draft(options);
+  const bool writes_robot = !draft.known_robot;
+  if (writes_robot) refuse_existing(draft.robot);
+  const std::string problems = read_recordings(draft);
+  const std::string experiment = experiment_text(draft);
+  const std::string robot = writes_robot ? robot_text(draft) : "";
+  NewFiles files;
+  if (writes_robot) files.add(draft.robot, robot);
+  files.add(draft.experiment, experiment);
+  files.publish();
+
+  std::printf("%s%s written from %s\n", plain_text(draft.experiment.string()).c_str(),
+              writes_robot ? (" and " + plain_text(draft.robot.string())).c_str() : "",
+              counted(draft.files.size(), "recording").c_str());
+  print_guesses(draft);
+  if (draft.recording)
+    for (const ReadingNote& note : draft.recording->notes)
+      std::printf("note  %s: %s\n", to_string(note.location).c_str(), note.message.c_str());
+  if (!problems.empty())
+    std::printf("to be mended in the recordings, or told in the experiment\n%s\n", problems.c_str());
+  if (writes_robot || experiment.find('"' + std::string(kBlank)) != experiment.npos) std::printf("fill in\n");
+  print_blanks(draft.experiment, experiment);
+  if (writes_robot) print_blanks(draft.robot, robot);
+  std::printf("then  lacuna check %s\n", shell_word(draft.experiment.string()).c_str());
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& program) {
+  auto options = std::make_shared<NewOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("new", "Draft an experiment file and a robot for measured files");
+  command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")
+      ->required()
+      ->option_text("FILE");
+  command->add_option("--from", options->files, "Measured files (CSV), required; the last of several is held out")
+      ->required()
+      ->option_text("FILE ...");
+  command
+      ->add_option("--robot", options->robot,
+                   "Robot file that is there already; columns are matched with its sensors and actuators")
+      ->option_text("FILE");
+  command->add_option("--time", options->hints.time, "Column that is the time, instead of a guess")
+      ->option_text("COLUMN");
+  command
+      ->add_option("--position", options->hints.positions,
+                   "Column that is a joint position, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
+  command
+      ->add_option("--velocity", options->hints.velocities,
+                   "Column that is a joint velocity, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
+  command
+      ->add_option("--command", options->hints.commands,
+                   "Column that is a command, instead of a guess; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("COLUMN");
+  command->callback([options] { make_new(*options); });
+}
+
+}  // namespace lacuna

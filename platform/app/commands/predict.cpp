@@ -1,0 +1,286 @@
+#include "app/commands/commands.h"
+#include "app/runs/stored_bench.h"
+#include "app/runs/stored_ensembles.h"
+#include "app/terminal/output.h"
+#include "app/workspace/test_reading.h"
+#include "config/experiment_reader.h"
+#include "evaluation/step_count.h"
+#include "evaluation/target_simulator.h"
+#include "evaluation/test_space.h"
+#include "foundation/parallel.h"
+#include "foundation/shell_word.h"
+#include "report/figures/prediction_picture.h"
+#include "report/json/prediction_data.h"
+#include "report/text/prediction_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <regex>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr int kMostSupported = static_cast<int>(kFewestHeldOut);  // passes that may leave a band without support
+
+struct PredictOptions : CommonOptions {
+  AskedTest asked;
+  std::optional<std::int64_t> run;
+  std::optional<std::string> csv;
+  std::optional<std::string> picture;
+};
+
+/// A test that the models are to predict.
+struct WantedTest {
+  Test test;
+  std::vector<double> times;  ///< when sensors are read, s
+  std::optional<MeasuredTest> measured = {};
+  std::optional<KnownSetup> setup = {};  ///< where recordings have some
+};
+
+/// The run that was asked for, or the newest one, of the experiment, with a pass that has ended.
+EeaRunListing run_to_ask(const Database& database, const PredictOptions& options, const std::string& experiment) {
+  const SourceLocation file{database.file().string()};
+  const std::string again = command_to_type("run", options);
+  if (options.run) {
+    EeaRunListing run = choose_run(database, options.run);
+    if (run.experiment != experiment)
+      throw_problem(file, fmt::format("run {} is of {}, not of {}; lacuna runs lists them", run.run.value,
+                                      run.experiment, experiment));
+    if (run.passes_done > 0) return run;
+    throw_problem(file,
+                  fmt::format("run {} has no pass that has ended; {} --resume goes on with it", run.run.value, again));
+  }
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::erase_if(runs, [&](const EeaRunListing& run) { return run.experiment != experiment || run.passes_done == 0; });
+  if (runs.empty())
+    throw_problem(file, fmt::format("has no run of {} with a pass that has ended; {} makes one", experiment, again));
+  return runs.back();
+}
+
+/// "test 17" and "17" are numbers of tests.
+std::optional<std::uint64_t> test_number(const std::string& test) {
+  static const std::regex kNumber("(?:test +)?([0-9]{1,18})");
+  std::smatch found;
+  if (!std::regex_match(test, found, kNumber)) return std::nullopt;
+  return std::stoull(found[1]);
+}
+
+/// What has to be known of a run to predict a test.
+struct AskedRun {
+  const StoredBench& stored;
+  const EeaStore& store;
+  const std::vector<RunTrial>& trials;
+  const StoredEnsembles& ensembles;
+
+  const EeaDefinition& definition() const { return stored.bench->definition(); }
+  const Rig& rig() const { return stored.bench->rig(); }
+};
+
+/// A test that was carried out is predicted as it was asked for, from its start on and when it was measured.
+WantedTest carried_out_test(const AskedRun& run, const RunTrial& trial, const AskedTest& asked) {
+  const ScoredTrial observed = as_foretold(trial);
+  const Eigen::VectorXd& times = observed.trial.measured.times;
+  WantedTest wanted{as_carried_out(observed),
+                    {times.begin(), times.end()},
+                    MeasuredTest{trial.row.number, run.ensembles.fitted(trial), trial.trial.measured}};
+  if (const std::optional<double> duration = asked_duration(asked)) {
+    wanted.test.duration = *duration;
+    wanted.times = sample_times(run.rig().experiment.engine, *duration);
+  }
+  return wanted;
+}
+
+WantedTest numbered_test(const AskedRun& run, std::uint64_t number, const AskedTest& asked) {
+  for (const RunTrial& trial : run.trials)
+    if (trial.row.test == number) return carried_out_test(run, trial, asked);
+  const std::optional<TestRow> row = run.store.test(number);
+  if (!row)
+    throw_problem({}, fmt::format("--test {}: run {} has no such test; its tests count from 0, and the view "
+                                  "transfer_gap lists those that were carried out",
+                                  asked.test, run.stored.listing.run.value));
+  WantedTest wanted{run.definition().decode_test(row->genome), {}};
+  wanted.test.duration = asked_duration(asked).value_or(wanted.test.duration);
+  wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
+  return wanted;
+}
+
+WantedTest wanted_test(const AskedRun& run, const AskedTest& asked) {
+  if (const std::optional<double> duration = asked_duration(asked))
+    check_step_count(run.rig().experiment, *duration, "of the test");
+  if (const std::optional<std::uint64_t> number = test_number(asked.test)) {
+    if (asked.setup)
+      throw_problem({}, "--setup is for new tests; test " + std::to_string(*number) +
+                            " of the run has its own. Leave --setup out");
+    return numbered_test(run, *number, asked);
+  }
+  const Experiment& experiment = run.rig().experiment;
+  const KnownSetup setup = asked_setup(asked, experiment, run.rig().definition);
+  const ModelDefinition* target = run.stored.bench->target();
+  const RobotSpec& robot = (target ? *target : run.rig().definition).structure.robot;
+  const TestSpace space = test_space(robot, run.rig().experiment.engine, 0.0);
+  WantedTest wanted{read_test(asked, space, *run.rig().catalog), {}};
+  wanted.test.setup = setup.name();
+  if (any_is_set(known_setups(run.rig().definition, experiment.target.recording))) wanted.setup = setup;
+  check_step_count(run.rig().experiment, wanted.test.duration, "of the test");
+  wanted.times = sample_times(run.rig().experiment.engine, wanted.test.duration);
+  return wanted;
+}
+
+/// Of an ensemble's models, each with the number of those that have it; the most frequent first.
+std::vector<std::pair<std::string, std::size_t>> structures_of(const PassEnsemble& ensemble) {
+  std::vector<std::pair<std::string, std::size_t>> structures;
+  for (const ModelProposal& model : ensemble.models) {
+    const auto known = std::find_if(structures.begin(), structures.end(),
+                                    [&](const auto& structure) { return structure.first == model.structure; });
+    if (known == structures.end())
+      structures.emplace_back(model.structure, 1);
+    else
+      ++known->second;
+  }
+  std::stable_sort(structures.begin(), structures.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return structures;
+}
+
+/// That no model was held against.
+std::vector<std::string> unscored_channels(const EeaDefinition& definition) {
+  std::vector<std::string> unscored;
+  const std::vector<std::string>& scored = definition.scored_channels;
+  for (const Channel& channel : definition.compiled->channels())
+    if (!scored.empty() && std::find(scored.begin(), scored.end(), channel.name) == scored.end())
+      unscored.push_back(channel.name);
+  return unscored;
+}
+
+PredictionReport report_of(const AskedRun& run, const PredictOptions& options) {
+  const int threads = options.threads > 0 ? options.threads : default_threads();
+  WantedTest wanted = wanted_test(run, options.asked);
+  const PassEnsemble ensemble = run.ensembles.newest();
+  EnsemblePrediction prediction = predict_test(run.definition(), ensemble, wanted.test, wanted.times, threads,
+                                               wanted.measured ? wanted.times.front() : 0.0);
+  if (prediction.models == 0)
+    throw Error(fmt::format("none of the run's models can carry the test out: {}", prediction.lost.front().reason));
+  BandSupport support = support_of(run.ensembles.held_out(threads), options.seed.value_or(1));
+  widen(prediction.band, support);
+  const std::optional<std::uint64_t> number = test_number(options.asked.test);
+  return {.experiment = run.rig().experiment.name,
+          .run = run.stored.listing.run.value,
+          .pass = ensemble.pass,
+          .test = number ? fmt::format("test {}", *number) : options.asked.test,
+          .duration = wanted.times.back(),
+          .setup = std::move(wanted.setup),
+          .setup_is_asked = options.asked.setup.has_value(),
+          .structures = structures_of(ensemble),
+          .copies = ensemble.copies,
+          .refuted = ensemble.refuted,
+          .unscored = unscored_channels(run.definition()),
+          .noise = ensemble.noise,
+          .prediction = std::move(prediction),
+          .support = std::move(support),
+          .measured = std::move(wanted.measured)};
+}
+
+/// The words that name the same database and, where it was asked for, the same duration.
+std::string same_words(const PredictOptions& options, bool with_duration) {
+  std::string words;
+  if (!options.database.empty()) words += " --db " + shell_word(options.database.string());
+  if (with_duration && !options.asked.duration.empty()) words += " --duration " + shell_word(options.asked.duration);
+  return words;
+}
+
+std::string setup_words(const PredictionReport& report) {
+  return report.setup ? " --setup " + shell_word(setup_to_type(*report.setup)) : "";
+}
+
+/// What a reader may do next.
+std::string next_step(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
+  const std::string experiment = shell_word(options.experiment.string());
+  if (!report.support.enough() && run.definition().passes <= kMostSupported && run.stored.bench->takes_tests())
+    return fmt::format("→ more passes support the band: lacuna run {} --set experiment.passes={}{}\n", experiment,
+                       kFewestHeldOut + 1, same_words(options, false));
+  if (!test_number(options.asked.test))
+    return fmt::format("→ lacuna trial {} --test {}{}{}\n", experiment, shell_word(options.asked.test),
+                       same_words(options, true) + setup_words(report),
+                       run.stored.bench->takes_tests() ? "" : " --csv=commands.csv");
+  if (!options.picture)
+    return fmt::format("→ lacuna predict {} --test {}{} --out prediction.svg\n", experiment,
+                       shell_word(options.asked.test), same_words(options, true) + setup_words(report));
+  return {};
+}
+
+void write_report(const PredictOptions& options, const AskedRun& run, const PredictionReport& report) {
+  if (!takes_standard_output(options.csv) && !takes_standard_output(options.json)) {
+    fmt::print("{}", prediction_text(report));
+    if (!options.quiet) fmt::print("{}", next_step(options, run, report));
+  }
+  if (options.json) write_output(*options.json, prediction_json(report));
+  if (options.csv) write_output(*options.csv, prediction_csv(report.prediction));
+  if (options.picture) write_output(*options.picture, svg_of(prediction_figure(report)));
+}
+
+/// A run's genomes mean what they meant when it was begun.
+void check_overrides(const std::vector<std::string>& overrides) {
+  std::vector<Problem> problems;
+  for (const std::string& one : overrides)
+    if (!one.starts_with("experiment."))
+      problems.push_back({{},
+                          fmt::format("--set {}: the models and trials of a run are those of the experiment that it "
+                                      "was begun with; lacuna run --set makes a run with another",
+                                      one)});
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+void predict(const PredictOptions& options) {
+  check_output(options.json, options.csv);
+  check_output(options.picture);
+  check_overrides(options.overrides);
+  const Experiment experiment = read_experiment(options.experiment, options.overrides);
+  const CommonOptions& given = options;
+  CommonOptions common = given;
+  common.database = database_of(options, experiment);
+  note_database(common.database);
+  Database database = Database::open_read_only(common.database);
+  const EeaRunListing listing = run_to_ask(database, options, experiment.name);
+  const StoredBench stored = open_stored(database, listing, common);
+  if (!options.quiet)
+    for (const std::string& doubt : stored.doubts) std::fprintf(stderr, "%s\n", doubt.c_str());
+  if (!options.quiet && experiment.text != stored.run.experiment.text)
+    std::fprintf(stderr, "%s differs from what run %s was begun with, which is what counts here\n",
+                 options.experiment.c_str(), std::to_string(listing.run.value).c_str());
+  std::mutex unused;
+  const EeaStore store(database, unused, listing.run, {});
+  const std::vector<RunTrial> trials = run_trials(store, stored.bench->definition());
+  const StoredEnsembles ensembles(store, stored.bench->definition(), trials);
+  if (ensembles.empty())
+    throw_problem({database.file().string()},
+                  fmt::format("run {} did not keep the models of its passes, for an older version made it; {} makes "
+                              "one that does",
+                              listing.run.value, command_to_type("run", options)));
+  const AskedRun run{stored, store, trials, ensembles};
+  write_report(options, run, report_of(run, options));
+}
+
+}  // namespace
+
+void add_predict_command(CLI::App& program) {
+  auto options = std::make_shared<PredictOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command =
+      program.add_subcommand("predict", "Predict a test by the models of a run, and how far they agree");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  add_test_options(*command, options->asked,
+                   "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, "
+                   "or the number of a test of the run");
+  command->add_option("--run", options->run, "The run (default: the newest of the experiment)")->option_text("N");
+  add_result_option(*command, "csv", options->csv, "Mean and band as CSV, to standard output or FILE");
+  command->add_option("--out", options->picture, "Picture of mean and band (SVG)")->option_text("FILE");
+  command->callback([options] { predict(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,77 @@
+#include "app/commands/commands.h"
+#include "app/runs/replays.h"
+#include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "foundation/plain_text.h"
+#include "foundation/problem.h"
+#include "report/pages/pages.h"
+#include "storage/files/log_left.h"
+#include "storage/pages/page_database.h"
+#include "storage/results/stored_run.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct ReportOptions {
+  std::filesystem::path database;
+  std::string out;
+  double megabytes = 50.0;
+  bool no_robots = false;
+  bool quiet = false;
+  std::vector<std::filesystem::path> plugin_paths;
+};
+
+constexpr double kMegabyte = 1e6;
+constexpr std::size_t kReplayBytes = 12'000'000;
+
+/// SQLite takes a file without content for a database without tables.
+void refuse_empty(const std::filesystem::path& database) {
+  std::error_code missing;
+  if (std::filesystem::file_size(database, missing) == 0 && !missing)
+    throw_problem({database.string()},
+                  "is empty; `lacuna compare` and `lacuna run` make a database from an experiment file");
+}
+
+void make_report(const ReportOptions& options) {
+  require_pages();
+  check_output(options.out);
+  refuse_empty(options.database);
+  const LogLeft log(options.database);
+  const Database database = Database::open_read_only(options.database);
+  check_stored_texts(database);
+  PageDatabase pages;
+  pages.copy(database, static_cast<std::size_t>(options.megabytes * kMegabyte));
+  pages.add_about("database", options.database.filename().string());
+  pages.add_about("lacuna", LACUNA_VERSION);
+  if (!options.no_robots) Replays(options.database, options.plugin_paths, pages).prepare_for_report(kReplayBytes);
+  const std::string page = report_page(pages.bytes());
+  write_output(options.out, page);
+  if (!options.quiet && !options.out.empty())
+    fmt::print("{}: {:.1f} MB; opens in a browser, without a network\n", plain_text(options.out),
+               static_cast<double>(page.size()) / kMegabyte);
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& program) {
+  auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("report", "Write a database as a page that any browser opens");
+  add_database_argument(*command, options->database);
+  command->add_option("--out", options->out, "The page, one HTML file (default: standard output)")->option_text("FILE");
+  command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
+      ->option_text("MB")
+      ->check(CLI::Range(1.0, 2000.0));
+  command->add_flag("--no-robots", options->no_robots, "Do not simulate robots again for the page Replay");
+  command->add_option("--plugin-path", options->plugin_paths, "Folder with plugins, searched before all others")
+      ->allow_extra_args(false)
+      ->option_text("FOLDER");
+  command->add_flag("--quiet", options->quiet, "Print nothing");
+  command->callback([options] { make_report(*options); });
+}
+
+}  // namespace lacuna

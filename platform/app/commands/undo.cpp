@@ -1,0 +1,81 @@
+#include "app/commands/commands.h"
+#include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "app/terminal/replace_file.h"
+#include "app/terminal/text_diff.h"
+#include "app/workspace/workbench.h"
+#include "config/effects_editor.h"
+#include "report/text/change_text.h"
+#include "report/text/error_text.h"
+#include "report/text/times_floor_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+/// Ids of the effects that `now` has and `then` has not.
+std::vector<std::string> added_ids(const EffectList& now, const EffectList& then) {
+  std::vector<std::string> ids;
+  for (const EffectEntry& entry : now)
+    if (std::none_of(then.begin(), then.end(), [&](const EffectEntry& old) { return old.id == entry.id; }))
+      ids.push_back(entry.id);
+  return ids;
+}
+
+/// What the step from the parent revision to this one added, to be taken back.
+std::vector<std::string> to_take_back(Workbench& bench, const CommonOptions& options) {
+  const StoredRevision& revision = bench.revision();
+  if (!revision.parent)
+    throw Error(fmt::format("{}: revision {} is the first one that {} knows; there is nothing to undo",
+                            options.experiment.string(), revision.number, bench.ledger().file().string()));
+  const ResultStore& store = bench.ledger().store();
+  const EffectList parent =
+      store.revision_record(store.revision(bench.ledger().experiment(), *revision.parent)->id).effects;
+  std::vector<std::string> ids = added_ids(bench.rig().experiment.model.effects, parent);
+  if (ids.empty())
+    throw Error(
+        fmt::format("{}: the step from revision {} to {} added no effect; undo takes back added effects only, edit the "
+                    "file for the rest",
+                    options.experiment.string(), *revision.parent, revision.number));
+  return ids;
+}
+
+void run_undo(const CommonOptions& options) {
+  check_output(options.json);
+  check_replaceable(options.experiment);
+  const std::string text = read_text(options.experiment);
+  Rig now = open_rig(options);
+  const std::shared_ptr<const PluginCatalog> catalog = now.catalog;
+  Workbench bench(options, std::move(now));
+  std::string edited = text;
+  for (const std::string& id : to_take_back(bench, options)) edited = remove_effect(edited, id);
+  Rig before = open_rig(options, edited, catalog);
+  bench.ledger().done();
+
+  const RevisionErrors errors = errors_with_edit(options, std::move(before), text, edited);
+  if (!takes_standard_output(options.json)) {
+    fmt::print("{}\n{}", options.experiment.string(), text_diff(text, edited));
+    fmt::print("back at revision {}\n", errors.revision);
+    for (const PooledScore& score : errors.comparison.pooled)
+      fmt::print("{} {}: {} × floor on the fit files\n", score.channel, error_text(score),
+                 times_floor_text(score.times_floor));
+  }
+  if (options.json) write_output(*options.json, change_json("undo", errors, errors));
+}
+
+}  // namespace
+
+void add_undo_command(CLI::App& program) {
+  auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("undo", "Take back the effect that was added last");
+  add_experiment_options(*command, *options);
+  add_work_options(*command, *options);
+  command->callback([options] { run_undo(*options); });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,149 @@
+#include "app/runs/replicates.h"
+
+#include "app/runs/store_journal.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+#include "storage/core/storage_error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+std::vector<std::string> names_of(const GenomeLayout& layout) {
+  std::vector<std::string> names;
+  for (const Gene& gene : layout.genes) names.push_back(gene.name);
+  return names;
+}
+
+/// Passes the rows on, and what they say about trials and passes to the display.
+class ShownJournal : public StoreJournal {
+ public:
+  ShownJournal(EeaStore& store, RunDisplay& display, std::size_t index)
+      : StoreJournal(store), display_(display), index_(index) {}
+  using StoreJournal::add;
+  void add(TargetTrialRow row, const Trial& trial) override {
+    display_.end_trial(index_, row);
+    StoreJournal::add(std::move(row), trial);
+  }
+  void note_failure(const FailedTrialRecord& failed) override {
+    display_.note(index_, "trial " + failed.trial + " failed: " + failed.reason);
+    StoreJournal::note_failure(failed);
+  }
+  void note(const std::string& sentence) override { display_.note(index_, sentence); }
+  void add(PassRow row) override {
+    display_.end_pass(index_, row);
+    StoreJournal::add(std::move(row));
+  }
+
+ private:
+  RunDisplay& display_;
+  std::size_t index_;
+};
+
+/// A rig does one thing at a time.
+int most_side_by_side(const EeaBench& bench) {
+  const TargetSection& target = bench.rig().experiment.target;
+  return target.kind == "process" ? target.process.copies : std::numeric_limits<int>::max();
+}
+
+void fail(ReplicateEnd& end, const std::exception& error) {
+  end.ending = RunEnding::failed;
+  end.damaged = end.damaged || dynamic_cast<const DamagedDatabase*>(&error) != nullptr;
+  if (end.problem.empty()) end.problem = error.what();
+}
+
+/// What was committed stays, whatever cannot be written any more.
+void close(EeaStore& store, ReplicateEnd& end) {
+  try {
+    if (end.ending != RunEnding::done) store.end(end.ending);
+    end.passes = store.passes();
+  } catch (const std::exception& error) {
+    fail(end, error);
+  }
+}
+
+}  // namespace
+
+EeaRunRecord Replicates::record(int replicate) const {
+  const EeaDefinition& definition = bench_.definition();
+  EeaRunRecord record;
+  record.replicate = replicate;
+  record.metric = definition.metric.origin.name;
+  record.truth = bench_.truth(replicate);
+  for (const FreeValue& value : definition.model.free)
+    record.free.push_back({value.address, value.unit, value.lower, value.upper, value.start});
+  record.model_genes = names_of(definition.estimation.layout());
+  record.passes = definition.passes;
+  if (!bench_.takes_tests()) return record;
+  record.fitness = definition.value.name();
+  record.fitness_unit = definition.value.unit();
+  record.test_genes = names_of(definition.exploration.layout());
+  return record;
+}
+
+void Replicates::enter(const std::vector<PlannedReplicate>& planned) {
+  for (const PlannedReplicate& each : planned) {
+    EeaStore store(database_, writing_, each.run, experiment_);
+    store.begin(record(each.replicate));
+    store.hand_over();
+  }
+}
+
+EeaState Replicates::state_of(EeaStore& store) const {
+  if (std::optional<EeaState> state = stored_state(store, bench_.definition())) return std::move(*state);
+  EeaState state = beginning(bench_);
+  for (std::size_t i = 0; i < state.trials.size(); ++i)
+    store.append({.number = static_cast<int>(i), .test = {}, .file = state.trials[i].trial.name},
+                 state.trials[i].trial);
+  return state;
+}
+
+void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end) {
+  const auto start = std::chrono::steady_clock::now();
+  const PlannedReplicate& planned = end.planned;
+  EeaStore store(database_, writing_, planned.run, experiment_);
+  try {
+    throw_if_interrupted();
+    EeaState state = state_of(store);
+    ShownJournal journal(store, display, index);
+    const ReplicateTarget target(bench_, planned.seed, planned.replicate,
+                                 [&](const std::string& note) { display.note(index, note); });
+    eea_loop({.definition = bench_.definition(),
+              .journal = journal,
+              .seed = planned.seed,
+              .replicate = planned.replicate,
+              .threads = threads,
+              .truth = bench_.truth(planned.replicate),
+              .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
+              .progress = [&](const EeaProgress& progress) { display.show(index, progress); }},
+             target.target(), state);
+    store.end(RunEnding::done);
+  } catch (const Interrupted& interruption) {
+    end.ending = RunEnding::interrupted;
+    end.problem = interruption.what();
+  } catch (const std::exception& error) {
+    fail(end, error);
+  }
+  close(store, end);
+  end.storage_seconds = store.seconds();
+  end.seconds = store.work_seconds();
+  end.process_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  display.end_replicate(index, end);
+}
+
+std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& planned, int threads,
+                                          RunDisplay& display) {
+  std::vector<ReplicateEnd> ends;
+  ends.reserve(planned.size());
+  for (const PlannedReplicate& each : planned) ends.emplace_back().planned = each;
+  const int side_by_side = std::min({threads, static_cast<int>(planned.size()), most_side_by_side(bench_)});
+  const int threads_each = std::max(1, threads / std::max(1, side_by_side));
+  parallel_for(planned.size(), side_by_side,
+               [&](std::size_t index, int) { carry_out(index, threads_each, display, ends[index]); });
+  return ends;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/runs/eea_bench.h"
+#include "app/runs/replicate.h"
+#include "app/runs/run_display.h"
+#include "storage/eea/eea_store.h"
+
+#include <mutex>
+#include <vector>
+
+namespace lacuna {
+
+/// Runs replicates side by side, each in a run of its own in the database: first the replicates share the threads, then
+/// the individuals of each. A replicate that fails does not end the others; Ctrl-C ends all after their generation.
+class Replicates {
+ public:
+  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment)
+      : bench_(bench), database_(database), experiment_(experiment) {}
+
+  /// Writes down what the runs are about, so that each can be gone on with, even one that never got its turn.
+  void enter(const std::vector<PlannedReplicate>& planned);
+  std::vector<ReplicateEnd> run(const std::vector<PlannedReplicate>& planned, int threads, RunDisplay& display);
+
+ private:
+  void carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end);
+  EeaRunRecord record(int replicate) const;
+  EeaState state_of(EeaStore& store) const;
+
+  const EeaBench& bench_;
+  Database& database_;
+  ExperimentId experiment_;
+  std::mutex writing_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,136 @@
+#include "app/runs/run_plan.h"
+
+#include "app/runs/replicates.h"
+#include "app/workspace/run_inputs.h"
+#include "app/workspace/used_plugins.h"
+#include "config/result_setting.h"
+#include "foundation/parallel.h"
+#include "foundation/shell_word.h"
+#include "storage/results/stored_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+std::string given(const std::vector<std::string>& overrides) {
+  if (overrides.empty()) return "no --set";
+  std::vector<std::string> words;
+  for (const std::string& override : overrides) words.push_back("--set " + shell_word(override));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// In what the run was begun with something else than there is now; empty: it can go on. How a target's program is run
+/// is none of it: a limit that was too short may be raised, a rig that has moved may have another port.
+std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
+  const Experiment& file = bench.rig().experiment;
+  std::vector<std::string> other;
+  if (!same_values(result_setting(stored.experiment.text, stored.experiment.overrides),
+                   result_setting(file.text, file.overrides))) {
+    if (stored.experiment.text != file.text) other.push_back("another text of this experiment");
+    if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
+  }
+  if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
+  for (std::string& changed : changed_files(stored, file, *bench.rig().catalog)) other.push_back(std::move(changed));
+  return fmt::format("{}", fmt::join(other, ", with "));
+}
+
+/// Takes the run into the plan, or says why not. Whether it was begun with what there is now.
+bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, const Database& database,
+              RunPlan& plan) {
+  const StoredRun stored = stored_run(database, run.run);
+  const std::string other = difference(stored, options, bench);
+  if (!other.empty()) {
+    plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
+    return false;
+  }
+  RunClaim claim(database, run.run);
+  if (!claim.held()) {
+    plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
+    return true;
+  }
+  plan.replicates.push_back({run.run, run.replicate, stored.seed});
+  plan.claims.push_back(std::move(claim));
+  return true;
+}
+
+/// The newest run that is done and was begun with what there is now. Where it is the settings that keep the newest one
+/// from being it, that is said.
+std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOptions& options, const EeaBench& bench,
+                                  const Database& database, RunPlan& plan) {
+  std::erase_if(runs, [](const EeaRunListing& run) { return run.ending != "done"; });
+  std::string of_newest;
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    const std::string other = difference(stored_run(database, run->run), options, bench);
+    if (other.empty()) return run->run;
+    if (of_newest.empty()) of_newest = fmt::format("run {} is done, but was begun with {}", run->run.value, other);
+  }
+  if (!of_newest.empty()) plan.left.push_back(of_newest);
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse(const Database& database, const std::string& name, const RunPlan& plan) {
+  const SourceLocation file{database.file().string()};
+  std::vector<Problem> problems;
+  for (const std::string& reason : plan.left) problems.push_back({file, reason});
+  problems.push_back({file, "has no run of " + name + " to go on with; without --resume a new one begins"});
+  throw BadInput(std::move(problems));
+}
+
+std::vector<EeaRunListing> runs_of(const Database& database, const std::string& experiment) {
+  std::vector<EeaRunListing> runs = eea_runs(database);
+  std::erase_if(runs, [&](const EeaRunListing& run) { return run.experiment != experiment; });
+  return runs;
+}
+
+}  // namespace
+
+bool has_run(const Database& database, const EeaBench& bench) {
+  return !runs_of(database, bench.rig().experiment.name).empty();
+}
+
+RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
+  const Experiment& file = bench.rig().experiment;
+  RunPlan plan;
+  const std::uint64_t seed = options.seed.value_or(file.seed);
+  plan.threads = options.threads > 0 ? options.threads : default_threads();
+  Transaction transaction(database);
+  ResultStore store(database);
+  for (int replicate = 1; replicate <= options.replicates.value_or(file.replicates); ++replicate) {
+    const RunId run = store.begin_run({command_line(), seed, plan.threads}, provenance_of_this_program());
+    store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
+    store.record_robot_files(robot_files_of(file));
+    plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides, file.decided});
+    plan.replicates.push_back({run, replicate, seed});
+    plan.claims.emplace_back(database, run);
+  }
+  Replicates(bench, database, plan.experiment).enter(plan.replicates);
+  transaction.commit();
+  store.hand_over();
+  return plan;
+}
+
+RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
+  RunPlan plan;
+  plan.threads = options.threads > 0 ? options.threads : default_threads();
+  const std::string& name = bench.rig().experiment.name;
+  const std::vector<EeaRunListing> runs = runs_of(database, name);
+  bool unfinished = false;
+  for (const EeaRunListing& run : runs)
+    if (run.ending != "done" && consider(run, options, bench, database, plan)) unfinished = true;
+  if (plan.replicates.empty()) {
+    if (!unfinished) plan.finished = finished_run(runs, options, bench, database, plan);
+    if (!plan.finished) refuse(database, name, plan);
+    return plan;
+  }
+  ResultStore store(database);
+  plan.experiment = store.find_experiment(name).value();
+  for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
+  Replicates(bench, database, plan.experiment).enter(plan.replicates);
+  store.hand_over();
+  return plan;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "eea/eea_definition.h"
+#include "eea/eea_journal.h"
+#include "storage/eea/eea_store.h"
+
+#include <chrono>
+
+namespace lacuna {
+
+/// Writes a run into its database, at most every 0.2 s: what a crash can lose.
+class StoreJournal : public EeaJournal {
+ public:
+  explicit StoreJournal(EeaStore& store) : store_(store) {}
+
+  void add(ModelRow row) override { store_.append(std::move(row)); }
+  void add(TestRow row) override { store_.append(std::move(row)); }
+  void add(TargetTrialRow row, const Trial& trial) override { store_.append(std::move(row), trial); }
+  void add_prediction(std::uint64_t model, int trial, const TimeSeries& readings,
+                      const TimeSeries& centre_of_mass) override {
+    store_.append_prediction(model, trial, readings, centre_of_mass);
+  }
+  void add(PassRow row) override { store_.append(std::move(row)); }
+  void note_failure(const FailedTrialRecord& failed) override { store_.note_failure(failed); }
+  void checkpoint(const EeaState& state, bool now) override;
+
+ private:
+  EeaStore& store_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// The state that a run's last checkpoint leaves, with its trials and the models of its pass; nothing where it has
+/// none.
+std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition& definition);
+
+}  // namespace lacuna

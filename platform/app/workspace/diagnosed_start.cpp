@@ -1,0 +1,59 @@
+#include "app/workspace/diagnosed_start.h"
+
+#include "app/terminal/short_number.h"
+#include "app/workspace/records.h"
+#include "foundation/address.h"
+#include "storage/results/result_store.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+/// Asks the database about the revision that the rig is, if it has that.
+template <class Answer, class Question>
+Answer asked(const CommonOptions& options, const Rig& base, const Question& question) {
+  const std::filesystem::path file = database_of(options, base.experiment);
+  if (!std::filesystem::exists(file)) return {};
+  Database database = Database::open_read_only(file);
+  const ResultStore store(database);
+  const std::optional<ExperimentId> experiment = store.find_experiment(base.experiment.name);
+  if (!experiment) return {};
+  const std::optional<StoredRevision> revision = store.find_revision(*experiment, revision_record(base));
+  return revision ? question(store, revision->id) : Answer{};
+}
+
+std::vector<CandidateValueRecord> diagnosed_values(const CommonOptions& options, const Rig& base,
+                                                   const EffectEntry& entry) {
+  if (entry.where.size() > 1) return {};
+  return asked<std::vector<CandidateValueRecord>>(options, base, [&](const ResultStore& store, RevisionId revision) {
+    return store.diagnosed_values(revision, entry.effect, entry.where.empty() ? "world" : entry.where.front());
+  });
+}
+
+}  // namespace
+
+std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
+                                              const EffectEntry& entry) {
+  std::map<std::string, double> start;
+  for (const CandidateValueRecord& found : diagnosed_values(options, base, entry)) {
+    const std::string address = effect_address(entry.id, found.name);
+    for (const FreeValue& free : extended.definition.free)
+      if (free.address == address) start[found.name] = std::clamp(short_number(found.value), free.lower, free.upper);
+  }
+  return start;
+}
+
+std::vector<std::pair<std::string, std::string>> diagnosed_answer(const CommonOptions& options, const Rig& base) {
+  using Answer = std::vector<std::pair<std::string, std::string>>;
+  return asked<Answer>(options, base, [](const ResultStore& store, RevisionId revision) {
+    Answer answer;
+    for (const std::string& name : store.diagnosed_answer(revision)) {
+      const std::size_t at = name.find(" @ ");
+      answer.emplace_back(name.substr(0, at), name.substr(at + 3));
+    }
+    return answer;
+  });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/terminal/options.h"
+#include "app/workspace/rig.h"
+
+#include <map>
+#include <string>
+
+namespace lacuna {
+
+/// Start values for an effect of `extended` from what a diagnosis of `base`, or of a model that it was made from, found
+/// for that effect in that place: to four digits, within their bounds, by parameter. Empty where the database has none,
+/// or the effect acts on several elements.
+std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
+                                              const EffectEntry& entry);
+
+/// Effects and their places that the latest diagnosis of `base` found to be missing; none where the database has no
+/// such diagnosis.
+std::vector<std::pair<std::string, std::string>> diagnosed_answer(const CommonOptions& options, const Rig& base);
+
+}  // namespace lacuna

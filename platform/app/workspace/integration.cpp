@@ -1,0 +1,57 @@
+#include "app/workspace/integration.h"
+
+#include "config/decided.h"
+#include "fitting/substeps.h"
+#include "foundation/parallel.h"
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr int kFarMore = 4;  ///< times as many as are needed: worth a word
+
+std::string steps_of(int count, double step) {
+  const std::string each = format_quantity(step, "s");
+  return count == 1 ? "one step in each of " + each : fmt::format("{} steps in each of {}", count, each);
+}
+
+std::string error_of(const Substeps& found) {
+  if (!std::isfinite(found.share)) return "the model cannot be simulated at its start values";
+  return fmt::format("the error in a free run is {:.2g} of what noise and start leave open", found.share);
+}
+
+std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
+  return fmt::format("integration: {}, {}: {}{}", engine.engine, steps_of(found.count, engine.step), error_of(found),
+                     found.enough ? "" : "; more steps were of little use");
+}
+
+}  // namespace
+
+std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads) {
+  EngineSettings& engine = rig.definition.engine;
+  if (trials.empty() || substeps_decided(rig.experiment)) return {};
+  if (engine.engine == "ode") {
+    decide_substeps(rig.experiment, 1);
+    engine.substeps = rig.experiment.engine.substeps;
+    return {};
+  }
+  const std::vector<double> values = rig.definition.start_values();
+  const Substeps found = sufficient_substeps(rig.definition, trials, values, threads > 0 ? threads : default_threads());
+  if (rig.experiment.engine.substeps == 0) {
+    decide_substeps(rig.experiment, found.count);
+    engine.substeps = found.count;
+    rig.model = compile(rig.definition.structure, engine);
+    return sentence_of(engine, found);
+  }
+  if (!found.enough || engine.substeps < kFarMore * found.count) return {};
+  return fmt::format(
+      "integration: {}, {}, as the file says; {} would do: {}. Without engine.substeps the program finds as "
+      "many as are needed",
+      engine.engine, steps_of(engine.substeps, engine.step), found.count, error_of(found));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "app/workspace/rig.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Decides how many integration steps the rig's model takes, where its experiment leaves that open: as many as free
+/// runs of these trials need at the model's start values. Nothing changes where that was decided
+/// before. Returns what the user is told, a sentence: what was found, or that what the file says is far more than is
+/// needed; empty: nothing. `threads`: 0 is all. Throws `Interrupted`.
+std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads);
+
+}  // namespace lacuna

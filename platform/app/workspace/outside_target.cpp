@@ -1,0 +1,51 @@
+#include "app/workspace/outside_target.h"
+
+#include "evaluation/test_space.h"
+#include "fitting/start_states.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+/// The joint of each coordinate; empty where a body floats or a joint has several.
+std::vector<std::string> single_coordinates(const RobotSpec& robot) {
+  std::vector<std::string> joints;
+  for (const JointSpec& joint : robot.joints) {
+    if (joint.kind == JointKind::hinge || joint.kind == JointKind::slider) joints.push_back(joint.name);
+    if (joint.kind == JointKind::ball || joint.kind == JointKind::universal || joint.kind == JointKind::free) return {};
+  }
+  return has_floating_body(robot) ? std::vector<std::string>() : joints;
+}
+
+}  // namespace
+
+std::unique_ptr<ProcessTarget> outside_target(const Experiment& experiment, const ModelDefinition& model,
+                                              std::uint64_t noise_seed, TargetNotes notes) {
+  if (experiment.target.kind != "process") return nullptr;
+  const RobotSpec& robot = model.structure.robot;
+  return std::make_unique<ProcessTarget>(
+      ProcessTargetSetting{.source = experiment.target.process,
+                           .location = experiment.where("target.command"),
+                           .space = test_space(robot, experiment.engine, experiment.test.duration),
+                           .coordinates = single_coordinates(robot),
+                           .noise_seed = noise_seed,
+                           .note = std::move(notes)});
+}
+
+std::string target_summary(const Hello& hello) {
+  std::string text = fmt::format("process \"{}\", takes {}", hello.name,
+                                 !hello.exchanges     ? "whole command series"
+                                 : hello.takes_series ? "whole command series and commands every control period"
+                                                      : "commands every control period");
+  for (const TargetSensor& sensor : hello.sensors) text += fmt::format(", reads {} [{}]", sensor.name, sensor.unit);
+  for (const TargetActuator& actuator : hello.actuators)
+    text += fmt::format(", drives {} {:.4g} to {:.4g} {}", actuator.name, actuator.lower / actuator.to_si,
+                        actuator.upper / actuator.to_si, actuator.unit);
+  return text;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,170 @@
+#include "documents/diagnosis_json.h"
+
+#include "documents/setup_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+using nlohmann::ordered_json;
+
+double figure(const ordered_json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers(const ordered_json& json) {
+  std::vector<double> all;
+  for (const ordered_json& one : json) all.push_back(figure(one));
+  return all;
+}
+
+Verdict verdict_of(const std::string& text) {
+  for (const Verdict verdict : {Verdict::nothing_missing, Verdict::effect_found, Verdict::not_in_library})
+    if (to_string(verdict) == text) return verdict;
+  return Verdict::cannot_tell;
+}
+
+FigureUnit unit_of(const std::string& text) {
+  for (const FigureUnit unit : {FigureUnit::percent, FigureUnit::chance, FigureUnit::times_floor})
+    if (to_string(unit) == text) return unit;
+  return FigureUnit::nats;
+}
+
+AtThreshold threshold_of(const ordered_json& json) {
+  return {json["figure"],
+          unit_of(json["unit"]),
+          figure(json["value"]),
+          figure(json["threshold"]),
+          figure(json["range"][0]),
+          figure(json["range"][1]),
+          verdict_of(json["other_verdict"])};
+}
+
+Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered_json& interval) {
+  return {figure(value), figure(error), figure(interval[0]), figure(interval[1])};
+}
+
+Gain gain_of(const ordered_json& json) { return gain_of(json["value"], json["standard_error"], json["ci95"]); }
+
+/// `of`: the base, or a ranked model, which may have a floor of its own.
+std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_json& of) {
+  const ordered_json& floor = of.contains("noise_floor") ? of["noise_floor"] : whole["noise_floor"];
+  std::vector<ChannelError> errors;
+  for (const auto& [channel, unit] : whole["units"].items())
+    if (floor.contains(channel))  // a model whose errors were not told yet has none
+      errors.push_back(
+          {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(of["cv_rmse"][channel])});
+  return errors;
+}
+
+std::vector<FoundParameter> parameters_of(const ordered_json& json) {
+  std::vector<FoundParameter> all;
+  for (const auto& [name, one] : json.items())
+    all.push_back({name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
+  return all;
+}
+
+FoundEffect effect_of(const ordered_json& json) {
+  return {json["effect"], json["where"], parameters_of(json["parameters"])};
+}
+
+RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
+  RankedModel model;
+  for (const ordered_json& effect : json["effects"]) model.effects.push_back(effect_of(effect));
+  model.look_alikes = json["class"].get<std::vector<std::string>>();
+  model.gain = gain_of(json["gain"], json["gain_standard_error"], json["gain_ci95"]);
+  model.probability = figure(json["probability"]);
+  model.errors = errors_of(whole, json);
+  model.times_floor = figure(json["ratio_to_floor"]);
+  model.segment = json.value("segment_s", 0.0);
+  return model;
+}
+
+HorizonError horizon_of(const ordered_json& json) {
+  return {figure(json["horizon_s"]),
+          json["channel"],
+          json["unit"],
+          figure(json["floor"]),
+          figure(json["base"]),
+          figure(json["answer"]),
+          figure(json["base_held_out"]),
+          figure(json["answer_held_out"])};
+}
+
+ForceFormula formula_of(const ordered_json& json) {
+  ForceFormula formula{json["joint"], json["unit"], {}, gain_of(json["gain"])};
+  for (const ordered_json& term : json["terms"])
+    formula.terms.push_back({term["text"], term["unit"], figure(term["coefficient"]), figure(term["standard_error"])});
+  return formula;
+}
+
+ForceCurve curve_of(const ordered_json& json) {
+  ForceCurve curve = {json["joint"],
+                      json["of"],
+                      json["unit"],
+                      json["force_unit"],
+                      numbers(json["at"]),
+                      numbers(json["force"]),
+                      numbers(json["standard_error"])};
+  if (json.contains("position")) curve.position = figure(json["position"]);
+  return curve;
+}
+
+StoppedSearch stop_of(const ordered_json& json) {
+  return {json["during"], json["not_examined"].get<std::vector<std::string>>(), json["next"]};
+}
+
+}  // namespace
+
+Diagnosis read_diagnosis(const std::string& document) {
+  const ordered_json whole = ordered_json::parse(document);
+  Diagnosis diagnosis;
+  diagnosis.verdict = verdict_of(whole["verdict"]);
+  diagnosis.probability = figure(whole["probability"]);
+  diagnosis.calibrated = whole.value("calibrated", false);
+  diagnosis.form_only = whole.value("form_only", false);
+  for (const ordered_json& one : whole.value("at_threshold", ordered_json::array()))
+    diagnosis.at_threshold.push_back(threshold_of(one));
+  diagnosis.evidence = whole.value("evidence", Evidence{});
+  for (const ordered_json& one : whole.value("horizons", ordered_json::array()))
+    diagnosis.horizons.push_back(horizon_of(one));
+  diagnosis.base = errors_of(whole, whole["base"]);
+  diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
+  diagnosis.base_segment = whole["base"].value("segment_s", 0.0);
+  for (const ordered_json& one : whole["random_forces"])
+    diagnosis.forces.push_back(
+        {one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"]), one.value("slow", false)});
+  for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
+  diagnosis.values = parameters_of(whole.value("values", ordered_json::object()));
+  for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
+    diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
+    for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
+  }
+  diagnosis.p_by_chance = figure(whole["p_by_chance"]);
+  diagnosis.chance_95 = figure(whole["chance_95"]);
+  diagnosis.free_force_p = figure(whole["free_force"]["p"]);
+  diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
+  if (whole.contains("answer_gain"))  // documents of before have the gain of the ranking alone
+    diagnosis.answer_gain = gain_of(whole["answer_gain"]);
+  else if (!diagnosis.ranking.empty())
+    diagnosis.answer_gain = diagnosis.ranking.front().gain;
+  diagnosis.formulas_of_rest = whole.value("formulas_of_rest", false);
+  for (const ordered_json& one : whole["formulas"]) diagnosis.formulas.push_back(formula_of(one));
+  for (const ordered_json& one : whole["residual_force"]) diagnosis.residual_force.push_back(curve_of(one));
+  diagnosis.hypotheses = whole["hypotheses"];
+  diagnosis.findings = whole["findings"].get<std::vector<std::string>>();
+  diagnosis.next_test = whole["next_test"];
+  if (whole.contains("next_test_setup") && !whole["next_test_setup"].is_null())
+    diagnosis.next_test_setup = setup_of(whole["next_test_setup"]);
+  diagnosis.next_test_worth = whole["next_test_worth"];
+  for (const ordered_json& one : whole["not_testable"])
+    diagnosis.untestable.push_back({one["effect"], one["where"], one["reason"]});
+  if (whole.contains("stopped")) diagnosis.stopped = stop_of(whole["stopped"]);
+  diagnosis.seconds = figure(whole["seconds"]);
+  return diagnosis;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "storage/core/records.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// One SVG a channel, `history-<channel>.svg`: fit and held-out error by revision, and the floor.
+std::vector<std::filesystem::path> draw_history(const std::vector<HistoryRow>& rows, const std::string& title,
+                                                const std::filesystem::path& folder);
+
+}  // namespace lacuna

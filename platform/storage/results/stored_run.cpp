@@ -1,0 +1,79 @@
+#include "storage/results/stored_run.h"
+
+#include "foundation/digest.h"
+#include "foundation/problem.h"
+#include "storage/core/json_text.h"
+#include "storage/core/statement.h"
+
+#include <lacuna/error.h>
+
+namespace lacuna {
+namespace {
+
+struct ExperimentRow {
+  std::string name, file, text, overrides, digest, decided;
+};
+
+/// Of a statement whose first columns are these.
+ExperimentRow experiment_row(Statement& row) {
+  return {row.text(0), row.text(1), row.text(2), row.text(3), row.text(4), row.text(5)};
+}
+
+constexpr const char* kEdited =
+    " is not the text that was stored when the run began, or has another file name (its digest is another one): the "
+    "file was edited or is damaged; restore a copy";
+
+/// Earlier versions of the program left out what they had decided, or the file's name, too.
+bool has_earlier_digest(const ExperimentRow& row) {
+  const std::string oldest = row.text + '\n' + row.overrides;
+  return row.digest == sha256(oldest) || row.digest == sha256(oldest + '\n' + row.file);
+}
+
+bool is_as_stored(const ExperimentRow& row) {
+  return row.digest == digest_of_text(row.file, row.text, row.overrides, row.decided) || has_earlier_digest(row);
+}
+
+}  // namespace
+
+std::string digest_of_text(const std::string& file, const std::string& text, const std::string& overrides,
+                           const std::string& decided) {
+  return sha256(text + '\n' + overrides + '\n' + file + '\n' + decided);
+}
+
+void check_stored_texts(const Database& database) {
+  ProblemList problems;
+  Statement texts(database,
+                  "SELECT experiment.name, file, text, overrides, digest, decided FROM experiment_text"
+                  " JOIN experiment ON experiment.id = experiment_text.experiment ORDER BY experiment_text.id");
+  while (texts.step()) {
+    const ExperimentRow text = experiment_row(texts);
+    if (!is_as_stored(text))
+      problems.add({database.file().string()}, "a text of the experiment " + text.name + kEdited);
+  }
+  problems.throw_if_any();
+}
+
+StoredRun stored_run(const Database& database, RunId run) {
+  Statement row(database,
+                "SELECT experiment.name, file, text, overrides, digest, decided, seed, threads FROM run"
+                " JOIN experiment_text ON experiment_text.id = run.experiment_text"
+                " JOIN experiment ON experiment.id = experiment_text.experiment WHERE run.number = ?");
+  if (!row.with(run).step())
+    throw Error(database.file().string() + ": has no run " + std::to_string(run.value) + "; lacuna runs lists them");
+  const ExperimentRow text = experiment_row(row);
+  if (!is_as_stored(text))
+    throw_problem({database.file().string()}, "the experiment of run " + std::to_string(run.value) + kEdited);
+  StoredRun stored;
+  stored.experiment = {text.name, text.file, text.text, sentences_from(text.overrides), sentences_from(text.decided)};
+  stored.seed = static_cast<std::uint64_t>(row.integer(6));
+  stored.threads = row.number(7);
+  Statement plugin(database, "SELECT file, sha256, build_id FROM plugin_file WHERE run = ? ORDER BY file");
+  plugin.with(run);
+  while (plugin.step()) stored.plugins.push_back({plugin.text(0), plugin.text(1), plugin.text(2)});
+  Statement robot(database, "SELECT file, sha256 FROM robot_file WHERE run = ? ORDER BY file");
+  robot.with(run);
+  while (robot.step()) stored.robots.push_back({robot.text(0), robot.text(1)});
+  return stored;
+}
+
+}  // namespace lacuna
