@@ -153,14 +153,22 @@ bool WholeFile::rename_draft(const fs::path& name) {
   return errno == EINVAL && ::link(draft_.c_str(), name.c_str()) == 0;
 }
 
+void WholeFile::name_draft() {
+  if (!draft_.empty()) return;
+  const fs::path name = unused_name(folder_of(target_));
+  if (!give_name(name)) fail(file_);
+  draft_ = name;
+}
+
+const fs::path& WholeFile::named_draft() {
+  name_draft();
+  return draft_;
+}
+
 void WholeFile::publish() {
   finish();
   if (direct_) return;
-  if (draft_.empty()) {
-    const fs::path name = unused_name(folder_of(target_));
-    if (!give_name(name)) fail(file_);
-    draft_ = name;
-  }
+  name_draft();
   if (::rename(draft_.c_str(), target_.c_str()) != 0) fail(file_);
   draft_.clear();
 }

@@ -33,6 +33,9 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
 
   std::ostream& stream() { return stream_; }
+  /// A name of the draft, for a library that opens files itself; whoever holds it closes the file before `publish`.
+  /// Throws `Error` where it can have none.
+  const std::filesystem::path& named_draft();
   /// Brings what was written to the disk. Throws `Error` where it does not fit.
   void finish();
   /// `finish`, and the draft takes the file's place.
@@ -41,6 +44,7 @@ class WholeFile {
   void publish_as_new();
 
  private:
+  void name_draft();
   bool give_name(const std::filesystem::path& name);
   bool rename_draft(const std::filesystem::path& name);
 

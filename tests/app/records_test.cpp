@@ -59,7 +59,7 @@ void expect_same(const FitStage& read, const FitStage& kept) {
 
 /// A new member of what is kept does not compile here until it is written, read and compared.
 TEST(Records, AFitIsReadFromTheDatabaseDigitForDigit) {
-  const test::TestFolder folder;
+  const TestFolder folder;
   Database database = Database::open(folder / "rig.db");
   ResultStore store(database);
   store.begin_run({.command = "lacuna fit", .seed = 7, .threads = 1}, {});

@@ -169,6 +169,29 @@ TEST_F(Resume, ADatabaseThatIsCopiedOverTheOpenOneStaysAsItIs) {
   EXPECT_EQ(hash("small.db"), hash("theirs.db"));
 }
 
+/// Restored from a copy that was made in the midst of a run, the run goes on to the same end.
+TEST_F(Resume, GoesOnFromABackup) {
+  program_.write("lines", "");
+  const auto back_up = [&] {
+    if (program_.read("lines").find("\"progress\"") == std::string::npos) return false;
+    const Outcome copied = program_.run({"backup", "small.db", "copy.db"});
+    EXPECT_EQ(copied.exit_code, kDone) << copied.errors;
+    EXPECT_THAT(copied.output, ContainsRegex("copy.db: [0-9.]+ MB, a checked copy of small.db"));
+    return true;
+  };
+  EXPECT_EQ(
+      program_.run_and_signal({"run", "small.toml", "--json=lines", "--threads", "1"}, back_up, SIGCONT).exit_code,
+      kDone);
+  constexpr const char* kModels = "SELECT count(*) FROM model";
+  EXPECT_NE(ask("copy.db", kModels), ask("small.db", kModels)) << "the copy is of a run under way";
+  const Outcome resumed = program_.run({"run", "small.toml", "--db", "copy.db", "--resume"});
+  EXPECT_EQ(resumed.exit_code, kDone) << resumed.errors;
+  EXPECT_EQ(hash("copy.db"), hash("small.db"));
+  const Outcome again = program_.run({"backup", "small.db", "copy.db"});
+  EXPECT_EQ(again.exit_code, kBadInput);
+  EXPECT_THAT(again.errors, HasSubstr("copy.db: is there already; name a new file, or move it away"));
+}
+
 TEST_F(Resume, SaysOnceForAllReplicatesThatTheDatabaseWasWrittenOver) {
   const Outcome noticed = run_and_copy_over({"--replicates", "3", "--quiet"});
   EXPECT_EQ(noticed.exit_code, 1) << noticed.errors;

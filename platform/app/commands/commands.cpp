@@ -80,6 +80,8 @@ int run_program(int argc, char** argv) {
   add_undo_command(program);
   add_history_command(program);
   add_plugins_command(program);
+  add_backup_command(program);
+  add_verify_command(program);
   add_sql_command(program);
   add_report_command(program);
   add_serve_command(program);

@@ -27,6 +27,8 @@ void add_shapes_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_reproduce_command(CLI::App& program);
 void add_hash_command(CLI::App& program);
+void add_backup_command(CLI::App& program);
+void add_verify_command(CLI::App& program);
 void add_sql_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_serve_command(CLI::App& program);

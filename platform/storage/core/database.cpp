@@ -1,6 +1,5 @@
 #include "storage/core/database.h"
 
-#include "foundation/interrupt.h"
 #include "foundation/problem.h"
 #include "storage/core/migrate.h"
 #include "storage/core/statement.h"
@@ -27,7 +26,6 @@ namespace lacuna {
 namespace {
 
 constexpr int kPauseMs = 5;
-constexpr int kOperationsBetweenLooks = 10000;  ///< of SQLite's machine, well under a millisecond
 
 /// SQLite would wait for who writes to a pipe, take a device for a database, and some names for no files.
 void check_place(const std::filesystem::path& file) {
@@ -90,9 +88,6 @@ std::string first_mark() {
       "INSERT OR IGNORE INTO schema_text (name, sha256) VALUES ('log', '{}{} ' || lower(hex(randomblob(16))))",
       kMarkWord, kNoMark);
 }
-
-/// Long queries on a file that is only read end when the user interrupts the program.
-int stop_if_interrupted(void*) { return interrupt_requested() ? 1 : 0; }
 
 }  // namespace
 
@@ -201,7 +196,7 @@ Database Database::open_read_only(const std::filesystem::path& file) {
   }
   if (!is_of_version(database, schema_migrations())) database.read_copy_of_this_version();
   database.execute("PRAGMA query_only = ON");
-  sqlite3_progress_handler(database.handle(), kOperationsBetweenLooks, stop_if_interrupted, nullptr);
+  end_when_interrupted(database.connection());
   return database;
 }
 

@@ -1,5 +1,7 @@
 #include "storage/files/connection.h"
 
+#include "foundation/interrupt.h"
+
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
@@ -65,6 +67,12 @@ std::unique_ptr<SQLite::Database> open_connection(const std::string& name, int f
   auto connection = std::make_unique<SQLite::Database>(name, flags | SQLITE_OPEN_EXRESCODE, kBusyTimeoutMs);
   distrust(connection->getHandle());
   return connection;
+}
+
+void end_when_interrupted(SQLite::Database& connection) {
+  constexpr int kOperationsBetweenLooks = 10000;  // of SQLite's machine, well under a millisecond
+  const auto stop = [](void*) { return interrupt_requested() ? 1 : 0; };
+  sqlite3_progress_handler(connection.getHandle(), kOperationsBetweenLooks, stop, nullptr);
 }
 
 std::string uri_of(const std::string& file) {

@@ -19,6 +19,9 @@ inline constexpr int kBusyTimeoutMs = 5000;  ///< another writer's transaction t
 /// Throws `SQLite::Exception`.
 std::unique_ptr<SQLite::Database> open_connection(const std::string& name, int flags);
 
+/// From now on long questions end when the user interrupts the program.
+void end_when_interrupted(SQLite::Database& connection);
+
 /// A URI that SQLite takes for this file, whatever characters its name has.
 std::string uri_of(const std::string& file);
 

@@ -5,6 +5,7 @@
 #include "storage/core/json_text.h"
 #include "storage/core/names.h"
 #include "storage/core/row_key.h"
+#include "storage/core/seal.h"
 #include "storage/core/statement.h"
 #include "storage/results/stored_run.h"
 
@@ -93,13 +94,14 @@ void set_run_ending(Database& database, RunId run, std::optional<RunEnding> endi
     name = to_string(*ending);
   }
   Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ?").run_with(time, name, run);
+  ending ? seal_run(database, run) : unseal_run(database, run);
   transaction.commit();
 }
 
 void end_run_unless_ended(Database& database, RunId run, RunEnding ending) {
   Transaction transaction(database);
-  Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ? AND ending IS NULL")
-      .run_with(utc_now(), to_string(ending), run);
+  Statement ended(database, "SELECT ending IS NOT NULL FROM run WHERE number = ?");
+  if (ended.with(run).step() && !ended.flag(0)) set_run_ending(database, run, ending);
   transaction.commit();
 }
 

@@ -1,0 +1,46 @@
+#include "app/commands/commands.h"
+#include "app/terminal/options.h"
+#include "app/terminal/progress_line.h"
+#include "foundation/plain_text.h"
+#include "storage/core/backup.h"
+#include "storage/files/log_left.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct BackupOptions {
+  std::filesystem::path database, to;
+  bool quiet = false;
+};
+
+constexpr double kMegabyte = 1e6;
+
+void make_backup(const BackupOptions& options) {
+  const LogLeft log(options.database);
+  ProgressLine line(options.quiet);
+  const std::uintmax_t bytes = back_up(options.database, options.to, [&](double part) {
+    line.show({.what = "copy of " + options.database.filename().string(), .fraction = part});
+  });
+  if (!options.quiet)
+    fmt::print("{}: {:.1f} MB, a checked copy of {}\n", plain_text(options.to.string()),
+               static_cast<double>(bytes) / kMegabyte, plain_text(options.database.string()));
+}
+
+}  // namespace
+
+void add_backup_command(CLI::App& program) {
+  auto options = std::make_shared<BackupOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("backup", "Copy a database, also while a run writes to it");
+  add_database_argument(*command, options->database);
+  command->add_option("to", options->to, "The copy, a new file")->required()->option_text("TO");
+  command->add_flag("--quiet", options->quiet, "Print nothing");
+  command->callback([options] { make_backup(*options); });
+}
+
+}  // namespace lacuna

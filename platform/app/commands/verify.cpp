@@ -1,0 +1,66 @@
+#include "app/commands/commands.h"
+#include "app/terminal/options.h"
+#include "app/terminal/progress_line.h"
+#include "foundation/counted.h"
+#include "foundation/plain_text.h"
+#include "storage/files/log_left.h"
+#include "storage/queries/verification.h"
+
+#include <lacuna/error.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+struct VerifyOptions {
+  std::filesystem::path database;
+  bool quiet = false;
+};
+
+std::string numbers(const std::vector<RunId>& runs) {
+  std::vector<std::int64_t> all;
+  for (const RunId run : runs) all.push_back(run.value);
+  return fmt::format("{} {}", runs.size() == 1 ? "run" : "runs", fmt::join(all, ", "));
+}
+
+void print(const Verification& found) {
+  for (const BrokenSeal& broken : found.seals.broken)
+    fmt::print("run {}, table {}: not what the run ended with: {}\n", broken.run.value, broken.table,
+               plain_text(broken.reason));
+  for (const std::string& damage : found.damage) fmt::print("{}\n", plain_text(damage));
+  if (!found.seals.not_ended.empty()) fmt::print("not covered, not ended: {}\n", numbers(found.seals.not_ended));
+  if (!found.seals.ended_unsealed.empty())
+    fmt::print("not covered, ended by a version that stored no hashes: {}\n", numbers(found.seals.ended_unsealed));
+}
+
+void verify_database(const VerifyOptions& options) {
+  const LogLeft log(options.database);
+  const Database database = Database::open_read_only(options.database);
+  const Verification found = [&] {
+    ProgressLine line(options.quiet);
+    return verify(database, [&](double part) { line.show({.what = "hashes of runs", .fraction = part}); });
+  }();
+  if (!options.quiet) print(found);
+  const std::string name = plain_text(options.database.string());
+  if (!found.is_sound())
+    throw Error(name + ": is not what was stored; keep the file, and go back to a backup (lacuna backup makes them)");
+  if (!options.quiet) fmt::print("{}: {} as stored\n", name, counted(found.seals.sealed.size(), "run"));
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program) {
+  auto options = std::make_shared<VerifyOptions>();  // shared: CLI11 keeps the callback, which must own the options
+  CLI::App* command = program.add_subcommand("verify", "Hold what a database has against the hashes stored with it");
+  add_database_argument(*command, options->database);
+  command->add_flag("--quiet", options->quiet, "Print nothing but what is wrong with the file as a whole");
+  command->callback([options] { verify_database(*options); });
+}
+
+}  // namespace lacuna
