@@ -178,7 +178,7 @@ void check_run(const Database& database, RunId run, std::map<std::string, Seal> 
       check.broken.push_back({run, part.table, *fault});
     if (seal != seals.end()) seals.erase(seal);
   }
-  for (const auto& [name, seal] : seals) check.broken.push_back({run, "seal", "a seal of no table"});
+  for (const auto& [name, seal] : seals) check.broken.push_back({run, name, "sealed, but no such table"});
 }
 
 }  // namespace
