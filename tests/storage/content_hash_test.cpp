@@ -16,14 +16,33 @@ using test::MadeUpRun;
 constexpr MadeUpRun kSmall{.passes = 2, .generations = 1, .models = 9, .tests = 6, .samples = 3};
 
 /// Tables that hold nothing of what a run of the algorithm found.
-const std::set<std::string> kNotContent = {
-    "schema_text",      "experiment",      "experiment_text", "run",
-    "provenance",       "plugin_file",     "revision",        "fit",
-    "revision_use",     "fit_stage",       "fitted_value",    "holdout_look",
-    "comparison",       "noise_floor",     "numerical_error", "work_time",
-    "comparison_score", "checkpoint",      "robot_file",      "carried_out",
-    "diagnosis",        "candidate_model", "candidate_value", "unfinished_diagnosis",
-    "failed_trial",     "where_it_fails"};
+const std::set<std::string> kNotContent = {"schema_text",
+                                           "experiment",
+                                           "experiment_text",
+                                           "run",
+                                           "provenance",
+                                           "plugin_file",
+                                           "revision",
+                                           "fit",
+                                           "revision_use",
+                                           "fit_stage",
+                                           "fitted_value",
+                                           "holdout_look",
+                                           "comparison",
+                                           "noise_floor",
+                                           "numerical_error",
+                                           "work_time",
+                                           "comparison_score",
+                                           "checkpoint",
+                                           "robot_file",
+                                           "carried_out",
+                                           "diagnosis",
+                                           "candidate_model",
+                                           "candidate_value",
+                                           "unfinished_diagnosis",
+                                           "failed_trial",
+                                           "where_it_fails",
+                                           "seal"};
 
 /// Columns of content tables that are a row's address in its file, a name that carries the run's number, or what
 /// follows from other columns.

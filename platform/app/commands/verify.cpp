@@ -50,7 +50,10 @@ void verify_database(const VerifyOptions& options) {
   const std::string name = plain_text(options.database.string());
   if (!found.is_sound())
     throw Error(name + ": is not what was stored; keep the file, and go back to a backup (lacuna backup makes them)");
-  if (!options.quiet) fmt::print("{}: {} as stored\n", name, counted(found.seals.sealed.size(), "run"));
+  if (options.quiet) return;
+  const std::size_t sealed = found.seals.sealed.size();
+  fmt::print("{}: {}\n", name,
+             sealed > 0 ? counted(sealed, "run") + " as stored" : "sound, but no run has hashes to be held against");
 }
 
 }  // namespace
