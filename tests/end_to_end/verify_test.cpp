@@ -38,5 +38,18 @@ TEST(Verify, FindsAllRunsAsTheCommandsLeftThem) {
                                         "backup (lacuna backup makes them)"));
 }
 
+/// What is left of a database that was cut off at its first byte is not sound.
+TEST(Verify, RefusesAnEmptyFileAsABackupDoes) {
+  const Program program;
+  program.write("cut.db", "");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"verify", "cut.db"}, std::vector<std::string>{"backup", "cut.db", "copy.db"}}) {
+    const Outcome refused = program.run(arguments);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("cut.db: is empty"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(program.folder() / "copy.db"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -22,6 +22,7 @@ struct BackupOptions {
 constexpr double kMegabyte = 1e6;
 
 void make_backup(const BackupOptions& options) {
+  refuse_empty(options.database);
   const LogLeft log(options.database);
   ProgressLine line(options.quiet);
   const std::uintmax_t bytes = back_up(options.database, options.to, [&](double part) {

@@ -3,7 +3,6 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "foundation/plain_text.h"
-#include "foundation/problem.h"
 #include "report/pages/pages.h"
 #include "storage/files/log_left.h"
 #include "storage/pages/page_database.h"
@@ -28,14 +27,6 @@ struct ReportOptions {
 
 constexpr double kMegabyte = 1e6;
 constexpr std::size_t kReplayBytes = 12'000'000;
-
-/// SQLite takes a file without content for a database without tables.
-void refuse_empty(const std::filesystem::path& database) {
-  std::error_code missing;
-  if (std::filesystem::file_size(database, missing) == 0 && !missing)
-    throw_problem({database.string()},
-                  "is empty; `lacuna compare` and `lacuna run` make a database from an experiment file");
-}
 
 void make_report(const ReportOptions& options) {
   require_pages();

@@ -40,6 +40,7 @@ void print(const Verification& found) {
 }
 
 void verify_database(const VerifyOptions& options) {
+  refuse_empty(options.database);
   const LogLeft log(options.database);
   const Database database = Database::open_read_only(options.database);
   const Verification found = [&] {

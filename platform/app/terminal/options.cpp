@@ -55,6 +55,13 @@ void add_database_argument(CLI::App& command, std::filesystem::path& database) {
   command.add_option("database", database, "Database file")->required()->option_text("DB")->each(note_database);
 }
 
+void refuse_empty(const std::filesystem::path& database) {
+  std::error_code missing;
+  if (std::filesystem::file_size(database, missing) == 0 && !missing)
+    throw_problem({database.string()},
+                  "is empty; `lacuna compare` and `lacuna run` make a database from an experiment file");
+}
+
 void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases) {
   command.add_option("databases", databases, "Database files")->required()->option_text("DB...")->each(note_database);
 }

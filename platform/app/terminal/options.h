@@ -43,6 +43,8 @@ void add_plugin_path_option(CLI::App& command, CommonOptions& options);
 void note_database(const std::filesystem::path& database);
 /// Adds the argument DB, a database that the command reads: no output of it may take its place.
 void add_database_argument(CLI::App& command, std::filesystem::path& database);
+/// Throws `BadInput` for a file without content, which SQLite takes for a database without tables.
+void refuse_empty(const std::filesystem::path& database);
 void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases);
 /// Adds an option such as --json[=FILE]; without a file, "", which is standard output. The file stands behind an equals
 /// sign, so that the option never takes the word after it.
