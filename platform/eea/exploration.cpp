@@ -2,6 +2,7 @@
 
 #include "eea/judges.h"
 #include "evolution/search_run.h"
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 
 #include <algorithm>
@@ -75,6 +76,8 @@ class Exploration {
   void judge(const Genome& genome, int worker, JudgedTest& judged) {
     try {
       find_fitness(definition_.decode_test(genome), worker, judged);
+    } catch (const Interrupted&) {
+      throw;
     } catch (const Error& error) {
       judged.reason = error.what();
     }

@@ -1,5 +1,7 @@
 #include "foundation/child_program.h"
 
+#include "foundation/processes.h"
+
 #include <lacuna/error.h>
 
 #include <fcntl.h>
@@ -11,6 +13,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
@@ -27,6 +30,8 @@ constexpr off_t kMostText = 1 << 16;
 constexpr off_t kMostWritten = 1 << 24;
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr double kLongestWait = 1e9;  // s, which a clock that counts nanoseconds can tell
+constexpr const char* kMarkName = "LACUNA_CHILD";
+constexpr int kMostLooks = 50;
 constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
 
 /// What `posix_spawn` is told.
@@ -72,11 +77,18 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
+/// A variable that all that a child begins inherits.
+std::string new_mark() {
+  static std::atomic<unsigned> children = 0;
+  return fmt::format("{}={}.{}", kMarkName, getpid(), ++children);
+}
+
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& variables) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
-    if (!variables.contains(text.substr(0, text.find('=')))) all.push_back(text);
+    const std::string name = text.substr(0, text.find('='));
+    if (name != kMarkName && !variables.contains(name)) all.push_back(text);
   }
   for (const auto& [name, value] : variables) all.push_back(fmt::format("{}={}", name, value));
   return all;
@@ -140,8 +152,9 @@ std::string ChildEnding::deed() const {
   return fmt::format("ended the program by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
 }
 
-ChildProgram::ChildProgram(const ChildBeginning& beginning) {
+ChildProgram::ChildProgram(const ChildBeginning& beginning) : mark_(new_mark()) {
   std::vector<std::string> words = beginning.words, variables = environment_with(beginning.environment);
+  variables.push_back(mark_);
   const SpawnOrders orders(beginning);
   const int failed = posix_spawnp(&process_, words.front().c_str(), orders.actions(), orders.attributes(),
                                   pointers_to(words).data(), pointers_to(variables).data());
@@ -152,7 +165,7 @@ ChildProgram::~ChildProgram() { end(0.0); }
 
 std::optional<ChildEnding> ChildProgram::ended() {
   if (ending_ || !is_over(process_)) return ending_;
-  kill(-process_, SIGKILL);
+  end_what_it_began();
   rusage used{};
   ending_.emplace();
   wait4(process_, &ending_->status, 0, &used);
@@ -166,6 +179,18 @@ std::optional<ChildEnding> ChildProgram::ended_within(double seconds) {
   for (auto pause = kShortestPause; !ended() && Clock::now() < until; pause = std::min(2 * pause, kLongestPause))
     std::this_thread::sleep_for(pause);
   return ended();
+}
+
+/// Its group, and what left the group. What is begun while one looks is found by the next look.
+void ChildProgram::end_what_it_began() {
+  kill(-process_, SIGKILL);
+  for (int look = 0; look < kMostLooks; ++look) {
+    const std::vector<pid_t> left = processes_with(mark_);
+    bool found = false;
+    for (const pid_t process : left) found |= process != process_ && kill(process, SIGKILL) == 0;
+    if (!found) return;
+    std::this_thread::sleep_for(kShortestPause);
+  }
 }
 
 ChildEnding ChildProgram::end(double grace) {

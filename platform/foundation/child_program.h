@@ -55,7 +55,8 @@ struct ChildEnding {
 };
 
 /// A program that runs beside this one, in a process group of its own, so that an interrupt at the terminal reaches
-/// this process alone and the child's own children end with it. One thread.
+/// this process alone and the child's own children end with it, those too that take another group or session: all have
+/// a variable LACUNA_CHILD in their environment. One thread.
 class ChildProgram {
  public:
   /// Throws `Error` where it cannot be started.
@@ -65,7 +66,7 @@ class ChildProgram {
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// How it ended; nothing while it runs. What it left running in its group is ended with it.
+  /// How it ended; nothing while it runs. What it left running is ended with it.
   std::optional<ChildEnding> ended();
   /// The same, after waiting for `seconds` at most.
   std::optional<ChildEnding> ended_within(double seconds);
@@ -73,6 +74,9 @@ class ChildProgram {
   ChildEnding end(double grace);
 
  private:
+  void end_what_it_began();
+
+  std::string mark_;
   pid_t process_ = 0;
   std::optional<ChildEnding> ending_;
 };

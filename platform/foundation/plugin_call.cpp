@@ -28,6 +28,8 @@ struct Page {
   std::atomic<CallSlot*> culprit = nullptr;  ///< of the thread that ended the process
   std::atomic<bool> closed = false;
   std::atomic<int> exit_code = 0;
+  std::atomic<double> evaluation_limit = 0.0;
+  std::atomic<bool> new_beginning = false;
   std::atomic<std::size_t> text_used = 0;
   std::array<char, kTextSize> text;
 };
@@ -67,6 +69,12 @@ struct SlotLease {
     slot.taken = false;
   }
 };
+
+/// What a process says of those that it has forked; those that are forked later have a copy.
+std::vector<RefusedComponent>& refused_components() {
+  static auto* const refused = new std::vector<RefusedComponent>;
+  return *refused;
+}
 
 bool is_watched = false;  ///< whether another process learns how this one ended
 
@@ -126,18 +134,52 @@ std::vector<ActiveCall> CallPage::active() {
   return calls;
 }
 
+ActiveCall CallPage::call_of(const CallSlot& slot) {
+  const char* component = slot.component;
+  const char* call = slot.call;
+  return {component == nullptr ? "" : component, component == nullptr || call == nullptr ? "" : call};
+}
+
+std::vector<BusyThread> CallPage::busy() {
+  std::vector<BusyThread> threads;
+  for (const CallSlot& slot : page().slots) {
+    if (!slot.taken) continue;
+    const bool evaluates = slot.evaluations > 0;
+    if (evaluates || slot.component != nullptr) threads.push_back({&slot, evaluates, slot.ticks});
+  }
+  return threads;
+}
+
 void CallPage::prepare() {
   page().culprit = nullptr;
   page().closed = false;
+  page().evaluation_limit = 0.0;
+  page().new_beginning = false;
   for (CallSlot& slot : page().slots) {
     slot.component = nullptr;
+    slot.evaluations = 0;
     slot.taken = &slot == own_call_slot_or_null;
   }
+}
+
+void CallPage::limit_evaluations(double seconds) { page().evaluation_limit = seconds; }
+double CallPage::evaluation_limit() { return page().evaluation_limit; }
+
+void CallPage::allow_new_beginning(bool allowed) { page().new_beginning = allowed; }
+bool CallPage::allows_new_beginning() { return page().new_beginning; }
+
+void CallPage::refuse(const RefusedComponent& component) { refused_components().push_back(component); }
+
+std::optional<std::string> CallPage::refusal_of(const std::string& component) {
+  for (const RefusedComponent& refused : refused_components())
+    if (refused.component == component) return refused.reason;
+  return std::nullopt;
 }
 
 void CallPage::clear() {
   page().culprit = nullptr;
   own_call_slot().component = nullptr;
+  own_call_slot().evaluations = 0;
   own_call_slot().taken = true;  // the other process's thread of this slot may have given it back
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,8 @@ struct alignas(64) CallSlot {
   std::atomic<const char*> component = nullptr;  ///< as `component_on_page` gave it; null: no plugin is called
   std::atomic<const char*> call = nullptr;       ///< a literal, as in "add_loads"
   std::atomic<bool> taken = false;
+  std::atomic<std::uint32_t> evaluations = 0;  ///< under way in this thread, one inside the other
+  std::atomic<std::uint32_t> ticks = 0;        ///< evaluations begun and ended; that of the thread alone writes it
 };
 
 extern thread_local constinit CallSlot* own_call_slot_or_null;
@@ -80,11 +84,43 @@ class HostCall : private PluginCall {
   HostCall() noexcept : PluginCall(nullptr, nullptr) {}
 };
 
+/// While it lives, this thread evaluates a model: what another process may end when it takes too long. One inside
+/// another counts as progress of the outer one.
+class Evaluation {
+ public:
+  Evaluation() noexcept : slot_(own_call_slot()) { step(1); }
+  ~Evaluation() { step(-1); }
+  Evaluation(const Evaluation&) = delete;
+  Evaluation& operator=(const Evaluation&) = delete;
+
+ private:
+  void step(int more) noexcept {
+    constexpr auto relaxed = std::memory_order_relaxed;
+    slot_.evaluations.store(slot_.evaluations.load(relaxed) + static_cast<std::uint32_t>(more), relaxed);
+    slot_.ticks.store(slot_.ticks.load(relaxed) + 1, relaxed);
+  }
+
+  CallSlot& slot_;
+};
+
 /// A call as one process finds it after the other's end.
 struct ActiveCall {
   std::string component;
   std::string call;
   bool operator==(const ActiveCall&) const = default;
+};
+
+/// A thread that is in a call of a plugin or in an evaluation, as another process sees it.
+struct BusyThread {
+  const CallSlot* slot = nullptr;
+  bool evaluates = false;
+  std::uint32_t ticks = 0;
+};
+
+/// A component that is not to be used any more.
+struct RefusedComponent {
+  std::string component;  ///< as messages name it
+  std::string reason;     ///< a sentence
 };
 
 /// What is remembered of a process that ended; the pointers lie on pages that both have.
@@ -95,8 +131,23 @@ class CallPage {
   static void prepare();
   /// The calls that threads were in; only that of the thread that ended the process, where it is known. Each once.
   static std::vector<ActiveCall> active();
+  /// What a thread is in; empty texts: nothing of a plugin.
+  static ActiveCall call_of(const CallSlot& slot);
+  /// All threads that are in a call or in an evaluation.
+  static std::vector<BusyThread> busy();
   /// Forgets what a process that this thread forked has left.
   static void clear();
+
+  /// How long an evaluation may take, s; the process that watches this one ends it then. 0: as long as it likes.
+  static void limit_evaluations(double seconds);
+  static double evaluation_limit();
+
+  /// The work can be begun anew without a component that has ended it (`refused`), and goes on from where it was.
+  static void allow_new_beginning(bool allowed);
+  static bool allows_new_beginning();
+  /// For processes that are forked later.
+  static void refuse(const RefusedComponent& component);
+  static std::optional<std::string> refusal_of(const std::string& component);
 
   /// From now on a thread of this process that calls `exit`, aborts or crashes is remembered as the one. A signal that
   /// something else has a handler for, such as a sanitizer, is left alone.

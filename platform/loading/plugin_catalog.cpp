@@ -142,8 +142,10 @@ void PluginCatalog::refuse_unfit() {
     const Entry& entry = *entries_[index];
     return problem_of(entry.kind, entry.make(), entry.origin);
   });
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    entries_[i]->refusal = refusal_of(entries_[i]->origin, rehearsals[i]);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const ComponentOrigin& origin = entries_[i]->origin;
+    entries_[i]->refusal = CallPage::refusal_of(to_string(origin)).value_or(refusal_of(origin, rehearsals[i]));
+  }
 }
 
 void PluginCatalog::find_duplicates() {

@@ -10,7 +10,7 @@ namespace {
 
 std::string refusal_of(const std::string& text) {
   try {
-    parse_time_limit(text);
+    parse_duration("--time-limit", text);
   } catch (const BadInput& bad) {
     return bad.what();
   }
@@ -18,12 +18,12 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(TimeLimitOption, TakesSecondsOrAUnitOfTime) {
-  EXPECT_DOUBLE_EQ(parse_time_limit("90"), 90.0);
-  EXPECT_DOUBLE_EQ(parse_time_limit("0.5"), 0.5);
-  EXPECT_DOUBLE_EQ(parse_time_limit("5 min"), 300.0);
-  EXPECT_DOUBLE_EQ(parse_time_limit("5min"), 300.0);
-  EXPECT_DOUBLE_EQ(parse_time_limit("1.5 h"), 5400.0);
-  EXPECT_DOUBLE_EQ(parse_time_limit("200 ms"), 0.2);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "90"), 90.0);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "0.5"), 0.5);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "5 min"), 300.0);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "5min"), 300.0);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "1.5 h"), 5400.0);
+  EXPECT_DOUBLE_EQ(parse_duration("--time-limit", "200 ms"), 0.2);
 }
 
 TEST(TimeLimitOption, RefusesWhatIsNoDurationAndSaysWhatToWrite) {

@@ -10,6 +10,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 /// Components that do in one of their calls what the variable HOSTILE says, as in "add_loads exit" or
@@ -17,6 +18,13 @@
 namespace {
 
 struct Trouble {};
+
+/// Each call needs the one within it, so that the compiler makes no loop of it.
+int recurse(int depth) {
+  volatile char frame[4096];
+  frame[depth % 4096] = static_cast<char>(depth);
+  return recurse(depth + 1) + frame[depth % 4096];
+}
 
 void do_it(const std::string& deed) {
   if (deed == "exit") std::exit(0);
@@ -28,6 +36,8 @@ void do_it(const std::string& deed) {
   if (deed == "throw") throw Trouble{};
   if (deed == "hang")
     for (;;) pause();
+  if (deed == "stack") recurse(0);
+  if (deed == "thread") std::thread([] { throw Trouble{}; }).join();
   if (deed == "hog")
     for (std::vector<std::vector<char>> all;;) all.emplace_back(std::size_t{1} << 28, 'x');
 }

@@ -3,6 +3,7 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
+#include "app/terminal/time_limit.h"
 #include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
@@ -91,6 +92,7 @@ int run_program(int argc, char** argv) {
   set_command_line(argc, argv);
   forget_command_files();
   watch_for_interrupts();
+  begin_evaluation_limit();
   try {
     dense_kernels();  // complains of LACUNA_KERNELS before any work is done
     program.parse(argc, argv);

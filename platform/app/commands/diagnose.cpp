@@ -10,6 +10,7 @@
 #include "documents/diagnosis_json.h"
 #include "foundation/counted.h"
 #include "foundation/interrupt.h"
+#include "foundation/plugin_call.h"
 #include "report/figures/diagnosis_pictures.h"
 #include "report/text/diagnosis_text.h"
 #include "search/horizon_diagnosis.h"
@@ -101,7 +102,9 @@ void run_diagnose(DiagnoseOptions options) {
   Workbench bench(options);
   options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
   check_segment(bench.rig().experiment.diagnosis.segment, bench.rig().trials);
+  CallPage::allow_new_beginning(options.among.empty());  // without a candidate that ends the program
   const auto [diagnosis, known] = find_diagnosis(options, bench);
+  CallPage::allow_new_beginning(false);
   if (!takes_standard_output(options.json))
     fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options)),
                known ? "(from the database)\n" : "");

@@ -5,6 +5,7 @@
 #include "evaluation/complaints.h"
 #include "evaluation/hidden_truth.h"
 #include "foundation/address.h"
+#include "foundation/interrupt.h"
 
 #include <lacuna/random_stream.h>
 
@@ -84,6 +85,8 @@ std::vector<Trial> imagined_trials(const EeaDefinition& definition) {
   for (std::uint64_t i = 0; i < kImaginedTrials; ++i) try {
       simulator.begin_trial(i);
       trials.push_back(simulator.simulate(definition.decode_test(definition.exploration.breeder->random(random))));
+    } catch (const Interrupted&) {
+      throw;
     } catch (const Error&) {
       continue;
     }

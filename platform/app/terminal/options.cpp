@@ -1,6 +1,7 @@
 #include "app/terminal/options.h"
 
 #include "app/terminal/output.h"
+#include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
@@ -82,6 +83,7 @@ void add_experiment_options(CLI::App& command, CommonOptions& options) {
       ->allow_extra_args(false)
       ->option_text("KEY=VALUE");
   add_plugin_path_option(command, options);
+  add_evaluation_limit_option(command);
 }
 
 void add_work_options(CLI::App& command, CommonOptions& options) {

@@ -1,7 +1,10 @@
 #include "app/terminal/supervised.h"
 
+#include "app/terminal/child_watch.h"
 #include "foundation/child_program.h"
+#include "foundation/memory_limit.h"
 #include "foundation/plugin_call.h"
+#include "foundation/processes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +14,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,50 +23,9 @@ namespace lacuna {
 namespace {
 
 constexpr int kEndedBadly = 1;
-constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2};
-
-sigset_t awaited_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : kEndingSignals) sigaddset(&signals, signal);
-  for (const int signal : {SIGCHLD, SIGTSTP, SIGCONT}) sigaddset(&signals, signal);
-  return signals;
-}
-
-/// Whether a signal was sent by a process, and not by the terminal, which sends it to the child as well.
-bool is_for_this_process_alone(const siginfo_t& signal) { return signal.si_code <= 0; }
-
-/// Stops with the child, so that the shell sees a job that has stopped.
-void stop_with(pid_t child) {
-  raise(SIGSTOP);
-  kill(child, SIGCONT);
-}
-
-/// What became of the child, if it has ended.
-bool has_ended(pid_t child, int& status) {
-  for (;;) {
-    const pid_t changed = waitpid(child, &status, WNOHANG | WUNTRACED);
-    if (changed != child) return changed < 0 && errno != EINTR;
-    if (!WIFSTOPPED(status)) return true;
-    stop_with(child);
-  }
-}
-
-int wait_for_end(pid_t child, const sigset_t& signals) {
-  int status = 0;
-  while (!has_ended(child, status)) {
-    siginfo_t signal{};
-    const int number = sigwaitinfo(&signals, &signal);
-    if (number == SIGCONT || (number > 0 && number != SIGCHLD && is_for_this_process_alone(signal)))
-      kill(child, number);
-  }
-  return status;
-}
-
-/// Signals by which users and shells end a program: nobody is to blame.
-bool is_wish(int signal) {
-  return signal == SIGPIPE || std::find(kEndingSignals.begin(), kEndingSignals.end(), signal) != kEndingSignals.end();
-}
+constexpr int kToRunAgain = 75;
+constexpr double kGrace = 0.2;  // s, for what a child has left running
+constexpr double kShareOfMemory = 0.9;
 
 /// Ends as the child did.
 void end_by(int signal, const sigset_t& mask) {
@@ -82,32 +43,64 @@ constexpr const char* kDatabaseIsSafe = "; what was committed to the database is
 constexpr const char* kKilledByOthers =
     "; another program ended it, as the system does where memory is used up (`dmesg` names it then)";
 
-std::string of_nobody(const ChildEnding& ending) {
-  const bool killed = WIFSIGNALED(ending.status) && WTERMSIG(ending.status) == SIGKILL;
-  return fmt::format("lacuna: it {} before its work was done, in no call of a plugin{}{}", ending.phrase(),
-                     killed ? kKilledByOthers
-                            : "; that is a fault of the program, of a library, or of a thread that a plugin started: "
-                              "please report the command",
-                     kDatabaseIsSafe);
+bool was_killed(const WatchedEnd& end) { return WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGKILL; }
+
+std::string name_of(const ActiveCall& call) { return call.component + ": " + call.call; }
+
+ChildLoss by_overdue(const ActiveCall& call) {
+  const std::string fact = fmt::format("an evaluation took longer than {:g} s, the limit", CallPage::evaluation_limit());
+  constexpr const char* kRaise = "raise the limit with --evaluation-limit where the model needs more";
+  if (call.component.empty())
+    return {"", fact, fmt::format("lacuna: {}, and was ended; {}{}", fact, kRaise, kDatabaseIsSafe)};
+  const std::string deed = fmt::format("{}: {}", name_of(call), fact);
+  return {call.component, deed,
+          fmt::format("{}, and was ended; repair the plugin, do without this component, or {}{}", deed, kRaise,
+                      kDatabaseIsSafe)};
 }
 
-std::string of_plugins(const ChildEnding& ending, const std::vector<ActiveCall>& calls) {
-  const bool killed = WIFSIGNALED(ending.status) && WTERMSIG(ending.status) == SIGKILL;
-  if (calls.size() == 1 && !killed)
-    return fmt::format("{}: {} {}{}{}", calls[0].component, calls[0].call, ending.deed(), kPluginsFault,
-                       kDatabaseIsSafe);
+ChildLoss by_unheeding(const ActiveCall& call) {
+  const std::string what = call.component.empty() ? "a simulation" : name_of(call);
+  const std::string deed = fmt::format("interrupted; {} did not return within two seconds and was ended", what);
+  return {"", deed, deed + kDatabaseIsSafe};
+}
+
+ChildLoss by_nobody(const WatchedEnd& end) {
+  const std::string deed =
+      fmt::format("it {} before its work was done, in no call of a plugin", ChildEnding{end.status}.phrase());
+  return {"", deed,
+          fmt::format("lacuna: {}{}{}", deed,
+                      was_killed(end) ? kKilledByOthers
+                                      : "; that is a fault of the program, of a library, or of a thread that a plugin "
+                                        "started: please report the command",
+                      kDatabaseIsSafe)};
+}
+
+ChildLoss by_plugins(const WatchedEnd& end, const std::vector<ActiveCall>& calls) {
+  const ChildEnding ending{end.status};
+  if (calls.size() == 1 && !was_killed(end)) {
+    const std::string deed = fmt::format("{} {}", name_of(calls[0]), ending.deed());
+    return {calls[0].component, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe)};
+  }
   std::vector<std::string> names;
-  for (const ActiveCall& call : calls) names.push_back(call.component + ": " + call.call);
-  return fmt::format("{}: the program {} during {}{}{}", fmt::join(names, ", "), ending.phrase(),
-                     calls.size() == 1 ? "this call" : "one of these calls", killed ? kKilledByOthers : kPluginsFault,
-                     kDatabaseIsSafe);
+  for (const ActiveCall& call : calls) names.push_back(name_of(call));
+  const std::string deed = fmt::format("{}: the program {} during {}", fmt::join(names, ", "), ending.phrase(),
+                                       calls.size() == 1 ? "this call" : "one of these calls");
+  return {"", deed, fmt::format("{}{}{}", deed, was_killed(end) ? kKilledByOthers : kPluginsFault, kDatabaseIsSafe)};
 }
 
-int report_end(int status) {
-  const ChildEnding ending{status};
+ChildLoss loss_of(const WatchedEnd& end) {
+  if (end.reason == EndedFor::overdue) return by_overdue(*end.call);
+  if (end.reason == EndedFor::unheeding) return by_unheeding(*end.call);
   const std::vector<ActiveCall> calls = CallPage::active();
-  fmt::print(stderr, "{}\n", calls.empty() ? of_nobody(ending) : of_plugins(ending, calls));
-  return kEndedBadly;
+  return calls.empty() ? by_nobody(end) : by_plugins(end, calls);
+}
+
+/// Whether the work begins anew without the component that ended it, of which the child that comes next knows.
+bool begins_anew(const ChildLoss& loss) {
+  if (loss.component.empty() || !CallPage::allows_new_beginning() || CallPage::refusal_of(loss.component)) return false;
+  CallPage::refuse({loss.component, loss.deed + kPluginsFault});
+  fmt::print(stderr, "{}; the work goes on without it\n", loss.deed);
+  return true;
 }
 
 /// After its work was done, a plugin's last acts may still end it another way.
@@ -124,29 +117,45 @@ int exit_code_of(int status) {
 int do_work(int argc, char** argv, int (*work)(int, char**), pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) return kEndedBadly;  // it ended before that
+  limit_memory(static_cast<std::uint64_t>(kShareOfMemory * static_cast<double>(memory_of_machine())));
   CallPage::watch_this_process();
   const int code = work(argc, argv);
   CallPage::close(code);
   return code;
 }
 
+/// Ends as a child did that a user, or a closed pipe, ended.
+void end_like(const WatchedEnd& end, const sigset_t& mask) {
+  if (!WIFSIGNALED(end.status)) return;
+  const int signal = WTERMSIG(end.status);
+  if (signal == SIGPIPE || is_wish(signal)) end_by(signal, mask);
+}
+
 }  // namespace
 
-int run_supervised(int argc, char** argv, int (*work)(int, char**)) {
+void print_loss(const ChildLoss& loss) { fmt::print(stderr, "{}\n", loss.sentence); }
+
+int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*report)(const ChildLoss&)) {
   std::signal(SIGCHLD, SIG_DFL);
-  CallPage::prepare();
-  const pid_t parent = getpid();
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   const sigset_t signals = awaited_signals();
   sigset_t mask;
   sigprocmask(SIG_BLOCK, &signals, &mask);
-  const pid_t child = fork();
-  if (child <= 0) sigprocmask(SIG_SETMASK, &mask, nullptr);
-  if (child < 0) return work(argc, argv);  // rather without a supervisor than not at all
-  if (child == 0) return do_work(argc, argv, work, parent);
-  const int status = wait_for_end(child, signals);
-  if (CallPage::is_closed()) return exit_code_of(status);
-  if (WIFSIGNALED(status) && is_wish(WTERMSIG(status))) end_by(WTERMSIG(status), mask);
-  return report_end(status);
+  for (;;) {
+    CallPage::prepare();
+    const pid_t parent = getpid(), child = fork();
+    if (child <= 0) sigprocmask(SIG_SETMASK, &mask, nullptr);
+    if (child < 0) return work(argc, argv);  // rather without a supervisor than not at all
+    if (child == 0) return do_work(argc, argv, work, parent);
+    const WatchedEnd end = watch_child(child, signals);
+    if (CallPage::is_closed()) return exit_code_of(end.status);
+    end_descendants(kGrace);
+    end_like(end, mask);
+    const ChildLoss loss = loss_of(end);
+    if (begins_anew(loss)) continue;
+    report(loss);
+    return end.reason == EndedFor::unheeding ? kToRunAgain : kEndedBadly;
+  }
 }
 
 }  // namespace lacuna

@@ -1,13 +1,27 @@
 #pragma once
 
+#include <string>
+
 namespace lacuna {
 
+/// How a child process came to an end that was not its own.
+struct ChildLoss {
+  std::string component;  ///< of a plugin, as messages name it, that ended it; empty: not known, or none
+  std::string deed;       ///< what happened, a clause
+  std::string sentence;   ///< the same for people: with what follows from it, and what to do
+};
+
+/// On standard error.
+void print_loss(const ChildLoss& loss);
+
 /// Runs `work(argc, argv)` in a child process, with this one's streams, terminal and process group, and returns its
-/// exit code. A child that ends otherwise than by returning from `work`, be it that a plugin calls `exit` or crashes,
-/// makes a line on standard error that names the plugin and the call, and exit code 1.
+/// exit code. A child that ends otherwise than by returning from `work`, be it that a plugin calls `exit`, crashes or
+/// hangs (app/terminal/child_watch.h), is reported by `report` with the plugin and the call, and makes exit code 1; 75
+/// where a user had asked it to end. What it left running is ended. Work that allows it (`CallPage`) is begun anew
+/// without a component that has ended it. The child may use most of the machine's memory; beyond it allocations fail.
 ///
 /// Signals that ask a program to end or to stop reach the child, whoever they are sent to; the child does not outlive
 /// this process. Call it before there are threads.
-int run_supervised(int argc, char** argv, int (*work)(int, char**));
+int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*report)(const ChildLoss&) = print_loss);
 
 }  // namespace lacuna

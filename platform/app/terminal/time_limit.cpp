@@ -2,35 +2,43 @@
 
 #include "config/quantity.h"
 #include "foundation/interrupt.h"
+#include "foundation/plugin_call.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 
 namespace lacuna {
 namespace {
 
-constexpr const char* kHowToWrite = "write seconds, or a number with its unit: --time-limit 300, --time-limit '5 min'";
+constexpr double kEvaluationLimit = 120.0;  // s; evaluations take milliseconds, seconds where recordings are long
 
-[[noreturn]] void refuse_limit(const std::string& text, const std::string& why) {
-  throw_problem({}, "--time-limit " + shell_word(text) + ": " + why);
+std::string how_to_write(const std::string& option) {
+  return fmt::format("write seconds, or a number with its unit: {} 300, {} '5 min'", option, option);
 }
 
-Quantity quantity_of(const std::string& text) try { return parse_quantity(text); } catch (const Error&) {
-  refuse_limit(text, std::string("is not a duration; ") + kHowToWrite);
+[[noreturn]] void refuse_limit(const std::string& option, const std::string& text, const std::string& why) {
+  throw_problem({}, option + " " + shell_word(text) + ": " + why);
+}
+
+Quantity quantity_of(const std::string& option, const std::string& text) try {
+  return parse_quantity(text);
+} catch (const Error&) {
+  refuse_limit(option, text, "is not a duration; " + how_to_write(option));
 }
 
 }  // namespace
 
-double parse_time_limit(const std::string& text) {
-  const Quantity quantity = quantity_of(text);
+double parse_duration(const std::string& option, const std::string& text) {
+  const Quantity quantity = quantity_of(option, text);
   const bool is_time = quantity.parsed.same_dimension(parse_unit("s").value());
-  if (!is_time && quantity.unit != "1") refuse_limit(text, quantity.unit + " is not a unit of time; " + kHowToWrite);
-  if (!std::isfinite(quantity.value_in_si)) refuse_limit(text, std::string("is not a duration; ") + kHowToWrite);
+  if (!is_time && quantity.unit != "1") refuse_limit(option, text, quantity.unit + " is not a unit of time; " + how_to_write(option));
+  if (!std::isfinite(quantity.value_in_si)) refuse_limit(option, text, "is not a duration; " + how_to_write(option));
   if (quantity.value_in_si <= 0.0)
-    refuse_limit(text, "a limit must be longer than 0; leave the option out to work without a limit");
+    refuse_limit(option, text, "a limit must be longer than 0; leave the option out to work without a limit");
   return quantity.value_in_si;
 }
 
@@ -39,11 +47,22 @@ void add_time_limit_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--time-limit",
           [](const std::string& text) {
-            const double seconds = parse_time_limit(text);
+            const double seconds = parse_duration("--time-limit", text);
             const bool has_unit = text.find_first_not_of("0123456789.+e ") != std::string::npos;
             begin_time_limit(seconds, has_unit ? shell_word(text) : text + " s");
           },
           "End after so long with what is known by then (exit code 75): 300, \"5 min\"")
+      ->option_text("DURATION");
+}
+
+void begin_evaluation_limit() { CallPage::limit_evaluations(kEvaluationLimit); }
+
+void add_evaluation_limit_option(CLI::App& command) {
+  command
+      .add_option_function<std::string>(
+          "--evaluation-limit",
+          [](const std::string& text) { CallPage::limit_evaluations(parse_duration("--evaluation-limit", text)); },
+          "How long a single simulation of a model may take (default: 2 min)")
       ->option_text("DURATION");
 }
 

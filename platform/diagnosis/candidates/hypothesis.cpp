@@ -86,11 +86,18 @@ std::string reason_of(const std::string& text) {
   return file == std::string::npos ? line : line.substr(file + 6);
 }
 
-std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among) {
+/// Those of plugins that cannot be used are added to `untestable`.
+std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among,
+                                      std::vector<Untestable>& untestable) {
   if (!among.empty()) return among;
   std::vector<std::string> names;
-  for (const PluginListing& listing : catalog.list())
-    if (listing.kind == "effect" && listing.problem.empty()) names.push_back(listing.name);
+  for (const PluginListing& listing : catalog.list()) {
+    if (listing.kind != "effect") continue;
+    if (listing.problem.empty())
+      names.push_back(listing.name);
+    else
+      untestable.push_back({listing.name, "", reason_of(listing.problem)});
+  }
   return names;
 }
 
@@ -123,7 +130,7 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
                                         const ModelDefinition& base, const std::vector<std::string>& among,
                                         std::vector<Untestable>& untestable) {
   std::vector<Hypothesis> all;
-  for (const std::string& name : effect_names(catalog, among)) {
+  for (const std::string& name : effect_names(catalog, among, untestable)) {
     const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
     std::vector<Untestable> reasons;
     const std::size_t before = all.size();

@@ -1,6 +1,7 @@
 #include "simulation/shared/engine_model.h"
 
 #include "foundation/address.h"
+#include "foundation/plugin_call.h"
 #include "simulation/shared/effect_runner.h"
 #include "simulation/shared/engine_workspace.h"
 #include "simulation/shared/robot_checks.h"
@@ -113,6 +114,7 @@ void EngineModel::simulate(std::span<const double> parameters, const Test& test,
   auto* own = dynamic_cast<EngineWorkspace*>(&workspace);
   if (!own || &own->model() != this)
     throw Error("the workspace belongs to another model; use one that this model made");
+  const Evaluation evaluation;
   Run(*this, *own, options, result).carry_out(parameters, test);
 }
 

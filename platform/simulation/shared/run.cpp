@@ -1,6 +1,7 @@
 #include "simulation/shared/run.h"
 
 #include "foundation/address.h"
+#include "foundation/interrupt.h"
 #include "simulation/shared/sensor_imperfections.h"
 
 #include <lacuna/error.h>
@@ -55,11 +56,15 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     begin();
     bool wanted = write_outputs(time(step_), time(step_));
     while (wanted && step_ < last_step_) {
+      throw_if_asked_to_stop();
       advance();
       wanted = write_outputs(time(step_ - 1), time(step_));
     }
     result_.ending = wanted ? Ending::completed : Ending::stopped;
     finish();
+  } catch (const Interrupted&) {
+    ws_.drop_motion();
+    throw;
   } catch (const EngineFailure& failure) {
     ws_.drop_motion();
     fail(failure.what());

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "foundation/plugin_call.h"
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <optional>
+
+namespace lacuna {
+
+/// Why a process was ended by the one that watches it.
+enum class EndedFor {
+  nothing,    ///< it was not
+  overdue,    ///< an evaluation took longer than it may
+  unheeding,  ///< it was asked to end, and a plugin did not return
+};
+
+/// How a watched process ended.
+struct WatchedEnd {
+  int status = 0;  ///< as `wait` tells it
+  EndedFor reason = EndedFor::nothing;
+  std::optional<ActiveCall> call;  ///< in which it was found where it was ended; empty texts: in none of a plugin
+};
+
+/// Signals by which users and shells end a program.
+bool is_wish(int signal);
+
+/// All signals that `watch_child` waits for, which are to be blocked before the child is forked.
+sigset_t awaited_signals();
+
+/// Waits for the end of a child that calls plugins (foundation/plugin_call.h). Passes on signals that ask to end or to
+/// stop, unless the terminal sent them to the child as well. Ends the child when an evaluation takes longer than
+/// `CallPage::evaluation_limit`, and when a plugin or an evaluation goes on for 1.7 s after a wish to end; what is no
+/// plugin's, such as a rig that is brought to rest, may take its time.
+WatchedEnd watch_child(pid_t child, const sigset_t& signals);
+
+}  // namespace lacuna

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// All processes that `process` began and that still hang on it, directly or by one between.
+std::vector<pid_t> descendants_of(pid_t process);
+
+/// All processes of this user with this variable in the environment that they began with, whatever group, session or
+/// parent they took since: what a program has begun inherits its environment. Not this process.
+std::vector<pid_t> processes_with(const std::string& variable);
+
+/// Ends all processes that hang on this one, those included that lost their parent where this one is their subreaper:
+/// asks them first (SIGTERM), and ends them (SIGKILL) when `grace` s did not suffice.
+void end_descendants(double grace);
+
+}  // namespace lacuna
