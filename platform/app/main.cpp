@@ -1,8 +1,10 @@
 #include "app/commands/commands.h"
+#include "app/commands/worker.h"
 #include "app/terminal/plain_streams.h"
 #include "app/terminal/supervised.h"
 
 int main(int argc, char** argv) {
   lacuna::make_streams_plain();
+  if (lacuna::is_worker(argc, argv)) return lacuna::run_supervised(argc, argv, lacuna::run_worker, lacuna::tell_host);
   return lacuna::run_supervised(argc, argv, lacuna::run_program);
 }

@@ -1,6 +1,6 @@
 #include "eea/challenge.h"
 
-#include "evaluation/model_scorer.h"
+#include "eea/evaluations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,8 @@ constexpr std::size_t kFirstTrials = 2;  // are what everything begins with
 constexpr double kSmallError = 0.01;     // of what a model that never moves would get: less is no challenge
 
 /// Of the best model.
-double score_on(const EeaRun& run, EeaState& state, const ScoredTrial& trial) {
-  const EeaDefinition& definition = run.definition;
-  const ModelScorer scorer(*definition.compiled, {trial}, definition.metric, 1, &definition.model);
-  ModelScore score;
-  scorer.score(state.best.front().model, std::nullopt, 0, score);
+double score_on(const EeaRun& run, EeaState& state, const TargetTrial& trial, int pass) {
+  const ModelScore score = run.evaluations->score_on(state.best.front(), trial, pass);
   state.counts.test_steps += score.steps;
   return score.kind == ScoreKind::full ? score.total : kNotKnown;
 }
@@ -58,7 +55,7 @@ bool is_managed(const EeaRun& run, const EeaState& state) {
 
 double surprise_of(const EeaRun& run, EeaState& state, const TargetTrial& trial) {
   if (state.best.empty()) return kNotKnown;
-  return score_on(run, state, run.definition.scored(trial.drive, trial.trial, pass_of_best(state)));
+  return score_on(run, state, trial, pass_of_best(state));
 }
 
 void set_aside_if_too_hard(const EeaRun& run, EeaState& state, double surprise) {
@@ -74,7 +71,7 @@ void recall_trials(const EeaRun& run, EeaState& state) {
     if (!trial.set_aside_in) continue;
     const ScoredTrial scored = run.definition.scored(trial.drive, trial.trial, state.pass);
     const bool waited = state.pass - *trial.set_aside_in + 1 >= kLongestWait;
-    if (waited || !too_hard(run, state, scored, score_on(run, state, scored))) trial.set_aside_in.reset();
+    if (waited || !too_hard(run, state, scored, score_on(run, state, trial, state.pass))) trial.set_aside_in.reset();
   }
 }
 

@@ -4,6 +4,7 @@
 #include "eea/ensemble.h"
 #include "eea/estimation.h"
 #include "eea/exploration.h"
+#include "eea/local_evaluations.h"
 #include "eea/stopping.h"
 
 #include <utility>
@@ -96,7 +97,9 @@ EeaState first_state(const EeaDefinition& definition) {
   return state;
 }
 
-void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
+namespace {
+
+void go_through(const EeaRun& run, const EeaTarget& target, EeaState& state) {
   decode_again(run.definition, state.best);
   decode_again(run.definition, state.found);
   while (state.phase != Phase::finished) switch (state.phase) {
@@ -108,7 +111,7 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
       case Phase::estimation:  // step 3: models that explain all trials so far
         estimate(run, state);
         if (target.system.takes_tests())
-          note_prediction(run, state, static_cast<int>(state.trials.size()) - 1, state.trials.back().drive);
+          note_prediction(run, state, static_cast<int>(state.trials.size()) - 1, state.trials.back());
         else
           end_pass(run, state);
         go_on_with(target.system.takes_tests() ? Phase::exploration : Phase::finished, run, state);
@@ -123,6 +126,15 @@ void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
         break;
       case Phase::finished: break;
     }
+}
+
+}  // namespace
+
+void eea_loop(const EeaRun& run, const EeaTarget& target, EeaState& state) {
+  LocalEvaluations here(run.definition, run.threads);
+  EeaRun evaluated = run;
+  if (!evaluated.evaluations) evaluated.evaluations = &here;
+  go_through(evaluated, target, state);
 }
 
 }  // namespace lacuna

@@ -2,6 +2,7 @@
 
 #include "eea/eea_definition.h"
 #include "eea/eea_journal.h"
+#include "eea/evaluations.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,6 +29,7 @@ struct EeaRun {
   std::vector<double> truth;          ///< of the model's free values; for the objective metric alone
   const RobotSpec* target = nullptr;  ///< of a simulated target; for the objective metric alone
   std::function<void(const EeaProgress&)> progress;
+  Evaluations* evaluations = nullptr;  ///< where models are simulated; null: in this process, on `threads` threads
 
   /// The random streams of a search, which adds generation and individual.
   std::vector<std::uint64_t> key(Phase phase, int pass) const {

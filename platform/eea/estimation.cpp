@@ -1,7 +1,7 @@
 #include "eea/estimation.h"
 
-#include "eea/delays.h"
 #include "eea/ensemble.h"
+#include "eea/evaluations.h"
 #include "eea/rival_breeder.h"
 #include "eea/scored_trials.h"
 #include "evaluation/model_evaluator.h"
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace lacuna {
@@ -58,11 +59,10 @@ class Estimation {
       : run_(run),
         definition_(run.definition),
         state_(state),
-        scorer_(*definition_.compiled, scored_trials(definition_, state), definition_.metric, run.threads,
-                &definition_.model, definition_.profiled),
-        evaluator_(scorer_, definition_.model, {definition_.abandon, definition_.reuse}) {}
+        evaluator_(definition_.model, {definition_.abandon, definition_.reuse}) {}
 
   void run() {
+    run_.evaluations->begin_estimation(state_);
     for (; state_.restart < definition_.restarts; ++state_.restart) {
       breed();
       if (!breeder_->can_breed(key())) break;
@@ -149,7 +149,12 @@ class Estimation {
             .total = kWorst, .trials = {}, .kind = ScoreKind::invalid, .reason = std::move(model.reason)};
       }
     }
-    std::vector<EvaluatedModel> simulated = evaluator_.evaluate(models, bar);
+    const auto simulate = [&](std::span<const std::size_t> fresh, std::optional<double> below) {
+      std::vector<Candidate> candidates;
+      for (const std::size_t i : fresh) candidates.push_back({&individuals[places[i]].genome, &models[i]});
+      return run_.evaluations->score(candidates, below);
+    };
+    std::vector<EvaluatedModel> simulated = evaluator_.evaluate(models, bar, simulate);
     for (std::size_t i = 0; i < places.size(); ++i) evaluated[places[i]] = std::move(simulated[i]);
     return evaluated;
   }
@@ -225,18 +230,20 @@ class Estimation {
   }
 
   void find_delays() {
-    std::vector<ScoredTrial> trials;
-    for (const TargetTrial& trial : state_.trials)
-      if (!trial.set_aside_in) trials.push_back(definition_.observed(trial.drive, trial.trial));
-    const Delays delays(definition_, std::move(trials));
+    std::vector<KnownModel*> handed_on;
     for (const std::size_t i : differing(state_.best, definition_.ensemble, definition_.phenotypes))
-      state_.counts.steps += delays.find(state_.best[i].model);
+      handed_on.push_back(&state_.best[i]);
+    std::vector<ModelScore> scores =
+        run_.evaluations->find_delays(std::vector<const KnownModel*>(handed_on.begin(), handed_on.end()), state_);
+    for (std::size_t i = 0; i < handed_on.size(); ++i) {
+      state_.counts.steps += scores[i].steps;
+      if (!scores[i].values.empty()) handed_on[i]->model.values = std::move(scores[i].values);
+    }
   }
 
   const EeaRun& run_;
   const EeaDefinition& definition_;
   EeaState& state_;
-  ModelScorer scorer_;
   ModelEvaluator evaluator_;
   std::optional<RivalBreeder> breeder_;  // of the restart under way
   std::unique_ptr<Search> search_;       // that uses it

@@ -1,9 +1,7 @@
 #include "eea/exploration.h"
 
-#include "eea/judges.h"
+#include "eea/evaluations.h"
 #include "evolution/search_run.h"
-#include "foundation/interrupt.h"
-#include "foundation/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +12,13 @@ namespace {
 
 constexpr double kWorstTest = std::numeric_limits<double>::infinity();
 
-/// What was found out about a test.
-struct JudgedTest {
-  double fitness = kNotKnown;  ///< larger is better
-  std::string reason;          ///< why it has none
-  std::uint64_t steps = 0;
-};
-
 /// One exploration phase.
 class Exploration {
  public:
   Exploration(const EeaRun& run, EeaState& state)
       : run_(run),
         definition_(run.definition),
-        state_(state),
-        judges_(run, state),
-        predictions_(static_cast<std::size_t>(judges_.workers()), std::vector<TestPrediction>(judges_.size())) {}
+        state_(state) {}
 
   void run() {
     begin();
@@ -41,6 +30,7 @@ class Exploration {
 
  private:
   void begin() {
+    const std::uint64_t steps = run_.evaluations->begin_exploration(state_);
     const Chosen<SearchStrategy>& strategy = definition_.exploration.strategy;
     const SearchTask task{definition_.exploration.layout(),
                           *definition_.exploration.breeder,
@@ -49,7 +39,7 @@ class Exploration {
     search_ = guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
     if (state_.search.empty()) {
       state_.search_begin = state_.tests;
-      state_.counts.test_steps += judges_.steps();
+      state_.counts.test_steps += steps;
     } else {
       guarded_call(strategy.origin, "load", [&] { search_->load(state_.search); });
     }
@@ -57,9 +47,9 @@ class Exploration {
 
   /// Searches look for small scores; of tests the fitness is to be large.
   std::vector<double> score(const std::vector<Individual>& individuals) {
-    std::vector<JudgedTest> judged(individuals.size());
-    parallel_for(individuals.size(), judges_.workers(),
-                 [&](std::size_t i, int worker) { judge(individuals[i].genome, worker, judged[i]); });
+    std::vector<Genome> tests;
+    for (const Individual& individual : individuals) tests.push_back(individual.genome);
+    const std::vector<JudgedTest> judged = run_.evaluations->judge(tests);
     std::vector<double> scores;
     for (std::size_t i = 0; i < individuals.size(); ++i) {
       const bool valid = judged[i].reason.empty();
@@ -70,24 +60,6 @@ class Exploration {
       note(individuals[i], judged[i]);
     }
     return scores;
-  }
-
-  /// A test that the encoding, a model or the fitness refuses is invalid.
-  void judge(const Genome& genome, int worker, JudgedTest& judged) {
-    try {
-      find_fitness(definition_.decode_test(genome), worker, judged);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error& error) {
-      judged.reason = error.what();
-    }
-  }
-
-  void find_fitness(const Test& test, int worker, JudgedTest& judged) {
-    std::vector<TestPrediction>& predictions = predictions_[static_cast<std::size_t>(worker)];
-    if (!judges_.predict(test, worker, predictions, judged.steps, judged.reason)) return;
-    judged.fitness = definition_.value.score(test, predictions);
-    if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
   }
 
   void note(const Individual& individual, const JudgedTest& judged) {
@@ -136,8 +108,6 @@ class Exploration {
   const EeaRun& run_;
   const EeaDefinition& definition_;
   EeaState& state_;
-  Judges judges_;
-  std::vector<std::vector<TestPrediction>> predictions_;  // per worker, one a judge
   std::unique_ptr<Search> search_;
 };
 

@@ -53,9 +53,9 @@ Eigen::MatrixXd information_in(const TestPrediction& prediction, const Trial& tr
 
 }  // namespace
 
-Judges::Judges(const EeaRun& run, const EeaState& state)
-    : definition_(run.definition),
-      predictor_(*definition_.compiled, definition_.sample_times, run.threads, &definition_.model,
+Judges::Judges(const EeaDefinition& definition, int threads, const EeaState& state)
+    : definition_(definition),
+      predictor_(*definition_.compiled, definition_.sample_times, threads, &definition_.model,
                  definition_.value.models()) {
   for (const std::size_t i : differing(state.best, definition_.value.models(), definition_.phenotypes))
     judges_.push_back({state.best[i].model});

@@ -2,7 +2,8 @@
 
 #include <lacuna/test_fitness.h>
 
-#include "eea/eea_run.h"
+#include "eea/eea_definition.h"
+#include "eea/eea_state.h"
 #include "evaluation/test_predictor.h"
 
 #include <cstdint>
@@ -16,9 +17,9 @@ namespace lacuna {
 /// fitness asks for it, of the models' free values. Const and shared by threads, each with a worker of its own.
 class Judges {
  public:
-  /// The ensemble of the state's last estimation phase, as many as the test fitness takes. Run and state must outlive
-  /// it; simulates on `run.threads` threads.
-  Judges(const EeaRun& run, const EeaState& state);
+  /// The ensemble of the state's last estimation phase, as many as the test fitness takes. Definition and
+  /// state must outlive it; simulates on `threads` threads.
+  Judges(const EeaDefinition& definition, int threads, const EeaState& state);
 
   std::size_t size() const { return judges_.size(); }
   int workers() const { return predictor_.workers(); }

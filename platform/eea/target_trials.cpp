@@ -1,10 +1,10 @@
 #include "eea/target_trials.h"
 
 #include "eea/challenge.h"
+#include "eea/evaluations.h"
 #include "eea/exploration.h"
 #include "eea/recorded_trials.h"
 #include "eea/stopping.h"
-#include "evaluation/test_predictor.h"
 #include "foundation/interrupt.h"
 
 #include <fmt/format.h>
@@ -97,23 +97,23 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
   const auto number = static_cast<int>(state.trials.size());
   CarriedOut done = carry_out_or_replace(run, target, state, number);
   const NextTest& test = *state.next_test;
-  TargetTrial trial{test.number, done.drive, with_known_start(run.definition, done.trial)};
+  TargetTrial trial{test.number, done.drive, with_known_start(run.definition, done.trial), test.genome};
   const double surprise = surprise_of(run, state, trial);
   run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness, surprise},
                   done.trial);
-  if (!state.best.empty()) note_prediction(run, state, number, done.drive);
+  if (!state.best.empty()) note_prediction(run, state, number, trial);
   state.trials.push_back(std::move(trial));
   note_surprise(run, state, surprise);
   if (!for_transfer) set_aside_if_too_hard(run, state, surprise);
   state.next_test.reset();
 }
 
-void note_prediction(const EeaRun& run, EeaState& state, int trial, const Test& drive) {
-  const TestPredictor predictor(*run.definition.compiled, run.definition.sample_times, 1, &run.definition.model);
-  TestPrediction prediction;
-  std::string reason;
-  if (predictor.predict(state.best.front().model, drive, 0, prediction, state.counts.test_steps, reason))
-    run.journal.add_prediction(state.best.front().number, trial, prediction.sensors, prediction.centre_of_mass);
+void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial) {
+  const KnownModel& best = state.best.front();
+  const ForetoldTrial foretold = run.evaluations->foretell(best, trial);
+  state.counts.test_steps += foretold.steps;
+  if (foretold.valid)
+    run.journal.add_prediction(best.number, number, foretold.prediction.sensors, foretold.prediction.centre_of_mass);
 }
 
 }  // namespace lacuna

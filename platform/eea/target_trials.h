@@ -23,7 +23,7 @@ struct EeaTarget {
 /// With `for_transfer` the trial is written down alone: no model will be fitted to it.
 void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer);
 
-/// What the best model says about the trial, for the record.
-void note_prediction(const EeaRun& run, EeaState& state, int trial, const Test& drive);
+/// What the best model says about a trial of the state, or its next one, for the record.
+void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial);
 
 }  // namespace lacuna

@@ -1,11 +1,11 @@
 #include "evaluation/model_evaluator.h"
 
-#include "foundation/parallel.h"
+#include <utility>
 
 namespace lacuna {
 
-ModelEvaluator::ModelEvaluator(const ModelScorer& scorer, const ModelDefinition& definition, EvaluationOptions options)
-    : scorer_(scorer), options_(options), phenotypes_(definition) {}
+ModelEvaluator::ModelEvaluator(const ModelDefinition& definition, EvaluationOptions options)
+    : options_(options), phenotypes_(definition) {}
 
 const ModelScore* ModelEvaluator::recall(const std::string& phenotype, std::optional<double> bar) const {
   const auto found = memory_.find(phenotype);
@@ -15,7 +15,7 @@ const ModelScore* ModelEvaluator::recall(const std::string& phenotype, std::opti
 }
 
 std::vector<EvaluatedModel> ModelEvaluator::evaluate(const std::vector<ModelProposal>& models,
-                                                     std::optional<double> bar) {
+                                                     std::optional<double> bar, const ScoreModels& score) {
   if (!options_.abandon) bar = std::nullopt;
   std::vector<EvaluatedModel> evaluated(models.size());
   std::vector<std::string> phenotypes;
@@ -27,9 +27,10 @@ std::vector<EvaluatedModel> ModelEvaluator::evaluate(const std::vector<ModelProp
         options_.reuse && (recall(phenotypes[i], bar) != nullptr || !first_with.emplace(phenotypes[i], i).second);
     if (!evaluated[i].reused) fresh.push_back(i);
   }
-  parallel_for(fresh.size(), scorer_.workers(), [&](std::size_t task, int worker) {
-    scorer_.score(models[fresh[task]], bar, worker, evaluated[fresh[task]].score);
-  });
+  if (!fresh.empty()) {
+    std::vector<ModelScore> scores = score(fresh, bar);
+    for (std::size_t task = 0; task < fresh.size(); ++task) evaluated[fresh[task]].score = std::move(scores[task]);
+  }
   if (!options_.reuse) return evaluated;
   for (const std::size_t i : fresh) memory_.insert_or_assign(phenotypes[i], evaluated[i].score);
   for (std::size_t i = 0; i < models.size(); ++i) {

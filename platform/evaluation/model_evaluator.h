@@ -5,6 +5,7 @@
 #include "evaluation/phenotypes.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,22 +24,25 @@ struct EvaluatedModel {
   bool reused = false;  ///< an identical model was scored before; its score counts
 };
 
-/// Scores generations of models, in parallel, with the same results for any number of threads. Remembers
-/// phenotypes.
+/// Scores the models with these indices, in their order.
+using ScoreModels =
+    std::function<std::vector<ModelScore>(std::span<const std::size_t> indices, std::optional<double> bar)>;
+
+/// Scores generations of models, and remembers phenotypes, which are not simulated again.
 class ModelEvaluator {
  public:
-  /// The scorer must outlive it; its trials are the same for all that is remembered.
-  ModelEvaluator(const ModelScorer& scorer, const ModelDefinition& definition, EvaluationOptions options);
+  ModelEvaluator(const ModelDefinition& definition, EvaluationOptions options);
 
-  /// One score for each model. Nothing that is above `bar` is known but that.
-  std::vector<EvaluatedModel> evaluate(const std::vector<ModelProposal>& models, std::optional<double> bar);
+  /// One score for each model. Nothing that is above `bar` is known but that. `score` is asked once at most, for those
+  /// that are to be simulated; the trials behind it are the same for all that is remembered.
+  std::vector<EvaluatedModel> evaluate(const std::vector<ModelProposal>& models, std::optional<double> bar,
+                                       const ScoreModels& score);
   /// As if it had been evaluated, for a run that goes on.
   void remember(const ModelProposal& model, const ModelScore& score);
 
  private:
   const ModelScore* recall(const std::string& phenotype, std::optional<double> bar) const;
 
-  const ModelScorer& scorer_;
   EvaluationOptions options_;
   Phenotypes phenotypes_;
   std::unordered_map<std::string, ModelScore> memory_;

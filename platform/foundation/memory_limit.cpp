@@ -41,12 +41,13 @@ void lower(Resource resource, std::uint64_t bytes) {
 
 }  // namespace
 
-std::uint64_t memory_of_machine() {
+std::uint64_t usable_memory() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   const std::uint64_t physical =
       pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : kNoLimit;
-  return std::min({physical, limit_in("/sys/fs/cgroup/memory.max"),
-                   limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+  const std::uint64_t all = std::min(
+      {physical, limit_in("/sys/fs/cgroup/memory.max"), limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
+  return all / 10 * 9;
 }
 
 void limit_memory(std::uint64_t bytes) {

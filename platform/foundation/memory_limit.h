@@ -4,8 +4,8 @@
 
 namespace lacuna {
 
-/// Bytes that programs of this machine, or of the container around it, may use together.
-std::uint64_t memory_of_machine();
+/// Bytes that a program may use of this machine, or of the container around it, and leave the others some: nine tenths.
+std::uint64_t usable_memory();
 
 /// From now on an allocation that takes this process, or one that it begins, past `bytes` fails, as memory that is used
 /// up does (`std::bad_alloc`). A limit that is there already and is smaller stays. A build with a sanitizer, which needs

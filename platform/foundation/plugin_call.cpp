@@ -30,6 +30,7 @@ struct Page {
   std::atomic<int> exit_code = 0;
   std::atomic<double> evaluation_limit = 0.0;
   std::atomic<bool> new_beginning = false;
+  std::atomic<std::uint32_t> task = 0;
   std::atomic<std::size_t> text_used = 0;
   std::array<char, kTextSize> text;
 };
@@ -164,6 +165,9 @@ void CallPage::prepare() {
 
 void CallPage::limit_evaluations(double seconds) { page().evaluation_limit = seconds; }
 double CallPage::evaluation_limit() { return page().evaluation_limit; }
+
+void CallPage::set_task(std::uint32_t task) { page().task = task; }
+std::uint32_t CallPage::task() { return page().task; }
 
 void CallPage::allow_new_beginning(bool allowed) { page().new_beginning = allowed; }
 bool CallPage::allows_new_beginning() { return page().new_beginning; }

@@ -142,6 +142,10 @@ class CallPage {
   static void limit_evaluations(double seconds);
   static double evaluation_limit();
 
+  /// Which piece of its work the process is at, for the one that watches it.
+  static void set_task(std::uint32_t task);
+  static std::uint32_t task();
+
   /// The work can be begun anew without a component that has ended it (`refused`), and goes on from where it was.
   static void allow_new_beginning(bool allowed);
   static bool allows_new_beginning();

@@ -78,6 +78,11 @@ class PluginCatalog {
   std::vector<std::string> problems_;
 };
 
+/// The file of the program that runs; empty where the system does not tell.
+std::filesystem::path program_file();
+/// Where the program's own plugins lie: `../lib/lacuna/plugins` beside its folder.
+std::filesystem::path installed_plugins();
+
 /// `--plugin-path` folders, then LACUNA_PLUGIN_PATH (colon-separated), then `../lib/lacuna/plugins`
 /// beside the program's folder, which serves the installed tree and the build tree.
 std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::filesystem::path>& from_command_line);

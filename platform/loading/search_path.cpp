@@ -5,6 +5,16 @@
 
 namespace lacuna {
 
+std::filesystem::path program_file() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
+
+std::filesystem::path installed_plugins() {
+  const std::filesystem::path program = program_file();
+  return program.empty() ? program : program.parent_path().parent_path() / "lib" / "lacuna" / "plugins";
+}
+
 std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::filesystem::path>& from_command_line) {
   std::vector<std::filesystem::path> folders = from_command_line;
   if (const char* variable = std::getenv("LACUNA_PLUGIN_PATH")) {
@@ -12,9 +22,7 @@ std::vector<std::filesystem::path> plugin_search_path(const std::vector<std::fil
     for (std::string folder; std::getline(list, folder, ':');)
       if (!folder.empty()) folders.emplace_back(folder);
   }
-  std::error_code unknown;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) folders.push_back(program.parent_path().parent_path() / "lib" / "lacuna" / "plugins");
+  if (const std::filesystem::path installed = installed_plugins(); !installed.empty()) folders.push_back(installed);
   return folders;
 }
 

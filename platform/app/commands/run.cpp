@@ -2,6 +2,7 @@
 #include "app/runs/replicates.h"
 #include "app/runs/run_plan.h"
 #include "app/runs/shape_reading.h"
+#include "app/runs/worker_setup.h"
 #include "app/terminal/output.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
@@ -126,10 +127,11 @@ void run(const RunOptions& options) {
   if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
+  const std::unique_ptr<WorkerPool> workers = worker_pool(options, bench, plan.threads);
   std::vector<ReplicateEnd> ends;
   {
     RunDisplay display(plan.replicates, options.quiet, &lines);
-    ends = Replicates(bench, database, plan.experiment).run(plan.replicates, plan.threads, display);
+    ends = Replicates(bench, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
   }
   lift_time_limit();  // what follows is quick
   check_kept(ends, database);
@@ -151,6 +153,12 @@ void add_run_command(CLI::App& program) {
       ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
       ->option_text("N")
       ->check(whole_number(1, 1000000));
+  command->add_flag_callback(
+      "--isolate", [options] { options->isolate = true; },
+      "Simulate models in worker processes, so that a plugin that crashes or hangs costs a model and not the run "
+      "(default: where a plugin is none of those that are installed with the program)");
+  command->add_flag_callback(
+      "--no-isolate", [options] { options->isolate = false; }, "Simulate models in this process, whatever the plugins");
   command->add_flag("--resume", options->resume,
                     "Go on with this experiment's runs that were not done, or begin where there is none");
   command->callback([options] { run(*options); });

@@ -3,11 +3,13 @@
 #include "app/runs/store_journal.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "isolation/remote_evaluations.h"
 #include "storage/core/storage_error.h"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -111,6 +113,8 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
     ShownJournal journal(store, display, index);
     const ReplicateTarget target(bench_, planned.seed, planned.replicate,
                                  [&](const std::string& note) { display.note(index, note); });
+    std::optional<RemoteEvaluations> elsewhere;
+    if (workers_) elsewhere.emplace(*workers_, threads);
     eea_loop({.definition = bench_.definition(),
               .journal = journal,
               .seed = planned.seed,
@@ -118,7 +122,8 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
               .threads = threads,
               .truth = bench_.truth(planned.replicate),
               .target = bench_.target() ? &bench_.target()->structure.robot : nullptr,
-              .progress = [&](const EeaProgress& progress) { display.show(index, progress); }},
+              .progress = [&](const EeaProgress& progress) { display.show(index, progress); },
+              .evaluations = elsewhere ? &*elsewhere : nullptr},
              target.target(), state);
     store.end(RunEnding::done);
   } catch (const Interrupted& interruption) {

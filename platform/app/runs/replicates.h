@@ -3,6 +3,7 @@
 #include "app/runs/eea_bench.h"
 #include "app/runs/replicate.h"
 #include "app/runs/run_display.h"
+#include "isolation/worker_pool.h"
 #include "storage/eea/eea_store.h"
 
 #include <mutex>
@@ -14,8 +15,9 @@ namespace lacuna {
 /// the individuals of each. A replicate that fails does not end the others; Ctrl-C ends all after their generation.
 class Replicates {
  public:
-  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment)
-      : bench_(bench), database_(database), experiment_(experiment) {}
+  /// `workers`: processes that simulate the models; null: this one does. They must outlive it.
+  Replicates(const EeaBench& bench, Database& database, ExperimentId experiment, WorkerPool* workers = nullptr)
+      : bench_(bench), database_(database), experiment_(experiment), workers_(workers) {}
 
   /// Writes down what the runs are about, so that each can be gone on with, even one that never got its turn.
   void enter(const std::vector<PlannedReplicate>& planned);
@@ -29,6 +31,7 @@ class Replicates {
   const EeaBench& bench_;
   Database& database_;
   ExperimentId experiment_;
+  WorkerPool* workers_;
   std::mutex writing_;
 };
 

@@ -15,6 +15,7 @@ namespace lacuna {
 struct RunOptions : CommonOptions {
   std::optional<int> replicates;
   bool resume = false;
+  std::optional<bool> isolate;  ///< whether models are simulated in worker processes; none: it depends on the plugins
 };
 
 /// What the runs of a command `lacuna run` are.

@@ -11,6 +11,7 @@ namespace lacuna {
 struct RunTrial {
   TargetTrialRow row;
   Test drive;   ///< what was done
+  Genome genome;  ///< of the test; empty: of a recorded target
   Trial trial;  ///< with a start that can be simulated from
 };
 

@@ -23,6 +23,7 @@ std::optional<EeaState> stored_state(const EeaStore& store, const EeaDefinition&
   for (std::size_t i = 0; i < stored.size(); ++i) {
     state.trials[i].trial = std::move(stored[i].trial);
     state.trials[i].drive = std::move(stored[i].drive);
+    state.trials[i].genome = std::move(stored[i].genome);
     state.trials[i].test = stored[i].row.test.value_or(0);
   }
   if (state.phase == Phase::estimation && !state.search.empty()) state.evaluated = store.models(state.pass);

@@ -25,7 +25,6 @@ namespace {
 constexpr int kEndedBadly = 1;
 constexpr int kToRunAgain = 75;
 constexpr double kGrace = 0.2;  // s, for what a child has left running
-constexpr double kShareOfMemory = 0.9;
 
 /// Ends as the child did.
 void end_by(int signal, const sigset_t& mask) {
@@ -117,7 +116,7 @@ int exit_code_of(int status) {
 int do_work(int argc, char** argv, int (*work)(int, char**), pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) return kEndedBadly;  // it ended before that
-  limit_memory(static_cast<std::uint64_t>(kShareOfMemory * static_cast<double>(memory_of_machine())));
+  limit_memory(usable_memory());
   CallPage::watch_this_process();
   const int code = work(argc, argv);
   CallPage::close(code);

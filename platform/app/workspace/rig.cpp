@@ -37,11 +37,22 @@ void note_inputs(const Experiment& experiment, const CommonOptions& options) {
   note_database(database_of(options, experiment));
 }
 
-Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
+/// With its plugins and what its model is.
+Rig define(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
   Rig rig;
   rig.experiment = std::move(experiment);
   rig.catalog = std::move(catalog);
   rig.definition = define_model(rig.experiment, *rig.catalog);
+  return rig;
+}
+
+void compile_model(Rig& rig) {
+  decide_engine(rig.experiment, rig.definition.engine.engine);
+  rig.model = compile(rig.definition.structure, rig.definition.engine);  // delays are kept by the step
+}
+
+Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) {
+  Rig rig = define(std::move(experiment), std::move(catalog));
   const std::string& target = rig.experiment.target.kind;
   check_step_count(rig.experiment, {}, rig.catalog->make<TargetSystem>(target)->takes_tests());
   const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
@@ -49,8 +60,7 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
   check_step_count(rig.experiment, rig.trials, false);
-  decide_engine(rig.experiment, rig.definition.engine.engine);
-  rig.model = compile(rig.definition.structure, rig.definition.engine);  // delays are kept by the step
+  compile_model(rig);
   return rig;
 }
 
@@ -145,6 +155,15 @@ Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_
   decide_as(experiment, options.decided);
   note_inputs(experiment, options);
   return with_stored_trials(assemble(std::move(experiment), std::move(catalog)), options);
+}
+
+Rig open_rig_without_trials(const CommonOptions& options, const std::string& text) {
+  Experiment experiment = read_experiment_text(text, options.experiment, options.overrides);
+  decide_as(experiment, options.decided);
+  Rig rig =
+      define(std::move(experiment), std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths)));
+  compile_model(rig);
+  return rig;
 }
 
 }  // namespace lacuna

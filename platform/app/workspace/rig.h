@@ -42,5 +42,7 @@ int last_replicate(const std::filesystem::path& database, const std::string& exp
 Rig open_rig(const CommonOptions& options);
 /// The same for an experiment file whose content would be `text`.
 Rig open_rig(const CommonOptions& options, const std::string& text, std::shared_ptr<const PluginCatalog> catalog);
+/// The same with neither recorded trials nor those of a database.
+Rig open_rig_without_trials(const CommonOptions& options, const std::string& text);
 
 }  // namespace lacuna

@@ -1,0 +1,65 @@
+#include "app/commands/worker.h"
+
+#include "app/runs/worker_setup.h"
+#include "foundation/memory_limit.h"
+#include "foundation/plugin_call.h"
+#include "isolation/serve_evaluations.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+
+namespace lacuna {
+namespace {
+
+constexpr std::uint64_t kStack = std::uint64_t{64} << 20;
+
+/// Takes the standard input for itself: what plugins read is nothing, and what they print goes to the run's standard
+/// error.
+MessageChannel channel_to_host() {
+  MessageChannel channel(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nothing, STDIN_FILENO);
+  close(nothing);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  return channel;
+}
+
+void limit(const WorkerTask& task) {
+  CallPage::limit_evaluations(task.evaluation_limit);
+  limit_stack(kStack);
+  if (task.memory > 0) limit_memory(task.memory);
+}
+
+std::unique_ptr<const EeaBench> open_bench(const MessageChannel& channel) try {
+  const WorkerTask task = receive_task(channel);
+  limit(task);
+  return std::make_unique<const EeaBench>(open_worker_bench(task));
+} catch (const std::exception& error) {
+  send_failure(channel, error.what());
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_worker(int argc, char** argv) { return argc == 2 && std::string_view(argv[1]) == "worker"; }
+
+int run_worker(int, char**) {
+  const MessageChannel channel = channel_to_host();
+  const std::unique_ptr<const EeaBench> bench = open_bench(channel);
+  if (!bench) return 1;
+  serve_evaluations(channel, bench->definition());
+  std::fflush(nullptr);
+  _exit(0);  // nothing is left to be done, and plugins' ends are none of the run's concern
+}
+
+void tell_host(const ChildLoss& loss) {
+  const MessageChannel channel(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  send_lost(channel, {loss.component, loss.deed, CallPage::task()});
+}
+
+}  // namespace lacuna

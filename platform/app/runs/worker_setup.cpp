@@ -1,0 +1,46 @@
+#include "app/runs/worker_setup.h"
+
+#include "app/workspace/used_plugins.h"
+#include "foundation/memory_limit.h"
+#include "foundation/plugin_call.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+bool uses_others_plugins(const EeaBench& bench) {
+  const std::vector<PluginFileRecord> files = plugins_of_run(bench.rig().experiment, *bench.rig().catalog);
+  std::error_code unknown;
+  const std::filesystem::path installed = std::filesystem::weakly_canonical(installed_plugins(), unknown);
+  return std::any_of(files.begin(), files.end(), [&](const PluginFileRecord& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::path(file.file).parent_path(), unknown) != installed;
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<WorkerPool> worker_pool(const RunOptions& options, const EeaBench& bench, int threads) {
+  if (!options.isolate.value_or(uses_others_plugins(bench))) return nullptr;
+  const Experiment& experiment = bench.rig().experiment;
+  WorkerTask task;
+  task.experiment = experiment.file;
+  task.text = experiment.text;
+  task.overrides = experiment.overrides;
+  task.decided = experiment.decided;
+  task.plugin_paths = options.plugin_paths;
+  task.evaluation_limit = CallPage::evaluation_limit();
+  task.memory = usable_memory() / static_cast<std::uint64_t>(threads);
+  return std::make_unique<WorkerPool>(program_file(), std::move(task));
+}
+
+EeaBench open_worker_bench(const WorkerTask& task) {
+  CommonOptions options;
+  options.experiment = task.experiment;
+  options.overrides = task.overrides;
+  options.decided = task.decided;
+  options.plugin_paths = task.plugin_paths;
+  return EeaBench(open_rig_without_trials(options, task.text));
+}
+
+}  // namespace lacuna

@@ -1,0 +1,109 @@
+#include "eea/local_evaluations.h"
+
+#include "eea/judges.h"
+#include "eea/scored_trials.h"
+#include "evaluation/test_predictor.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+#include "foundation/plugin_call.h"
+
+#include <cmath>
+#include <utility>
+
+namespace lacuna {
+
+/// The judges with what each thread remembers of their predictions.
+struct LocalEvaluations::Panel {
+  Panel(const EeaDefinition& of, int threads, const EeaState& state)
+      : definition(of),
+        judges(of, threads, state),
+        predictions(static_cast<std::size_t>(judges.workers()), std::vector<TestPrediction>(judges.size())) {}
+
+  void judge(const Genome& genome, int worker, JudgedTest& judged) {
+    const Evaluation evaluation;
+    try {
+      find_fitness(definition.decode_test(genome), worker, judged);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error& error) {
+      judged.reason = error.what();
+    }
+  }
+
+  void find_fitness(const Test& test, int worker, JudgedTest& judged) {
+    std::vector<TestPrediction>& foretold = predictions[static_cast<std::size_t>(worker)];
+    if (!judges.predict(test, worker, foretold, judged.steps, judged.reason)) return;
+    judged.fitness = definition.value.score(test, foretold);
+    if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
+  }
+
+  const EeaDefinition& definition;
+  Judges judges;
+  std::vector<std::vector<TestPrediction>> predictions;  // by worker
+};
+
+LocalEvaluations::LocalEvaluations(const EeaDefinition& definition, int threads)
+    : definition_(definition), threads_(threads) {}
+LocalEvaluations::~LocalEvaluations() = default;
+
+void LocalEvaluations::begin_estimation(const EeaState& state) {
+  panel_.reset();
+  scorer_ = std::make_unique<ModelScorer>(*definition_.compiled, scored_trials(definition_, state), definition_.metric,
+                                          threads_, &definition_.model, definition_.profiled);
+}
+
+std::vector<ModelScore> LocalEvaluations::score(std::span<const Candidate> candidates, std::optional<double> bar) {
+  std::vector<ModelScore> scores(candidates.size());
+  parallel_for(candidates.size(), scorer_->workers(), [&](std::size_t i, int worker) {
+    const Evaluation evaluation;
+    scorer_->score(*candidates[i].model, bar, worker, scores[i]);
+  });
+  return scores;
+}
+
+std::uint64_t LocalEvaluations::begin_exploration(const EeaState& state) {
+  scorer_.reset();
+  panel_ = std::make_unique<Panel>(definition_, threads_, state);
+  return panel_->judges.steps();
+}
+
+std::vector<JudgedTest> LocalEvaluations::judge(std::span<const Genome> tests) {
+  std::vector<JudgedTest> judged(tests.size());
+  parallel_for(tests.size(), panel_->judges.workers(),
+               [&](std::size_t i, int worker) { panel_->judge(tests[i], worker, judged[i]); });
+  return judged;
+}
+
+ModelScore LocalEvaluations::score_on(const KnownModel& model, const TargetTrial& trial, int pass) {
+  const Evaluation evaluation;
+  const ModelScorer scorer(*definition_.compiled, {definition_.scored(trial.drive, trial.trial, pass)},
+                           definition_.metric, 1, &definition_.model);
+  ModelScore score;
+  scorer.score(model.model, std::nullopt, 0, score);
+  return score;
+}
+
+ForetoldTrial LocalEvaluations::foretell(const KnownModel& model, const TargetTrial& trial) {
+  const TestPredictor predictor(*definition_.compiled, definition_.sample_times, 1, &definition_.model);
+  ForetoldTrial foretold;
+  std::string reason;
+  foretold.valid = predictor.predict(model.model, trial.drive, 0, foretold.prediction, foretold.steps, reason);
+  return foretold;
+}
+
+std::vector<ModelScore> LocalEvaluations::find_delays(std::span<const KnownModel* const> models,
+                                                      const EeaState& state) {
+  std::vector<ScoredTrial> trials;
+  for (const TargetTrial& trial : state.trials)
+    if (!trial.set_aside_in) trials.push_back(definition_.observed(trial.drive, trial.trial));
+  const ModelScorer scorer(*definition_.compiled, std::move(trials), definition_.metric, 1, &definition_.model,
+                           definition_.profiled);
+  std::vector<ModelScore> scores(models.size());
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Evaluation evaluation;
+    scorer.score(models[i]->model, std::nullopt, 0, scores[i]);
+  }
+  return scores;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "eea/eea_definition.h"
+#include "eea/evaluations.h"
+
+#include <memory>
+
+namespace lacuna {
+
+/// Simulates models in this process.
+class LocalEvaluations : public Evaluations {
+ public:
+  /// The definition must outlive it; works on `threads` threads.
+  LocalEvaluations(const EeaDefinition& definition, int threads);
+  ~LocalEvaluations() override;
+
+  void begin_estimation(const EeaState& state) override;
+  std::vector<ModelScore> score(std::span<const Candidate> candidates, std::optional<double> bar) override;
+  std::uint64_t begin_exploration(const EeaState& state) override;
+  std::vector<JudgedTest> judge(std::span<const Genome> tests) override;
+  ModelScore score_on(const KnownModel& model, const TargetTrial& trial, int pass) override;
+  ForetoldTrial foretell(const KnownModel& model, const TargetTrial& trial) override;
+  std::vector<ModelScore> find_delays(std::span<const KnownModel* const> models, const EeaState& state) override;
+
+ private:
+  struct Panel;
+
+  const EeaDefinition& definition_;
+  int threads_;
+  std::unique_ptr<ModelScorer> scorer_;  ///< of the estimation phase under way
+  std::unique_ptr<Panel> panel_;         ///< of the exploration phase under way
+};
+
+}  // namespace lacuna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "eea/evaluations.h"
+#include "isolation/worker_pool.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace lacuna {
+
+/// Simulates models in worker processes. One that ends is replaced; the model or test that ended it is invalid, with
+/// what happened as its reason, and whatever else it was asked for is asked of another one. Throws `Error` where a
+/// component has ended three of them.
+class RemoteEvaluations : public Evaluations {
+ public:
+  /// The pool must outlive it; works in `workers` processes.
+  RemoteEvaluations(WorkerPool& pool, int workers);
+  ~RemoteEvaluations() override;
+
+  void begin_estimation(const EeaState& state) override;
+  std::vector<ModelScore> score(std::span<const Candidate> candidates, std::optional<double> bar) override;
+  std::uint64_t begin_exploration(const EeaState& state) override;
+  std::vector<JudgedTest> judge(std::span<const Genome> tests) override;
+  ModelScore score_on(const KnownModel& model, const TargetTrial& trial, int pass) override;
+  ForetoldTrial foretell(const KnownModel& model, const TargetTrial& trial) override;
+  std::vector<ModelScore> find_delays(std::span<const KnownModel* const> models, const EeaState& state) override;
+
+ private:
+  struct Worker {
+    std::unique_ptr<WorkerProcess> process;
+    bool has_begun = false;  ///< the phase
+  };
+
+  void begin(Request phase);
+  std::string ask(Worker& worker, const Request& request);
+  std::string make_ready(Worker& worker);
+  template <class Result, class MakeRequest>
+  std::vector<Result> share_out(std::size_t count, const MakeRequest& request_for);
+
+  WorkerPool& pool_;
+  std::vector<Worker> workers_;
+  std::optional<Request> phase_;  ///< how the phase under way begins
+};
+
+}  // namespace lacuna

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "isolation/worker_process.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Worker processes for the replicates of an experiment, which take them and give them back. Shared by threads.
+class WorkerPool {
+ public:
+  /// `program`: this one's file.
+  WorkerPool(std::filesystem::path program, WorkerTask task) : program_(std::move(program)), task_(std::move(task)) {}
+
+  /// An idle one, or a new one.
+  std::unique_ptr<WorkerProcess> take();
+  void give_back(std::unique_ptr<WorkerProcess> worker);
+
+  /// Notes that one has ended. Throws `Error` where that was the third time for its component, or for nobody's.
+  void note_lost(const LostWork& lost);
+
+ private:
+  std::filesystem::path program_;
+  WorkerTask task_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<WorkerProcess>> idle_;
+  std::map<std::string, int> lost_;  ///< by component
+};
+
+}  // namespace lacuna

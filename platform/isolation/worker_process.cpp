@@ -1,0 +1,62 @@
+#include "isolation/worker_process.h"
+
+#include "isolation/carried.h"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr double kGrace = 1.0;  // s, for the end of a process that has closed its channel
+
+/// A channel, and a program that has its other end as its standard input.
+std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin(const std::filesystem::path& program) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw Error(std::string("no channel to a worker process: ") + strerror(errno));
+  MessageChannel here(ends[0]);
+  const MessageChannel there(ends[1]);
+  ChildBeginning beginning;
+  beginning.words = {program.string(), "worker"};
+  beginning.input = ends[1];
+  beginning.errors = STDERR_FILENO;
+  return {std::move(here), std::make_unique<ChildProgram>(beginning)};
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const std::filesystem::path& program, const WorkerTask& task)
+    : WorkerProcess(begin(program), task) {}
+
+WorkerProcess::WorkerProcess(std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begun, const WorkerTask& task)
+    : channel_(std::move(begun.first)), child_(std::move(begun.second)) {
+  channel_.send(to_bytes(Request(task)));  // where it has ended already, its answer says so
+}
+
+std::string WorkerProcess::answer() {
+  std::optional<std::string> message = channel_.receive();
+  if (!message || message->empty()) {
+    const auto ending = child_->ended_within(kGrace);
+    throw WorkerLost({"", ending ? "a worker process " + ending->phrase() : "a worker process closed its channel", 0});
+  }
+  const auto kind = static_cast<AnswerKind>(message->front());
+  message->erase(0, 1);
+  if (kind == AnswerKind::lost) throw WorkerLost(from_bytes<LostWork>(*message));
+  if (kind == AnswerKind::failed) throw Error(from_bytes<std::string>(*message));
+  return std::move(*message);
+}
+
+std::string WorkerProcess::ask(const Request& request) {
+  if (!is_ready_) answer();
+  is_ready_ = true;
+  channel_.send(to_bytes(request));
+  return answer();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "foundation/child_program.h"
+#include "isolation/channel.h"
+#include "isolation/messages.h"
+
+#include <lacuna/error.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace lacuna {
+
+/// Thrown where a worker process has ended instead of answering.
+class WorkerLost : public Error {
+ public:
+  explicit WorkerLost(LostWork lost) : Error(lost.deed), work(std::move(lost)) {}
+
+  LostWork work;
+};
+
+/// A process of this program that evaluates models. One thread.
+class WorkerProcess {
+ public:
+  /// Begins `program worker`, which makes itself ready while this one goes on.
+  WorkerProcess(const std::filesystem::path& program, const WorkerTask& task);
+
+  /// The answer to a request. Throws `WorkerLost`, after which it answers no more; `Error` with the sentence of what
+  /// the worker threw; `Interrupted`.
+  std::string ask(const Request& request);
+
+ private:
+  WorkerProcess(std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begun, const WorkerTask& task);
+  std::string answer();
+
+  MessageChannel channel_;
+  std::unique_ptr<ChildProgram> child_;
+  bool is_ready_ = false;  ///< its first answer was read
+};
+
+}  // namespace lacuna
