@@ -19,12 +19,23 @@ namespace {
 
 constexpr int kTests = 5;
 
+/// What no sensor reads is no measurement, and would outweigh all others.
+void check_readings(const TimeSeries& measured, const ComponentOrigin& target) {
+  for (std::size_t c = 0; c < measured.channels.size(); ++c) {
+    const auto readings = measured.samples.col(static_cast<Eigen::Index>(c)).array();
+    if ((readings.isNaN() || readings.abs() <= kLargestReading).all()) continue;
+    throw Error(fmt::format("{}: it reads more than {:g} {} of \"{}\", which no sensor does", to_string(target),
+                            kLargestReading, measured.channels[c].unit, measured.channels[c].name));
+  }
+}
+
 Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
   if (target.simulator) target.simulator->begin_trial(static_cast<std::uint64_t>(number));
   if (target.program) target.program->begin_trial(static_cast<std::uint64_t>(number));
   Trial trial = guarded_call(target.origin, "carrying a test out", [&] {
     return target.system.carry_out(drive, {.simulator = target.simulator, .program = target.program});
   });
+  check_readings(trial.measured, target.origin);
   trial.name = std::to_string(number);
   return trial;
 }

@@ -102,7 +102,7 @@ void end_descendants(double grace) {
   for (;;) {
     wait_for_ended_children();
     const std::vector<pid_t> left = descendants_of(getpid());
-    if (left.empty()) return;
+    if (left.empty()) return wait_for_ended_children();
     if (Clock::now() >= patience) signal_all(left, SIGKILL);
     std::this_thread::sleep_for(kPause);
   }

@@ -71,6 +71,9 @@ Trial Conversation::whole(const CommandSeries& commands) {
   lines_.send(series_message(heading_, hello_, commands), until_);
   Samples samples = read_samples(lines_.receive(until_), hello_);
   check_extent(samples, heading_);
+  for (Eigen::Index row = 0; row < samples.times.size(); ++row)
+    order_.check_readings(samples.times[row], {samples.values.row(row).data(),
+                                               static_cast<std::size_t>(samples.values.cols())});
   start_ = samples.start;
   Trial trial;
   trial.commands = {order_.applied(commands.series.times, commands.series.samples), commands.hold};
@@ -92,6 +95,7 @@ Trial Conversation::period_by_period(Drive&& drive) {
   for (Eigen::Index k = 0; k <= periods; ++k) {
     const Readings readings =
         next_readings(static_cast<std::size_t>(k), k > 0 ? times[k - 1] : -std::numeric_limits<double>::infinity());
+    order_.check_readings(readings.time, readings.sensors);
     if (k == 0) start_ = readings.start;
     times[k] = readings.time;
     for (std::size_t c = 0; c < readings.sensors.size(); ++c)

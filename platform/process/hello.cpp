@@ -60,6 +60,10 @@ TargetSensor read_sensor(Part part) {
   sensor.to_si = part.factor_of(sensor.unit);
   sensor.noise = part.number("noise", false) * sensor.to_si;
   if (sensor.noise < 0.0) part.fault("has a \"noise\" below zero");
+  const double lower = part.number("lower", false) * sensor.to_si, upper = part.number("upper", false) * sensor.to_si;
+  if (!std::isnan(lower)) sensor.lower = lower;
+  if (!std::isnan(upper)) sensor.upper = upper;
+  if (sensor.lower >= sensor.upper) part.fault("has a \"lower\" reading that is not below the \"upper\" one");
   return sensor;
 }
 

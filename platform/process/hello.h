@@ -11,12 +11,16 @@ namespace lacuna {
 /// The protocol, as messages name it.
 inline constexpr const char* kProcessProtocol = "lacuna-process/1";
 
+/// What no sensor of a robot reads more than, in any SI unit.
+inline constexpr double kLargestReading = 1e12;
+
 /// A sensor's channel of a target outside, as it says it of itself.
 struct TargetSensor {
   std::string name;
   std::string unit;                                         ///< that it sends
   double to_si = 1.0;                                       ///< SI = sent × this
   double noise = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation, SI; NaN: not said
+  double lower = -kLargestReading, upper = kLargestReading;  ///< that it can read, SI
 };
 
 struct TargetActuator {

@@ -73,6 +73,18 @@ void ChannelOrder::readings_of_model(std::span<const double> readings, std::span
   for (std::size_t c = 0; c < sensors_.size(); ++c) ordered[c] = readings[sensors_[c]];
 }
 
+void ChannelOrder::check_readings(double time, std::span<const double> readings) const {
+  for (const std::size_t place : sensors_) {
+    const TargetSensor& sensor = hello_.sensors[place];
+    const double reading = readings[place], slack = kRounding * (sensor.upper - sensor.lower);
+    if (std::isnan(reading) || (reading >= sensor.lower - slack && reading <= sensor.upper + slack)) continue;
+    throw Error(fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its range is {:.4g} "
+                            "to {:.4g}",
+                            reading / sensor.to_si, sensor.unit, sensor.name, time, sensor.lower / sensor.to_si,
+                            sensor.upper / sensor.to_si));
+  }
+}
+
 TimeSeries ChannelOrder::measured(const Eigen::VectorXd& times, const TimeSeries::Samples& values) const {
   return columns_of(space_.sensors, sensors_, times, values);
 }

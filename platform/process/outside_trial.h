@@ -21,6 +21,9 @@ class ChannelOrder {
   CommandSeries of_target(const CommandSeries& commands) const;
   void commands_of_target(std::span<const double> commands, std::span<double> ordered) const;
   void readings_of_model(std::span<const double> readings, std::span<double> ordered) const;
+  /// Throws `Error`, which continues "the program ...", for a reading of the model's sensors, in the order of the
+  /// hello's, that the sensor cannot make.
+  void check_readings(double time, std::span<const double> readings) const;
   /// The columns of the model's sensors, in its order.
   TimeSeries measured(const Eigen::VectorXd& times, const TimeSeries::Samples& values) const;
   TimeSeries applied(const Eigen::VectorXd& times, const TimeSeries::Samples& values) const;

@@ -2,6 +2,7 @@
 
 #include "foundation/interrupt.h"
 #include "foundation/plugin_call.h"
+#include "support/sanitizers.h"
 #include "support/test_folder.h"
 
 #include <gmock/gmock.h>
@@ -56,6 +57,8 @@ class Supervisor {
     EXPECT_EQ(read(said_[0], &process, sizeof(process)), static_cast<ssize_t>(sizeof(process)));
     return process;
   }
+  /// In the work: where the test reads process numbers from.
+  static int said() { return said_end(); }
   void send(int signal) const { kill(process_, signal); }
   int wait(int options = 0) const {
     int status = 0;
@@ -178,6 +181,99 @@ TEST(RunSupervised, ASignalToTheSupervisorReachesTheWork) {
     EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 75) << signal;
     EXPECT_THAT(supervisor.errors(), IsEmpty());
   }
+}
+
+void hang() {
+  for (;;) std::this_thread::sleep_for(kAWhile);
+}
+
+int evaluate_without_end(int, char**) {
+  CallPage::limit_evaluations(0.5);
+  const Evaluation evaluation;
+  for (int i = 0; i < 10; ++i) {  // longer than the limit, but one after the other
+    const Evaluation part;
+    std::this_thread::sleep_for(kAWhile / 2);
+  }
+  const PluginCall call(component_on_page("effect \"endless\""), "add_loads");
+  hang();
+  return 0;
+}
+
+TEST(RunSupervised, AnEvaluationThatTakesTooLongIsEndedAndNamed) {
+  const Supervisor supervisor(evaluate_without_end);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"endless\": add_loads: an evaluation took longer than 0.5 s"),
+                                         HasSubstr("--evaluation-limit"), HasSubstr("is kept")));
+}
+
+int call_that_heeds_nothing(int, char**) {
+  watch_for_interrupts();
+  const PluginCall call(component_on_page("search \"deaf\""), "ask");
+  Supervisor::say_ready();
+  hang();
+  return 0;
+}
+
+TEST(RunSupervised, APluginThatIgnoresAWishIsEndedWithinTwoSeconds) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Supervisor supervisor(call_that_heeds_nothing);
+    supervisor.worker();
+    const auto asked = std::chrono::steady_clock::now();
+    supervisor.send(signal);
+    EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 75);
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(LACUNA_WATCHED ? 10'000 : 2'000));
+    EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("interrupted; search \"deaf\": ask did not return"),
+                                           Not(HasSubstr("fault of the plugin"))));
+  }
+}
+
+int end_what_takes_its_time(int, char**) {
+  watch_for_interrupts();
+  Supervisor::say_ready();
+  while (!interrupt_requested()) std::this_thread::sleep_for(kAWhile / 10);
+  std::this_thread::sleep_for(15 * kAWhile);  // a rig that is brought to rest
+  return 75;
+}
+
+TEST(RunSupervised, WhatIsNoPluginsMayTakeItsTime) {
+  const Supervisor supervisor(end_what_takes_its_time);
+  supervisor.worker();
+  supervisor.send(SIGTERM);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 75);
+  EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+int end_by_each_effect_in_turn(int, char**) {
+  CallPage::allow_new_beginning(true);
+  for (const char* effect : {"effect \"one\"", "effect \"two\""}) {
+    if (CallPage::refusal_of(effect)) continue;
+    const PluginCall call(component_on_page(effect), "add_loads");
+    std::abort();
+  }
+  return 42;
+}
+
+TEST(RunSupervised, WorkThatAllowsItBeginsAnewWithoutWhatEndedIt) {
+  const Supervisor supervisor(end_by_each_effect_in_turn);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 42);
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("effect \"one\": add_loads ended the program by signal 6"), HasSubstr("effect \"two\""),
+                    HasSubstr("the work goes on without it"), Not(HasSubstr("fault of"))));
+}
+
+TEST(RunSupervised, WhatALostChildHasLeftRunningIsEnded) {
+  const Supervisor supervisor([](int, char**) -> int {
+    const pid_t left = fork();
+    if (left == 0) {
+      setsid();
+      hang();
+    }
+    EXPECT_EQ(write(Supervisor::said(), &left, sizeof(left)), static_cast<ssize_t>(sizeof(left)));
+    std::abort();
+  });
+  const pid_t left = supervisor.worker();
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_NE(kill(left, 0), 0) << "the supervisor has waited for it";
 }
 
 TEST(RunSupervised, AHangUpEndsBothBySignal) {

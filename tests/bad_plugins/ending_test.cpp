@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 
 #include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 /// A plugin that ends the process that calls it: the command fails, with a line that names plugin and call, and the
 /// database is as it was.
@@ -105,7 +108,126 @@ TEST_F(HostilePlugin, ThatEndsARunIsNamed) {
   EXPECT_THAT(search.errors, names("search \"hostile_search\"", "begin ended the program with exit code 0"));
   const Outcome metric = lacuna("add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2");
   EXPECT_EQ(metric.exit_code, 1);
-  EXPECT_THAT(metric.errors, names("metric \"hostile_metric\"", "add ended the program by signal 6"));
+  EXPECT_THAT(metric.errors, AllOf(HasSubstr("metric \"hostile_metric\""), HasSubstr("has ended 3 worker processes"),
+                                   HasSubstr("add ended the program by signal 6")));
+  const Outcome in_host = lacuna(
+      "add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2 --no-isolate");
+  EXPECT_EQ(in_host.exit_code, 1);
+  EXPECT_THAT(in_host.errors, names("metric \"hostile_metric\"", "add ended the program by signal 6"));
+}
+
+/// The ways in which a hostile effect ends a process, and how that is told.
+const std::vector<std::pair<std::string, std::string>> kDeeds = {
+    {"exit", "add_loads ended the program with exit code 0"},
+    {"_exit", "add_loads ended the program with exit code 0"},
+    {"abort", "add_loads ended the program by signal 6"},
+    {"segfault", "add_loads ended the program by signal 11"},
+    {"stack", "add_loads ended the program by signal 11"},
+    {"thread", "add_loads ended the program by signal 6"},
+    {"hang", "add_loads: an evaluation took longer than 1 s, the limit"},
+    {"throw", "add_loads threw an object of type"},
+    {"hog", "add_loads threw std::bad_alloc"},
+};
+
+/// A run of the quadruped whose models have the hostile effect.
+class HostileEffectInARun : public HostilePlugin {
+ protected:
+  HostileEffectInARun() {
+    std::string text = program_.read("small.toml");
+    text.insert(text.find("[engine]"), "effects = [{ effect = \"hostile\", where = \"joint.front_left_hip\" }]\n\n");
+    program_.write("small.toml", text);
+  }
+  /// `order`: see hostile.cpp. Begins with little memory, so that little is taken before there is none left.
+  Outcome lacuna_with_hostile(const std::string& order, const std::string& command) const {
+    return program_.shell("ulimit -d 1000000; export HOSTILE='" + order + "'; lacuna " + command +
+                          " --plugin-path " + folder_.path().string() + " --evaluation-limit 1 --quiet");
+  }
+  Outcome run(const std::string& order, const std::string& options) const {
+    return lacuna_with_hostile(order, "run small.toml " + options);
+  }
+  std::string reasons() const {
+    return program_.run({"sql", "small.db", "SELECT reason FROM invalid_evaluations", "--csv"}).output;
+  }
+};
+
+TEST_F(HostileEffectInARun, CostsOneModelWhereItRunsInAWorkerProcess) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes, and needs address space";
+  for (const auto& [deed, what] : kDeeds) {
+    program_.shell("rm -f small.db* once");
+    const std::string order = "add_loads " + deed + " 60";
+    const Outcome outcome = run(order + "'; export HOSTILE_ONCE='once", "");
+    ASSERT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
+    EXPECT_THAT(reasons(), AllOf(HasSubstr("effect \"\"hostile\"\""), HasSubstr(what))) << deed;
+    EXPECT_EQ(program_.run({"verify", "small.db"}).exit_code, 0) << deed;
+  }
+}
+
+TEST_F(HostileEffectInARun, EndsTheRunWhereItHasEndedThreeWorkers) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes";
+  const Outcome outcome = run("add_loads segfault 50", "");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr("has ended 3 worker processes"),
+                                    HasSubstr("by signal 11"), HasSubstr("--resume goes on from here")));
+  const Outcome mended = run("", "--resume");
+  EXPECT_EQ(mended.exit_code, 0) << mended.errors;
+}
+
+TEST_F(HostileEffectInARun, IsNamedWhereThereAreNoWorkers) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes, and needs address space";
+  for (const auto& [deed, what] : kDeeds) {
+    program_.shell("rm -f small.db* once");
+    const Outcome outcome = run("add_loads " + deed + " 60'; export HOSTILE_ONCE='once", "--no-isolate");
+    if (outcome.exit_code != 0)
+      EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what))) << deed;
+    else  // what is thrown ends no process
+      EXPECT_THAT(reasons(), AllOf(HasSubstr("effect \"\"hostile\"\""), HasSubstr(what))) << deed;
+    EXPECT_THAT(program_.run({"sql", "small.db", "PRAGMA integrity_check"}).output, HasSubstr("ok")) << deed;
+  }
+}
+
+TEST_F(HostileEffectInARun, IsNamedByAPrediction) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes, and needs address space";
+  ASSERT_EQ(run("", "").exit_code, 0);
+  for (const auto& [deed, what] : kDeeds) {
+    const Outcome outcome = lacuna_with_hostile("add_loads " + deed, "predict small.toml --test 0");
+    EXPECT_EQ(outcome.exit_code, 1) << deed << outcome.output;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what))) << deed;
+  }
+}
+
+TEST_F(HostilePlugin, IsNamedByAFit) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes, and needs address space";
+  for (const auto& [deed, what] : kDeeds) {
+    const Outcome outcome = program_.shell(
+        "ulimit -d 1000000; export HOSTILE='add_loads " + deed +
+        "'; lacuna fit rig.toml --set 'model.effects=[{effect=\"hostile\",where=\"joint.axle\"}]' --evaluation-limit 1 "
+        "--plugin-path " +
+        folder_.path().string());
+    EXPECT_EQ(outcome.exit_code, 1) << deed << outcome.output;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what))) << deed;
+  }
+}
+
+TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes";
+  program_.copy_first_steps();
+  for (const auto& [deed, what] : {std::pair{"segfault", "by signal 11"}, std::pair{"hang", "took longer than 2 s"}}) {
+    program_.shell("rm -f *.db");
+    const Outcome outcome =
+        lacuna(std::string("add_loads ") + deed, "diagnose first-steps.toml --evaluation-limit 2 --quiet");
+    EXPECT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("goes on without it")));
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("not testable: hostile"))) << deed;
+  }
+}
+
+TEST_F(HostilePlugin, ThatHangsEndsWithTheFirstWish) {
+  for (const char* signal : {"TERM", "INT"}) {
+    const Outcome outcome = lacuna("add_loads hang", "--version >/dev/null; timeout --signal " + std::string(signal) +
+                                                         " 2 lacuna " + compare("hostile"));
+    EXPECT_EQ(outcome.exit_code, 124) << "timeout's own";
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("interrupted; effect \"hostile\""), HasSubstr("did not return within two")));
+  }
 }
 
 TEST_F(HostilePlugin, ThatEndsItsDescriptionIsListedAndTheOthersWork) {

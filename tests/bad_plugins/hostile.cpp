@@ -2,6 +2,7 @@
 
 #include <lacuna/error.h>
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -14,7 +15,8 @@
 #include <vector>
 
 /// Components that do in one of their calls what the variable HOSTILE says, as in "add_loads exit" or
-/// "describe segfault 3", from the third time on that it is called in a process.
+/// "describe segfault 3", from the third time on that it is called in a process; where the variable HOSTILE_ONCE names
+/// a file, only the process that makes this file does it.
 namespace {
 
 struct Trouble {};
@@ -42,6 +44,14 @@ void do_it(const std::string& deed) {
     for (std::vector<std::vector<char>> all;;) all.emplace_back(std::size_t{1} << 28, 'x');
 }
 
+bool has_been_done() {
+  const char* const file = std::getenv("HOSTILE_ONCE");
+  if (file == nullptr) return false;
+  const int made = open(file, O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (made >= 0) close(made);
+  return made < 0;
+}
+
 void misbehave(const std::string& where) {
   const char* const variable = std::getenv("HOSTILE");
   if (variable == nullptr) return;
@@ -50,7 +60,7 @@ void misbehave(const std::string& where) {
   const std::size_t deed = order.find(' '), count = order.find(' ', deed + 1);
   if (order.substr(0, deed) != where) return;
   const int wanted = count == std::string::npos ? 1 : std::atoi(order.c_str() + count);
-  if (++calls >= wanted) do_it(order.substr(deed + 1, count - deed - 1));
+  if (++calls >= wanted && !has_been_done()) do_it(order.substr(deed + 1, count - deed - 1));
 }
 
 class Effect : public bad::Effect {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lacuna {
 namespace {
@@ -66,6 +67,35 @@ TEST(TargetTrials, ATestThatFailsIsRepeatedFirstWhereTheTargetAllowsIt) {
   ASSERT_EQ(journal.trial_rows.size(), 1U);
   EXPECT_EQ(journal.trial_rows[0].test, 1U) << "the first test failed twice, the second once";
   EXPECT_EQ(journal.failures.size(), 3U);
+}
+
+/// A target whose sensors read what no sensor does, the first time.
+class AbsurdTarget : public TargetSystem {
+ public:
+  std::string summary() const override { return "reads nonsense"; }
+  bool takes_tests() const override { return true; }
+  Trial carry_out(const Test& test, const TargetServices& services) override {
+    Trial trial = services.simulator->simulate(test);
+    if (asked++ == 0) trial.measured.samples(1, 0) = -1e308;
+    trial.measured.samples(2, 0) = std::numeric_limits<double>::quiet_NaN();  // not measured, which may be
+    return trial;
+  }
+
+  int asked = 0;
+};
+
+TEST(TargetTrials, AReadingThatNoSensorMakesFailsTheTrial) {
+  const auto bench = small_bench();
+  TargetSimulator simulator(*bench->target(), bench->hidden_values(1), 1);
+  AbsurdTarget system;
+  MemoryJournal journal;
+  EeaState state;
+  const EeaRun run = run_of(*bench, journal);
+  choose_random_test(run, state, 0);
+  carry_out_test(run, {system, {"target", "absurd", {}}, &simulator, nullptr, 0}, state, false);
+  EXPECT_EQ(system.asked, 2);
+  ASSERT_EQ(journal.failures.size(), 1U);
+  EXPECT_THAT(journal.failures[0].reason, HasSubstr("target \"absurd\": it reads more than 1e+12"));
 }
 
 TEST(TargetTrials, AnInterruptionAndWrongInputEndTheRunAtOnce) {

@@ -37,9 +37,8 @@ EeaState after_first_pass(const EeaBench& bench) {
 TEST(Judges, KnowTheNoiseOfEachChannel) {
   const auto bench = small_bench({"exploration.fitness=model_disagreement", "estimation.sensors=['sensor.angle*']",
                                   "target.noise.'sensor.angle_front_left'=0.02"});
-  MemoryJournal journal;
   const EeaState state = after_first_pass(*bench);
-  const Judges judges(run_of(*bench, journal), state);
+  const Judges judges(bench->definition(), 1, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;
@@ -63,9 +62,8 @@ TEST(Judges, KnowTheNoiseOfEachChannel) {
 TEST(Judges, SlopesAreWhatAValueOfItsWholeRangeWouldChange) {
   const auto bench = small_bench({"exploration.fitness=model_disagreement",
                                   "exploration.fitness_parameters={refit=1,noise=0.1}", "test.duration=0.1"});
-  MemoryJournal journal;
   const EeaState state = after_first_pass(*bench);
-  const Judges judges(run_of(*bench, journal), state);
+  const Judges judges(bench->definition(), 1, state);
   std::vector<TestPrediction> predictions(judges.size());
   std::uint64_t steps = 0;
   std::string reason;

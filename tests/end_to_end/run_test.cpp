@@ -106,6 +106,34 @@ TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {
   EXPECT_THAT(both.output, HasSubstr("run 2 small replicate 2"));
 }
 
+TEST_F(Run, HasTheSameHashInWorkerProcesses) {
+  const std::vector<std::string> settings = {
+      "experiment.passes=2",
+      "estimation.replay=true' --set 'estimation.profiled=[\"sensor.*.delay\"]' --set 'estimation.challenge=2",
+      "exploration.fitness=\"model_disagreement\"' --set 'exploration.fitness_parameters={refit=1,noise=0.1}",
+      "model.encoding=\"morphology\"",
+  };
+  for (const std::string& setting : settings) {
+    program_.shell("rm -f *.db");
+    for (const std::string way : {"--no-isolate", "--isolate"}) {
+      const Outcome outcome = program_.shell("lacuna run small.toml --threads 2 --set 'test.duration=0.3' --set '" +
+                                             setting + "' " + way + " --db " + way.substr(2) + ".db");
+      ASSERT_EQ(outcome.exit_code, kDone) << setting << outcome.errors;
+    }
+    EXPECT_EQ(hash("isolate.db"), hash("no-isolate.db")) << setting;
+  }
+}
+
+TEST_F(Run, InWorkerProcessesGoesOnFromWhereItWasInterrupted) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--no-isolate", "--db", "whole.db"}).exit_code, kDone);
+  const Outcome cut = program_.run_and_signal({"run", "small.toml", "--isolate"}, "small.db-wal", SIGTERM);
+  EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
+  EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
+  const Outcome rest = program_.run({"run", "small.toml", "--resume", "--isolate", "--replicates", "1"});
+  ASSERT_EQ(rest.exit_code, kDone) << rest.errors;
+  EXPECT_EQ(hash("small.db"), hash("whole.db"));
+}
+
 TEST_F(Run, IsReproducedAndReplayedFromTheDatabaseAlone) {
   ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
   std::filesystem::remove(program_.folder() / "small.toml");

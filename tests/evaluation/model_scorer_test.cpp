@@ -131,26 +131,36 @@ TEST(ModelScorer, AValueOutOfBoundsIsInvalidWithItsReasonAndTheNextModelIsNot) {
   EXPECT_EQ(score_of(scorer, kTrueMass).total, 0.0);
 }
 
+/// Evaluates models of one value with a scorer.
+std::vector<EvaluatedModel> evaluate(ModelEvaluator& evaluator, const ModelScorer& scorer,
+                                     const std::vector<ModelProposal>& models, std::optional<double> bar) {
+  return evaluator.evaluate(models, bar, [&](std::span<const std::size_t> fresh, std::optional<double> below) {
+    std::vector<ModelScore> scores(fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i) scorer.score(models[fresh[i]], below, 0, scores[i]);
+    return scores;
+  });
+}
+
 TEST(ModelEvaluator, SimulatesIdenticalModelsOnce) {
   const Rig rig;
   const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 2);
-  ModelEvaluator evaluator(scorer, rig.definition, {});
-  const auto first = evaluator.evaluate({{{1.0}}, {{2.0}}, {{1.0}}}, std::nullopt);
+  ModelEvaluator evaluator(rig.definition, {});
+  const auto first = evaluate(evaluator, scorer, {{{1.0}}, {{2.0}}, {{1.0}}}, std::nullopt);
   EXPECT_FALSE(first[0].reused);
   EXPECT_TRUE(first[2].reused);
   EXPECT_EQ(first[2].score.total, first[0].score.total);
   EXPECT_EQ(first[2].score.steps, 0U);
-  EXPECT_TRUE(evaluator.evaluate({{{2.0}}}, std::nullopt)[0].reused);
+  EXPECT_TRUE(evaluate(evaluator, scorer, {{{2.0}}}, std::nullopt)[0].reused);
 }
 
 TEST(ModelEvaluator, WhatWasAbandonedIsSimulatedAgainWhereTheBarIsHigher) {
   const Rig rig;
   const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 1);
-  ModelEvaluator evaluator(scorer, rig.definition, {});
+  ModelEvaluator evaluator(rig.definition, {});
   const double whole = score_of(scorer, 6.0).total;
-  EXPECT_EQ(evaluator.evaluate({{{6.0}}}, 0.1 * whole)[0].score.kind, ScoreKind::abandoned);
-  EXPECT_TRUE(evaluator.evaluate({{{6.0}}}, 0.05 * whole)[0].reused) << "still above the bar";
-  const EvaluatedModel again = evaluator.evaluate({{{6.0}}}, std::nullopt)[0];
+  EXPECT_EQ(evaluate(evaluator, scorer, {{{6.0}}}, 0.1 * whole)[0].score.kind, ScoreKind::abandoned);
+  EXPECT_TRUE(evaluate(evaluator, scorer, {{{6.0}}}, 0.05 * whole)[0].reused) << "still above the bar";
+  const EvaluatedModel again = evaluate(evaluator, scorer, {{{6.0}}}, std::nullopt)[0];
   EXPECT_FALSE(again.reused);
   EXPECT_EQ(again.score.total, whole);
 }

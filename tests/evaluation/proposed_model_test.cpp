@@ -174,19 +174,26 @@ class ProposedModelEvaluation : public ProposedModel {
 };
 
 TEST_F(ProposedModelEvaluation, ValuesOfEffectsThatAreLeftOutAreNoOtherModel) {
-  ModelEvaluator evaluator(*scorer_, definition_, {});
+  ModelEvaluator evaluator(definition_, {});
+  const auto evaluate = [&](const std::vector<ModelProposal>& models) {
+    return evaluator.evaluate(models, std::nullopt, [&](std::span<const std::size_t> fresh, std::optional<double> bar) {
+      std::vector<ModelScore> scores(fresh.size());
+      for (std::size_t i = 0; i < fresh.size(); ++i) scorer_->score(models[fresh[i]], bar, 1, scores[i]);
+      return scores;
+    });
+  };
   ModelProposal one = without("b"), other = one, whole = proposal();
   const std::vector<ModelEffect> effects = model_effects(definition_);
   for (const std::size_t value : effects[1].values) other.values[value] += 1.0;
   ModelProposal less = proposal(~0b11U), third = without("a");
-  const auto evaluated = evaluator.evaluate({one, other, whole, less, third}, std::nullopt);
+  const auto evaluated = evaluate({one, other, whole, less, third});
   EXPECT_TRUE(evaluated[1].reused);
   EXPECT_EQ(evaluated[1].score.total, evaluated[0].score.total);
   for (const std::size_t i : {2U, 3U, 4U}) EXPECT_FALSE(evaluated[i].reused) << i;
   EXPECT_EQ(evaluated[2].score.total, 0.0);
   EXPECT_EQ(evaluated[0].score.kind, ScoreKind::full);
   EXPECT_GT(evaluated[0].score.total, 0.0);
-  EXPECT_TRUE(evaluator.evaluate({third}, std::nullopt)[0].reused);
+  EXPECT_TRUE(evaluate({third})[0].reused);
 }
 
 }  // namespace

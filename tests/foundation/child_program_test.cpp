@@ -53,6 +53,20 @@ TEST_F(ChildProgramTest, SaysWhichSignalEndedIt) {
   EXPECT_EQ(ending->phrase(), "was ended by signal 11 (Segmentation fault)");
 }
 
+/// Whether a process that a shell has named is over.
+void expect_gone(const std::string& said) {
+  const auto process = static_cast<pid_t>(std::stoi(said));
+  bool gone = false;
+  for (int i = 0; i < 6000 && !gone; ++i) {  // its new parent may take a moment to notice
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    gone = kill(process, 0) != 0;
+    // Where nobody waits for orphans, as in some containers, what is left is no process any more.
+    if (std::ifstream status("/proc/" + said.substr(0, said.find('\n')) + "/stat"); !gone && status)
+      gone = std::string(std::istreambuf_iterator<char>(status), {}).find(") Z ") != std::string::npos;
+  }
+  EXPECT_TRUE(gone);
+}
+
 TEST_F(ChildProgramTest, EndsWithItsOwnChildrenThoughItRefuses) {
   ChildProgram child(shell("trap '' TERM; sleep 1000 & echo $!; wait"));
   std::string said;
@@ -60,17 +74,15 @@ TEST_F(ChildProgramTest, EndsWithItsOwnChildrenThoughItRefuses) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     said = output_.end();
   }
-  const auto grandchild = static_cast<pid_t>(std::stoi(said));
   EXPECT_EQ(child.end(0.05).code(), 128 + SIGKILL);
-  bool gone = false;
-  for (int i = 0; i < 6000 && !gone; ++i) {  // its new parent may take a moment to notice
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    gone = kill(grandchild, 0) != 0;
-    // Where nobody waits for orphans, as in some containers, what is left is no process any more.
-    if (std::ifstream status("/proc/" + said.substr(0, said.find('\n')) + "/stat"); !gone && status)
-      gone = std::string(std::istreambuf_iterator<char>(status), {}).find(") Z ") != std::string::npos;
-  }
-  EXPECT_TRUE(gone);
+  expect_gone(said);
+}
+
+TEST_F(ChildProgramTest, WhatLeavesItsGroupEndsWithItAllTheSame) {
+  ChildProgram child(shell("setsid sh -c 'echo $$; exec sleep 1000' & sleep 0.2"));  // an orphan of another session
+  ASSERT_TRUE(child.ended_within(kPatience));
+  ASSERT_FALSE(output_.end().empty());
+  expect_gone(output_.end());
 }
 
 TEST_F(ChildProgramTest, AProgramThatIsNotThereIsSaid) {

@@ -55,6 +55,22 @@ TEST(PluginCall, EachThreadHasASlotAndGivesItBack) {
   EXPECT_THAT(CallPage::active(), IsEmpty());
 }
 
+TEST(Evaluation, IsSeenByOthersWhileItLives) {
+  EXPECT_THAT(CallPage::busy(), IsEmpty());
+  const Evaluation outer;
+  const std::vector<BusyThread> begun = CallPage::busy();
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_TRUE(begun[0].evaluates);
+  EXPECT_TRUE(CallPage::call_of(*begun[0].slot).component.empty()) << "no plugin is called";
+  { const Evaluation inner; }
+  const std::vector<BusyThread> later = CallPage::busy();
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_TRUE(later[0].evaluates);
+  EXPECT_NE(later[0].ticks, begun[0].ticks) << "an evaluation inside it has ended";
+  const PluginCall call(component_on_page("effect \"drag\""), "add_loads");
+  EXPECT_EQ(CallPage::call_of(*later[0].slot), (ActiveCall{"effect \"drag\"", "add_loads"}));
+}
+
 TEST(ComponentOnPage, EqualTextsHaveOnePlace) {
   EXPECT_EQ(component_on_page("metric \"mean\""), component_on_page(std::string("metric ") + "\"mean\""));
   EXPECT_STREQ(component_on_page("metric \"mean\""), "metric \"mean\"");

@@ -86,6 +86,9 @@ def greet():
     if FAULT == "wrong names":
         hello["sensors"][1]["name"] = "angel"
         hello["actuators"].append({"name": "brake", "unit": "N*m", "lower": 0, "upper": 1})
+    if FAULT in ("beyond its range", "cold"):
+        for sensor in hello["sensors"]:
+            sensor.update(lower=-180, upper=180)
     if FAULT == "narrow":
         hello["actuators"][0].update(lower=-100, upper=100)
     say(hello)
@@ -155,6 +158,10 @@ def run_series(test):
     if FAULT == "huge":
         print(json.dumps(answer).replace("20.0", "1e400"), flush=True)
         return
+    if FAULT == "absurd":
+        answer["samples"][1][1] = 1e308
+    if FAULT in ("beyond its range", "cold"):
+        answer["samples"][1][1 if FAULT != "cold" else 0] = -181
     if FAULT == "a gap":
         answer["samples"][1][1] = None
     if FAULT == "no heat":
@@ -187,6 +194,8 @@ def run_exchange(test):
         readings = {"type": "readings", "time": (k + late) * test["period"], "sensors": [20.0, angle]}
         if FAULT == "no heat":
             readings["sensors"][0] = None
+        if FAULT == "absurd" and k == 1:
+            readings["sensors"][1] = 1e308
         if FAULT == "a gap" and k == 1:
             readings["sensors"][1] = None
         if FAULT in ("begins early", *WAVERS) and k == 0:

@@ -96,8 +96,10 @@ std::vector<Trial> imagined_trials(const EeaDefinition& definition) {
 /// With the integration steps that the model needs, where the experiment leaves them open.
 Rig with_substeps(Rig rig) {
   if (rig.experiment.engine.substeps > 0) return rig;
+  const bool needs_none = rig.definition.engine.engine == "ode";
   const std::vector<Trial> trials =
-      takes_tests(rig) ? imagined_trials(EeaDefinition(rig.experiment, *rig.catalog, rig.definition, true))
+      needs_none         ? std::vector<Trial>()
+      : takes_tests(rig) ? imagined_trials(EeaDefinition(rig.experiment, *rig.catalog, rig.definition, true))
                        : rig.fit_trials();
   settle_substeps(rig, trials, 0);
   return rig;

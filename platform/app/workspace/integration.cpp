@@ -33,12 +33,13 @@ std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
 
 std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads) {
   EngineSettings& engine = rig.definition.engine;
-  if (trials.empty() || substeps_decided(rig.experiment)) return {};
+  if (substeps_decided(rig.experiment)) return {};
   if (engine.engine == "ode") {
     decide_substeps(rig.experiment, 1);
     engine.substeps = rig.experiment.engine.substeps;
     return {};
   }
+  if (trials.empty()) return {};
   const std::vector<double> values = rig.definition.start_values();
   const Substeps found = sufficient_substeps(rig.definition, trials, values, threads > 0 ? threads : default_threads());
   if (rig.experiment.engine.substeps == 0) {
