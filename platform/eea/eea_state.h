@@ -38,7 +38,7 @@ struct TargetTrial {
   std::uint64_t test = 0;
   Test drive;
   Trial trial;
-  Genome genome = {};  ///< of the test; empty: of a recorded target
+  Genome genome = {};                    ///< of the test; empty: of a recorded target
   std::optional<int> set_aside_in = {};  ///< the pass in which it was found too hard (challenge.h); none: it counts
 };
 

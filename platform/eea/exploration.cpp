@@ -15,10 +15,7 @@ constexpr double kWorstTest = std::numeric_limits<double>::infinity();
 /// One exploration phase.
 class Exploration {
  public:
-  Exploration(const EeaRun& run, EeaState& state)
-      : run_(run),
-        definition_(run.definition),
-        state_(state) {}
+  Exploration(const EeaRun& run, EeaState& state) : run_(run), definition_(run.definition), state_(state) {}
 
   void run() {
     begin();

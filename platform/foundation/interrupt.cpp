@@ -19,8 +19,9 @@ constexpr const char* kKept = "; what was finished, if anything, is kept";
 std::atomic<std::int64_t> requested_at = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-constexpr std::int64_t kOneWish = 100;  // ms
-constexpr double kLongestLimit = 1e12;  // s; the sum with a clock stays in range
+constexpr std::int64_t kOneWish = 100;       // ms
+constexpr std::int64_t kLongestWait = 1200;  // ms
+constexpr double kLongestLimit = 1e12;       // s; the sum with a clock stays in range
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
@@ -65,6 +66,11 @@ bool interrupt_requested() { return requested_at != 0 || time_is_up(); }
 
 void throw_if_asked_to_stop() {
   if (requested_at != 0) throw Interrupted(std::string("interrupted") + kKept);
+}
+
+void throw_if_kept_waiting() {
+  const std::int64_t asked = requested_at.load(std::memory_order_relaxed);
+  if (asked != 0 && milliseconds_now() - asked > kLongestWait) throw_if_asked_to_stop();
 }
 
 void throw_if_interrupted() {

@@ -30,6 +30,9 @@ bool interrupt_requested();
 void throw_if_interrupted();
 /// The same whatever the time limit: for what is short, and the rest follows from.
 void throw_if_asked_to_stop();
+/// The same once the user has waited for more than a second: for what is usually short, and has to come to its end to
+/// be of use.
+void throw_if_kept_waiting();
 /// Sleeps; throws as soon as the flag is up.
 void pause_for(double seconds);
 

@@ -8,8 +8,8 @@ namespace lacuna {
 std::uint64_t usable_memory();
 
 /// From now on an allocation that takes this process, or one that it begins, past `bytes` fails, as memory that is used
-/// up does (`std::bad_alloc`). A limit that is there already and is smaller stays. A build with a sanitizer, which needs
-/// address space of its own, has no limit.
+/// up does (`std::bad_alloc`). A limit that is there already and is smaller stays. A build with a sanitizer, which
+/// needs address space of its own, has no limit.
 void limit_memory(std::uint64_t bytes);
 
 /// The same of each thread's stack, where it begins or grows.

@@ -97,7 +97,8 @@ std::vector<pid_t> processes_with(const std::string& variable) {
 }
 
 void end_descendants(double grace) {
-  const auto patience = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace));
+  const auto patience =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace));
   signal_all(descendants_of(getpid()), SIGTERM);
   for (;;) {
     wait_for_ended_children();

@@ -40,7 +40,7 @@ bool MessageChannel::read_all(char* bytes, std::size_t count) const {
   while (count > 0) {
     pollfd waiting{descriptor_, POLLIN, 0};
     const int ready = poll(&waiting, 1, kBetweenLooks);
-    throw_if_asked_to_stop();
+    throw_if_kept_waiting();
     if (ready <= 0) continue;
     const ssize_t got = read(descriptor_, bytes, count);
     if (got < 0 && errno == EINTR) continue;

@@ -18,7 +18,7 @@ class MessageChannel {
 
   /// False: the other end is closed.
   bool send(const std::string& message) const;
-  /// Nothing: the other end is closed. Throws `Interrupted` as soon as the user asks for the end.
+  /// Nothing: the other end is closed. Throws `Interrupted` where the user has asked for the end and waits.
   std::optional<std::string> receive() const;
 
  private:

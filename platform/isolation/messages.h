@@ -34,7 +34,8 @@ struct WiredModel {
   int restart = 0;
 };
 
-/// A trial as it travels. A test that is a series of commands travels with them, one that is a controller as its genome.
+/// A trial as it travels. A test that is a series of commands travels with them, one that is a controller as its
+/// genome.
 struct WiredTrial {
   Genome genome;
   std::optional<CommandSeries> commands;

@@ -12,10 +12,8 @@ namespace lacuna {
 namespace {
 
 void refuse(ModelScore& score, const std::string& reason) {
-  score = {.total = std::numeric_limits<double>::infinity(),
-           .trials = {},
-           .kind = ScoreKind::invalid,
-           .reason = reason};
+  score = {
+      .total = std::numeric_limits<double>::infinity(), .trials = {}, .kind = ScoreKind::invalid, .reason = reason};
 }
 
 void refuse(JudgedTest& judged, const std::string& reason) { judged = {kNotKnown, reason, 0}; }

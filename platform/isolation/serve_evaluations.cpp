@@ -18,9 +18,9 @@ KnownModel known_model(const EeaDefinition& definition, WiredModel&& wired) {
 
 TargetTrial target_trial(const EeaDefinition& definition, WiredTrial&& wired) {
   TargetTrial trial;
-  trial.drive = wired.commands ? Test{std::move(*wired.commands), wired.duration, std::move(wired.start),
-                                      std::move(wired.setup)}
-                               : definition.decode_test(wired.genome);
+  trial.drive = wired.commands
+                    ? Test{std::move(*wired.commands), wired.duration, std::move(wired.start), std::move(wired.setup)}
+                    : definition.decode_test(wired.genome);
   trial.trial = std::move(wired.trial);
   trial.genome = std::move(wired.genome);
   trial.set_aside_in = wired.set_aside_in;
@@ -135,8 +135,6 @@ void send_failure(const MessageChannel& channel, const std::string& sentence) {
   send(channel, AnswerKind::failed, to_bytes(sentence));
 }
 
-void send_lost(const MessageChannel& channel, const LostWork& lost) {
-  send(channel, AnswerKind::lost, to_bytes(lost));
-}
+void send_lost(const MessageChannel& channel, const LostWork& lost) { send(channel, AnswerKind::lost, to_bytes(lost)); }
 
 }  // namespace lacuna

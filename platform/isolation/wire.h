@@ -51,8 +51,7 @@ class WireReader {
 };
 
 template <class Wire, class Number>
-  requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>)
-void carry(Wire& wire, Number& number) {
+requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void carry(Wire& wire, Number& number) {
   wire.bytes(&number, sizeof(number));
 }
 

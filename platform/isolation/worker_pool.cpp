@@ -11,12 +11,14 @@ constexpr int kMostLost = 3;
 
 std::string sentence_of(const LostWork& lost) {
   if (lost.component.empty())
-    return fmt::format("{} worker processes have ended, the last one so: {}; give the run fewer --threads where memory "
-                       "is short, or please report the command",
-                       kMostLost, lost.deed);
-  return fmt::format("{} has ended {} worker processes, the last one so: {}; repair the plugin, or do without this "
-                     "component",
-                     lost.component, kMostLost, lost.deed);
+    return fmt::format(
+        "{} worker processes have ended, the last one so: {}; give the run fewer --threads where memory "
+        "is short, or please report the command",
+        kMostLost, lost.deed);
+  return fmt::format(
+      "{} has ended {} worker processes, the last one so: {}; repair the plugin, or do without this "
+      "component",
+      lost.component, kMostLost, lost.deed);
 }
 
 }  // namespace

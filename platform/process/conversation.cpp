@@ -72,8 +72,8 @@ Trial Conversation::whole(const CommandSeries& commands) {
   Samples samples = read_samples(lines_.receive(until_), hello_);
   check_extent(samples, heading_);
   for (Eigen::Index row = 0; row < samples.times.size(); ++row)
-    order_.check_readings(samples.times[row], {samples.values.row(row).data(),
-                                               static_cast<std::size_t>(samples.values.cols())});
+    order_.check_readings(samples.times[row],
+                          {samples.values.row(row).data(), static_cast<std::size_t>(samples.values.cols())});
   start_ = samples.start;
   Trial trial;
   trial.commands = {order_.applied(commands.series.times, commands.series.samples), commands.hold};

@@ -17,9 +17,9 @@ inline constexpr double kLargestReading = 1e12;
 /// A sensor's channel of a target outside, as it says it of itself.
 struct TargetSensor {
   std::string name;
-  std::string unit;                                         ///< that it sends
-  double to_si = 1.0;                                       ///< SI = sent × this
-  double noise = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation, SI; NaN: not said
+  std::string unit;                                          ///< that it sends
+  double to_si = 1.0;                                        ///< SI = sent × this
+  double noise = std::numeric_limits<double>::quiet_NaN();   ///< standard deviation, SI; NaN: not said
   double lower = -kLargestReading, upper = kLargestReading;  ///< that it can read, SI
 };
 

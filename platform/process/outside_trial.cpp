@@ -78,10 +78,11 @@ void ChannelOrder::check_readings(double time, std::span<const double> readings)
     const TargetSensor& sensor = hello_.sensors[place];
     const double reading = readings[place], slack = kRounding * (sensor.upper - sensor.lower);
     if (std::isnan(reading) || (reading >= sensor.lower - slack && reading <= sensor.upper + slack)) continue;
-    throw Error(fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its range is {:.4g} "
-                            "to {:.4g}",
-                            reading / sensor.to_si, sensor.unit, sensor.name, time, sensor.lower / sensor.to_si,
-                            sensor.upper / sensor.to_si));
+    throw Error(
+        fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its range is {:.4g} "
+                    "to {:.4g}",
+                    reading / sensor.to_si, sensor.unit, sensor.name, time, sensor.lower / sensor.to_si,
+                    sensor.upper / sensor.to_si));
   }
 }
 

@@ -202,8 +202,9 @@ int evaluate_without_end(int, char**) {
 TEST(RunSupervised, AnEvaluationThatTakesTooLongIsEndedAndNamed) {
   const Supervisor supervisor(evaluate_without_end);
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
-  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("effect \"endless\": add_loads: an evaluation took longer than 0.5 s"),
-                                         HasSubstr("--evaluation-limit"), HasSubstr("is kept")));
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("effect \"endless\": add_loads: an evaluation took longer than 0.5 s"),
+                    HasSubstr("--evaluation-limit"), HasSubstr("is kept")));
 }
 
 int call_that_heeds_nothing(int, char**) {

@@ -110,8 +110,8 @@ TEST_F(HostilePlugin, ThatEndsARunIsNamed) {
   EXPECT_EQ(metric.exit_code, 1);
   EXPECT_THAT(metric.errors, AllOf(HasSubstr("metric \"hostile_metric\""), HasSubstr("has ended 3 worker processes"),
                                    HasSubstr("add ended the program by signal 6")));
-  const Outcome in_host = lacuna(
-      "add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2 --no-isolate");
+  const Outcome in_host =
+      lacuna("add abort", "run small.toml --set 'estimation.metric=\"hostile_metric\"' --threads 2 --no-isolate");
   EXPECT_EQ(in_host.exit_code, 1);
   EXPECT_THAT(in_host.errors, names("metric \"hostile_metric\"", "add ended the program by signal 6"));
 }
@@ -139,8 +139,8 @@ class HostileEffectInARun : public HostilePlugin {
   }
   /// `order`: see hostile.cpp. Begins with little memory, so that little is taken before there is none left.
   Outcome lacuna_with_hostile(const std::string& order, const std::string& command) const {
-    return program_.shell("ulimit -d 1000000; export HOSTILE='" + order + "'; lacuna " + command +
-                          " --plugin-path " + folder_.path().string() + " --evaluation-limit 1 --quiet");
+    return program_.shell("ulimit -d 1000000; export HOSTILE='" + order + "'; lacuna " + command + " --plugin-path " +
+                          folder_.path().string() + " --evaluation-limit 1 --quiet");
   }
   Outcome run(const std::string& order, const std::string& options) const {
     return lacuna_with_hostile(order, "run small.toml " + options);
@@ -216,7 +216,8 @@ TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
     const Outcome outcome =
         lacuna(std::string("add_loads ") + deed, "diagnose first-steps.toml --evaluation-limit 2 --quiet");
     EXPECT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("goes on without it")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("goes on without it")));
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("not testable: hostile"))) << deed;
   }
 }
@@ -226,7 +227,8 @@ TEST_F(HostilePlugin, ThatHangsEndsWithTheFirstWish) {
     const Outcome outcome = lacuna("add_loads hang", "--version >/dev/null; timeout --signal " + std::string(signal) +
                                                          " 2 lacuna " + compare("hostile"));
     EXPECT_EQ(outcome.exit_code, 124) << "timeout's own";
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("interrupted; effect \"hostile\""), HasSubstr("did not return within two")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("interrupted; effect \"hostile\""), HasSubstr("did not return within two")));
   }
 }
 

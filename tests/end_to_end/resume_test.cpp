@@ -269,6 +269,20 @@ TEST_F(Resume, LeavesARunThatAnotherProcessCarriesOut) {
   EXPECT_EQ(outcome.exit_code, kInterrupted) << "the first goes on undisturbed: " << outcome.errors;
 }
 
+TEST_F(Resume, WaitsForASignOfLifeFromAnotherMachine) {
+  interrupt({});
+  const std::string foreign =
+      "sqlite3 small.db \"INSERT INTO claim VALUES (1, 'elsewhere', 'elsewhere 17', $(stat -c %i "
+      "small.db), 0)\"; ";
+  const Outcome alive = program_.shell(
+      foreign + "(sleep 8; sqlite3 small.db 'UPDATE claim SET beat = 1') & lacuna run small.toml --resume");
+  EXPECT_EQ(alive.exit_code, kBadInput);
+  EXPECT_THAT(alive.errors, AllOf(HasSubstr("another machine has begun to carry a run out; waiting 15 s"),
+                                  HasSubstr("run 1 is being carried out by another process")));
+  const Outcome gone = program_.run({"run", "small.toml", "--resume"});
+  EXPECT_EQ(gone.exit_code, kDone) << gone.errors;
+}
+
 /// Some of these torsos have an inertia that no body has.
 TEST_F(Resume, WithInvalidModelsEndsWithTheSameRowsAndReasons) {
   const std::vector<std::string> free = {"--set",

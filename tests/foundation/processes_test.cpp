@@ -28,9 +28,8 @@ bool comes_true(const Condition& condition) {
 TEST(Processes, ThoseWithAVariableAreFound) {
   const std::string variable = "LACUNA_TEST_LANTERN=" + std::to_string(getpid());
   EXPECT_THAT(processes_with(variable), IsEmpty());
-  ChildProgram child({.words = {"sleep", "1000"},
-                      .folder = {},
-                      .environment = {{"LACUNA_TEST_LANTERN", std::to_string(getpid())}}});
+  ChildProgram child(
+      {.words = {"sleep", "1000"}, .folder = {}, .environment = {{"LACUNA_TEST_LANTERN", std::to_string(getpid())}}});
   EXPECT_TRUE(comes_true([&] { return processes_with(variable).size() == 1; }));
   EXPECT_THAT(processes_with("LACUNA_TEST_LANTERN=1"), IsEmpty()) << "another value";
   child.end(0.0);

@@ -130,8 +130,12 @@ TEST(Messages, ATaskArrivesAsItWas) {
 }
 
 TEST(Messages, ScoresAndJudgementsArriveAsTheyWere) {
-  const std::vector<ModelScore> sent = {
-      {.total = 1.0 / 3.0, .trials = {0.1, kNan}, .kind = ScoreKind::abandoned, .reason = "why", .steps = 7, .values = {2.0}}};
+  const std::vector<ModelScore> sent = {{.total = 1.0 / 3.0,
+                                         .trials = {0.1, kNan},
+                                         .kind = ScoreKind::abandoned,
+                                         .reason = "why",
+                                         .steps = 7,
+                                         .values = {2.0}}};
   const auto scores = from_bytes<std::vector<ModelScore>>(to_bytes(sent));
   ASSERT_EQ(scores.size(), 1U);
   const auto& [total, trials, kind, reason, steps, values] = scores[0];

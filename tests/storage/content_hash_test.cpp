@@ -42,7 +42,8 @@ const std::set<std::string> kNotContent = {"schema_text",
                                            "unfinished_diagnosis",
                                            "failed_trial",
                                            "where_it_fails",
-                                           "seal"};
+                                           "seal",
+                                           "claim"};
 
 /// Columns of content tables that are a row's address in its file, a name that carries the run's number, or what
 /// follows from other columns.

@@ -155,7 +155,8 @@ void add_run_command(CLI::App& program) {
       ->check(whole_number(1, 1000000));
   command->add_flag_callback(
       "--isolate", [options] { options->isolate = true; },
-      "Simulate models in worker processes: a plugin that crashes costs a model, not the run (default where a plugin is "
+      "Simulate models in worker processes: a plugin that crashes costs a model, not the run (default where a plugin "
+      "is "
       "not of the installed ones)");
   command->add_flag_callback(
       "--no-isolate", [options] { options->isolate = false; }, "Simulate models in this process, whatever the plugins");

@@ -100,7 +100,7 @@ Rig with_substeps(Rig rig) {
   const std::vector<Trial> trials =
       needs_none         ? std::vector<Trial>()
       : takes_tests(rig) ? imagined_trials(EeaDefinition(rig.experiment, *rig.catalog, rig.definition, true))
-                       : rig.fit_trials();
+                         : rig.fit_trials();
   settle_substeps(rig, trials, 0);
   return rig;
 }

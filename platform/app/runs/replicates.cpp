@@ -1,5 +1,6 @@
 #include "app/runs/replicates.h"
 
+#include "app/runs/claim_beats.h"
 #include "app/runs/store_journal.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
@@ -145,6 +146,7 @@ std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& p
   ends.reserve(planned.size());
   for (const PlannedReplicate& each : planned) ends.emplace_back().planned = each;
   const int side_by_side = std::min({threads, static_cast<int>(planned.size()), most_side_by_side(bench_)});
+  const ClaimBeats beats(database_, writing_);
   const int threads_each = std::max(1, threads / std::max(1, side_by_side));
   parallel_for(planned.size(), side_by_side,
                [&](std::size_t index, int) { carry_out(index, threads_each, display, ends[index]); });

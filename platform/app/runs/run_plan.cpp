@@ -4,6 +4,7 @@
 #include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
 #include "config/result_setting.h"
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/shell_word.h"
 #include "storage/results/stored_run.h"
@@ -38,15 +39,15 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
 }
 
 /// Takes the run into the plan, or says why not. Whether it was begun with what there is now.
-bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, const Database& database,
-              RunPlan& plan) {
+bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, Database& database,
+              const std::vector<ForeignClaim>& silent, RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);
   const std::string other = difference(stored, options, bench);
   if (!other.empty()) {
     plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
     return false;
   }
-  RunClaim claim(database, run.run);
+  RunClaim claim(database, run.run, silent);
   if (!claim.held()) {
     plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
     return true;
@@ -77,6 +78,18 @@ std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOpti
   for (const std::string& reason : plan.left) problems.push_back({file, reason});
   problems.push_back({file, "has no run of " + name + " to go on with; without --resume a new one begins"});
   throw BadInput(std::move(problems));
+}
+
+/// Claims of other machines whose processes show no sign of life. Waits for one where there are any.
+std::vector<ForeignClaim> silent_claims(const Database& database, bool quiet) {
+  const std::vector<ForeignClaim> claims = foreign_claims(database);
+  if (claims.empty()) return claims;
+  if (!quiet)
+    fmt::print(stderr,
+               "{}: another machine has begun to carry a run out; waiting {:g} s for a sign that it still does\n",
+               database.file().string(), kSilence);
+  pause_for(kSilence);
+  return claims;  // one that has beaten since is another
 }
 
 std::vector<EeaRunListing> runs_of(const Database& database, const std::string& experiment) {
@@ -118,8 +131,9 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   const std::string& name = bench.rig().experiment.name;
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;
+  const std::vector<ForeignClaim> silent = silent_claims(database, options.quiet);
   for (const EeaRunListing& run : runs)
-    if (run.ending != "done" && consider(run, options, bench, database, plan)) unfinished = true;
+    if (run.ending != "done" && consider(run, options, bench, database, silent, plan)) unfinished = true;
   if (plan.replicates.empty()) {
     if (!unfinished) plan.finished = finished_run(runs, options, bench, database, plan);
     if (!plan.finished) refuse(database, name, plan);

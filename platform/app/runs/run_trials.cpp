@@ -15,10 +15,10 @@ std::vector<RunTrial> run_trials(const EeaStore& store, const EeaDefinition& def
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double end = trials[i].measured.times(trials[i].measured.times.size() - 1);
     Genome genome = rows[i].test ? store.test(*rows[i].test)->genome : Genome();
-    Test drive = rows[i].test
-                     ? definition.drive_of(definition.decode_test(genome), trials[i])
-                     : Test{trials[i].commands, end, {}, trials[i].setup.name};
-    stored.push_back({std::move(rows[i]), std::move(drive), std::move(genome), with_known_start(definition, std::move(trials[i]))});
+    Test drive = rows[i].test ? definition.drive_of(definition.decode_test(genome), trials[i])
+                              : Test{trials[i].commands, end, {}, trials[i].setup.name};
+    stored.push_back(
+        {std::move(rows[i]), std::move(drive), std::move(genome), with_known_start(definition, std::move(trials[i]))});
   }
   return stored;
 }

@@ -10,9 +10,9 @@ namespace lacuna {
 /// A trial of a stored run.
 struct RunTrial {
   TargetTrialRow row;
-  Test drive;   ///< what was done
+  Test drive;     ///< what was done
   Genome genome;  ///< of the test; empty: of a recorded target
-  Trial trial;  ///< with a start that can be simulated from
+  Trial trial;    ///< with a start that can be simulated from
 };
 
 /// As a test whose outcome nobody knows: where it has a controller, that answers to the model, whatever commands the

@@ -47,7 +47,8 @@ bool was_killed(const WatchedEnd& end) { return WIFSIGNALED(end.status) && WTERM
 std::string name_of(const ActiveCall& call) { return call.component + ": " + call.call; }
 
 ChildLoss by_overdue(const ActiveCall& call) {
-  const std::string fact = fmt::format("an evaluation took longer than {:g} s, the limit", CallPage::evaluation_limit());
+  const std::string fact =
+      fmt::format("an evaluation took longer than {:g} s, the limit", CallPage::evaluation_limit());
   constexpr const char* kRaise = "raise the limit with --evaluation-limit where the model needs more";
   if (call.component.empty())
     return {"", fact, fmt::format("lacuna: {}, and was ended; {}{}", fact, kRaise, kDatabaseIsSafe)};

@@ -56,7 +56,7 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     begin();
     bool wanted = write_outputs(time(step_), time(step_));
     while (wanted && step_ < last_step_) {
-      throw_if_asked_to_stop();
+      throw_if_kept_waiting();
       advance();
       wanted = write_outputs(time(step_ - 1), time(step_));
     }

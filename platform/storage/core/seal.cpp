@@ -33,7 +33,8 @@ constexpr const char* kUsedTrials =
 constexpr const char* kUsedMetrics =
     "id IN (SELECT metric FROM eea_run WHERE run = ?1 UNION SELECT fitness FROM eea_run WHERE run = ?1)";
 
-/// Not here: what changes after a run has ended (`unfinished_diagnosis`, `schema_text`).
+/// Not here: what changes after a run has ended (`unfinished_diagnosis`, `schema_text`), and `claim`, which ends with
+/// it.
 constexpr Part kParts[] = {{"run", "number", Owner::number},
                            {"provenance", "run", Owner::number},
                            {"plugin_file", "run", Owner::number},

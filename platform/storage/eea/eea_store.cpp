@@ -2,6 +2,7 @@
 
 #include "foundation/digest.h"
 #include "storage/core/number_blob.h"
+#include "storage/core/run_claim.h"
 #include "storage/core/storage_error.h"
 #include "storage/eea/eea_writer.h"
 
@@ -131,6 +132,7 @@ void EeaStore::write_checkpoint(const CheckpointRow& checkpoint) {
   const std::int64_t commits = there ? found.integer(0) : 0;
   if (!earlier_seconds_) earlier_seconds_ = there ? found.real(1) : 0.0;
   // Rows of two writers would contradict each other.
+  check_claim(database_, run_);
   if (commits_ && *commits_ != commits) {
     throw Error(database_.file().string() + ": run " + std::to_string(run_.value) +
                 " is being continued by another process, too; this one stops, and nothing stored is lost");

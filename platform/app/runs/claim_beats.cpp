@@ -1,0 +1,33 @@
+#include "app/runs/claim_beats.h"
+
+#include "storage/core/run_claim.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+
+namespace lacuna {
+namespace {
+
+void beat(Database& database, std::mutex& writing) {
+  const std::lock_guard lock(writing);
+  try {
+    beat_claims(database);
+  } catch (const std::exception&) {
+    // What cannot be written any more is said by the next commit.
+  }
+}
+
+}  // namespace
+
+ClaimBeats::ClaimBeats(Database& database, std::mutex& writing)
+    : beating_([&database, &writing](const std::stop_token& stop) {
+        std::mutex unused;
+        std::unique_lock lock(unused);
+        const std::chrono::duration<double> pause(kBetweenBeats);
+        for (std::condition_variable_any until;
+             !until.wait_for(lock, stop, pause, [&] { return stop.stop_requested(); });)
+          beat(database, writing);
+      }) {}
+
+}  // namespace lacuna
