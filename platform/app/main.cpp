@@ -5,6 +5,6 @@
 
 int main(int argc, char** argv) {
   lacuna::make_streams_plain();
-  if (lacuna::is_worker(argc, argv)) return lacuna::run_supervised(argc, argv, lacuna::run_worker, lacuna::tell_host);
+  if (lacuna::is_worker(argc, argv)) return lacuna::supervise_worker(argc, argv);
   return lacuna::run_supervised(argc, argv, lacuna::run_program);
 }

@@ -6,6 +6,7 @@
 #include "eea/recorded_trials.h"
 #include "eea/stopping.h"
 #include "foundation/interrupt.h"
+#include "process/hello.h"
 
 #include <fmt/format.h>
 

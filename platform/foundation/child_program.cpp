@@ -80,7 +80,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 /// A variable that all that a child begins inherits.
 std::string new_mark() {
   static std::atomic<unsigned> children = 0;
-  return fmt::format("{}={}.{}", kMarkName, getpid(), ++children);
+  static const auto begun = std::chrono::system_clock::now().time_since_epoch().count();
+  return fmt::format("{}={}.{}.{}", kMarkName, begun, getpid(), ++children);
 }
 
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& variables) {

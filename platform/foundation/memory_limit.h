@@ -12,7 +12,7 @@ std::uint64_t usable_memory();
 /// needs address space of its own, has no limit.
 void limit_memory(std::uint64_t bytes);
 
-/// The same of each thread's stack, where it begins or grows.
+/// The same of the stack of the first thread.
 void limit_stack(std::uint64_t bytes);
 
 }  // namespace lacuna

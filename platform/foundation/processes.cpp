@@ -20,6 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPause{5};
+constexpr std::chrono::seconds kLongestEnd{2};  // of what is killed
 
 std::optional<pid_t> number_in(std::string_view text) {
   pid_t number = 0;
@@ -64,8 +65,10 @@ void wait_for_ended_children() {
   }
 }
 
-void signal_all(const std::vector<pid_t>& processes, int signal) {
-  for (const pid_t process : processes) kill(process, signal);
+/// Those that could be signalled; another user's cannot.
+std::vector<pid_t> signalled(std::vector<pid_t> processes, int signal) {
+  std::erase_if(processes, [&](pid_t process) { return kill(process, signal) != 0; });
+  return processes;
 }
 
 }  // namespace
@@ -99,14 +102,14 @@ std::vector<pid_t> processes_with(const std::string& variable) {
 void end_descendants(double grace) {
   const auto patience =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace));
-  signal_all(descendants_of(getpid()), SIGTERM);
-  for (;;) {
+  signalled(descendants_of(getpid()), SIGTERM);
+  while (Clock::now() < patience + kLongestEnd) {
     wait_for_ended_children();
-    const std::vector<pid_t> left = descendants_of(getpid());
-    if (left.empty()) return wait_for_ended_children();
-    if (Clock::now() >= patience) signal_all(left, SIGKILL);
+    const bool waited = Clock::now() >= patience;
+    if (signalled(descendants_of(getpid()), waited ? SIGKILL : 0).empty()) break;
     std::this_thread::sleep_for(kPause);
   }
+  wait_for_ended_children();
 }
 
 }  // namespace lacuna

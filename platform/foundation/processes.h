@@ -15,7 +15,8 @@ std::vector<pid_t> descendants_of(pid_t process);
 std::vector<pid_t> processes_with(const std::string& variable);
 
 /// Ends all processes that hang on this one, those included that lost their parent where this one is their subreaper:
-/// asks them first (SIGTERM), and ends them (SIGKILL) when `grace` s did not suffice.
+/// asks them first (SIGTERM), and ends them (SIGKILL) when `grace` s did not suffice. What belongs to
+/// another user is left.
 void end_descendants(double grace);
 
 }  // namespace lacuna

@@ -91,6 +91,7 @@ void carry(Wire& wire, WorkerTask& task) {
   carry(wire, task.plugin_paths);
   carry(wire, task.evaluation_limit);
   carry(wire, task.memory);
+  carry(wire, task.files);
 }
 
 template <class Wire>
@@ -159,6 +160,7 @@ void carry(Wire& wire, LostWork& lost) {
   carry(wire, lost.component);
   carry(wire, lost.deed);
   carry(wire, lost.task);
+  carry(wire, lost.is_the_tasks);
 }
 
 template <class Wire>

@@ -21,8 +21,9 @@ struct WorkerTask {
   std::vector<std::string> overrides;  ///< --set
   std::vector<std::string> decided;    ///< what the host decided where the file leaves it open
   std::vector<std::filesystem::path> plugin_paths;
-  double evaluation_limit = 0.0;  ///< s; 0: none
-  std::uint64_t memory = 0;       ///< bytes; 0: as much as the machine has
+  double evaluation_limit = 0.0;        ///< s; 0: none
+  std::uint64_t memory = 0;             ///< bytes; 0: as much as the machine has
+  std::vector<std::string> files = {};  ///< SHA-256 of plugins and robot files that the host has read
 };
 
 /// A model of the last estimation phase as it travels.
@@ -92,9 +93,10 @@ enum class AnswerKind : std::uint8_t {
 };
 
 struct LostWork {
-  std::string component;   ///< of a plugin that ended it, as messages name it; empty: not known
-  std::string deed;        ///< a clause
-  std::uint32_t task = 0;  ///< which of the candidates or tests of the request it was at
+  std::string component;      ///< of a plugin that ended it, as messages name it; empty: not known
+  std::string deed;           ///< a clause
+  std::uint32_t task = 0;     ///< which of the candidates or tests of the request it was at
+  bool is_the_tasks = false;  ///< the same task would end the next process in the same way
 };
 
 /// The trial and model of a state as they travel, and back by what both sides know.

@@ -1,5 +1,6 @@
 #include "isolation/remote_evaluations.h"
 
+#include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "isolation/carried.h"
 #include "isolation/work_queue.h"
@@ -15,6 +16,8 @@ void refuse(ModelScore& score, const std::string& reason) {
   score = {
       .total = std::numeric_limits<double>::infinity(), .trials = {}, .kind = ScoreKind::invalid, .reason = reason};
 }
+
+void refuse(ForetoldTrial& foretold, const std::string&) { foretold = {}; }
 
 void refuse(JudgedTest& judged, const std::string& reason) { judged = {kNotKnown, reason, 0}; }
 
@@ -55,9 +58,10 @@ std::string RemoteEvaluations::ask(Worker& worker, const Request& request) {
     return worker.process->ask(request);
   } catch (const WorkerLost& lost) {
     worker = {};
+    throw_if_asked_to_stop();  // whoever asked this process may have ended the other
     pool_.note_lost(lost.work);
     throw;
-  } catch (const Interrupted&) {  // its answer is under way
+  } catch (...) {  // its answer may be under way, or it is none
     worker = {};
     throw;
   }
@@ -76,7 +80,7 @@ std::vector<Result> RemoteEvaluations::share_out(std::size_t count, const MakeRe
         if (answered.size() != part.size()) throw Error("a worker process has answered something else than was asked");
         for (std::size_t i = 0; i < part.size(); ++i) results[part[i]] = std::move(answered[i]);
       } catch (const WorkerLost& lost) {
-        if (!lost.work.component.empty() && lost.work.task < part.size()) {
+        if (lost.work.is_the_tasks && lost.work.task < part.size()) {
           const auto culprit = part.begin() + lost.work.task;
           refuse(results[*culprit], lost.work.deed);
           part.erase(culprit);
@@ -94,6 +98,13 @@ std::vector<Result> RemoteEvaluations::share_out(std::size_t count, const MakeRe
     }
   });
   return results;
+}
+
+/// Between two phases.
+template <class Result>
+Result RemoteEvaluations::ask_for_one(const Request& request) {
+  phase_.reset();
+  return share_out<Result>(1, [&](const std::vector<std::size_t>&) { return request; }).front();
 }
 
 void RemoteEvaluations::begin_estimation(const EeaState& state) { begin(BeginEstimation{wired(state)}); }
@@ -120,25 +131,11 @@ std::vector<JudgedTest> RemoteEvaluations::judge(std::span<const Genome> tests) 
 }
 
 ModelScore RemoteEvaluations::score_on(const KnownModel& model, const TargetTrial& trial, int pass) {
-  phase_.reset();
-  make_ready(workers_.front());
-  ModelScore score;
-  try {
-    score = from_bytes<ModelScore>(ask(workers_.front(), ScoreOn{wired(model), wired(trial), pass}));
-  } catch (const WorkerLost& lost) {
-    refuse(score, lost.work.deed);
-  }
-  return score;
+  return ask_for_one<ModelScore>(ScoreOn{wired(model), wired(trial), pass});
 }
 
 ForetoldTrial RemoteEvaluations::foretell(const KnownModel& model, const TargetTrial& trial) {
-  phase_.reset();
-  make_ready(workers_.front());
-  try {
-    return from_bytes<ForetoldTrial>(ask(workers_.front(), Foretell{wired(model), wired(trial)}));
-  } catch (const WorkerLost&) {
-    return {};
-  }
+  return ask_for_one<ForetoldTrial>(Foretell{wired(model), wired(trial)});
 }
 
 std::vector<ModelScore> RemoteEvaluations::find_delays(std::span<const KnownModel* const> models,

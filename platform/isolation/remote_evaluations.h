@@ -38,6 +38,8 @@ class RemoteEvaluations : public Evaluations {
   std::string make_ready(Worker& worker);
   template <class Result, class MakeRequest>
   std::vector<Result> share_out(std::size_t count, const MakeRequest& request_for);
+  template <class Result>
+  Result ask_for_one(const Request& request);
 
   WorkerPool& pool_;
   std::vector<Worker> workers_;

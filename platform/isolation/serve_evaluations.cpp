@@ -41,6 +41,7 @@ class Clerk {
   explicit Clerk(const EeaDefinition& definition) : definition_(definition), here_(definition, 1) {}
 
   std::string answer(Request&& request) {
+    const Evaluation evaluation;
     CallPage::set_task(0);
     return std::visit([this](auto&& asked) { return carry_out(std::move(asked)); }, std::move(request));
   }
@@ -79,13 +80,13 @@ class Clerk {
   }
 
   std::string carry_out(ScoreOn&& asked) {
-    return to_bytes(here_.score_on(known_model(definition_, std::move(asked.model)),
-                                   target_trial(definition_, std::move(asked.trial)), asked.pass));
+    return to_bytes(std::vector{here_.score_on(known_model(definition_, std::move(asked.model)),
+                                               target_trial(definition_, std::move(asked.trial)), asked.pass)});
   }
 
   std::string carry_out(Foretell&& asked) {
-    return to_bytes(here_.foretell(known_model(definition_, std::move(asked.model)),
-                                   target_trial(definition_, std::move(asked.trial))));
+    return to_bytes(std::vector{here_.foretell(known_model(definition_, std::move(asked.model)),
+                                               target_trial(definition_, std::move(asked.trial)))});
   }
 
   std::string carry_out(FindDelays&& asked) {
@@ -113,7 +114,7 @@ bool send(const MessageChannel& channel, AnswerKind kind, const std::string& wha
 
 WorkerTask receive_task(const MessageChannel& channel) {
   const std::optional<std::string> message = channel.receive();
-  if (!message) throw Error("lacuna worker answers to `lacuna run --isolate`, which begins it; it is not to be typed");
+  if (!message) throw Error("a worker process was given no task");
   Request request = from_bytes<Request>(*message);
   if (auto* task = std::get_if<WorkerTask>(&request)) return std::move(*task);
   throw Error("a worker process was given no task");

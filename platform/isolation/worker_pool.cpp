@@ -13,7 +13,7 @@ std::string sentence_of(const LostWork& lost) {
   if (lost.component.empty())
     return fmt::format(
         "{} worker processes have ended, the last one so: {}; give the run fewer --threads where memory "
-        "is short, or please report the command",
+        "is short, raise --evaluation-limit where models need more, or please report the command",
         kMostLost, lost.deed);
   return fmt::format(
       "{} has ended {} worker processes, the last one so: {}; repair the plugin, or do without this "
@@ -32,7 +32,7 @@ std::unique_ptr<WorkerProcess> WorkerPool::take() {
       return worker;
     }
   }
-  return std::make_unique<WorkerProcess>(program_, task_);
+  return std::make_unique<WorkerProcess>(task_);
 }
 
 void WorkerPool::give_back(std::unique_ptr<WorkerProcess> worker) {

@@ -2,7 +2,6 @@
 
 #include "isolation/worker_process.h"
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,8 +13,7 @@ namespace lacuna {
 /// Worker processes for the replicates of an experiment, which take them and give them back. Shared by threads.
 class WorkerPool {
  public:
-  /// `program`: this one's file.
-  WorkerPool(std::filesystem::path program, WorkerTask task) : program_(std::move(program)), task_(std::move(task)) {}
+  explicit WorkerPool(WorkerTask task) : task_(std::move(task)) {}
 
   /// An idle one, or a new one.
   std::unique_ptr<WorkerProcess> take();
@@ -25,7 +23,6 @@ class WorkerPool {
   void note_lost(const LostWork& lost);
 
  private:
-  std::filesystem::path program_;
   WorkerTask task_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<WorkerProcess>> idle_;

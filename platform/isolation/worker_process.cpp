@@ -16,14 +16,14 @@ namespace {
 constexpr double kGrace = 1.0;  // s, for the end of a process that has closed its channel
 
 /// A channel, and a program that has its other end as its standard input.
-std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin(const std::filesystem::path& program) {
+std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw Error(std::string("no channel to a worker process: ") + strerror(errno));
   MessageChannel here(ends[0]);
   const MessageChannel there(ends[1]);
   ChildBeginning beginning;
-  beginning.words = {program.string(), "worker"};
+  beginning.words = {"/proc/self/exe", "worker"};  // also where the program's file has been replaced
   beginning.input = ends[1];
   beginning.errors = STDERR_FILENO;
   return {std::move(here), std::make_unique<ChildProgram>(beginning)};
@@ -31,8 +31,7 @@ std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begin(const std::filesy
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::filesystem::path& program, const WorkerTask& task)
-    : WorkerProcess(begin(program), task) {}
+WorkerProcess::WorkerProcess(const WorkerTask& task) : WorkerProcess(begin(), task) {}
 
 WorkerProcess::WorkerProcess(std::pair<MessageChannel, std::unique_ptr<ChildProgram>> begun, const WorkerTask& task)
     : channel_(std::move(begun.first)), child_(std::move(begun.second)) {

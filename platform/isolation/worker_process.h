@@ -6,7 +6,6 @@
 
 #include <lacuna/error.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -24,8 +23,8 @@ class WorkerLost : public Error {
 /// A process of this program that evaluates models. One thread.
 class WorkerProcess {
  public:
-  /// Begins `program worker`, which makes itself ready while this one goes on.
-  WorkerProcess(const std::filesystem::path& program, const WorkerTask& task);
+  /// Begins the program that runs once more, which makes itself ready while this one goes on.
+  explicit WorkerProcess(const WorkerTask& task);
 
   /// The answer to a request. Throws `WorkerLost`, after which it answers no more; `Error` with the sentence of what
   /// the worker threw; `Interrupted`.

@@ -78,9 +78,8 @@ class PluginCatalog {
   std::vector<std::string> problems_;
 };
 
-/// The file of the program that runs; empty where the system does not tell.
-std::filesystem::path program_file();
-/// Where the program's own plugins lie: `../lib/lacuna/plugins` beside its folder.
+/// Where the program's own plugins lie: `../lib/lacuna/plugins` beside its folder; empty where the system
+/// does not tell.
 std::filesystem::path installed_plugins();
 
 /// `--plugin-path` folders, then LACUNA_PLUGIN_PATH (colon-separated), then `../lib/lacuna/plugins`

@@ -5,13 +5,9 @@
 
 namespace lacuna {
 
-std::filesystem::path program_file() {
-  std::error_code unknown;
-  return std::filesystem::read_symlink("/proc/self/exe", unknown);
-}
-
 std::filesystem::path installed_plugins() {
-  const std::filesystem::path program = program_file();
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   return program.empty() ? program : program.parent_path().parent_path() / "lib" / "lacuna" / "plugins";
 }
 

@@ -18,6 +18,8 @@ namespace {
 constexpr double kRounding = 1e-9;  // relative, of times and limits
 constexpr double kGaps = 1.5;       // of the samples' median interval: what may be missing at either end
 
+double rounding_of(double bound) { return kRounding * std::max(1.0, std::abs(bound)); }
+
 template <class Described>
 std::vector<std::size_t> places_of(const std::vector<Channel>& channels, const std::vector<Described>& all) {
   std::vector<std::size_t> places;
@@ -76,13 +78,13 @@ void ChannelOrder::readings_of_model(std::span<const double> readings, std::span
 void ChannelOrder::check_readings(double time, std::span<const double> readings) const {
   for (const std::size_t place : sensors_) {
     const TargetSensor& sensor = hello_.sensors[place];
-    const double reading = readings[place], slack = kRounding * (sensor.upper - sensor.lower);
-    if (std::isnan(reading) || (reading >= sensor.lower - slack && reading <= sensor.upper + slack)) continue;
-    throw Error(
-        fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its range is {:.4g} "
-                    "to {:.4g}",
-                    reading / sensor.to_si, sensor.unit, sensor.name, time, sensor.lower / sensor.to_si,
-                    sensor.upper / sensor.to_si));
+    const double reading = readings[place];
+    const bool below = reading < sensor.lower - rounding_of(sensor.lower);
+    const bool above = reading > sensor.upper + rounding_of(sensor.upper);
+    if (!below && !above) continue;
+    throw Error(fmt::format("sends {:.4g} {} for \"{}\" at {:.4g} s, which that sensor cannot read: its {} is {:.4g}",
+                            reading / sensor.to_si, sensor.unit, sensor.name, time, below ? "least" : "most",
+                            (below ? sensor.lower : sensor.upper) / sensor.to_si));
   }
 }
 

@@ -259,7 +259,7 @@ TEST(RunSupervised, WorkThatAllowsItBeginsAnewWithoutWhatEndedIt) {
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 42);
   EXPECT_THAT(supervisor.errors(),
               AllOf(HasSubstr("effect \"one\": add_loads ended the program by signal 6"), HasSubstr("effect \"two\""),
-                    HasSubstr("the work goes on without it"), Not(HasSubstr("fault of"))));
+                    HasSubstr("the command begins again without it"), Not(HasSubstr("fault of"))));
 }
 
 TEST(RunSupervised, WhatALostChildHasLeftRunningIsEnded) {
@@ -285,6 +285,40 @@ TEST(RunSupervised, AHangUpEndsBothBySignal) {
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGHUP);
   EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+int call_for_a_while(int, char**) {
+  const PluginCall call(component_on_page("effect \"slow\""), "add_loads");
+  Supervisor::say_ready();
+  std::this_thread::sleep_for(12 * kAWhile);
+  return 42;
+}
+
+TEST(RunSupervised, AHangUpThatIsIgnoredEndsNothing) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+  const Supervisor supervisor(call_for_a_while);
+  std::signal(SIGHUP, before);
+  supervisor.worker();
+  supervisor.send(SIGHUP);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 42);
+  EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+int abort_once_asked(int, char**) {
+  CallPage::allow_new_beginning(true);
+  watch_for_interrupts();
+  Supervisor::say_ready();
+  while (!interrupt_requested()) std::this_thread::sleep_for(kAWhile / 10);
+  const PluginCall call(component_on_page("effect \"hasty\""), "add_loads");
+  std::abort();
+}
+
+TEST(RunSupervised, BeginsNothingAnewOnceItWasAskedToEnd) {
+  const Supervisor supervisor(abort_once_asked);
+  supervisor.worker();
+  supervisor.send(SIGTERM);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), HasSubstr("effect \"hasty\": add_loads ended the program by signal 6"));
 }
 
 TEST(RunSupervised, StopsAndGoesOnWithTheWork) {

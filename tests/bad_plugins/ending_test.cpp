@@ -217,7 +217,7 @@ TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
         lacuna(std::string("add_loads ") + deed, "diagnose first-steps.toml --evaluation-limit 2 --quiet");
     EXPECT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
     EXPECT_THAT(outcome.errors,
-                AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("goes on without it")));
+                AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("begins again without it")));
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("not testable: hostile"))) << deed;
   }
 }

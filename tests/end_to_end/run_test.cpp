@@ -107,20 +107,25 @@ TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {
 }
 
 TEST_F(Run, HasTheSameHashInWorkerProcesses) {
-  const std::vector<std::string> settings = {
-      "experiment.passes=2",
-      "estimation.replay=true' --set 'estimation.profiled=[\"sensor.*.delay\"]' --set 'estimation.challenge=2",
-      "exploration.fitness=\"model_disagreement\"' --set 'exploration.fitness_parameters={refit=1,noise=0.1}",
-      "model.encoding=\"morphology\"",
-  };
-  for (const std::string& setting : settings) {
-    program_.shell("rm -f *.db");
+  program_.write("shape.toml", kSmallShape);
+  program_.copy_lifting_servo();
+  program_.copy_outside_targets();
+  const std::string few =
+      " --set 'estimation.parameters={population=12,keep=6,generations=4}' --set experiment.passes=2";
+  const std::string brief = "small.toml --set test.duration=0.3 --set ";
+  for (const std::string& experiment :
+       {brief + "experiment.passes=2",
+        brief + "estimation.replay=true --set 'estimation.profiled=[\"sensor.*.delay\"]' --set estimation.challenge=2",
+        brief +
+            "'exploration.fitness=\"model_disagreement\"' --set 'exploration.fitness_parameters={refit=1,noise=0.1}'",
+        std::string("shape.toml"), "lifting-servo.toml" + few, "outside-pendulum.toml" + few}) {
+    program_.shell("rm -f *.db*");
     for (const std::string way : {"--no-isolate", "--isolate"}) {
-      const Outcome outcome = program_.shell("lacuna run small.toml --threads 2 --set 'test.duration=0.3' --set '" +
-                                             setting + "' " + way + " --db " + way.substr(2) + ".db");
-      ASSERT_EQ(outcome.exit_code, kDone) << setting << outcome.errors;
+      const Outcome outcome =
+          program_.shell("lacuna run " + experiment + " --threads 2 " + way + " --db " + way.substr(2) + ".db");
+      ASSERT_EQ(outcome.exit_code, kDone) << experiment << outcome.errors;
     }
-    EXPECT_EQ(hash("isolate.db"), hash("no-isolate.db")) << setting;
+    EXPECT_EQ(hash("isolate.db"), hash("no-isolate.db")) << experiment;
   }
 }
 

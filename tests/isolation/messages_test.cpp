@@ -116,9 +116,9 @@ TEST(Messages, AStateArrivesAsItWas) {
 }
 
 TEST(Messages, ATaskArrivesAsItWas) {
-  const WorkerTask sent{"rig.toml", "[robot]\n", {"a=1"}, {"b=2"}, {"/opt/plugins"}, 2.5, 1'000'000};
+  const WorkerTask sent{"rig.toml", "[robot]\n", {"a=1"}, {"b=2"}, {"/opt/plugins"}, 2.5, 1'000'000, {"abc"}};
   const Request received = from_bytes<Request>(to_bytes(Request(sent)));
-  const auto& [experiment, text, overrides, decided, plugin_paths, evaluation_limit, memory] =
+  const auto& [experiment, text, overrides, decided, plugin_paths, evaluation_limit, memory, files] =
       std::get<WorkerTask>(received);
   EXPECT_EQ(experiment, sent.experiment);
   EXPECT_EQ(text, sent.text);
@@ -127,6 +127,7 @@ TEST(Messages, ATaskArrivesAsItWas) {
   EXPECT_EQ(plugin_paths, sent.plugin_paths);
   EXPECT_EQ(evaluation_limit, sent.evaluation_limit);
   EXPECT_EQ(memory, sent.memory);
+  EXPECT_EQ(files, sent.files);
 }
 
 TEST(Messages, ScoresAndJudgementsArriveAsTheyWere) {

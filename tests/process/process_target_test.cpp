@@ -213,9 +213,8 @@ TEST_F(OutsideTarget, SaysHowATrialFails) {
   EXPECT_THAT(complaint("absurd"),
               HasSubstr("sends 1e+308 deg for \"angle\" at 0.01 s, which that sensor cannot read"));
   EXPECT_THAT(complaint("absurd", controlled()), HasSubstr("sends 1e+308 deg for \"angle\""));
-  EXPECT_THAT(
-      complaint("beyond its range"),
-      HasSubstr("sends -181 deg for \"angle\" at 0.01 s, which that sensor cannot read: its range is -180 to 180"));
+  EXPECT_THAT(complaint("beyond its range"),
+              HasSubstr("sends -181 deg for \"angle\" at 0.01 s, which that sensor cannot read: its least is -180"));
   EXPECT_EQ(complaint("cold"), "nothing failed") << "the model has no heat";
   EXPECT_THAT(complaint("nothing measured"), HasSubstr("no reading of \"angle\""));
   EXPECT_THAT(complaint("too few"), HasSubstr("too few samples: they go from 0 s to 0.02 s, the test from 0 to 0.1 s"));

@@ -102,7 +102,7 @@ void run_diagnose(DiagnoseOptions options) {
   Workbench bench(options);
   options.among = check_among(options.among, bench.rig().experiment, *bench.rig().catalog, bench.rig().definition);
   check_segment(bench.rig().experiment.diagnosis.segment, bench.rig().trials);
-  CallPage::allow_new_beginning(options.among.empty());  // without a candidate that ends the program
+  CallPage::allow_new_beginning(options.among.empty() && !has_time_limit());  // without a candidate that ends it
   const auto [diagnosis, known] = find_diagnosis(options, bench);
   CallPage::allow_new_beginning(false);
   if (!takes_standard_output(options.json))

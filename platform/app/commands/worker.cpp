@@ -1,11 +1,14 @@
 #include "app/commands/worker.h"
 
 #include "app/runs/worker_setup.h"
+#include "app/terminal/child_watch.h"
+#include "app/terminal/supervised.h"
 #include "foundation/memory_limit.h"
 #include "foundation/plugin_call.h"
 #include "isolation/serve_evaluations.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -44,22 +47,33 @@ std::unique_ptr<const EeaBench> open_bench(const MessageChannel& channel) try {
   return nullptr;
 }
 
-}  // namespace
-
-bool is_worker(int argc, char** argv) { return argc == 2 && std::string_view(argv[1]) == "worker"; }
-
 int run_worker(int, char**) {
   const MessageChannel channel = channel_to_host();
   const std::unique_ptr<const EeaBench> bench = open_bench(channel);
   if (!bench) return 1;
   serve_evaluations(channel, bench->definition());
   std::fflush(nullptr);
+  CallPage::close(0);
   _exit(0);  // nothing is left to be done, and plugins' ends are none of the run's concern
 }
 
+/// Tells the run that the process which did the work has ended.
 void tell_host(const ChildLoss& loss) {
   const MessageChannel channel(fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-  send_lost(channel, {loss.component, loss.deed, CallPage::task()});
+  send_lost(channel, {loss.component, loss.deed, CallPage::task(), loss.is_the_works});
+}
+
+}  // namespace
+
+bool is_worker(int argc, char** argv) {
+  struct stat input {};
+  const bool has_channel = fstat(STDIN_FILENO, &input) == 0 && S_ISSOCK(input.st_mode);
+  return has_channel && argc == 2 && std::string_view(argv[1]) == "worker";
+}
+
+int supervise_worker(int argc, char** argv) {
+  ignore_wishes();
+  return run_supervised(argc, argv, run_worker, tell_host);
 }
 
 }  // namespace lacuna

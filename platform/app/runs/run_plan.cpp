@@ -80,13 +80,19 @@ std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOpti
   throw BadInput(std::move(problems));
 }
 
-/// Claims of other machines whose processes show no sign of life. Waits for one where there are any.
-std::vector<ForeignClaim> silent_claims(const Database& database, bool quiet) {
-  const std::vector<ForeignClaim> claims = foreign_claims(database);
+/// Claims of other machines on these runs whose processes show no sign of life. Waits for one where there are any.
+std::vector<ForeignClaim> silent_claims(const Database& database, const std::vector<EeaRunListing>& runs, bool quiet) {
+  std::vector<ForeignClaim> claims = foreign_claims(database);
+  std::erase_if(claims, [&](const ForeignClaim& claim) {
+    return std::none_of(runs.begin(), runs.end(), [&](const EeaRunListing& run) {
+      return run.run.value == claim.run.value && run.ending != "done";
+    });
+  });
   if (claims.empty()) return claims;
   if (!quiet)
     fmt::print(stderr,
-               "{}: another machine has begun to carry a run out; waiting {:g} s for a sign that it still does\n",
+               "{}: another machine, or this one before it was started anew, has begun to carry a run out; waiting "
+               "{:g} s for a sign that it still does\n",
                database.file().string(), kSilence);
   pause_for(kSilence);
   return claims;  // one that has beaten since is another
@@ -131,7 +137,7 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   const std::string& name = bench.rig().experiment.name;
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;
-  const std::vector<ForeignClaim> silent = silent_claims(database, options.quiet);
+  const std::vector<ForeignClaim> silent = silent_claims(database, runs, options.quiet);
   for (const EeaRunListing& run : runs)
     if (run.ending != "done" && consider(run, options, bench, database, silent, plan)) unfinished = true;
   if (plan.replicates.empty()) {

@@ -1,10 +1,16 @@
 #include "app/runs/worker_setup.h"
 
+#include "app/workspace/run_inputs.h"
 #include "app/workspace/used_plugins.h"
 #include "foundation/memory_limit.h"
 #include "foundation/plugin_call.h"
 
+#include <lacuna/error.h>
+
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -16,6 +22,16 @@ bool uses_others_plugins(const EeaBench& bench) {
   return std::any_of(files.begin(), files.end(), [&](const PluginFileRecord& file) {
     return std::filesystem::weakly_canonical(std::filesystem::path(file.file).parent_path(), unknown) != installed;
   });
+}
+
+/// Of everything that a model is made from besides the experiment's text.
+std::vector<std::string> digests_of(const EeaBench& bench) {
+  std::vector<std::string> digests;
+  for (const PluginFileRecord& file : plugins_of_run(bench.rig().experiment, *bench.rig().catalog))
+    digests.push_back(file.sha256);
+  for (const RobotFileRecord& file : robot_files_of(bench.rig().experiment)) digests.push_back(file.sha256);
+  std::sort(digests.begin(), digests.end());
+  return digests;
 }
 
 }  // namespace
@@ -31,7 +47,8 @@ std::unique_ptr<WorkerPool> worker_pool(const RunOptions& options, const EeaBenc
   task.plugin_paths = options.plugin_paths;
   task.evaluation_limit = CallPage::evaluation_limit();
   task.memory = usable_memory() / static_cast<std::uint64_t>(threads);
-  return std::make_unique<WorkerPool>(program_file(), std::move(task));
+  task.files = digests_of(bench);
+  return std::make_unique<WorkerPool>(std::move(task));
 }
 
 EeaBench open_worker_bench(const WorkerTask& task) {
@@ -40,7 +57,10 @@ EeaBench open_worker_bench(const WorkerTask& task) {
   options.overrides = task.overrides;
   options.decided = task.decided;
   options.plugin_paths = task.plugin_paths;
-  return EeaBench(open_rig_without_trials(options, task.text));
+  EeaBench bench(open_rig_without_trials(options, task.text));
+  if (digests_of(bench) != task.files)
+    throw Error("a plugin or a robot file was changed since the run began; put it back, or begin another run");
+  return bench;
 }
 
 }  // namespace lacuna

@@ -12,7 +12,8 @@ namespace lacuna {
 /// the plugins is not of the installed set; null: models are simulated in this process. Each begins when it is needed.
 std::unique_ptr<WorkerPool> worker_pool(const RunOptions& options, const EeaBench& bench, int threads);
 
-/// In a worker process: the experiment that its host works on, made ready as the host's is.
+/// In a worker process: the experiment that its host works on, made ready as the host's is. Throws `Error` where a file
+/// of it was changed meanwhile.
 EeaBench open_worker_bench(const WorkerTask& task);
 
 }  // namespace lacuna

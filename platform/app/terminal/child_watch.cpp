@@ -17,6 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2};
 constexpr long kBetweenLooks = 100'000'000;            // ns
 constexpr std::chrono::milliseconds kPatience{1'700};  // after a wish to end
+constexpr std::chrono::seconds kNoLook{1};             // this process was stopped, and the child may have been, too
 
 /// Whether a signal was sent by a process, and not by the terminal, which sends it to the child as well.
 bool is_for_this_process_alone(const siginfo_t& signal) { return signal.si_code <= 0; }
@@ -98,6 +99,9 @@ class Watch {
 
   WatchedEnd to_end() {
     for (;;) {
+      const Clock::time_point now = Clock::now();
+      if (now - looked_ > kNoLook) clocks_.restart();
+      looked_ = now;
       const Change change = change_of(child_);
       if (change.stopped) clocks_.restart();
       if (change.ended) {
@@ -116,7 +120,10 @@ class Watch {
     const int number = sigtimedwait(&signals_, &signal, &pause);
     if (number == SIGCONT || (number > 0 && number != SIGCHLD && is_for_this_process_alone(signal)))
       kill(child_, number);
-    if (is_wish(number) && !asked_) asked_ = Clock::now();
+    if (is_wish(number) && !asked_) {
+      asked_ = Clock::now();
+      end_.asked = true;
+    }
   }
 
   void judge() {
@@ -139,7 +146,20 @@ class Watch {
   WatchedEnd end_;
   EvaluationClocks clocks_;
   std::optional<Clock::time_point> asked_;
+  Clock::time_point looked_ = Clock::now();
 };
+
+bool heeds_wishes = true;
+
+bool is_ignored(int signal) {
+  struct sigaction present {};
+  return sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_IGN;
+}
+
+/// Ctrl-C and SIGTERM end the work also where a shell began the program in the background.
+bool is_awaited(int signal) {
+  return signal == SIGINT || signal == SIGTERM ? heeds_wishes : heeds_wishes && !is_ignored(signal);
+}
 
 }  // namespace
 
@@ -147,10 +167,16 @@ bool is_wish(int signal) {
   return std::find(kEndingSignals.begin(), kEndingSignals.end(), signal) != kEndingSignals.end();
 }
 
+void ignore_wishes() {
+  heeds_wishes = false;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+}
+
 sigset_t awaited_signals() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : kEndingSignals) sigaddset(&signals, signal);
+  for (const int signal : kEndingSignals)
+    if (is_awaited(signal)) sigaddset(&signals, signal);
   for (const int signal : {SIGCHLD, SIGTSTP, SIGCONT}) sigaddset(&signals, signal);
   return signals;
 }

@@ -20,13 +20,18 @@ enum class EndedFor {
 struct WatchedEnd {
   int status = 0;  ///< as `wait` tells it
   EndedFor reason = EndedFor::nothing;
+  bool asked = false;              ///< somebody has asked it to end
   std::optional<ActiveCall> call;  ///< in which it was found where it was ended; empty texts: in none of a plugin
 };
 
 /// Signals by which users and shells end a program.
 bool is_wish(int signal);
 
-/// All signals that `watch_child` waits for, which are to be blocked before the child is forked.
+/// From now on this process, and those that it forks, ignore wishes to end: whoever began them ends them.
+void ignore_wishes();
+
+/// All signals that `watch_child` waits for, which are to be blocked before the child is forked: not those that this
+/// process was told to ignore, as `nohup` does.
 sigset_t awaited_signals();
 
 /// Waits for the end of a child that calls plugins (foundation/plugin_call.h). Passes on signals that ask to end or to

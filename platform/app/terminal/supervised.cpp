@@ -51,11 +51,12 @@ ChildLoss by_overdue(const ActiveCall& call) {
       fmt::format("an evaluation took longer than {:g} s, the limit", CallPage::evaluation_limit());
   constexpr const char* kRaise = "raise the limit with --evaluation-limit where the model needs more";
   if (call.component.empty())
-    return {"", fact, fmt::format("lacuna: {}, and was ended; {}{}", fact, kRaise, kDatabaseIsSafe)};
+    return {"", fact, fmt::format("lacuna: {}, and was ended; {}{}", fact, kRaise, kDatabaseIsSafe), true};
   const std::string deed = fmt::format("{}: {}", name_of(call), fact);
   return {call.component, deed,
           fmt::format("{}, and was ended; repair the plugin, do without this component, or {}{}", deed, kRaise,
-                      kDatabaseIsSafe)};
+                      kDatabaseIsSafe),
+          true};
 }
 
 ChildLoss by_unheeding(const ActiveCall& call) {
@@ -79,7 +80,7 @@ ChildLoss by_plugins(const WatchedEnd& end, const std::vector<ActiveCall>& calls
   const ChildEnding ending{end.status};
   if (calls.size() == 1 && !was_killed(end)) {
     const std::string deed = fmt::format("{} {}", name_of(calls[0]), ending.deed());
-    return {calls[0].component, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe)};
+    return {calls[0].component, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe), true};
   }
   std::vector<std::string> names;
   for (const ActiveCall& call : calls) names.push_back(name_of(call));
@@ -96,10 +97,11 @@ ChildLoss loss_of(const WatchedEnd& end) {
 }
 
 /// Whether the work begins anew without the component that ended it, of which the child that comes next knows.
-bool begins_anew(const ChildLoss& loss) {
-  if (loss.component.empty() || !CallPage::allows_new_beginning() || CallPage::refusal_of(loss.component)) return false;
+bool begins_anew(const WatchedEnd& end, const ChildLoss& loss) {
+  if (end.asked || loss.component.empty() || !CallPage::allows_new_beginning() || CallPage::refusal_of(loss.component))
+    return false;
   CallPage::refuse({loss.component, loss.deed + kPluginsFault});
-  fmt::print(stderr, "{}; the work goes on without it\n", loss.deed);
+  fmt::print(stderr, "{}; the command begins again without it\n", loss.deed);
   return true;
 }
 
@@ -152,7 +154,7 @@ int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*repor
     end_descendants(kGrace);
     end_like(end, mask);
     const ChildLoss loss = loss_of(end);
-    if (begins_anew(loss)) continue;
+    if (begins_anew(end, loss)) continue;
     report(loss);
     return end.reason == EndedFor::unheeding ? kToRunAgain : kEndedBadly;
   }

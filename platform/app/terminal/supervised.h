@@ -6,9 +6,10 @@ namespace lacuna {
 
 /// How a child process came to an end that was not its own.
 struct ChildLoss {
-  std::string component;  ///< of a plugin, as messages name it, that ended it; empty: not known, or none
-  std::string deed;       ///< what happened, a clause
-  std::string sentence;   ///< the same for people: with what follows from it, and what to do
+  std::string component;      ///< of a plugin, as messages name it, that ended it; empty: not known, or none
+  std::string deed;           ///< what happened, a clause
+  std::string sentence;       ///< the same for people: with what follows from it, and what to do
+  bool is_the_works = false;  ///< it follows from what the child was at, and would happen again
 };
 
 /// On standard error.

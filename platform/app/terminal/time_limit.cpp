@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kEvaluationLimit = 120.0;  // s; evaluations take milliseconds, seconds where recordings are long
 
+bool time_limit_given = false;
+
 std::string how_to_write(const std::string& option) {
   return fmt::format("write seconds, or a number with its unit: {} 300, {} '5 min'", option, option);
 }
@@ -48,6 +50,7 @@ void add_time_limit_option(CLI::App& command) {
       .add_option_function<std::string>(
           "--time-limit",
           [](const std::string& text) {
+            time_limit_given = true;
             const double seconds = parse_duration("--time-limit", text);
             const bool has_unit = text.find_first_not_of("0123456789.+e ") != std::string::npos;
             begin_time_limit(seconds, has_unit ? shell_word(text) : text + " s");
@@ -55,6 +58,8 @@ void add_time_limit_option(CLI::App& command) {
           "End after so long with what is known by then (exit code 75): 300, \"5 min\"")
       ->option_text("DURATION");
 }
+
+bool has_time_limit() { return time_limit_given; }
 
 void begin_evaluation_limit() { CallPage::limit_evaluations(kEvaluationLimit); }
 

@@ -14,6 +14,8 @@ double parse_duration(const std::string& option, const std::string& text);
 
 /// Adds --time-limit, which counts from when it is read.
 void add_time_limit_option(CLI::App& command);
+/// Whether one was given.
+bool has_time_limit();
 
 /// From now on an evaluation takes two minutes at most, unless --evaluation-limit says otherwise.
 void begin_evaluation_limit();

@@ -61,7 +61,7 @@ EeaStore::~EeaStore() {
   writer_.reset();
   if (!to_end_) return;
   try {
-    end_run_unless_ended(database_, run_, RunEnding::failed);
+    if (!is_taken_over()) end_run_unless_ended(database_, run_, RunEnding::failed);
   } catch (const Error&) {
     // Whatever ended the run has been reported; a run without an ending reads as "not ended".
   }
@@ -151,8 +151,14 @@ void EeaStore::end(RunEnding ending) {
   }
   *pending_ = {};
   const std::lock_guard lock(writing_);
-  set_run_ending(database_, run_, ending);
+  if (!is_taken_over()) set_run_ending(database_, run_, ending);
   to_end_ = false;
+}
+
+/// Whether another process has gone on with the run, whose ending is no more this one's.
+bool EeaStore::is_taken_over() const {
+  Statement row(database_, "SELECT commits FROM checkpoint WHERE run = ?");
+  return commits_ && row.with(run_).step() && row.integer(0) != *commits_;
 }
 
 std::optional<CheckpointRow> EeaStore::checkpoint() const {

@@ -73,6 +73,7 @@ class EeaStore {
 
  private:
   struct Pending;
+  bool is_taken_over() const;
   void write(const CheckpointRow& checkpoint);
   void write_checkpoint(const CheckpointRow& checkpoint);
 
