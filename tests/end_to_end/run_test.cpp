@@ -108,8 +108,9 @@ TEST_F(Run, HasTheSameHashWithOneAndTwoThreadsAndWithReplicatesSideBySide) {
 
 TEST_F(Run, HasTheSameHashInWorkerProcesses) {
   program_.write("shape.toml", kSmallShape);
-  program_.copy_lifting_servo();
-  program_.copy_outside_targets();
+  program_.copy_outside_targets();  // with all robots
+  program_.shell("cp -r '" LACUNA_SOURCE_DIRECTORY "/experiments/lifting-servo.toml' '" LACUNA_SOURCE_DIRECTORY
+                 "/experiments/data' .");
   const std::string few =
       " --set 'estimation.parameters={population=12,keep=6,generations=4}' --set experiment.passes=2";
   const std::string brief = "small.toml --set test.duration=0.3 --set ";
