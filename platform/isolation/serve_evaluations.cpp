@@ -43,11 +43,12 @@ class Clerk {
   std::string answer(Request&& request) {
     const Evaluation evaluation;
     CallPage::set_task(0);
-    return std::visit([this](auto&& asked) { return carry_out(std::move(asked)); }, std::move(request));
+    return std::visit([this]<class Asked>(Asked&& asked) { return this->carry_out(std::forward<Asked>(asked)); },
+                      std::move(request));
   }
 
  private:
-  static std::string carry_out(WorkerTask&&) { throw Error("a worker process was given a second task"); }
+  std::string carry_out(WorkerTask&&) { throw Error("a worker process was given a second task"); }
 
   std::string carry_out(BeginEstimation&& asked) {
     here_.begin_estimation(state_of(definition_, std::move(asked.state)));

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <csignal>
@@ -123,7 +124,7 @@ TEST_F(Run, HasTheSameHashInWorkerProcesses) {
     program_.shell("rm -f *.db*");
     for (const std::string way : {"--no-isolate", "--isolate"}) {
       const Outcome outcome =
-          program_.shell("lacuna run " + experiment + " --threads 2 " + way + " --db " + way.substr(2) + ".db");
+          program_.shell(fmt::format("lacuna run {} --threads 2 {} --db {}.db", experiment, way, way.substr(2)));
       ASSERT_EQ(outcome.exit_code, kDone) << experiment << outcome.errors;
     }
     EXPECT_EQ(hash("isolate.db"), hash("no-isolate.db")) << experiment;

@@ -20,7 +20,8 @@ std::pair<MessageChannel, MessageChannel> channels() {
 }
 
 TEST(MessageChannel, CarriesMessagesOfAnySize) {
-  const auto [here, there] = channels();
+  const std::pair<MessageChannel, MessageChannel> ends = channels();
+  const MessageChannel &here = ends.first, &there = ends.second;
   const std::string large(std::size_t{1} << 22, 'x');  // more than a socket takes at once
   std::thread sender([&] {
     for (const std::string& message : {std::string("one"), std::string(), large}) EXPECT_TRUE(here.send(message));
