@@ -9,89 +9,56 @@ namespace lacuna {
 
 template <class Wire>
 void carry(Wire& wire, Setup::Value& value) {
-  carry(wire, value.address);
-  carry(wire, value.value);
+  carry_all(wire, value.address, value.value);
 }
 
 template <class Wire>
 void carry(Wire& wire, Setup& setup) {
-  carry(wire, setup.name);
-  carry(wire, setup.values);
+  carry_all(wire, setup.name, setup.values);
 }
 
 template <class Wire>
 void carry(Wire& wire, CommandSeries& commands) {
-  carry(wire, commands.series);
-  carry(wire, commands.hold);
-  carry(wire, commands.before);
-  carry(wire, commands.may_be_off);
+  carry_all(wire, commands.series, commands.hold, commands.before, commands.may_be_off);
 }
 
 template <class Wire>
 void carry(Wire& wire, StartState& start) {
-  carry(wire, start.positions);
-  carry(wire, start.velocities);
+  carry_all(wire, start.positions, start.velocities);
 }
 
 template <class Wire>
 void carry(Wire& wire, InitialValue& value) {
-  carry(wire, value.knowledge);
-  carry(wire, value.position);
-  carry(wire, value.velocity);
+  carry_all(wire, value.knowledge, value.position, value.velocity);
 }
 
 /// All but the controller, which the phases do not ask for.
 template <class Wire>
 void carry(Wire& wire, Trial& trial) {
-  carry(wire, trial.name);
-  carry(wire, trial.commands);
-  carry(wire, trial.measured);
-  carry(wire, trial.initial);
-  carry(wire, trial.sensor_noise);
-  carry(wire, trial.command_noise);
-  carry(wire, trial.held_out);
-  carry(wire, trial.setup);
-  carry(wire, trial.closed_loop);
-  carry(wire, trial.centre_of_mass);
+  carry_all(wire, trial.name, trial.commands, trial.measured, trial.initial, trial.sensor_noise, trial.command_noise,
+            trial.held_out, trial.setup, trial.closed_loop, trial.centre_of_mass);
 }
 
 template <class Wire>
 void carry(Wire& wire, WiredModel& model) {
-  carry(wire, model.number);
-  carry(wire, model.genome);
-  carry(wire, model.values);
-  carry(wire, model.score);
-  carry(wire, model.restart);
+  carry_all(wire, model.number, model.genome, model.values, model.score, model.restart);
 }
 
 template <class Wire>
 void carry(Wire& wire, WiredTrial& trial) {
-  carry(wire, trial.genome);
-  carry(wire, trial.commands);
-  carry(wire, trial.duration);
-  carry(wire, trial.start);
-  carry(wire, trial.setup);
-  carry(wire, trial.trial);
-  carry(wire, trial.set_aside_in);
+  carry_all(wire, trial.genome, trial.commands, trial.duration, trial.start, trial.setup, trial.trial,
+            trial.set_aside_in);
 }
 
 template <class Wire>
 void carry(Wire& wire, WiredState& state) {
-  carry(wire, state.pass);
-  carry(wire, state.trials);
-  carry(wire, state.best);
+  carry_all(wire, state.pass, state.trials, state.best);
 }
 
 template <class Wire>
 void carry(Wire& wire, WorkerTask& task) {
-  carry(wire, task.experiment);
-  carry(wire, task.text);
-  carry(wire, task.overrides);
-  carry(wire, task.decided);
-  carry(wire, task.plugin_paths);
-  carry(wire, task.evaluation_limit);
-  carry(wire, task.memory);
-  carry(wire, task.files);
+  carry_all(wire, task.experiment, task.text, task.overrides, task.decided, task.plugin_paths, task.evaluation_limit,
+            task.memory, task.files);
 }
 
 template <class Wire>
@@ -101,8 +68,7 @@ void carry(Wire& wire, BeginEstimation& request) {
 
 template <class Wire>
 void carry(Wire& wire, ScoreModelsRequest& request) {
-  carry(wire, request.models);
-  carry(wire, request.bar);
+  carry_all(wire, request.models, request.bar);
 }
 
 template <class Wire>
@@ -117,21 +83,17 @@ void carry(Wire& wire, JudgeTests& request) {
 
 template <class Wire>
 void carry(Wire& wire, ScoreOn& request) {
-  carry(wire, request.model);
-  carry(wire, request.trial);
-  carry(wire, request.pass);
+  carry_all(wire, request.model, request.trial, request.pass);
 }
 
 template <class Wire>
 void carry(Wire& wire, Foretell& request) {
-  carry(wire, request.model);
-  carry(wire, request.trial);
+  carry_all(wire, request.model, request.trial);
 }
 
 template <class Wire>
 void carry(Wire& wire, FindDelays& request) {
-  carry(wire, request.models);
-  carry(wire, request.state);
+  carry_all(wire, request.models, request.state);
 }
 
 /// Makes the alternative with this index.
@@ -157,36 +119,23 @@ void carry(Wire& wire, Request& request) {
 
 template <class Wire>
 void carry(Wire& wire, LostWork& lost) {
-  carry(wire, lost.component);
-  carry(wire, lost.deed);
-  carry(wire, lost.task);
-  carry(wire, lost.is_the_tasks);
+  carry_all(wire, lost.component, lost.deed, lost.task, lost.is_the_tasks);
 }
 
 template <class Wire>
 void carry(Wire& wire, ModelScore& score) {
-  carry(wire, score.total);
-  carry(wire, score.trials);
-  carry(wire, score.kind);
-  carry(wire, score.reason);
-  carry(wire, score.steps);
-  carry(wire, score.values);
+  carry_all(wire, score.total, score.trials, score.kind, score.reason, score.steps, score.values);
 }
 
 template <class Wire>
 void carry(Wire& wire, JudgedTest& judged) {
-  carry(wire, judged.fitness);
-  carry(wire, judged.reason);
-  carry(wire, judged.steps);
+  carry_all(wire, judged.fitness, judged.reason, judged.steps);
 }
 
 /// What a journal keeps of it: neither slopes nor what they are worth.
 template <class Wire>
 void carry(Wire& wire, ForetoldTrial& foretold) {
-  carry(wire, foretold.valid);
-  carry(wire, foretold.prediction.sensors);
-  carry(wire, foretold.prediction.centre_of_mass);
-  carry(wire, foretold.steps);
+  carry_all(wire, foretold.valid, foretold.prediction.sensors, foretold.prediction.centre_of_mass, foretold.steps);
 }
 
 }  // namespace lacuna

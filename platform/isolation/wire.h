@@ -55,6 +55,12 @@ requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void carry(Wire
   wire.bytes(&number, sizeof(number));
 }
 
+/// The parts of a type, in this order.
+template <class Wire, class... Parts>
+void carry_all(Wire& wire, Parts&... parts) {
+  (carry(wire, parts), ...);
+}
+
 /// Makes a container as long as the one that was written.
 template <class Wire, class Container>
 void carry_size(Wire& wire, Container& container) {
@@ -100,8 +106,7 @@ void carry(Wire& wire, std::vector<Value>& values) {
 
 template <class Wire>
 void carry(Wire& wire, Channel& channel) {
-  carry(wire, channel.name);
-  carry(wire, channel.unit);
+  carry_all(wire, channel.name, channel.unit);
 }
 
 /// A matrix or a column.

@@ -40,8 +40,7 @@ double parse_duration(const std::string& option, const std::string& text) {
   if (!is_time && quantity.unit != "1")
     refuse_limit(option, text, quantity.unit + " is not a unit of time; " + how_to_write(option));
   if (!std::isfinite(quantity.value_in_si)) refuse_limit(option, text, "is not a duration; " + how_to_write(option));
-  if (quantity.value_in_si <= 0.0)
-    refuse_limit(option, text, "a limit must be longer than 0; leave the option out to work without a limit");
+  if (quantity.value_in_si <= 0.0) refuse_limit(option, text, "a limit must be longer than 0");
   return quantity.value_in_si;
 }
 
