@@ -19,7 +19,7 @@ struct BackupOptions {
   bool quiet = false;
 };
 
-constexpr double kMegabyte = 1e6;
+constexpr double kBytesInMegabyte = 1e6;
 
 void make_backup(const BackupOptions& options) {
   refuse_empty(options.database);
@@ -30,7 +30,7 @@ void make_backup(const BackupOptions& options) {
   });
   if (!options.quiet)
     fmt::print("{}: {:.1f} MB, a checked copy of {}\n", plain_text(options.to.string()),
-               static_cast<double>(bytes) / kMegabyte, plain_text(options.database.string()));
+               static_cast<double>(bytes) / kBytesInMegabyte, plain_text(options.database.string()));
 }
 
 }  // namespace

@@ -60,6 +60,14 @@ void Statement::append_bits(int column, std::string& bytes) {
   }
 }
 
+void Statement::take(int index, Statement& row, int column) {
+  const SQLite::Column value = row.statement_.getColumn(column);
+  if (value.isInteger()) return statement_.bind(index, value.getInt64());
+  if (value.isFloat()) return statement_.bind(index, value.getDouble());
+  if (value.isText()) return statement_.bind(index, value.getString());
+  value.isBlob() ? bind(index, row.bytes(column)) : bind_null(index);
+}
+
 void Statement::restart() {
   statement_.tryReset();
   statement_.clearBindings();

@@ -37,6 +37,14 @@ class Statement {
     with(values...).run();
   }
 
+  /// The same one after the other, from 1: from the beginning, a value, that of another row's column as it is.
+  void begin_again() { restart(); }
+  template <class Value>
+  void give(int index, const Value& value) {
+    bind(index, value);
+  }
+  void take(int index, Statement& row, int column);
+
   std::int64_t integer(int column) { return statement_.getColumn(column).getInt64(); }
   int number(int column) { return statement_.getColumn(column).getInt(); }
   std::optional<int> optional_number(int column) { return null(column) ? std::nullopt : std::optional(number(column)); }

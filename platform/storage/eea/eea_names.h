@@ -21,4 +21,9 @@ inline EvaluationKind evaluation_kind_from(const std::string& text) {
   return text == "abandoned" ? EvaluationKind::abandoned : EvaluationKind::invalid;
 }
 
+/// The name of a trial that carried a test of the run out.
+inline std::string name_of_test_trial(RunId run, std::int64_t number) {
+  return "run " + std::to_string(run.value) + ", trial " + std::to_string(number);
+}
+
 }  // namespace lacuna

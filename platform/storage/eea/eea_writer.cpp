@@ -16,7 +16,7 @@ namespace {
 
 TrialRecord trial_record(RunId run, const TargetTrialRow& row, const Trial& trial) {
   const Eigen::VectorXd& times = trial.measured.times;
-  return {.name = row.test ? "run " + std::to_string(run.value) + ", trial " + std::to_string(row.number) : trial.name,
+  return {.name = row.test ? name_of_test_trial(run, row.number) : trial.name,
           .file = row.file,
           .digest = digest_of(trial),
           .held_out = trial.held_out,
