@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -139,6 +140,9 @@ struct DiagnosisSection {
   double segment = 0.0;  ///< s; 0: by the amount of data (diagnosis/rounds/cut_trials.h)
 };
 
+/// A key that `lacuna plan` varies, as `--set` names it, and the values that it is to have, each as TOML.
+using SweptKey = std::pair<std::string, std::vector<std::string>>;
+
 /// An experiment file, checked. `locations` tells where a key stands: "model.effects[0].where[1]".
 struct Experiment {
   std::filesystem::path file;
@@ -160,6 +164,7 @@ struct Experiment {
   FitSection fit;
   NoiseSection noise;
   DiagnosisSection diagnosis;
+  std::vector<SweptKey> sweep;
 
   /// Units as written, by key, of numbers whose dimension only the model can judge: "model.set.body.arm.mass" → "g".
   /// The numbers themselves are SI already.

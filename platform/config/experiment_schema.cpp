@@ -35,6 +35,32 @@ void check_segments(const TomlNode& node, Reading& reading, FitSection& fit) {
     reading.problem_at("segments", node.find("segments")->location, "shorter ones come first");
 }
 
+/// A value of any key, kept as TOML.
+Value<std::string> swept_value() {
+  Value<std::string> value;
+  value.shape.kind = Shape::Kind::either;
+  value.shape.parts = {boolean().shape, number("").or_infinite().shape, text().shape};
+  value.read = [shape = value.shape](const TomlNode& node, Reading& reading, std::string& result) {
+    switch (node.kind) {
+      case TomlNode::Kind::boolean: result = node.boolean ? "true" : "false"; return true;
+      case TomlNode::Kind::integer: result = std::to_string(node.integer); return true;
+      case TomlNode::Kind::real: result = toml_number(node.real); return true;
+      case TomlNode::Kind::text: result = toml_text(node.text); return true;
+      default: report_mismatch(shape, node, reading); return false;
+    }
+  };
+  value.write = [](const std::string& shown) { return shown; };
+  return value;
+}
+
+Value<std::vector<SweptKey>> swept_keys() {
+  using Values = std::vector<std::string>;
+  return named<std::vector<SweptKey>, Values>(
+      "KEY", list_of(swept_value(), 1), [](std::vector<SweptKey>& keys, const TomlMember& member, Values&& values) {
+        keys.emplace_back(member.name, std::move(values));
+      });
+}
+
 /// Contact values stand with the engine for the user's sake; they are values of the robot.
 using ContactValues = std::map<std::string, double>;
 
@@ -155,6 +181,9 @@ Table<Experiment> experiment_keys() {
       .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
       .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
       .key("diagnosis", &Experiment::diagnosis, diagnosis_keys().value(), "How `lacuna diagnose` looks at the data.")
+      .key("sweep", &Experiment::sweep, swept_keys(),
+           "Keys of this file that `lacuna plan` varies, in all combinations, as in \"engine.step\" = [0.001, 0.002]; "
+           "other commands take the file without it.")
       .check({}, check_contact);
 }
 

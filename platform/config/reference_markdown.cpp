@@ -9,6 +9,7 @@ struct Section {
   std::string heading;
   std::string description;
   const Shape* table = nullptr;
+  const Shape* named = nullptr;  ///< of a section whose keys the user chooses
 };
 
 std::string cell(const std::string& text) {
@@ -60,6 +61,8 @@ std::string heading_of(std::string path, const Shape& shape) {
 void collect(const Shape& table, const std::string& path, std::vector<Section>& sections) {
   for (const KeyShape& key : table.keys) {
     const TablePlace place = table_within(key.shape, path.empty() ? key.name : path + "." + key.name);
+    if (!place.table && path.empty())
+      sections.push_back({heading_of(key.name, key.shape), key.description, nullptr, &key.shape});
     if (!place.table) continue;
     if (is_table_only(key.shape))
       sections.push_back({heading_of(place.path, key.shape), key.description, place.table});
@@ -73,8 +76,10 @@ std::string section_text(const Section& section) {
   std::string text = "\n## " + section.heading + "\n\n";
   if (!section.description.empty()) text += section.description + "\n\n";
   std::string rows;
-  for (const KeyShape& key : section.table->keys)
-    if (!is_table_only(key.shape)) rows += row(key);
+  if (section.named) rows = row({section.named->name_hint, section.named->parts.front(), false, "", ""});
+  if (section.table)
+    for (const KeyShape& key : section.table->keys)
+      if (!is_table_only(key.shape)) rows += row(key);
   if (rows.empty()) return section.description.empty() ? "" : text;
   return text + "| key | value | default | meaning |\n| --- | --- | --- | --- |\n" + rows;
 }

@@ -30,6 +30,7 @@ TomlNode result_setting(const std::string& text, const std::vector<std::string>&
   TomlNode setting = parse_toml(text, "");
   ProblemList problems;  // a file that was read once has none
   apply_overrides(setting, overrides, problems);
+  std::erase_if(setting.members, [](const TomlMember& member) { return member.name == "sweep"; });
   if (text_of_target(setting, "kind") == "process") std::erase_if(setting.find("target")->members, says_how_it_is_run);
   return setting;
 }

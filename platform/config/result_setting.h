@@ -8,7 +8,7 @@
 namespace lacuna {
 
 /// What the results of an experiment follow from: the tree of its file with what `--set` puts beside it, but without
-/// how a target's program is run, all keys of a process target but `version`. Throws `BadInput` where the text is no
+/// `sweep` and how a target's program is run, all keys of a process target but `version`. Throws `BadInput` where the text is no
 /// TOML.
 TomlNode result_setting(const std::string& text, const std::vector<std::string>& overrides);
 

@@ -60,6 +60,7 @@ std::int64_t milliseconds_now() {
 void watch_for_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGUSR1, on_signal);  // of a batch system whose time limit comes near
 }
 
 bool interrupt_requested() { return requested_at != 0 || time_is_up(); }

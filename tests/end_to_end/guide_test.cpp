@@ -26,7 +26,8 @@ INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                          testing::Values("docs/tutorials/first-steps.md", "docs/tutorials/find-the-missing-effect.md",
                                          "docs/how-to/use-your-own-csv.md", "docs/how-to/query-the-database.md",
                                          "docs/how-to/run-the-algorithm.md", "docs/how-to/choose-the-next-test.md",
-                                         "docs/reference/commands.md", "docs/reference/formulas.md"),
+                                         "docs/how-to/use-many-machines.md", "docs/reference/commands.md",
+                                         "docs/reference/formulas.md"),
                          [](const auto& guide) {
                            const std::string path = guide.param;
                            const std::size_t begin = path.rfind('/') + 1;
@@ -64,9 +65,10 @@ std::vector<std::string> listed_commands(const std::string& help, const std::str
 TEST(CommandReference, HasTheHelpOfEveryCommand) {
   const Program program;
   std::vector<std::string> commands = listed_commands(program.run({"--help"}).output, "lacuna ");
-  const std::vector<std::string> plugins =
-      listed_commands(program.run({"plugins", "--help"}).output, "lacuna plugins ");
-  commands.insert(commands.end(), plugins.begin(), plugins.end());
+  for (const std::string group : {"plugins", "task"}) {
+    const auto of_group = listed_commands(program.run({group, "--help"}).output, "lacuna " + group + " ");
+    commands.insert(commands.end(), of_group.begin(), of_group.end());
+  }
   ASSERT_GE(commands.size(), 10U);
   const std::string text = source_file("docs/reference/commands.md");
   for (const std::string& command : commands) {

@@ -81,6 +81,10 @@ int run_program(int argc, char** argv) {
   add_undo_command(program);
   add_history_command(program);
   add_plugins_command(program);
+  add_plan_command(program);
+  add_task_command(program);
+  add_status_command(program);
+  add_merge_command(program);
   add_backup_command(program);
   add_verify_command(program);
   add_sql_command(program);

@@ -117,8 +117,10 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
   plan.threads = options.threads > 0 ? options.threads : default_threads();
   Transaction transaction(database);
   ResultStore store(database);
-  for (int replicate = 1; replicate <= options.replicates.value_or(file.replicates); ++replicate) {
-    const RunId run = store.begin_run({command_line(), seed, plan.threads}, provenance_of_this_program());
+  const int first = options.only_replicate.value_or(1);
+  const int last = options.only_replicate.value_or(options.replicates.value_or(file.replicates));
+  for (int replicate = first; replicate <= last; ++replicate) {
+    const RunId run = store.begin_run({command_line(), seed, plan.threads, options.task}, provenance_of_this_program());
     store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
     store.record_robot_files(robot_files_of(file));
     plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides, file.decided});

@@ -14,6 +14,7 @@ namespace lacuna {
 
 struct RunOptions : CommonOptions {
   std::optional<int> replicates;
+  std::optional<int> only_replicate;  ///< instead of all of them
   bool resume = false;
   std::optional<bool> isolate;  ///< whether models are simulated in worker processes; none: it depends on the plugins
 };

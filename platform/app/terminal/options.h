@@ -23,6 +23,7 @@ struct CommonOptions {
   std::optional<std::uint64_t> seed;
   std::optional<std::string> json;  ///< --json[=FILE]; "" is standard output
   bool quiet = false;
+  std::string task;  ///< of a plan, that the command carries out: its digest; empty: none
 };
 
 /// The settings, plugin folders and database of these options, to be typed behind another command; each with a space

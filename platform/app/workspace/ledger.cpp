@@ -24,7 +24,7 @@ Database open_or_copy(const std::filesystem::path& file) {
 Ledger::Ledger(const CommonOptions& options, const Rig& rig, std::uint64_t seed, int threads)
     : database_(open_or_copy(database_of(options, rig.experiment))), store_(database_), seed_(seed) {
   Transaction transaction(database_);
-  store_.begin_run({command_line(), seed, threads}, provenance_of_this_program());
+  store_.begin_run({command_line(), seed, threads, options.task}, provenance_of_this_program());
   store_.record_plugins(plugins_of_model(rig.experiment, *rig.catalog));
   experiment_ = store_.record_experiment({rig.experiment.name, rig.experiment.file.string(), rig.experiment.text,
                                           rig.experiment.overrides, rig.experiment.decided});

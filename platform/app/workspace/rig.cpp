@@ -21,19 +21,8 @@
 namespace lacuna {
 namespace {
 
-/// Everything that a command reads of an experiment, except for its database.
-std::vector<std::filesystem::path> files_of(const Experiment& experiment) {
-  std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file};
-  for (const MeasuredFile& file : experiment.target.recording.files) {
-    files.push_back(file.path);
-    for (const FurtherFile& further : file.with) files.push_back(further.path);
-  }
-  std::erase(files, std::filesystem::path());
-  return files;
-}
-
 void note_inputs(const Experiment& experiment, const CommonOptions& options) {
-  refuse_outputs_among(files_of(experiment));
+  refuse_outputs_among(input_files(experiment));
   note_database(database_of(options, experiment));
 }
 
@@ -118,6 +107,17 @@ Rig with_stored_trials(Rig rig, const CommonOptions& options) {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> input_files(const Experiment& experiment) {
+  std::vector<std::filesystem::path> files = {experiment.file, experiment.model.file,
+                                              experiment.target.simulated.system.file};
+  for (const MeasuredFile& file : experiment.target.recording.files) {
+    files.push_back(file.path);
+    for (const FurtherFile& further : file.with) files.push_back(further.path);
+  }
+  std::erase(files, std::filesystem::path());
+  return files;
+}
 
 int last_replicate(const std::filesystem::path& database, const std::string& experiment) {
   int replicate = 1;

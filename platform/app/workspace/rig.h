@@ -30,6 +30,9 @@ struct Rig {
   std::vector<Trial> fit_trials() const;
 };
 
+/// Everything that a command reads of an experiment, except for its database.
+std::vector<std::filesystem::path> input_files(const Experiment& experiment);
+
 /// `--db`, or the experiment's name with `.db` in the working folder.
 std::filesystem::path database_of(const CommonOptions& options, const Experiment& experiment);
 

@@ -39,6 +39,7 @@ struct RunRecord {
   std::string command;  ///< the command line as given
   std::uint64_t seed = 0;
   int threads = 1;
+  std::string task = {};  ///< that it carries out, from which its identity follows; empty: none
 };
 
 enum class RunEnding { done, failed, interrupted };

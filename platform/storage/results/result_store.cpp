@@ -28,6 +28,13 @@ std::string random_identity() {
   return hex;
 }
 
+/// The same task gets the same one whoever carries it out, so that a merge knows it.
+std::string identity_of(const RunRecord& record, RunId run) {
+  constexpr std::size_t kDigits = 32;
+  if (record.task.empty()) return random_identity();
+  return sha256(record.task + " " + std::to_string(run.value)).substr(0, kDigits);
+}
+
 }  // namespace
 
 ResultStore::ResultStore(Database& database) : database_(database) {}
@@ -54,7 +61,7 @@ RunId ResultStore::begin_run(const RunRecord& record, const Provenance& p) {
   number.step();
   const RunId run{number.integer(0)};
   Statement(database_, "INSERT INTO run (number, identity, command, seed, threads, started) VALUES (?, ?, ?, ?, ?, ?)")
-      .run_with(run, random_identity(), record.command, static_cast<std::int64_t>(record.seed), record.threads,
+      .run_with(run, identity_of(record, run), record.command, static_cast<std::int64_t>(record.seed), record.threads,
                 utc_now());
   Statement(
       database_,

@@ -1,0 +1,70 @@
+#include "app/commands/commands.h"
+#include "foundation/counted.h"
+#include "foundation/plain_text.h"
+#include "foundation/shell_word.h"
+#include "tasks/slurm_jobs.h"
+#include "tasks/task_folder.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <memory>
+
+namespace lacuna {
+namespace {
+
+const char* to_string(TaskState state) {
+  switch (state) {
+    case TaskState::open: return "not begun";
+    case TaskState::running: return "running";
+    case TaskState::silent: return "without a sign of life";
+    case TaskState::interrupted: return "interrupted";
+    case TaskState::failed: return "failed";
+    case TaskState::done: return "done";
+  }
+  return "";
+}
+
+/// What each of them is at is said of those that somebody may have to look after.
+void print_task(std::size_t number, const TaskStatus& status) {
+  const std::string who = fmt::format("{}, {}", plain_text(status.machine), plain_text(status.time));
+  if (status.state == TaskState::failed)
+    fmt::print("task {} failed ({}): {}\n", number, who, plain_text(status.reason));
+  if (status.state == TaskState::silent)
+    fmt::print("task {} has given no sign of life for a minute ({}): its process or machine has ended\n", number, who);
+  if (status.state == TaskState::running) fmt::print("task {} is running ({})\n", number, who);
+}
+
+void print_status(const std::filesystem::path& path) {
+  const TaskFolder folder(path);
+  std::map<TaskState, std::vector<std::size_t>> tasks;
+  for (std::size_t number = 0; number < folder.plan().tasks.size(); ++number) {
+    const TaskStatus status = folder.status(number);
+    tasks[status.state].push_back(number);
+    print_task(number, status);
+  }
+  std::vector<std::string> counts;
+  for (const auto& [state, numbers] : tasks)
+    counts.push_back(fmt::format("{} {} ({})", numbers.size(), to_string(state), array_of(numbers)));
+  fmt::print("{}: {}: {}\n", plain_text(path.string()), counted(folder.plan().tasks.size(), "task"),
+             fmt::join(counts, ", "));
+  const std::string typed = shell_word(path.string());
+  const auto open = folder.open_tasks();
+  if (open.empty())
+    fmt::print("→ lacuna merge ALL.db {}\n", typed);
+  else
+    fmt::print("→ lacuna task run {} {}\n", typed, open.front());
+}
+
+}  // namespace
+
+void add_status_command(CLI::App& program) {
+  auto folder = std::make_shared<std::filesystem::path>();  // shared: CLI11 keeps the callback, which must own it
+  CLI::App* command = program.add_subcommand("status", "Say how far the tasks of a plan are");
+  command->add_option("folder", *folder, "Folder of the plan")->required()->option_text("FOLDER");
+  command->callback([folder] { print_status(*folder); });
+}
+
+}  // namespace lacuna

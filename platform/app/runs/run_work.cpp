@@ -1,0 +1,149 @@
+#include "app/runs/run_work.h"
+
+#include "app/runs/replicates.h"
+#include "app/runs/shape_reading.h"
+#include "app/runs/worker_setup.h"
+#include "app/terminal/output.h"
+#include "app/terminal/progress_line.h"
+#include "app/terminal/time_limit.h"
+#include "foundation/interrupt.h"
+#include "foundation/problem.h"
+#include "foundation/shell_word.h"
+#include "report/text/run_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lacuna {
+namespace {
+
+std::string summary(const ReplicateEnd& end, const std::vector<TargetTrialRow>& trials) {
+  std::uint64_t evaluations = 0;
+  for (const PassRow& pass : end.passes) evaluations += pass.evaluations + pass.test_evaluations;
+  const bool stopped = !end.passes.empty() && !end.passes.back().stopped.empty();
+  return passes_text(end.passes, trials) +
+         (stopped ? fmt::format("stopped after pass {}: {}\n", end.passes.back().number, end.passes.back().stopped)
+                  : "") +
+         fmt::format("run {} · {} · {} evaluations · storage {:.1f} % of the time\n", end.planned.run.value,
+                     format_duration(end.seconds), evaluations, 100.0 * end.storage_seconds / end.process_seconds);
+}
+
+std::string runs_named(const std::vector<std::int64_t>& runs) {
+  return fmt::format("{} {}", runs.size() == 1 ? "run" : "runs", fmt::join(runs, ", "));
+}
+
+/// A line for each reason for which replicates failed.
+std::string failures_of(const std::vector<ReplicateEnd>& ends) {
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> reasons;
+  for (const ReplicateEnd& end : ends) {
+    if (end.ending != RunEnding::failed) continue;
+    auto reason = std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == end.problem; });
+    if (reason == reasons.end()) reason = reasons.insert(reason, {end.problem, {}});
+    reason->second.push_back(end.planned.run.value);
+  }
+  std::string failures;
+  for (const auto& [problem, runs] : reasons) failures += runs_named(runs) + ": " + problem + "\n";
+  return failures;
+}
+
+/// Throws where the database is not where it was opened any more, since the last commit included.
+void check_kept(const std::vector<ReplicateEnd>& ends, Database& database) try {
+  database.check_in_place();
+} catch (const Error& lost) {
+  const std::string failures = failures_of(ends), why = lost.what();
+  std::string message = failures;
+  if (failures.find(why) == std::string::npos) message += why + "\n";
+  message += database.file().string() + " is no longer this run's database";
+  if (database.has_moved())
+    message +=
+        ". To go on with the run, type the same command with --resume and --db FILE, where FILE is the file that holds "
+        "what was stored";
+  throw Error(message);
+}
+
+/// Throws where a replicate did not reach its end. `command` goes on.
+void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
+  const std::string failures = failures_of(ends);
+  const bool interrupted = std::any_of(ends.begin(), ends.end(),
+                                       [](const ReplicateEnd& end) { return end.ending == RunEnding::interrupted; });
+  if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.damaged; }))
+    throw Error(failures + "results that were stored before may be lost; run again with --db and another file");
+  const std::string again = command + " goes on from here";
+  if (!failures.empty()) throw Error(failures + "nothing is lost; once that is mended, " + again);
+  if (interrupted)
+    throw Interrupted((time_limit_was_reached() ? stopped_by_time_limit() : "interrupted") + "; " + again);
+}
+
+/// The command that draws what was found.
+const char* drawing_command(const std::vector<ReplicateEnd>& ends, const EeaBench& bench) {
+  const bool done =
+      std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return end.ending == RunEnding::done; });
+  return done && speaks_of_parts(bench) ? "shapes" : "plot";
+}
+
+void print_ends(const std::vector<ReplicateEnd>& ends, ExperimentId experiment, Database& database) {
+  if (ends.size() == 1) {
+    std::mutex unused;
+    const EeaStore store(database, unused, ends.front().planned.run, experiment);
+    std::fputs(summary(ends.front(), store.trial_rows()).c_str(), stdout);
+  } else {
+    std::fputs(runs_text(eea_runs(database)).c_str(), stdout);
+  }
+}
+
+/// What to type next. The database of a task moves to its plan.
+void print_next(const std::vector<ReplicateEnd>& ends, const Database& database, const EeaBench& bench) {
+  if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return !end.passes.empty(); }))
+    fmt::print("→ lacuna {} {}\n", drawing_command(ends, bench), shell_word(database.file().string()));
+}
+
+/// A supervisor types the same line again, whatever became of the run.
+void say_finished(const RunOptions& options, const std::string& experiment, RunId run, const std::string& database) {
+  if (takes_standard_output(options.json)) return;
+  fmt::print("{} is finished: run {} in {} is done. Without --resume a new run begins\n→ lacuna runs {}\n", experiment,
+             run.value, database, shell_word(database));
+}
+
+}  // namespace
+
+void carry_out_run(const RunOptions& options) {
+  check_output(options.json);
+  const EeaBench bench(open_rig(options));
+  const std::filesystem::path file = database_of(options, bench.rig().experiment);
+  ask_target(bench);  // what does not fit is said before a run begins
+  Database database = Database::open(file);
+  const bool goes_on = options.resume && has_run(database, bench);
+  const RunPlan plan = goes_on ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  if (options.resume && !goes_on && !options.quiet)
+    fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
+  if (!options.quiet)
+    for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
+  if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
+  RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
+  lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
+  const std::unique_ptr<WorkerPool> workers = worker_pool(options, bench, plan.threads);
+  std::vector<ReplicateEnd> ends;
+  {
+    RunDisplay display(plan.replicates, options.quiet, &lines);
+    ends = Replicates(bench, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
+  }
+  lift_time_limit();  // what follows is quick
+  check_kept(ends, database);
+  if (!takes_standard_output(options.json)) {
+    print_ends(ends, plan.experiment, database);
+    if (options.task.empty()) print_next(ends, database, bench);
+  }
+  judge(ends, command_line() + (options.resume || !options.task.empty() ? "" : " --resume"));
+  lines.throw_if_failed();
+}
+
+}  // namespace lacuna

@@ -1,0 +1,134 @@
+#include "app/tasks/freeze_plan.h"
+
+#include "app/runs/eea_bench.h"
+#include "app/terminal/options.h"
+#include "app/terminal/scratch_folder.h"
+#include "app/workspace/rig.h"
+#include "app/workspace/used_plugins.h"
+#include "config/experiment_reader.h"
+#include "foundation/digest.h"
+#include "foundation/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace lacuna {
+namespace {
+
+/// Each file once, its content read once.
+class Inputs {
+ public:
+  explicit Inputs(TaskPlan& plan) : plan_(plan) {}
+
+  std::size_t number_of(const std::filesystem::path& file) {
+    const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+    const auto [known, is_new] = numbers_.try_emplace(whole.string(), plan_.inputs.size());
+    if (is_new) plan_.inputs.push_back({whole, sha256_of_file(whole)});
+    return known->second;
+  }
+
+ private:
+  TaskPlan& plan_;
+  std::map<std::string, std::size_t> numbers_;
+};
+
+std::vector<SweptKey> swept_keys(const Experiment& experiment, const std::vector<std::string>& typed) {
+  std::vector<SweptKey> keys = experiment.sweep;
+  for (const std::string& text : typed) {
+    SweptKey key = read_sweep(text);
+    const auto same = std::find_if(keys.begin(), keys.end(), [&](const SweptKey& k) { return k.first == key.first; });
+    same == keys.end() ? keys.push_back(std::move(key)) : void(same->second = std::move(key.second));
+  }
+  return keys;
+}
+
+/// All effects are candidates of a diagnosis.
+std::vector<PluginFileRecord> plugins_of_task(TaskKind kind, const Rig& rig) {
+  if (kind == TaskKind::run) return plugins_of_run(rig.experiment, *rig.catalog);
+  std::vector<PluginFileRecord> files = plugins_of_model(rig.experiment, *rig.catalog);
+  for (const PluginListing& listing : rig.catalog->list())
+    if (listing.kind == "effect") files.push_back({listing.file.string(), listing.sha256, listing.build_id});
+  return files;
+}
+
+/// The numbers of everything that the results follow from, ascending.
+std::vector<std::size_t> inputs_of(TaskKind kind, const Rig& rig, Inputs& inputs) {
+  std::vector<std::size_t> numbers = {inputs.number_of(kThisProgram)};
+  for (const std::filesystem::path& file : input_files(rig.experiment)) numbers.push_back(inputs.number_of(file));
+  for (const PluginFileRecord& file : plugins_of_task(kind, rig)) numbers.push_back(inputs.number_of(file.file));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// Adds the tasks of one experiment at one point of its sweep.
+void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan& plan, Inputs& inputs) {
+  Rig rig = open_rig(point);
+  Task task;
+  task.kind = options.kind;
+  task.experiment = point.experiment;
+  task.name = rig.experiment.name;
+  task.settings = point.overrides;
+  task.seed = options.seed.value_or(rig.experiment.seed);
+  task.inputs = inputs_of(options.kind, rig, inputs);
+  if (options.kind == TaskKind::diagnosis && rig.trials.empty())
+    throw_problem({point.experiment.string()}, "has no recorded trials, without which nothing can be diagnosed");
+  const int replicates = options.kind == TaskKind::run ? options.replicates.value_or(rig.experiment.replicates) : 1;
+  if (options.kind == TaskKind::run) const EeaBench ready(std::move(rig));  // says what keeps it from running
+  for (task.replicate = 1; task.replicate <= replicates; ++task.replicate) {
+    task.id = id_of(task, plan.inputs);
+    plan.tasks.push_back(task);
+  }
+}
+
+void add_experiment(const PlanOptions& options, const std::filesystem::path& file, TaskPlan& plan, Inputs& inputs) {
+  const ScratchFolder nothing;
+  CommonOptions base;
+  base.experiment = std::filesystem::absolute(file).lexically_normal();
+  base.overrides = options.overrides;
+  base.plugin_paths = plan.plugin_paths;
+  base.seed = options.seed;
+  base.database = nothing / "none.db";  // what others have stored is none of the task's
+  const Experiment experiment = read_experiment(base.experiment, base.overrides);
+  for (const std::vector<std::string>& settings : sweep_points(swept_keys(experiment, options.sweeps))) {
+    CommonOptions point = base;
+    point.overrides.insert(point.overrides.end(), settings.begin(), settings.end());
+    add_tasks(options, point, plan, inputs);
+  }
+}
+
+void check_different(const TaskPlan& plan, ProblemList& problems) {
+  std::map<std::string, const Task*> by_id;
+  std::map<std::string, std::filesystem::path> file_of;
+  for (const Task& task : plan.tasks) {
+    const auto [same, is_new] = by_id.try_emplace(task.id, &task);
+    if (!is_new) problems.add({task.experiment.string()}, "a task is planned twice; give each value of a sweep once");
+    const auto [named, is_first] = file_of.try_emplace(task.name, task.experiment);
+    if (named->second != task.experiment)
+      problems.add({task.experiment.string()},
+                   fmt::format("is called {}, as {} is; give each experiment a name of its own", task.name,
+                               named->second.string()));
+  }
+}
+
+}  // namespace
+
+TaskPlan freeze_plan(const PlanOptions& options) {
+  TaskPlan plan{.command = command_line(), .plugin_paths = {}, .inputs = {}, .tasks = {}};
+  for (const std::filesystem::path& path : options.plugin_paths)
+    plan.plugin_paths.push_back(std::filesystem::absolute(path).lexically_normal());
+  Inputs inputs(plan);
+  ProblemList problems;
+  for (const std::filesystem::path& file : options.experiments) try {
+      add_experiment(options, file, plan, inputs);
+    } catch (const BadInput& bad) {
+      for (const Problem& problem : bad.problems()) problems.add(problem.location, problem.message);
+    }
+  check_different(plan, problems);
+  problems.throw_if_any();
+  return plan;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,81 @@
+#include "tasks/slurm_jobs.h"
+
+#include "foundation/child_program.h"
+#include "foundation/shell_word.h"
+#include "foundation/whole_file.h"
+
+#include <lacuna/error.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLongestSubmission = 60.0;  // s
+
+/// The shell's place is taken by the program, so that signals reach it and nothing outlives it.
+std::string script(const std::string& command) { return "#!/bin/sh\nexec " + command + "\n"; }
+
+void write_scripts(const TaskFolder& folder, const std::filesystem::path& program,
+                   const std::filesystem::path& database) {
+  const std::string lacuna = shell_word(program.string()), plan = shell_word(folder.path().string());
+  write_whole(folder.path() / "task.sh", script(lacuna + " task run " + plan + " \"$SLURM_ARRAY_TASK_ID\""),
+              Link::replaced);
+  write_whole(folder.path() / "merge.sh", script(lacuna + " merge " + shell_word(database.string()) + " " + plan),
+              Link::replaced);
+}
+
+/// The number of the job.
+std::string submit(std::vector<std::string> words) {
+  CapturedOutput output("sbatch output"), errors("sbatch errors");
+  words.insert(words.begin(), {"sbatch", "--parsable"});
+  ChildProgram sbatch(
+      {.words = words, .folder = {}, .environment = {}, .output = output.file(), .errors = errors.file()});
+  const auto ended = sbatch.ended_within(kLongestSubmission);
+  const std::string command = fmt::format("{}", fmt::join(words, " "));
+  if (!ended)
+    throw Error(
+        fmt::format("`{}` did not answer within {:g} s; is Slurm's controller up?", command, kLongestSubmission));
+  if (ended->code() != 0) throw Error(fmt::format("`{}` {}: {}", command, ended->phrase(), errors.end()));
+  const std::string answer = output.end();
+  return answer.substr(0, answer.find_first_of(";\n"));
+}
+
+}  // namespace
+
+std::string array_of(const std::vector<std::size_t>& numbers) {
+  std::string ranges;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    ranges += (ranges.empty() ? "" : ",") + std::to_string(numbers[i]);
+    if (last > i) ranges += "-" + std::to_string(numbers[last]);
+    i = last + 1;
+  }
+  return ranges;
+}
+
+SlurmJobs submit_to_slurm(const TaskFolder& folder, const std::filesystem::path& program,
+                          const std::vector<std::string>& options, const std::filesystem::path& database) {
+  write_scripts(folder, program, database);
+  const std::filesystem::path logs = folder.path() / "logs";
+  std::vector<std::string> array = {"--job-name=lacuna",
+                                    "--requeue",
+                                    "--open-mode=append",
+                                    "--signal=B:USR1@60",
+                                    "--array=" + array_of(folder.open_tasks()),
+                                    "--output=" + (logs / "%a.log").string()};
+  std::vector<std::string> merge = {"--job-name=lacuna-merge", "--output=" + (logs / "merge.log").string()};
+  array.insert(array.end(), options.begin(), options.end());
+  merge.insert(merge.end(), options.begin(), options.end());
+  array.push_back((folder.path() / "task.sh").string());
+  SlurmJobs jobs;
+  jobs.array = submit(array);
+  merge.push_back("--dependency=afterany:" + jobs.array);
+  merge.push_back((folder.path() / "merge.sh").string());
+  jobs.merge = submit(merge);
+  return jobs;
+}
+
+}  // namespace lacuna

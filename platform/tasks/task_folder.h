@@ -1,0 +1,85 @@
+#pragma once
+
+#include "tasks/task_plan.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace lacuna {
+
+/// How far a task is.
+enum class TaskState {
+  open,         ///< nobody has begun it
+  running,      ///< a process has shown within the last minute that it works on it
+  silent,       ///< it was begun, and its process has shown nothing for longer than that
+  interrupted,  ///< it goes on from a checkpoint
+  failed,       ///< it ended with an error
+  done          ///< its shard is there
+};
+
+struct TaskStatus {
+  TaskState state = TaskState::open;
+  std::string machine;  ///< that had it last; empty: nobody has begun it
+  std::string time;     ///< UTC: when it was begun there, or ended
+  std::string reason;   ///< why it failed, or was interrupted
+};
+
+/// A plan's folder, which many processes on many machines use at once:
+///
+///     plan.json       the plan, never changed
+///     shards/N.db     results of task N, complete
+///     checkpoints/N.db  of one that was interrupted
+///     signs/N.json    who has it, since when, what became of it
+///     logs/           what jobs have printed
+///
+/// Every file gets its name when it is complete. A task that two processes carry out at once gets the same results
+/// twice, of which the first stay.
+class TaskFolder {
+ public:
+  /// Makes the folder. Where it has this plan already, that one stays. Throws `BadInput` where it has another plan or
+  /// other files.
+  static TaskFolder make(const std::filesystem::path& folder, const TaskPlan& plan);
+  /// Throws `BadInput` where there is no plan.
+  explicit TaskFolder(const std::filesystem::path& folder);
+
+  const std::filesystem::path& path() const { return folder_; }
+  const TaskPlan& plan() const { return plan_; }
+  /// Throws `BadInput` where the plan has no such task.
+  const Task& task(std::size_t number) const;
+
+  std::filesystem::path shard(std::size_t number) const;
+  bool is_done(std::size_t number) const;
+  TaskStatus status(std::size_t number) const;
+  /// Numbers of the tasks that are not done.
+  std::vector<std::size_t> open_tasks() const;
+
+  /// The checkpoint, copied to `file`; false where there is none.
+  bool take_checkpoint(std::size_t number, const std::filesystem::path& file) const;
+  void keep_checkpoint(std::size_t number, const std::filesystem::path& file, const std::string& reason) const;
+  /// Gives the shard its place, unless another process was quicker. The checkpoint goes.
+  void keep_shard(std::size_t number, const std::filesystem::path& file) const;
+  void note_failure(std::size_t number, const std::string& reason) const;
+
+ private:
+  friend class TaskSign;
+  std::filesystem::path checkpoint(std::size_t number) const;
+  std::filesystem::path sign(std::size_t number) const;
+  void write_sign(std::size_t number, const char* state, const std::string& reason) const;
+
+  std::filesystem::path folder_;
+  TaskPlan plan_;
+};
+
+/// While it lives, others see that a process works on the task.
+class TaskSign {
+ public:
+  TaskSign(const TaskFolder& folder, std::size_t number);
+
+ private:
+  std::jthread beating_;
+};
+
+}  // namespace lacuna
