@@ -8,8 +8,8 @@
 namespace lacuna {
 
 /// What the results of an experiment follow from: the tree of its file with what `--set` puts beside it, but without
-/// `sweep` and how a target's program is run, all keys of a process target but `version`. Throws `BadInput` where the text is no
-/// TOML.
+/// `sweep` and how a target's program is run, all keys of a process target but `version`. Throws `BadInput` where the
+/// text is no TOML.
 TomlNode result_setting(const std::string& text, const std::vector<std::string>& overrides);
 
 /// Whether two settings have targets of one kind and, where they are programs, of one `version`.

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -38,7 +39,9 @@ void copy_whole(const fs::path& from, const fs::path& to) {
   whole.publish();
 }
 
+/// As Slurm calls it, where it does.
 std::string name_of_this_machine() {
+  if (const char* const node = std::getenv("SLURMD_NODENAME")) return node;
   utsname names{};
   return uname(&names) == 0 ? names.nodename : "a machine without a name";
 }

@@ -19,6 +19,7 @@ struct PlannedReplicate {
 struct ReplicateEnd {
   PlannedReplicate planned;
   RunEnding ending = RunEnding::done;
+  bool began = true;             ///< false: it was interrupted before it had its turn
   std::string problem;           ///< why it failed or was interrupted
   bool damaged = false;          ///< the database, so that what it has stored of the run may be lost
   double seconds = 0.0;          ///< of work, stretches before an interruption included

@@ -6,6 +6,7 @@
 #include "foundation/parallel.h"
 #include "isolation/remote_evaluations.h"
 #include "storage/core/storage_error.h"
+#include "storage/results/result_store.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,7 +62,10 @@ void fail(ReplicateEnd& end, const std::exception& error) {
 /// What was committed stays, whatever cannot be written any more.
 void close(EeaStore& store, ReplicateEnd& end) {
   try {
-    if (end.ending != RunEnding::done) store.end(end.ending);
+    if (!end.began)
+      store.hand_over();
+    else if (end.ending != RunEnding::done)
+      store.end(end.ending);
     end.passes = store.passes();
   } catch (const std::exception& error) {
     fail(end, error);
@@ -109,6 +113,7 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
   const PlannedReplicate& planned = end.planned;
   EeaStore store(database_, writing_, planned.run, experiment_);
   try {
+    end.began = !interrupt_requested();
     throw_if_interrupted();
     EeaState state = state_of(store);
     ShownJournal journal(store, display, index);
@@ -140,6 +145,15 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
   display.end_replicate(index, end);
 }
 
+/// In one transaction, for there may be thousands.
+void Replicates::end_those_without_a_turn(std::vector<ReplicateEnd>& ends) {
+  const std::lock_guard lock(writing_);
+  Transaction transaction(database_);
+  for (const ReplicateEnd& end : ends)
+    if (!end.began) set_run_ending(database_, end.planned.run, end.ending);
+  transaction.commit();
+}
+
 std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& planned, int threads,
                                           RunDisplay& display) {
   std::vector<ReplicateEnd> ends;
@@ -150,6 +164,8 @@ std::vector<ReplicateEnd> Replicates::run(const std::vector<PlannedReplicate>& p
   const int threads_each = std::max(1, threads / std::max(1, side_by_side));
   parallel_for(planned.size(), side_by_side,
                [&](std::size_t index, int) { carry_out(index, threads_each, display, ends[index]); });
+  if (std::any_of(ends.begin(), ends.end(), [](const ReplicateEnd& end) { return !end.began; }))
+    end_those_without_a_turn(ends);
   return ends;
 }
 

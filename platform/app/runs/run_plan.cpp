@@ -115,13 +115,15 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
   RunPlan plan;
   const std::uint64_t seed = options.seed.value_or(file.seed);
   plan.threads = options.threads > 0 ? options.threads : default_threads();
+  const std::vector<PluginFileRecord> plugins = plugins_of_run(file, *bench.rig().catalog);
   Transaction transaction(database);
   ResultStore store(database);
   const int first = options.only_replicate.value_or(1);
   const int last = options.only_replicate.value_or(options.replicates.value_or(file.replicates));
   for (int replicate = first; replicate <= last; ++replicate) {
+    throw_if_interrupted();
     const RunId run = store.begin_run({command_line(), seed, plan.threads, options.task}, provenance_of_this_program());
-    store.record_plugins(plugins_of_run(file, *bench.rig().catalog));
+    store.record_plugins(plugins);
     store.record_robot_files(robot_files_of(file));
     plan.experiment = store.record_experiment({file.name, file.file.string(), file.text, file.overrides, file.decided});
     plan.replicates.push_back({run, replicate, seed});
