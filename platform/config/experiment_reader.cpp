@@ -13,7 +13,7 @@ namespace lacuna {
 namespace {
 
 void append(const BadInput& bad, ProblemList& problems) {
-  for (const Problem& problem : bad.problems()) problems.add(problem.location, problem.message);
+  for (const Problem& problem : bad.problems()) problems.add(problem);
 }
 
 /// The robot is read even where the rest has problems, so that its own are reported with them.

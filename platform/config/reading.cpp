@@ -14,7 +14,7 @@ void Reading::problem(const SourceLocation& location, const std::string& message
 void Reading::problem_at(const std::string& key, const SourceLocation& location, const std::string& message) {
   const std::string full = joined(path_, key);
   troubled_.insert(full);
-  problems_->add(location, full.empty() ? message : full + ": " + message);
+  problems_->add_of_key(location, full, message);
 }
 
 bool Reading::is_troubled(const std::string& key) const {

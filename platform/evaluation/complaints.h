@@ -14,7 +14,7 @@ class Complaints {
 
   /// `key` as in "model.effects[0].where[1]".
   void add(const std::string& key, const std::string& message) {
-    problems_.add(experiment_.where(key), key + ": " + message);
+    problems_.add_of_key(experiment_.where(key), key, message);
   }
   /// Of something that stands elsewhere, as in the robot file.
   void add_at(const SourceLocation& place, const std::string& message) { problems_.add(place, message); }

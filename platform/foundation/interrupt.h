@@ -20,8 +20,9 @@ class TimeIsUp : public Interrupted {
   using Interrupted::Interrupted;
 };
 
-/// From now on the first SIGINT, SIGTERM or SIGUSR1 raises a flag; a second one ends the process at once. What follows within
-/// 0.1 s is the first one once more: a signal to a process group arrives from its sender and from the parent process.
+/// From now on the first SIGINT, SIGTERM or SIGUSR1 raises a flag; a second one ends the process at once. What follows
+/// within 0.1 s is the first one once more: a signal to a process group arrives from its sender and from the parent
+/// process.
 void watch_for_interrupts();
 /// Whether the flag is up, or the time limit is reached and not lifted.
 bool interrupt_requested();

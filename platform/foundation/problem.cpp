@@ -65,12 +65,15 @@ std::string to_string(const SourceLocation& location) {
 
 BadInput::BadInput(std::vector<Problem> problems) : Error(one_line_each(problems)), problems_(std::move(problems)) {}
 
-void ProblemList::add(SourceLocation location, std::string message) {
-  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
-    return to_string(problem.location) == to_string(location) && problem.message == message;
+void ProblemList::add(Problem problem) {
+  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& other) {
+    return to_string(other.location) == to_string(problem.location) && other.message == problem.message;
   });
-  if (known) return;
-  problems_.push_back({std::move(location), std::move(message)});
+  if (!known) problems_.push_back(std::move(problem));
+}
+
+void ProblemList::add_of_key(SourceLocation location, const std::string& key, const std::string& message) {
+  add(Problem{std::move(location), key.empty() ? message : key + ": " + message, key});
 }
 
 void ProblemList::throw_if_any() const {

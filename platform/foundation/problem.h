@@ -3,6 +3,7 @@
 #include <lacuna/error.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -21,6 +22,7 @@ std::string to_string(const SourceLocation& location);
 struct Problem {
   SourceLocation location;
   std::string message;
+  std::string key = {};  ///< that it is about and with which the message begins, "model.effects[0].where"; empty: none
 };
 
 /// Thrown for bad input (exit code 2). Its text has one line a problem.
@@ -37,7 +39,10 @@ class BadInput : public Error {
 class ProblemList {
  public:
   /// What was said of the same place before, as of each element that a pattern matches, is not said again.
-  void add(SourceLocation location, std::string message);
+  void add(SourceLocation location, std::string message) { add(Problem{std::move(location), std::move(message)}); }
+  void add(Problem problem);
+  /// What is wrong with the value of a key: the message begins with it.
+  void add_of_key(SourceLocation location, const std::string& key, const std::string& message);
   bool empty() const { return problems_.empty(); }
   const std::vector<Problem>& all() const { return problems_; }
   /// Throws `BadInput` with everything collected so far, in file and line order, if there is anything.

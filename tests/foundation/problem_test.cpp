@@ -65,5 +65,13 @@ TEST(BadInput, HasOneLineForEachProblemWhateverAFileIsNamed) {
                "sine Y.csv:3:1: no such file: a  b\nx.toml: is in deg");
 }
 
+TEST(ProblemList, KeepsTheKeyThatAMessageBeginsWith) {
+  ProblemList problems;
+  problems.add_of_key({"rig.toml", 3, 1}, "engine.step", "is not above 0");
+  ASSERT_EQ(problems.all().size(), 1U);
+  EXPECT_EQ(problems.all()[0].key, "engine.step");
+  EXPECT_EQ(problems.all()[0].message, "engine.step: is not above 0");
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -91,13 +91,12 @@ Rig open_extended(const AddOptions& options, const std::string& edited, const Ri
     const std::string entry = fmt::format("model.effects[{}]", base.experiment.model.effects.size());
     ProblemList problems;
     for (const Problem& problem : bad.problems()) {
-      const std::size_t end = problem.message.find(": ");
-      if (!problem.message.starts_with(entry) || end == std::string::npos) {
-        problems.add(problem.location, problem.message);
+      if (!problem.key.starts_with(entry)) {
+        problems.add(problem);
         continue;
       }
-      const std::string key = problem.message.substr(0, end).substr(std::min(end, entry.size() + 1));
-      problems.add({}, "add " + typed(key, options) + problem.message.substr(end));
+      const std::string key = problem.key.substr(std::min(problem.key.size(), entry.size() + 1));
+      problems.add({}, "add " + typed(key, options) + problem.message.substr(problem.key.size()));
     }
     problems.throw_if_any();
     throw;

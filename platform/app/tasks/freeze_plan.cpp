@@ -124,7 +124,7 @@ TaskPlan freeze_plan(const PlanOptions& options) {
   for (const std::filesystem::path& file : options.experiments) try {
       add_experiment(options, file, plan, inputs);
     } catch (const BadInput& bad) {
-      for (const Problem& problem : bad.problems()) problems.add(problem.location, problem.message);
+      for (const Problem& problem : bad.problems()) problems.add(problem);
     }
   check_different(plan, problems);
   problems.throw_if_any();

@@ -44,16 +44,9 @@ std::map<std::string, double> diagnosed_start(const CommonOptions& options, cons
   return start;
 }
 
-std::vector<std::pair<std::string, std::string>> diagnosed_answer(const CommonOptions& options, const Rig& base) {
-  using Answer = std::vector<std::pair<std::string, std::string>>;
-  return asked<Answer>(options, base, [](const ResultStore& store, RevisionId revision) {
-    Answer answer;
-    for (const std::string& name : store.diagnosed_answer(revision)) {
-      const std::size_t at = name.find(" @ ");
-      answer.emplace_back(name.substr(0, at), name.substr(at + 3));
-    }
-    return answer;
-  });
+std::vector<EffectAtPlace> diagnosed_answer(const CommonOptions& options, const Rig& base) {
+  return asked<std::vector<EffectAtPlace>>(
+      options, base, [](const ResultStore& store, RevisionId revision) { return store.diagnosed_answer(revision); });
 }
 
 }  // namespace lacuna

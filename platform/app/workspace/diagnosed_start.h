@@ -2,9 +2,11 @@
 
 #include "app/terminal/options.h"
 #include "app/workspace/rig.h"
+#include "foundation/effect_at_place.h"
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
@@ -14,8 +16,7 @@ namespace lacuna {
 std::map<std::string, double> diagnosed_start(const CommonOptions& options, const Rig& base, const Rig& extended,
                                               const EffectEntry& entry);
 
-/// Effects and their places that the latest diagnosis of `base` found to be missing; none where the database has no
-/// such diagnosis.
-std::vector<std::pair<std::string, std::string>> diagnosed_answer(const CommonOptions& options, const Rig& base);
+/// What the latest diagnosis of `base` found to be missing; nothing where the database has no such diagnosis.
+std::vector<EffectAtPlace> diagnosed_answer(const CommonOptions& options, const Rig& base);
 
 }  // namespace lacuna

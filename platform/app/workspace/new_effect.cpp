@@ -72,7 +72,7 @@ ForceLaw read_law(const NewEffectOptions& options) {
   try {
     law = read_force_law(options.formula, values);
   } catch (const BadInput& error) {
-    for (const Problem& problem : error.problems()) problems.add(problem.location, problem.message);
+    for (const Problem& problem : error.problems()) problems.add(problem);
   }
   problems.throw_if_any();
   return law;

@@ -2,6 +2,7 @@
 
 #include "documents/diagnosis_json.h"
 #include "evaluation/possible_values.h"
+#include "foundation/effect_at_place.h"
 #include "storage/core/canonical_text.h"
 
 #include <utility>
@@ -176,7 +177,7 @@ DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& 
                               .probability = model.probability,
                               .values = {}};
     for (const FoundEffect& effect : model.effects) {
-      candidate.effects.push_back(effect.effect + " @ " + effect.where);
+      candidate.effects.push_back(to_string(EffectAtPlace{effect.effect, effect.where}));
       for (const FoundParameter& one : effect.parameters)
         candidate.values.push_back(
             {effect.effect, effect.where, one.name, one.unit, one.value, one.lower_95, one.upper_95});

@@ -60,7 +60,7 @@ void check(const Database& into, const std::vector<std::filesystem::path>& shard
       check_seals(shard, problems);
       check_plugins(shard, used, problems);
     } catch (const BadInput& unusable) {
-      for (const Problem& problem : unusable.problems()) problems.add(problem.location, problem.message);
+      for (const Problem& problem : unusable.problems()) problems.add(problem);
     }
   problems.throw_if_any();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foundation/effect_at_place.h"
 #include "storage/core/database.h"
 #include "storage/core/provenance.h"
 #include "storage/core/records.h"
@@ -78,8 +79,8 @@ class ResultStore {
   /// revision, or else of the nearest one that it was made from. Those that have no value are left out.
   std::vector<CandidateValueRecord> diagnosed_values(RevisionId revision, const std::string& effect,
                                                      const std::string& place) const;
-  /// What the latest diagnosis of this revision found to be missing: "effect @ place" of each effect. Empty: nothing.
-  std::vector<std::string> diagnosed_answer(RevisionId revision) const;
+  /// What the latest diagnosis of this revision found to be missing. Empty: nothing.
+  std::vector<EffectAtPlace> diagnosed_answer(RevisionId revision) const;
   /// Stores where a diagnosis stands, JSON, in place of what it stored before; a finished one of the
   /// revision removes all of its own.
   void keep_unfinished_diagnosis(RevisionId revision, const std::string& settings, const std::string& document);

@@ -86,14 +86,14 @@ std::vector<CandidateValueRecord> ResultStore::diagnosed_values(RevisionId revis
   return values;
 }
 
-std::vector<std::string> ResultStore::diagnosed_answer(RevisionId revision) const {
-  std::vector<std::string> effects;
+std::vector<EffectAtPlace> ResultStore::diagnosed_answer(RevisionId revision) const {
+  std::vector<EffectAtPlace> effects;
   Statement row(database_,
                 "SELECT value FROM diagnosis JOIN candidate_model ON candidate_model.diagnosis = diagnosis.id,"
                 " json_each(candidate_model.effects) WHERE candidate_model.rank = 1 AND verdict = 'effect_found'"
                 " AND diagnosis.id = (SELECT max(id) FROM diagnosis WHERE revision = ?)");
   row.with(revision);
-  while (row.step()) effects.push_back(row.text(0));
+  while (row.step()) effects.push_back(effect_at_place_from(row.text(0)));
   return effects;
 }
 
