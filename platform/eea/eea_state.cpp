@@ -158,7 +158,7 @@ EeaState load_state(std::span<const double> saved) {
   archive_scalars(reader, state);
   reader.number(has_test);
   if (has_test != 0) {
-    NextTest& test = state.next_test.emplace();
+    PendingTest& test = state.next_test.emplace();
     reader.number(test.number);
     reader.list(test.genome);
     reader.number(test.predicted_fitness);

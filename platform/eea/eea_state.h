@@ -27,7 +27,7 @@ struct KnownModel {
 };
 
 /// A test that is to be carried out.
-struct NextTest {
+struct PendingTest {
   std::uint64_t number = 0;
   Genome genome;
   double predicted_fitness = kNotKnown;
@@ -48,7 +48,7 @@ struct EeaState {
   int pass = 1;
   Phase phase = Phase::trial;
   std::uint64_t models = 0, tests = 0;  ///< numbered so far
-  std::optional<NextTest> next_test;
+  std::optional<PendingTest> next_test;
   std::vector<TargetTrial> trials;
   std::vector<KnownModel> best;       ///< of the last estimation phase, best first
   std::vector<double> search;         ///< of the phase under way; empty: it has not begun

@@ -150,7 +150,7 @@ class Estimation {
       }
     }
     const auto simulate = [&](std::span<const std::size_t> fresh, std::optional<double> below) {
-      std::vector<Candidate> candidates;
+      std::vector<CandidateModel> candidates;
       for (const std::size_t i : fresh) candidates.push_back({&individuals[places[i]].genome, &models[i]});
       return run_.evaluations->score(candidates, below);
     };

@@ -14,7 +14,7 @@
 namespace lacuna {
 
 /// A model to be evaluated: what a genome stands for. Both outlive the call.
-struct Candidate {
+struct CandidateModel {
   const Genome* genome = nullptr;
   const ModelProposal* model = nullptr;
 };
@@ -42,7 +42,7 @@ class Evaluations {
   /// From now on `score` holds models against those trials of the state that count in its pass.
   virtual void begin_estimation(const EeaState& state) = 0;
   /// One score a candidate; see `ModelScorer`.
-  virtual std::vector<ModelScore> score(std::span<const Candidate> candidates, std::optional<double> bar) = 0;
+  virtual std::vector<ModelScore> score(std::span<const CandidateModel> candidates, std::optional<double> bar) = 0;
 
   /// From now on `judge` asks the best models of the state's last estimation phase. The steps that it took to find out
   /// what the trials say.

@@ -97,7 +97,7 @@ class Exploration {
     }
     state_.search.clear();
     const Individual& individual = best.front().individual;
-    state_.next_test = NextTest{state_.search_begin + individual.number, individual.genome, -best.front().score};
+    state_.next_test = PendingTest{state_.search_begin + individual.number, individual.genome, -best.front().score};
     state_.counts.best_test = state_.next_test->number;
     state_.counts.best_fitness = state_.next_test->predicted_fitness;
   }
@@ -126,7 +126,7 @@ void choose_random_test(const EeaRun& run, EeaState& state, int attempt) {
   row.number = state.tests++;
   row.pass = state.pass;
   row.genome = run.definition.exploration.breeder->random(random);
-  state.next_test = NextTest{row.number, row.genome, kNotKnown};
+  state.next_test = PendingTest{row.number, row.genome, kNotKnown};
   run.journal.add(std::move(row));
 }
 

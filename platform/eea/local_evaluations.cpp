@@ -52,7 +52,7 @@ void LocalEvaluations::begin_estimation(const EeaState& state) {
                                           threads_, &definition_.model, definition_.profiled);
 }
 
-std::vector<ModelScore> LocalEvaluations::score(std::span<const Candidate> candidates, std::optional<double> bar) {
+std::vector<ModelScore> LocalEvaluations::score(std::span<const CandidateModel> candidates, std::optional<double> bar) {
   std::vector<ModelScore> scores(candidates.size());
   parallel_for(candidates.size(), scorer_->workers(), [&](std::size_t i, int worker) {
     const Evaluation evaluation;

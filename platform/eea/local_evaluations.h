@@ -15,7 +15,7 @@ class LocalEvaluations : public Evaluations {
   ~LocalEvaluations() override;
 
   void begin_estimation(const EeaState& state) override;
-  std::vector<ModelScore> score(std::span<const Candidate> candidates, std::optional<double> bar) override;
+  std::vector<ModelScore> score(std::span<const CandidateModel> candidates, std::optional<double> bar) override;
   std::uint64_t begin_exploration(const EeaState& state) override;
   std::vector<JudgedTest> judge(std::span<const Genome> tests) override;
   ModelScore score_on(const KnownModel& model, const TargetTrial& trial, int pass) override;

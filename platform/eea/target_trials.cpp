@@ -66,7 +66,7 @@ CarriedOut carry_out(const EeaRun& run, const EeaTarget& target, const Genome& t
 
 /// Carries the next test out, or nothing where the target fails, which is noted. Input that is wrong stays so, and a
 /// user who ends the run is obeyed.
-std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, const NextTest& test, int number,
+std::optional<CarriedOut> attempt(const EeaRun& run, const EeaTarget& target, const PendingTest& test, int number,
                                   std::string& reason) {
   try {
     return carry_out(run, target, test.genome, number);
@@ -108,7 +108,7 @@ CarriedOut carry_out_or_replace(const EeaRun& run, const EeaTarget& target, EeaS
 void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state, bool for_transfer) {
   const auto number = static_cast<int>(state.trials.size());
   CarriedOut done = carry_out_or_replace(run, target, state, number);
-  const NextTest& test = *state.next_test;
+  const PendingTest& test = *state.next_test;
   TargetTrial trial{test.number, done.drive, with_known_start(run.definition, done.trial), test.genome};
   const double surprise = surprise_of(run, state, trial);
   run.journal.add(TargetTrialRow{number, test.number, {}, for_transfer, test.predicted_fitness, done.fitness, surprise},

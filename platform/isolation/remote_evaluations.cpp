@@ -109,7 +109,8 @@ Result RemoteEvaluations::ask_for_one(const Request& request) {
 
 void RemoteEvaluations::begin_estimation(const EeaState& state) { begin(BeginEstimation{wired(state)}); }
 
-std::vector<ModelScore> RemoteEvaluations::score(std::span<const Candidate> candidates, std::optional<double> bar) {
+std::vector<ModelScore> RemoteEvaluations::score(std::span<const CandidateModel> candidates,
+                                                 std::optional<double> bar) {
   return share_out<ModelScore>(candidates.size(), [&](const std::vector<std::size_t>& part) {
     ScoreModelsRequest request{{}, bar};
     for (const std::size_t i : part) request.models.push_back(*candidates[i].genome);

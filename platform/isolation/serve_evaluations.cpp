@@ -60,7 +60,7 @@ class Clerk {
     for (std::size_t i = 0; i < asked.models.size(); ++i) {
       CallPage::set_task(static_cast<std::uint32_t>(i));
       const ModelProposal model = definition_.decode_model(asked.models[i]);
-      const Candidate candidate{&asked.models[i], &model};
+      const CandidateModel candidate{&asked.models[i], &model};
       scores.push_back(std::move(here_.score({&candidate, 1}, asked.bar).front()));
     }
     return to_bytes(scores);

@@ -15,7 +15,7 @@ EeaState some_state() {
   state.phase = Phase::exploration;
   state.models = 4711;
   state.tests = 17;
-  state.next_test = NextTest{16, {0.25, -1.0}, 3.5};
+  state.next_test = PendingTest{16, {0.25, -1.0}, 3.5};
   state.best = {{40, {1.0, 2.0}, {{1.0, 2.0}}, 0.125}, {41, {3.0, 4.0}, {{3.0, 4.0}}, 0.25}};
   state.search = {1.0, 2.0, 3.0};
   state.search_begin = 5;

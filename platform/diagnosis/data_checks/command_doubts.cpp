@@ -77,14 +77,14 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
 
 /// In all trials together: a lag of one trial alone is another doubt.
 void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
-  std::vector<const LagProfile*> profiles;
-  for (const LagProfile& profile : lags.profiles) profiles.push_back(&profile);
+  std::vector<const CommandLagProfile*> profiles;
+  for (const CommandLagProfile& profile : lags.profiles) profiles.push_back(&profile);
   if (profiles.empty()) return;
   const Eigen::Index best = best_lag(profiles), now = lags.lags.size() / 2;
   if (lags.lags(best) > -kHeldIntervals * lags.interval) return;
   if (std::abs(lag_drift(lags, profiles)) > kSteadyLag * std::abs(lags.lags(best))) return;  // a clock that gains
   double at_best = 0.0, at_now = 0.0;
-  for (const LagProfile* profile : profiles) {
+  for (const CommandLagProfile* profile : profiles) {
     at_best += profile->squares(best);
     at_now += profile->squares(now);
   }

@@ -22,8 +22,8 @@ double interval_of(const Eigen::VectorXd& times) {
   return times.size() < 2 ? 0.0 : (times(times.size() - 1) - times(0)) / static_cast<double>(times.size() - 1);
 }
 
-LagProfile profile_of(const AccelerationTable& table, std::size_t trial, const Eigen::VectorXd& lags) {
-  LagProfile profile;
+CommandLagProfile profile_of(const AccelerationTable& table, std::size_t trial, const Eigen::VectorXd& lags) {
+  CommandLagProfile profile;
   profile.trial = trial;
   profile.squares = profile.early = profile.late = Eigen::VectorXd::Zero(lags.size());
   for (const ChannelAccelerations& channel : table.channels) {
@@ -48,9 +48,9 @@ LagProfile profile_of(const AccelerationTable& table, std::size_t trial, const E
 }
 
 /// Where the sum of one of the profiles' curves is least; the middle where it is so in several places.
-Eigen::Index least(const std::vector<const LagProfile*>& profiles, Eigen::VectorXd LagProfile::*curve) {
+Eigen::Index least(const std::vector<const CommandLagProfile*>& profiles, Eigen::VectorXd CommandLagProfile::*curve) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero((profiles.front()->*curve).size());
-  for (const LagProfile* profile : profiles) all += profile->*curve;
+  for (const CommandLagProfile* profile : profiles) all += profile->*curve;
   Eigen::Index best = all.size() / 2;
   for (Eigen::Index i = 0; i < all.size(); ++i)
     if (all(i) < all(best)) best = i;
@@ -80,17 +80,19 @@ CommandLags command_lags(const DoubtTask& task, const AccelerationTable& table) 
     if (one.commands.series.times.size() < 2) continue;
     result.interval =
         std::max({result.interval, interval_of(one.commands.series.times), interval_of(one.measured.times)});
-    LagProfile profile = profile_of(table, trial, result.lags);
+    CommandLagProfile profile = profile_of(table, trial, result.lags);
     if (profile.rows >= kRowsPerColumn * (profile.rows - profile.freedom) && profile.rows > 0.0)
       result.profiles.push_back(std::move(profile));
   }
   return result;
 }
 
-Eigen::Index best_lag(const std::vector<const LagProfile*>& profiles) { return least(profiles, &LagProfile::squares); }
+Eigen::Index best_lag(const std::vector<const CommandLagProfile*>& profiles) {
+  return least(profiles, &CommandLagProfile::squares);
+}
 
-double lag_drift(const CommandLags& lags, const std::vector<const LagProfile*>& profiles) {
-  return lags.lags(least(profiles, &LagProfile::late)) - lags.lags(least(profiles, &LagProfile::early));
+double lag_drift(const CommandLags& lags, const std::vector<const CommandLagProfile*>& profiles) {
+  return lags.lags(least(profiles, &CommandLagProfile::late)) - lags.lags(least(profiles, &CommandLagProfile::early));
 }
 
 }  // namespace lacuna

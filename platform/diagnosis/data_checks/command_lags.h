@@ -16,7 +16,7 @@ inline constexpr double kHeldIntervals = 1.5;  ///< between samples: a lag less 
 Eigen::MatrixXd surroundings(const ChannelAccelerations& channel);
 
 /// How well a trial's accelerations follow its commands of some time before.
-struct LagProfile {
+struct CommandLagProfile {
   std::size_t trial = 0;
   double rows = 0.0;            ///< accelerations
   double freedom = 0.0;         ///< rows less the coefficients fitted
@@ -26,18 +26,18 @@ struct LagProfile {
 };
 
 struct CommandLags {
-  Eigen::VectorXd lags;              ///< s, positive where the motion follows the command
-  double interval = 0.0;             ///< s, between samples, the longest of the trials
-  std::vector<LagProfile> profiles;  ///< of the trials that are commanded, have force actuators and enough rows
+  Eigen::VectorXd lags;                     ///< s, positive where the motion follows the command
+  double interval = 0.0;                    ///< s, between samples, the longest of the trials
+  std::vector<CommandLagProfile> profiles;  ///< of the trials that are commanded, have force actuators and enough rows
 };
 
 /// Every trial with coefficients of its own, so that what is in common to trials cannot pass for a lag of one.
 CommandLags command_lags(const DoubtTask& task, const AccelerationTable& table);
 
 /// The lag that leaves least in all of `profiles`; an index into the lags.
-Eigen::Index best_lag(const std::vector<const LagProfile*>& profiles);
+Eigen::Index best_lag(const std::vector<const CommandLagProfile*>& profiles);
 
 /// Best lag of the later halves minus that of the earlier ones, s: a clock that gains shows, a shifted one does not.
-double lag_drift(const CommandLags& lags, const std::vector<const LagProfile*>& profiles);
+double lag_drift(const CommandLags& lags, const std::vector<const CommandLagProfile*>& profiles);
 
 }  // namespace lacuna

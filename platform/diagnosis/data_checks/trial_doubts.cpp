@@ -30,28 +30,28 @@ struct Shift {
   double share = 0.0;     ///< of it, over what the trial's own lag leaves of the trial
 };
 
-double squares_at(const std::vector<const LagProfile*>& profiles, Eigen::Index lag) {
+double squares_at(const std::vector<const CommandLagProfile*>& profiles, Eigen::Index lag) {
   double squares = 0.0;
-  for (const LagProfile* profile : profiles) squares += profile->squares(lag);
+  for (const CommandLagProfile* profile : profiles) squares += profile->squares(lag);
   return squares;
 }
 
-Shift shift_of(const CommandLags& lags, const std::vector<const LagProfile*>& profiles, std::size_t place) {
-  std::vector<const LagProfile*> others = profiles;
+Shift shift_of(const CommandLags& lags, const std::vector<const CommandLagProfile*>& profiles, std::size_t place) {
+  std::vector<const CommandLagProfile*> others = profiles;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
-  const LagProfile& own = *profiles[place];
+  const CommandLagProfile& own = *profiles[place];
   const Eigen::Index mine = best_lag({&own}), theirs = best_lag(others), shared = best_lag(profiles);
   const double added = squares_at(profiles, shared) - own.squares(mine) - squares_at(others, theirs);
   return {place, lags.lags(mine) - lags.lags(theirs), added, added / std::max(own.squares(mine), own.rows)};
 }
 
 /// Whether so large an addition can come from nothing but shifted time stamps.
-bool is_shift(const CommandLags& lags, const std::vector<const LagProfile*>& profiles, const Shift& shift) {
+bool is_shift(const CommandLags& lags, const std::vector<const CommandLagProfile*>& profiles, const Shift& shift) {
   if (std::abs(shift.by) <= kHeldIntervals * lags.interval) return false;
   // A clock that gains is an effect, and shifts longer trials by more.
   if (std::abs(lag_drift(lags, {profiles[shift.place]})) > kSteadyLag * std::abs(shift.by)) return false;
   bool down_to_noise = true;
-  for (const LagProfile* profile : profiles) {
+  for (const CommandLagProfile* profile : profiles) {
     const double left = profile->squares.minCoeff();
     if (left > std::max(kUnexplained * profile->power, kFewNoises * profile->rows)) return false;
     down_to_noise = down_to_noise && left <= kFewNoises * profile->rows;
@@ -59,7 +59,7 @@ bool is_shift(const CommandLags& lags, const std::vector<const LagProfile*>& pro
   return shift.share > (down_to_noise ? kAddsToNoise : kAddsToMore);
 }
 
-std::string shifted_sentence(const AccelerationTable& table, const std::vector<const LagProfile*>& profiles,
+std::string shifted_sentence(const AccelerationTable& table, const std::vector<const CommandLagProfile*>& profiles,
                              const Shift& shift, bool named) {
   const auto name = [&](std::size_t place) { return table.trials[profiles[place]->trial].name; };
   const std::string left = fmt::format("one timing for all leaves {:.2g} times as much unexplained", 1.0 + shift.share);
@@ -78,8 +78,8 @@ std::string shifted_sentence(const AccelerationTable& table, const std::vector<c
 /// which the rest agree best.
 std::set<std::size_t> doubt_lags(const AccelerationTable& table, const CommandLags& lags, std::vector<Doubt>& doubts) {
   std::set<std::size_t> shifted;
-  std::vector<const LagProfile*> left;
-  for (const LagProfile& profile : lags.profiles) left.push_back(&profile);
+  std::vector<const CommandLagProfile*> left;
+  for (const CommandLagProfile& profile : lags.profiles) left.push_back(&profile);
   const bool named = left.size() > 2;
   while (left.size() >= 2) {
     std::optional<Shift> worst;

@@ -6,7 +6,7 @@
 #include "report/pages/pages.h"
 #include "report/pages/processor_share.h"
 #include "report/pages/web_server.h"
-#include "report/pages/work_queue.h"
+#include "report/pages/question_queue.h"
 #include "storage/pages/readable_database.h"
 
 #include <lacuna/error.h>
@@ -107,7 +107,7 @@ struct PageServer::Impl {
 
   /// A question whose client has gone before its turn is dropped.
   template <typename Answer>
-  static void ask(WorkQueue& queue, std::string question, const WebReply& reply, Answer answer) {
+  static void ask(QuestionQueue& queue, std::string question, const WebReply& reply, Answer answer) {
     const auto work = [question = std::move(question), reply, answer = std::move(answer)] {
       reply(answer_to(question, answer));
     };
@@ -162,7 +162,7 @@ struct PageServer::Impl {
   PageAnswers answers;
   WebServer web;
   // These end before the server does. What a user typed may take long and waits apart from what pages show.
-  WorkQueue showing{4, 64}, typed{2, 16}, replays{1, 8};
+  QuestionQueue showing{4, 64}, typed{2, 16}, replays{1, 8};
 };
 
 PageServer::PageServer(PageServerOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}

@@ -1,4 +1,4 @@
-#include "report/pages/work_queue.h"
+#include "report/pages/question_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 namespace lacuna {
 namespace {
 
-TEST(WorkQueueTest, WorksInOrderAndTakesNoMoreThanMayWait) {
+TEST(QuestionQueueTest, WorksInOrderAndTakesNoMoreThanMayWait) {
   std::promise<void> open, begun;
   std::vector<int> done;
   {
-    WorkQueue queue(1, 2);
+    QuestionQueue queue(1, 2);
     EXPECT_TRUE(queue.add([&] {
       begun.set_value();
       open.get_future().wait();
@@ -32,12 +32,12 @@ TEST(WorkQueueTest, WorksInOrderAndTakesNoMoreThanMayWait) {
   EXPECT_EQ(done, (std::vector{0, 1, 2}));
 }
 
-TEST(WorkQueueTest, WhatNobodyWantsAnyMoreMakesRoom) {
+TEST(QuestionQueueTest, WhatNobodyWantsAnyMoreMakesRoom) {
   std::promise<void> open, begun;
   std::vector<int> done;
   std::atomic<bool> wanted = true;
   {
-    WorkQueue queue(1, 2);
+    QuestionQueue queue(1, 2);
     queue.add([&] {
       begun.set_value();
       open.get_future().wait();
@@ -57,11 +57,11 @@ TEST(WorkQueueTest, WhatNobodyWantsAnyMoreMakesRoom) {
   EXPECT_EQ(done, std::vector{2});
 }
 
-TEST(WorkQueueTest, ForgetsWhatWaitsWhenItEnds) {
+TEST(QuestionQueueTest, ForgetsWhatWaitsWhenItEnds) {
   std::atomic<int> done = 0;
   std::promise<void> begun;
   {
-    WorkQueue queue(1, 100);
+    QuestionQueue queue(1, 100);
     queue.add([&] {
       begun.set_value();
       std::this_thread::sleep_for(std::chrono::milliseconds(100));

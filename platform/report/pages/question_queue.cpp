@@ -1,17 +1,17 @@
-#include "report/pages/work_queue.h"
+#include "report/pages/question_queue.h"
 
 namespace lacuna {
 
-WorkQueue::WorkQueue(int threads, std::size_t most_waiting) : most_waiting_(most_waiting) {
+QuestionQueue::QuestionQueue(int threads, std::size_t most_waiting) : most_waiting_(most_waiting) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this](const std::stop_token& stopped) { do_work(stopped); });
 }
 
-WorkQueue::~WorkQueue() {
+QuestionQueue::~QuestionQueue() {
   for (std::jthread& thread : threads_) thread.request_stop();
   threads_.clear();
 }
 
-bool WorkQueue::add(std::function<void()> work, std::function<bool()> is_wanted) {
+bool QuestionQueue::add(std::function<void()> work, std::function<bool()> is_wanted) {
   {
     const std::lock_guard lock(mutex_);
     if (waiting_.size() >= most_waiting_) std::erase_if(waiting_, [](const Job& job) { return !job.is_wanted(); });
@@ -22,7 +22,7 @@ bool WorkQueue::add(std::function<void()> work, std::function<bool()> is_wanted)
   return true;
 }
 
-void WorkQueue::do_work(const std::stop_token& stopped) {
+void QuestionQueue::do_work(const std::stop_token& stopped) {
   std::unique_lock lock(mutex_);
   while (added_.wait(lock, stopped, [this] { return !waiting_.empty(); })) {
     if (stopped.stop_requested()) return;

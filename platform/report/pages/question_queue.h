@@ -10,13 +10,13 @@
 namespace lacuna {
 
 /// Work that waits its turn for one of a few threads, in the order in which it came.
-class WorkQueue {
+class QuestionQueue {
  public:
-  WorkQueue(int threads, std::size_t most_waiting);
+  QuestionQueue(int threads, std::size_t most_waiting);
   /// Waits for what is being done; what only waits is forgotten.
-  ~WorkQueue();
-  WorkQueue(const WorkQueue&) = delete;
-  WorkQueue& operator=(const WorkQueue&) = delete;
+  ~QuestionQueue();
+  QuestionQueue(const QuestionQueue&) = delete;
+  QuestionQueue& operator=(const QuestionQueue&) = delete;
 
   /// False: as much waits already as may. Work that nobody wants any more, as `is_wanted` tells, waits for nothing: it
   /// makes room and is not done. Neither may throw.
