@@ -112,10 +112,11 @@ std::string free_text(const MadeCase& made) {
 std::string rig_text(const MadeCase& made) {
   const double interval = made.trials.front().applied.interval;
   return fmt::format(
-      "[experiment]\nname = \"rig\"\nseed = 1\n\n[target]\nkind = \"recorded\"\nfiles = {}\nholdout = {}\nhold = "
+      "[experiment]\nname = \"{}\"\nseed = 1\n\n[target]\nkind = \"recorded\"\nfiles = {}\nholdout = {}\nhold = "
       "\"zero\"\n\n"
       "[target.time]\ncolumn = \"t\"\n\n{}[model]\nfile = \"robot.toml\"\neffects = []\n\n{}\n[engine]\nstep = {}\n",
-      files_text(made, false), files_text(made, true), columns_text(made.base.spec), free_text(made), number(interval));
+      made.plan.name(), files_text(made, false), files_text(made, true), columns_text(made.base.spec), free_text(made),
+      number(interval));
 }
 
 std::string recording_text(const MadeCase& made, const MadeTrial& trial) {

@@ -53,9 +53,9 @@ std::string recording_text(const ContactRig& rig, const ContactTrial& trial) {
 
 std::string rig_text(const MadeContactCase& made, const std::vector<SizedContactLaw>& laws) {
   return fmt::format(
-      "[experiment]\nname = \"rig\"\nseed = 1\n\n[target]\nkind = \"recorded\"\nfiles = {}\nholdout = {}\nhold = "
+      "[experiment]\nname = \"{}\"\nseed = 1\n\n[target]\nkind = \"recorded\"\nfiles = {}\nholdout = {}\nhold = "
       "\"zero\"\n\n[target.time]\ncolumn = \"t\"\n\n{}\n{}",
-      files_text(made, false), files_text(made, true), columns_text(*made.rig, made.plan.noise),
+      made.plan.name(), files_text(made, false), files_text(made, true), columns_text(*made.rig, made.plan.noise),
       model_text(*made.rig, Integration::owner, laws));
 }
 
