@@ -121,7 +121,7 @@ JOIN trial ON trial.id = noise_floor.trial
 JOIN comparison ON comparison.id = noise_floor.comparison
 JOIN revision ON revision.id = comparison.revision
 JOIN experiment ON experiment.id = revision.experiment
-WHERE comparison.id = (SELECT max(newer.id) FROM comparison AS newer WHERE newer.revision = comparison.revision);
+WHERE comparison.id IN (SELECT max(id) FROM comparison GROUP BY revision);
 
 -- One row per diagnosis: its verdict with its probability, what it would add, and whether the time limit stopped it.
 -- example: SELECT revision, verdict, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;

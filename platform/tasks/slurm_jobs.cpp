@@ -56,6 +56,29 @@ std::string array_of(const std::vector<std::size_t>& numbers) {
   return ranges;
 }
 
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  bool inside = false;
+  char quote = 0;
+  for (const char c : line) {
+    if (quote == 0 && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (c == quote) {
+      quote = 0;
+    } else if (quote == 0 && c == ' ') {
+      inside = false;
+      continue;
+    } else {
+      if (!inside) words.emplace_back();
+      words.back() += c;
+    }
+    if (!inside && quote != 0) words.emplace_back();
+    inside = true;
+  }
+  if (quote != 0) throw Error(line + ": a quote is not closed");
+  return words;
+}
+
 SlurmJobs submit_to_slurm(const TaskFolder& folder, const std::filesystem::path& program,
                           const std::vector<std::string>& options, const std::filesystem::path& database) {
   write_scripts(folder, program, database);

@@ -11,6 +11,9 @@ namespace lacuna {
 /// Numbers as `sbatch --array` takes them: "0-3,7".
 std::string array_of(const std::vector<std::size_t>& numbers);
 
+/// The words of a line, parted at spaces outside of quotes. Throws `Error` where a quote is not closed.
+std::vector<std::string> words_of(const std::string& line);
+
 /// The jobs that Slurm has been given.
 struct SlurmJobs {
   std::string array, merge;  ///< their numbers

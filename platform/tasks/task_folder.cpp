@@ -35,7 +35,7 @@ void copy_whole(const fs::path& from, const fs::path& to) {
   std::ifstream source(from, std::ios::binary);
   if (!source) throw Error(from.string() + ": cannot be read");
   WholeFile whole(to, Link::replaced);
-  whole.stream() << source.rdbuf();
+  if (fs::file_size(from) > 0) whole.stream() << source.rdbuf();
   whole.publish();
 }
 
@@ -75,10 +75,13 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   if (fs::exists(file)) {
     TaskFolder there(folder);
     if (ids_of(there.plan()) != ids_of(plan))
-      throw_problem({folder.string()}, "has another plan already; name another folder with --out");
+      throw_problem({folder.string()}, "has another plan already; remove the folder, or name another one");
     return there;
   }
+  if (folder.empty()) throw_problem({}, "--out is empty; name a new folder");
   std::error_code missing;
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw_problem({folder.string()}, "is a file; name a new folder with --out");
   if (fs::exists(folder) && !fs::is_empty(folder, missing))
     throw_problem({folder.string()}, "has other files in it; name a new folder with --out");
   make_folders(folder);
@@ -92,6 +95,8 @@ TaskFolder::TaskFolder(const fs::path& folder) : folder_(folder) {
     throw_problem({folder.string()}, "is not the folder of a plan; `lacuna plan` makes one");
   plan_ = read_plan(bytes_of(file), file);
 }
+
+void TaskFolder::make_ready() const { make_folders(folder_); }
 
 const Task& TaskFolder::task(std::size_t number) const {
   if (number >= plan_.tasks.size())
@@ -113,7 +118,10 @@ TaskStatus TaskFolder::status(std::size_t number) const {
   const auto sign_file = sign(number);
   const auto json =
       fs::exists(sign_file) ? nlohmann::json::parse(bytes_of(sign_file), nullptr, false) : nlohmann::json();
-  const auto text = [&](const char* key) { return json.is_object() ? json.value(key, "") : std::string(); };
+  const auto text = [&](const char* key) {
+    const auto value = json.is_object() ? json.find(key) : json.end();
+    return value != json.end() && value->is_string() ? value->get<std::string>() : std::string();
+  };
   status.machine = text("machine");
   status.time = text("time");
   status.reason = text("reason");
@@ -124,7 +132,7 @@ TaskStatus TaskFolder::status(std::size_t number) const {
     status.state = TaskState::failed;
   else if (said == "interrupted")
     status.state = TaskState::interrupted;
-  else if (!said.empty())
+  else if (said == "begun")
     status.state = shows_life(sign_file) ? TaskState::running : TaskState::silent;
   return status;
 }
@@ -142,8 +150,11 @@ bool TaskFolder::take_checkpoint(std::size_t number, const fs::path& file) const
   return true;
 }
 
-void TaskFolder::keep_checkpoint(std::size_t number, const fs::path& file, const std::string& reason) const {
+void TaskFolder::keep_checkpoint(std::size_t number, const fs::path& file) const {
   if (fs::exists(file)) copy_whole(file, checkpoint(number));
+}
+
+void TaskFolder::note_interruption(std::size_t number, const std::string& reason) const {
   write_sign(number, "interrupted", reason);
 }
 

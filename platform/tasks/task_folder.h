@@ -46,6 +46,8 @@ class TaskFolder {
   explicit TaskFolder(const std::filesystem::path& folder);
 
   const std::filesystem::path& path() const { return folder_; }
+  /// Makes what a copy of the folder may lack. Throws `BadInput` where it cannot be written.
+  void make_ready() const;
   const TaskPlan& plan() const { return plan_; }
   /// Throws `BadInput` where the plan has no such task.
   const Task& task(std::size_t number) const;
@@ -58,9 +60,11 @@ class TaskFolder {
 
   /// The checkpoint, copied to `file`; false where there is none.
   bool take_checkpoint(std::size_t number, const std::filesystem::path& file) const;
-  void keep_checkpoint(std::size_t number, const std::filesystem::path& file, const std::string& reason) const;
+  /// Nothing where there is no such file.
+  void keep_checkpoint(std::size_t number, const std::filesystem::path& file) const;
   /// Gives the shard its place, unless another process was quicker. The checkpoint goes.
   void keep_shard(std::size_t number, const std::filesystem::path& file) const;
+  void note_interruption(std::size_t number, const std::string& reason) const;
   void note_failure(std::size_t number, const std::string& reason) const;
 
  private:

@@ -52,13 +52,15 @@ TaskPlan plan_of(const Json& json) {
   return plan;
 }
 
-void check_ids(const TaskPlan& plan) {
+void check_tasks(const TaskPlan& plan) {
+  if (plan.tasks.empty()) throw Error("has no tasks");
   for (std::size_t number = 0; number < plan.tasks.size(); ++number) {
     const Task& task = plan.tasks[number];
+    const auto has_file = [&](std::size_t input) { return plan.inputs[input].file == task.experiment; };
     const bool known = std::all_of(task.inputs.begin(), task.inputs.end(),
                                    [&](std::size_t input) { return input < plan.inputs.size(); });
-    if (!known || task.id != id_of(task, plan.inputs))
-      throw Error(fmt::format("task {} is not the one that was planned: its digest is another", number));
+    if (!known || std::none_of(task.inputs.begin(), task.inputs.end(), has_file) || task.id != id_of(task, plan.inputs))
+      throw Error(fmt::format("task {} was changed after planning", number));
   }
 }
 
@@ -85,7 +87,7 @@ std::string text_of_plan(const TaskPlan& plan) {
 
 TaskPlan read_plan(const std::string& text, const std::filesystem::path& file) try {
   TaskPlan plan = plan_of(Json::parse(text));
-  check_ids(plan);
+  check_tasks(plan);
   return plan;
 } catch (const Json::exception& broken) {
   throw_problem({file.string()}, fmt::format("is not a plan of `lacuna plan`: {}", broken.what()));

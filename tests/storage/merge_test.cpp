@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,26 @@ TEST_F(MergeTest, ADatabaseThatHasRunsKeepsThem) {
   merged({shard_with_run("a.db", 7)});
   EXPECT_EQ(hashes("all.db")[0], own);
   EXPECT_EQ(asked("SELECT replicate FROM eea_run WHERE run = 2"), 7);
+}
+
+TEST_F(MergeTest, ARunThatHasGoneOnSinceIsNotTakenForTheEarlierState) {
+  {
+    MadeUpDatabase shard(file("a.db"));
+    shard.advance(kMadeUp, 2);
+    shard.store->end(RunEnding::interrupted);
+  }
+  merged({file("a.db")});
+  EXPECT_THAT(merged({file("a.db")})[0].known, ElementsAre(RunId{1})) << "the same state";
+  {
+    Database database = Database::open(file("a.db"));
+    std::mutex writing;
+    EeaStore store(database, writing, RunId{1}, *ResultStore(database).find_experiment("quadruped"));
+    store.begin(kMadeUp.record());
+    store.checkpoint();
+    for (int i = 2; i < kMadeUp.commits(); ++i) kMadeUp.commit(store, i);
+    store.end(RunEnding::done);
+  }
+  EXPECT_THAT(test::sentence_of([&] { merged({file("a.db")}); }), HasSubstr("has an earlier state of it"));
 }
 
 TEST_F(MergeTest, AFaultInOneShardKeepsAllOut) {

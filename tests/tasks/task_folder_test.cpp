@@ -58,7 +58,8 @@ TEST_F(TaskFolderTest, TellsHowFarEachTaskIs) {
   folder_.note_failure(0, "the rig does not answer");
   EXPECT_EQ(folder_.status(0).state, TaskState::failed);
   EXPECT_EQ(folder_.status(0).reason, "the rig does not answer");
-  folder_.keep_checkpoint(1, local("half"), "interrupted");
+  folder_.keep_checkpoint(1, local("half"));
+  folder_.note_interruption(1, "interrupted");
   EXPECT_EQ(folder_.status(1).state, TaskState::interrupted);
   folder_.keep_shard(2, local("whole"));
   EXPECT_EQ(folder_.status(2).state, TaskState::done);
@@ -67,8 +68,8 @@ TEST_F(TaskFolderTest, TellsHowFarEachTaskIs) {
 
 TEST_F(TaskFolderTest, ACheckpointIsThereUntilTheShardIs) {
   EXPECT_FALSE(folder_.take_checkpoint(3, scratch_ / "taken.db"));
-  folder_.keep_checkpoint(3, local("half"), "interrupted");
-  folder_.keep_checkpoint(3, local("more than half"), "interrupted");
+  folder_.keep_checkpoint(3, local("half"));
+  folder_.keep_checkpoint(3, local("more than half"));
   EXPECT_TRUE(folder_.take_checkpoint(3, scratch_ / "taken.db"));
   EXPECT_EQ(content(scratch_ / "taken.db"), "more than half");
   folder_.keep_shard(3, local("whole"));

@@ -73,12 +73,12 @@ TEST_F(TaskPlanTest, RefusesWhatIsNoPlanOrWasEdited) {
   EXPECT_THAT(complaint("{}"), HasSubstr("plan.json: is not a plan"));
   std::string text = text_of_plan(plan_);
   text.replace(text.find("\"seed\": 7"), 9, "\"seed\": 9");
-  EXPECT_THAT(complaint(text), HasSubstr("task 0 is not the one that was planned"));
+  EXPECT_THAT(complaint(text), HasSubstr("task 0 was changed after planning"));
   text = text_of_plan(plan_);
   text.replace(text.find("lacuna-plan/1"), 13, "lacuna-plan/9");
   EXPECT_THAT(complaint(text), HasSubstr("lacuna-plan/9"));
   plan_.tasks[1].inputs = {3};
-  EXPECT_THAT(complaint(text_of_plan(plan_)), HasSubstr("task 1 is not the one"));
+  EXPECT_THAT(complaint(text_of_plan(plan_)), HasSubstr("task 1 was changed after planning"));
 }
 
 }  // namespace

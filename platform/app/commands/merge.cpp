@@ -3,6 +3,7 @@
 #include "app/terminal/progress_line.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
+#include "foundation/problem.h"
 #include "storage/merge/merge.h"
 #include "tasks/task_folder.h"
 
@@ -26,6 +27,7 @@ struct MergeOptions {
 struct Shards {
   std::vector<std::filesystem::path> files;
   std::string missing;  ///< a line for each task
+  std::size_t tasks = 0, done = 0;
 };
 
 std::string missing_line(const TaskFolder& folder, std::size_t number) {
@@ -38,11 +40,49 @@ std::string missing_line(const TaskFolder& folder, std::size_t number) {
 void add_shards(const std::filesystem::path& plan, Shards& shards) {
   const TaskFolder folder(plan);
   for (std::size_t number = 0; number < folder.plan().tasks.size(); ++number) {
-    if (folder.is_done(number))
+    ++shards.tasks;
+    if (folder.is_done(number)) {
+      ++shards.done;
       shards.files.push_back(folder.shard(number));
-    else
-      shards.missing += missing_line(folder, number);
+      continue;
+    }
+    shards.missing += missing_line(folder, number);
   }
+}
+
+/// An empty file would be taken for a database without tables.
+void check_not_empty(const std::vector<std::filesystem::path>& files) {
+  ProblemList problems;
+  for (const std::filesystem::path& file : files) {
+    std::error_code missing;
+    if (std::filesystem::file_size(file, missing) == 0 && !missing)
+      problems.add({file.string()}, "is empty; of a plan, remove it, and `lacuna task run` makes it anew");
+  }
+  problems.throw_if_any();
+}
+
+/// Of a merge that is refused nothing is left where there was nothing.
+std::vector<MergedShard> merged(const MergeOptions& options, const std::vector<std::filesystem::path>& files) {
+  const bool was_there = std::filesystem::exists(options.database);
+  try {
+    Database database = Database::open(options.database);
+    ProgressLine line(options.quiet);
+    return merge(database, files, [&](double part) { line.show({.what = "merge", .fraction = part}); });
+  } catch (const BadInput&) {
+    std::error_code ignored;
+    if (!was_there) std::filesystem::remove(options.database, ignored);
+    throw;
+  }
+}
+
+void print(const MergeOptions& options, const std::vector<MergedShard>& shards) {
+  std::size_t added = 0, known = 0;
+  for (const MergedShard& shard : shards) {
+    added += shard.added.size();
+    known += shard.known.size();
+  }
+  fmt::print("{}: {} added{}\n", plain_text(options.database.string()), counted(added, "run"),
+             known > 0 ? fmt::format(", {} there already", known) : "");
 }
 
 void merge_databases(const MergeOptions& options) {
@@ -53,22 +93,14 @@ void merge_databases(const MergeOptions& options) {
     else
       shards.files.push_back(source);
   }
-  for (const std::filesystem::path& file : shards.files) refuse_empty(file);
-  std::size_t added = 0, known = 0;
+  check_not_empty(shards.files);
   if (!shards.files.empty()) {
-    Database database = Database::open(options.database);
-    ProgressLine line(options.quiet);
-    for (const MergedShard& shard :
-         merge(database, shards.files, [&](double part) { line.show({.what = "merge", .fraction = part}); })) {
-      added += shard.added.size();
-      known += shard.known.size();
-    }
+    const std::vector<MergedShard> found = merged(options, shards.files);
+    if (!options.quiet) print(options, found);
   }
-  if (!options.quiet)
-    fmt::print("{}: {} added{}\n", plain_text(options.database.string()), counted(added, "run"),
-               known > 0 ? fmt::format(", {} there already", known) : "");
   if (!shards.missing.empty())
-    throw Error(shards.missing + "what is done was merged; once the others are, the same command takes them in");
+    throw Error(fmt::format("{}{} of {} tasks are merged; run the others, then repeat this command", shards.missing,
+                            shards.done, shards.tasks));
 }
 
 }  // namespace

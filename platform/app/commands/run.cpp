@@ -3,6 +3,7 @@
 #include "app/tasks/submit_run.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
+#include "foundation/problem.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +33,10 @@ void add_run_command(CLI::App& program) {
   command->add_flag("--resume", options->resume,
                     "Go on with this experiment's runs that were not done, or begin where there is none");
   add_slurm_options(*command, *slurm);
-  command->callback([options, slurm] { slurm->wanted ? submit_run(*options, *slurm) : carry_out_run(*options); });
+  command->callback([options, slurm] {
+    if (!slurm->wanted && !slurm->sbatch.empty()) throw_problem({}, "--sbatch needs --executor slurm");
+    slurm->wanted ? submit_run(*options, *slurm) : carry_out_run(*options);
+  });
 }
 
 }  // namespace lacuna

@@ -33,7 +33,8 @@ void print_task(std::size_t number, const TaskStatus& status) {
   if (status.state == TaskState::failed)
     fmt::print("task {} failed ({}): {}\n", number, who, plain_text(status.reason));
   if (status.state == TaskState::silent)
-    fmt::print("task {} has given no sign of life for a minute ({}): its process or machine has ended\n", number, who);
+    fmt::print("task {}: no sign of life for a minute ({}). If its process or machine has ended, run it again\n",
+               number, who);
   if (status.state == TaskState::running) fmt::print("task {} is running ({})\n", number, who);
 }
 
@@ -51,11 +52,9 @@ void print_status(const std::filesystem::path& path) {
   fmt::print("{}: {}: {}\n", plain_text(path.string()), counted(folder.plan().tasks.size(), "task"),
              fmt::join(counts, ", "));
   const std::string typed = shell_word(path.string());
-  const auto open = folder.open_tasks();
-  if (open.empty())
-    fmt::print("→ lacuna merge ALL.db {}\n", typed);
-  else
-    fmt::print("→ lacuna task run {} {}\n", typed, open.front());
+  for (const TaskState state : {TaskState::open, TaskState::interrupted, TaskState::failed, TaskState::silent})
+    if (tasks.contains(state)) return fmt::print("→ lacuna task run {} {}\n", typed, tasks[state].front());
+  if (!tasks.contains(TaskState::running)) fmt::print("→ lacuna merge ALL.db {}\n", typed);
 }
 
 }  // namespace

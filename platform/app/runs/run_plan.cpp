@@ -121,7 +121,7 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
   const int first = options.only_replicate.value_or(1);
   const int last = options.only_replicate.value_or(options.replicates.value_or(file.replicates));
   for (int replicate = first; replicate <= last; ++replicate) {
-    throw_if_interrupted();
+    throw_if_kept_waiting();
     const RunId run = store.begin_run({command_line(), seed, plan.threads, options.task}, provenance_of_this_program());
     store.record_plugins(plugins);
     store.record_robot_files(robot_files_of(file));

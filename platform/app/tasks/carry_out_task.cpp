@@ -6,8 +6,11 @@
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
+#include "storage/core/storage_error.h"
 
 #include <fmt/format.h>
+
+#include <functional>
 
 namespace lacuna {
 namespace {
@@ -56,18 +59,32 @@ void check_inputs(const TaskFolder& folder, const Task& task) {
   problems.throw_if_any();
 }
 
+/// What cannot be moved to the plan stays where it is.
+void hand_in(ScratchFolder& scratch, const std::function<void()>& move) try {
+  move();
+} catch (const std::exception& lost) {
+  scratch.keep();
+  throw Error(fmt::format("{}\nwhat was found until then is in {}", lost.what(), scratch.path().string()));
+}
+
 void carry_out(const Work& work) {
   check_inputs(work.folder, work.folder.task(work.number));
-  const ScratchFolder scratch;
+  ScratchFolder scratch;
   const std::filesystem::path database = scratch / "shard.db";
-  const bool goes_on = work.folder.take_checkpoint(work.number, database);
+  const auto keep_checkpoint = [&] { work.folder.keep_checkpoint(work.number, database); };
   try {
-    do_work(work, database, goes_on);
+    do_work(work, database, work.folder.take_checkpoint(work.number, database));
   } catch (const Interrupted& interruption) {
-    work.folder.keep_checkpoint(work.number, database, interruption.what());
-    throw Interrupted(fmt::format("task {} is interrupted; the same command goes on from its checkpoint", work.number));
+    hand_in(scratch, keep_checkpoint);
+    work.folder.note_interruption(work.number, interruption.what());
+    throw Interrupted(fmt::format("task {} was interrupted; to continue: {}", work.number, command_line()));
+  } catch (const DamagedDatabase&) {
+    throw;
+  } catch (const std::exception&) {
+    hand_in(scratch, keep_checkpoint);
+    throw;
   }
-  work.folder.keep_shard(work.number, database);
+  hand_in(scratch, [&] { work.folder.keep_shard(work.number, database); });
 }
 
 }  // namespace
@@ -79,6 +96,7 @@ void carry_out_task(const TaskFolder& folder, std::size_t number, int threads, b
     if (!quiet) fmt::print("task {} is done: {}\n", number, shard);
     return;
   }
+  folder.make_ready();
   const TaskSign sign(folder, number);
   try {
     carry_out({folder, number, threads, quiet});

@@ -34,12 +34,25 @@ class Inputs {
   std::map<std::string, std::size_t> numbers_;
 };
 
-std::vector<SweptKey> swept_keys(const Experiment& experiment, const std::vector<std::string>& typed) {
-  std::vector<SweptKey> keys = experiment.sweep;
-  for (const std::string& text : typed) {
-    SweptKey key = read_sweep(text);
+std::vector<SweptKey> typed_keys(const std::vector<std::string>& typed) {
+  std::vector<SweptKey> keys;
+  ProblemList problems;
+  for (const std::string& text : typed) try {
+      SweptKey key = read_sweep(text);
+      if (std::any_of(keys.begin(), keys.end(), [&](const SweptKey& other) { return other.first == key.first; }))
+        problems.add({}, "--sweep " + text + ": the key is swept twice; name all its values at once");
+      keys.push_back(std::move(key));
+    } catch (const Error& wrong) {
+      problems.add({}, wrong.what());
+    }
+  problems.throw_if_any();
+  return keys;
+}
+
+std::vector<SweptKey> swept_keys(std::vector<SweptKey> keys, const std::vector<SweptKey>& typed) {
+  for (const SweptKey& key : typed) {
     const auto same = std::find_if(keys.begin(), keys.end(), [&](const SweptKey& k) { return k.first == key.first; });
-    same == keys.end() ? keys.push_back(std::move(key)) : void(same->second = std::move(key.second));
+    same == keys.end() ? keys.push_back(key) : void(same->second = key.second);
   }
   return keys;
 }
@@ -83,7 +96,8 @@ void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan&
   }
 }
 
-void add_experiment(const PlanOptions& options, const std::filesystem::path& file, TaskPlan& plan, Inputs& inputs) {
+void add_experiment(const PlanOptions& options, const std::filesystem::path& file, const std::vector<SweptKey>& typed,
+                    TaskPlan& plan, Inputs& inputs) {
   const ScratchFolder nothing;
   CommonOptions base;
   base.experiment = std::filesystem::absolute(file).lexically_normal();
@@ -92,7 +106,8 @@ void add_experiment(const PlanOptions& options, const std::filesystem::path& fil
   base.seed = options.seed;
   base.database = nothing / "none.db";  // what others have stored is none of the task's
   const Experiment experiment = read_experiment(base.experiment, base.overrides);
-  for (const std::vector<std::string>& settings : sweep_points(swept_keys(experiment, options.sweeps))) {
+  for (const std::vector<std::string>& settings :
+       sweep_points(swept_keys(options.with_sweep_of_file ? experiment.sweep : std::vector<SweptKey>(), typed))) {
     CommonOptions point = base;
     point.overrides.insert(point.overrides.end(), settings.begin(), settings.end());
     add_tasks(options, point, plan, inputs);
@@ -104,7 +119,9 @@ void check_different(const TaskPlan& plan, ProblemList& problems) {
   std::map<std::string, std::filesystem::path> file_of;
   for (const Task& task : plan.tasks) {
     const auto [same, is_new] = by_id.try_emplace(task.id, &task);
-    if (!is_new) problems.add({task.experiment.string()}, "a task is planned twice; give each value of a sweep once");
+    if (!is_new)
+      problems.add({task.experiment.string()},
+                   "is planned twice: name each experiment once, and each value of a sweep once");
     const auto [named, is_first] = file_of.try_emplace(task.name, task.experiment);
     if (named->second != task.experiment)
       problems.add({task.experiment.string()},
@@ -119,10 +136,11 @@ TaskPlan freeze_plan(const PlanOptions& options) {
   TaskPlan plan{.command = command_line(), .plugin_paths = {}, .inputs = {}, .tasks = {}};
   for (const std::filesystem::path& path : options.plugin_paths)
     plan.plugin_paths.push_back(std::filesystem::absolute(path).lexically_normal());
+  const std::vector<SweptKey> typed = typed_keys(options.sweeps);
   Inputs inputs(plan);
   ProblemList problems;
   for (const std::filesystem::path& file : options.experiments) try {
-      add_experiment(options, file, plan, inputs);
+      add_experiment(options, file, typed, plan, inputs);
     } catch (const BadInput& bad) {
       for (const Problem& problem : bad.problems()) problems.add(problem);
     }

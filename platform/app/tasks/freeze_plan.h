@@ -19,6 +19,7 @@ struct PlanOptions {
   std::optional<int> replicates;  ///< instead of each file's
   std::optional<std::uint64_t> seed;
   std::vector<std::string> sweeps;  ///< --sweep; a key that the file sweeps too has these values
+  bool with_sweep_of_file = true;
   TaskKind kind = TaskKind::run;
 };
 

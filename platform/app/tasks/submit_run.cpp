@@ -1,6 +1,7 @@
 #include "app/tasks/submit_run.h"
 
 #include "app/tasks/freeze_plan.h"
+#include "app/terminal/time_limit.h"
 #include "app/workspace/rig.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
@@ -11,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <sstream>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -23,7 +24,27 @@ PlanOptions plan_options(const RunOptions& options) {
           .replicates = options.replicates,
           .seed = options.seed,
           .sweeps = {},
+          .with_sweep_of_file = false,  // as where the run stays on this machine
           .kind = TaskKind::run};
+}
+
+/// What concerns one process has no meaning for many, and is not passed over in silence.
+void check_options(const RunOptions& options, const SlurmOptions& slurm) {
+  const std::pair<bool, const char*> given[] = {{options.json.has_value(), "--json"},
+                                                {options.threads > 0, "--threads"},
+                                                {options.isolate.has_value(), "--isolate and --no-isolate"},
+                                                {options.resume, "--resume"},
+                                                {has_time_limit(), "--time-limit"}};
+  ProblemList problems;
+  for (const auto& [is_given, name] : given)
+    if (is_given)
+      problems.add({}, fmt::format("--executor slurm does not take {}; give Slurm its own limits by --sbatch, and the "
+                                   "same command again to submit what is not done",
+                                   name));
+  for (const std::string& word : slurm.sbatch)
+    if (word.starts_with("--array") || word.starts_with("-a"))
+      problems.add({}, "--sbatch " + word + ": the array is that of the tasks; leave it out");
+  problems.throw_if_any();
 }
 
 /// Where all tasks are done, their merge is all that is left.
@@ -45,10 +66,8 @@ void add_slurm_options(CLI::App& command, SlurmOptions& options) {
       .add_option_function<std::vector<std::string>>(
           "--sbatch",
           [&options](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              std::istringstream words(text);
-              for (std::string word; words >> word;) options.sbatch.push_back(word);
-            }
+            for (const std::string& text : texts)
+              for (std::string& word : words_of(text)) options.sbatch.push_back(std::move(word));
           },
           "With --executor slurm: options for sbatch, as in --sbatch \"--partition=long --time=2:00:00\"; may be "
           "repeated")
@@ -57,6 +76,7 @@ void add_slurm_options(CLI::App& command, SlurmOptions& options) {
 }
 
 void submit_run(const RunOptions& options, const SlurmOptions& slurm) {
+  check_options(options, slurm);
   const TaskPlan plan = freeze_plan(plan_options(options));
   const std::string& name = plan.tasks.front().name;
   const std::filesystem::path database =

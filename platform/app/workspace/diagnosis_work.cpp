@@ -99,7 +99,7 @@ void carry_out_diagnosis(DiagnoseOptions options) {
   CallPage::allow_new_beginning(options.among.empty() && !has_time_limit());  // without a candidate that ends it
   const auto [diagnosis, known] = find_diagnosis(options, bench);
   CallPage::allow_new_beginning(false);
-  if (!takes_standard_output(options.json))
+  if (!takes_standard_output(options.json) && options.task.empty())  // what a task found is read from its plan
     fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options)),
                known ? "(from the database)\n" : "");
   if (options.json) write_output(*options.json, diagnosis_json(diagnosis));

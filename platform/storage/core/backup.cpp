@@ -4,6 +4,7 @@
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
 #include "storage/core/database.h"
+#include "storage/core/one_state.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/connection.h"
 
@@ -24,12 +25,6 @@ void check_new(const std::filesystem::path& to) {
   if (std::filesystem::exists(std::filesystem::symlink_status(to, unknown)))
     throw_problem({to.string()}, "is there already; name a new file, or move it away");
   if (const auto reason = why_not_writable(to)) throw_problem({to.string()}, "cannot be written: " + *reason);
-}
-
-/// From now on the connection sees one state of the file, whatever others commit.
-void hold_state(const Database& database) {
-  database.connection().exec("BEGIN");
-  database.connection().execAndGet("SELECT count(*) FROM sqlite_schema");
 }
 
 /// The draft is nobody's yet, and comes to the disk as a whole: it needs no journal.
@@ -66,7 +61,7 @@ std::uintmax_t back_up(const std::filesystem::path& database, const std::filesys
   WholeFile whole(to, Link::replaced);
   const std::filesystem::path draft = whole.named_draft();
   try {
-    hold_state(from);
+    hold_one_state(from);
     copy_pages(from, draft, progress);
     check_pages(database, draft);
   } catch (const SQLite::Exception& error) {

@@ -5,11 +5,14 @@
 #include "storage/core/seal.h"
 #include "storage/core/statement.h"
 
+#include <lacuna/error.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,14 +68,16 @@ std::vector<CopiedColumn> columns_with_meaning(const Database& database, const s
 /// A table's rows on their way.
 class TableCopy {
  public:
-  TableCopy(const Database& shard, Database& into, const Renumbering& numbers, const std::string& table)
-      : numbers_(numbers),
-        table_(table),
-        columns_(columns_with_meaning(into, table)),
-        rows_(shard, fmt::format("SELECT {} FROM {} ORDER BY {}", joined_names(), table,
-                                 fmt::join(columns_of(into, table).key, ", "))
+  TableCopy(const Database& shard, Database& into, const Renumbering& numbers, const TableOfRuns& rule)
+      : shard_(shard),
+        numbers_(numbers),
+        rule_(rule),
+        table_(rule.name),
+        columns_(columns_with_meaning(into, table_)),
+        rows_(shard, fmt::format("SELECT {} FROM {} ORDER BY {}", joined_names(), table_,
+                                 fmt::join(columns_of(into, table_).key, ", "))
                          .c_str()),
-        insert_(into, fmt::format("INSERT OR {} INTO {} ({}) VALUES ({})", on_conflict(), table, joined_names(),
+        insert_(into, fmt::format("INSERT OR {} INTO {} ({}) VALUES ({})", on_conflict(), table_, joined_names(),
                                   fmt::join(std::vector<const char*>(columns_.size(), "?"), ", "))
                           .c_str()),
         same_trace_(into,
@@ -84,8 +89,10 @@ class TableCopy {
     constexpr int kRowsBetweenLooks = 10000;
     for (int count = 0; rows_.step(); ++count) {
       if (count % kRowsBetweenLooks == 0) throw_if_interrupted();
+      if (!is_to_be_copied() || is_measured_already()) continue;
       insert_.begin_again();
-      if (give_row() && !is_measured_already()) insert_.run();
+      give_row();
+      insert_.run();
     }
   }
 
@@ -110,8 +117,20 @@ class TableCopy {
     return static_cast<int>(found - columns_.begin());
   }
 
-  /// False where the row is not to be copied.
-  bool give_row() {
+  /// Rows of runs that the database has, and what it has of that which runs share, stay as they are there.
+  bool is_to_be_copied() {
+    if (Renumbering::is_shared(table_)) {
+      const auto key = numbers_.shared(table_, rows_.integer(position("id")));
+      return key && numbers_.is_new(table_, *key);
+    }
+    if (rule_.owner == RowOwner::number) return numbers_.run(rows_.integer(position(rule_.column))).has_value();
+    const std::string shared = table_ == "unfinished_diagnosis" ? "revision" : "trial";
+    if (rule_.owner == RowOwner::used || table_ == "trial_setting")
+      return numbers_.shared(shared, rows_.integer(position(shared.c_str()))).has_value();
+    return numbers_.key(rows_.integer(position(rule_.column))).has_value();
+  }
+
+  void give_row() {
     for (int i = 0; i < static_cast<int>(columns_.size()); ++i) {
       const CopiedColumn& column = columns_[static_cast<std::size_t>(i)];
       if (column.meaning == Meaning::later) continue;
@@ -122,10 +141,12 @@ class TableCopy {
       } else if (const auto renumbered = renumber(column, rows_.integer(i))) {
         insert_.give(i + 1, *renumbered);
       } else {
-        return false;
+        throw Error(
+            fmt::format("{}: a row of {} refers to {} {}, which the database that it is merged into has in an "
+                        "earlier state; merge into a new database",
+                        shard_.file().string(), table_, column.name, rows_.integer(i)));
       }
     }
-    return true;
   }
 
   void give_trial_name(int i) {
@@ -137,7 +158,7 @@ class TableCopy {
     switch (column.meaning) {
       case Meaning::run: return numbers_.run(old);
       case Meaning::key: return numbers_.key(old);
-      case Meaning::shared: return shared_row(column, old);
+      case Meaning::shared: return numbers_.shared(column.table, old);
       case Meaning::revision_number: return numbers_.revision_number(*own_key());
       case Meaning::look_number: return look_number(old);
       case Meaning::trial_name:
@@ -147,17 +168,9 @@ class TableCopy {
     return old;
   }
 
-  /// A row of a shared table itself is copied where it is new.
-  std::optional<std::int64_t> shared_row(const CopiedColumn& column, std::int64_t old) const {
-    const auto key = numbers_.shared(column.table, old);
-    const bool is_itself = column.table == table_ && column.name == "id";
-    return key && is_itself && !numbers_.is_new(table_, *key) ? std::nullopt : key;
-  }
-
   std::optional<std::int64_t> own_key() { return numbers_.shared(table_, rows_.integer(position("id"))); }
 
   std::optional<std::int64_t> look_number(std::int64_t old) {
-    if (!numbers_.key(rows_.integer(position("id")))) return std::nullopt;
     std::int64_t experiment = 0;
     if (table_ == "holdout_look") {
       experiment = rows_.integer(position("experiment"));
@@ -172,11 +185,13 @@ class TableCopy {
   bool is_measured_already() {
     if (table_ != "trace" || !rows_.null(position("comparison")) || !rows_.null(position("model"))) return false;
     const auto trial = numbers_.shared("trial", rows_.integer(position("trial")));
-    return !numbers_.is_new("trial", *trial) &&
+    return trial && !numbers_.is_new("trial", *trial) &&
            same_trace_.with(*trial, rows_.text(position("kind")), rows_.text(position("digest"))).step();
   }
 
+  const Database& shard_;
   const Renumbering& numbers_;
+  TableOfRuns rule_;
   std::string table_;
   std::vector<CopiedColumn> columns_;
   Statement rows_, insert_, same_trace_, experiment_of_revision_;
@@ -201,8 +216,8 @@ bool was_sealed(const Database& shard, std::int64_t run) {
 }  // namespace
 
 void copy_runs(const Database& shard, Database& into, const Renumbering& numbers) {
-  for (const TableOfRuns& table : run_tables()) TableCopy(shard, into, numbers, table.name).run();
-  TableCopy(shard, into, numbers, "unfinished_diagnosis").run();
+  for (const TableOfRuns& table : run_tables()) TableCopy(shard, into, numbers, table).run();
+  TableCopy(shard, into, numbers, {"unfinished_diagnosis", "", RowOwner::used}).run();
   name_best(shard, into, numbers);
   for (const auto& [old, number] : numbers.runs())
     if (was_sealed(shard, old)) seal_run(into, RunId{number});
