@@ -1,10 +1,16 @@
+#include "storage/asked.h"
 #include "storage/small_database.h"
 #include "storage/traces/trace_codec.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <functional>
 
 namespace lacuna {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(TraceCodec, Float64GivesBackTheSameBits) {
   TimeSeries series = test::sine(257);
@@ -68,6 +74,26 @@ TEST(TraceCodec, AnyFlippedBitIsNoticed) {
   EncodedTrace renamed = good;
   renamed.channels[10] = 'x';
   EXPECT_THROW(decode_trace(renamed), Error);
+}
+
+/// Its digest is right, whoever made it: it stands in a file that somebody else may have written.
+TEST(TraceCodec, PartsThatDoNotFitTogetherAreRefused) {
+  const auto message = [](const TimeSeries& series, const std::function<void(EncodedTrace&)>& change) {
+    EncodedTrace trace = encode_trace(series, TracePrecision::float64);
+    change(trace);
+    trace.digest = digest_of(trace);
+    return test::sentence_of([&] { decode_trace(trace); });
+  };
+  const TimeSeries series = test::sine(4);
+  EXPECT_EQ(message(series, [](EncodedTrace&) {}), "no error");
+  for (const std::int64_t count : {std::int64_t{-1}, std::int64_t{3}, std::int64_t{1} << 61})
+    EXPECT_THAT(message(series, [&](EncodedTrace& trace) { trace.sample_count = count; }), HasSubstr("inconsistent"));
+  EXPECT_THAT(message(series, [](EncodedTrace& trace) { trace.times.clear(); }), HasSubstr("inconsistent"));
+  EXPECT_THAT(message(series, [](EncodedTrace& trace) { trace.samples.pop_back(); }), HasSubstr("inconsistent"));
+  EXPECT_THAT(message(TimeSeries{}, [](EncodedTrace& trace) { trace.sample_count = std::int64_t{1} << 61; }),
+              HasSubstr("inconsistent"));
+  for (const char* channels : {"", "[", "[1]", "[{}]", R"([{"name": "a", "unit": 1}])"})
+    EXPECT_THAT(message(series, [&](EncodedTrace& trace) { trace.channels = channels; }), HasSubstr("channels"));
 }
 
 }  // namespace

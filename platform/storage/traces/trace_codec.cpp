@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -14,7 +15,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
 
-constexpr std::size_t kUniformTimes = 2;  ///< start and step stand for all times
+constexpr std::size_t kUniformTimes = 2;                  ///< start and step stand for all times
+constexpr std::size_t kMostWithoutChannels = 10'000'000;  ///< times, of which no sample says that there are so many
 
 template <class Number>
 std::vector<std::byte> to_bytes(const Eigen::Array<Number, Eigen::Dynamic, 1>& numbers) {
@@ -51,6 +53,35 @@ Eigen::VectorXd decode_times(const std::vector<std::byte>& bytes, Eigen::Index c
   return times;
 }
 
+[[noreturn]] void throw_inconsistent() {
+  throw Error("a stored time series is inconsistent: its parts are not of one size; restore a copy of the database");
+}
+
+std::vector<Channel> decode_channels(const std::string& text) try {
+  std::vector<Channel> channels;
+  for (const nlohmann::json& channel : nlohmann::json::parse(text))
+    channels.push_back({channel.at("name").get<std::string>(), channel.at("unit").get<std::string>()});
+  return channels;
+} catch (const nlohmann::json::exception&) {
+  throw Error("a stored time series is damaged: its channels cannot be read; restore a copy of the database");
+}
+
+/// A digest says that the bytes are those that were written, not who wrote them.
+void check_sizes(const EncodedTrace& trace, std::size_t channels) {
+  const std::size_t width = trace.precision == TracePrecision::float32 ? sizeof(float) : sizeof(double);
+  const std::size_t numbers = trace.samples.size() / width;
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(trace.sample_count, 0));
+  const bool has_samples = channels == 0 ? numbers == 0 && count <= kMostWithoutChannels
+                                         : numbers % channels == 0 && numbers / channels == count;
+  const bool has_times = trace.times.size() == count * sizeof(double) ||
+                         (count > kUniformTimes && trace.times.size() == kUniformTimes * sizeof(double));
+  if (trace.sample_count < 0 || trace.samples.size() % width != 0 || !has_samples || !has_times) throw_inconsistent();
+}
+
+}  // namespace
+
+std::string to_string(TracePrecision precision) { return precision == TracePrecision::float32 ? "float32" : "float64"; }
+
 std::string digest_of(const EncodedTrace& trace) {
   const auto part = [](const std::vector<std::byte>& bytes) {
     return sha256({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -58,10 +89,6 @@ std::string digest_of(const EncodedTrace& trace) {
   return sha256(trace.channels + '\n' + std::to_string(trace.sample_count) + '\n' + to_string(trace.precision) + '\n' +
                 part(trace.times) + '\n' + part(trace.samples));
 }
-
-}  // namespace
-
-std::string to_string(TracePrecision precision) { return precision == TracePrecision::float32 ? "float32" : "float64"; }
 
 EncodedTrace encode_trace(const TimeSeries& series, TracePrecision precision) {
   EncodedTrace trace;
@@ -82,9 +109,8 @@ TimeSeries decode_trace(const EncodedTrace& trace) {
     throw Error("a stored time series is damaged: its bytes do not match its digest; restore a copy of the database");
   }
   TimeSeries series;
-  for (const nlohmann::json& channel : nlohmann::json::parse(trace.channels)) {
-    series.channels.push_back({channel.at("name").get<std::string>(), channel.at("unit").get<std::string>()});
-  }
+  series.channels = decode_channels(trace.channels);
+  check_sizes(trace, series.channels.size());
   series.times = decode_times(trace.times, trace.sample_count);
   const Eigen::ArrayXd flat = trace.precision == TracePrecision::float32
                                   ? Eigen::ArrayXd(from_bytes<float>(trace.samples).cast<double>())

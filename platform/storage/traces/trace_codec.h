@@ -22,8 +22,11 @@ struct EncodedTrace {
 };
 
 EncodedTrace encode_trace(const TimeSeries& series, TracePrecision precision);
-/// Throws `Error` if the bytes are not those that were encoded.
+/// Throws `Error` if the bytes are not those that were encoded, or are no series whatever their digest says.
 TimeSeries decode_trace(const EncodedTrace& trace);
+
+/// Of all but the digest itself.
+std::string digest_of(const EncodedTrace& trace);
 
 std::string to_string(TracePrecision precision);
 
