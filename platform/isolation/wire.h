@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,7 +38,7 @@ class WireReader {
 
   void bytes(void* data, std::size_t size) {
     if (size > left_.size()) throw Error("a message between two processes ends too early");
-    std::memcpy(data, left_.data(), size);
+    if (size > 0) std::memcpy(data, left_.data(), size);
     left_.remove_prefix(size);
   }
   /// The size of what follows, of which each element takes one byte at least.
@@ -53,6 +54,14 @@ class WireReader {
 template <class Wire, class Number>
 requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void carry(Wire& wire, Number& number) {
   wire.bytes(&number, sizeof(number));
+}
+
+template <class Wire>
+void carry(Wire& wire, bool& value) {
+  std::uint8_t byte = value ? 1 : 0;
+  carry(wire, byte);
+  if (byte > 1) throw Error("a message between two processes has a truth value that cannot be");
+  if constexpr (Wire::kReads) value = byte != 0;
 }
 
 /// The parts of a type, in this order.
@@ -112,12 +121,16 @@ void carry(Wire& wire, Channel& channel) {
 /// A matrix or a column.
 template <class Wire, class Matrix>
 void carry_matrix(Wire& wire, Matrix& matrix) {
-  std::int64_t rows = matrix.rows(), columns = matrix.cols();
+  auto rows = static_cast<std::uint64_t>(matrix.rows()), columns = static_cast<std::uint64_t>(matrix.cols());
   carry(wire, rows);
   carry(wire, columns);
   if constexpr (Wire::kReads) {
-    wire.count(static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(columns));
-    matrix.resize(rows, columns);
+    constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();  // or their product might be wrong
+    const bool is_column = Matrix::ColsAtCompileTime == 1;
+    if (rows > kMost || columns > kMost || (is_column && columns != 1))
+      throw Error("a message between two processes states a size that cannot be");
+    wire.count(rows * columns);
+    matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   }
   wire.bytes(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
 }

@@ -24,6 +24,7 @@ TimeSeries series_of(double value) {
 
 void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
   ASSERT_EQ(a.size(), b.size());
+  if (a.empty()) return;
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
 }
 
@@ -168,6 +169,18 @@ TEST(Messages, BytesThatAreNoneAreRefused) {
     EXPECT_THROW(from_bytes<Request>(bytes.substr(0, size)), Error) << size;
   EXPECT_THROW(from_bytes<Request>("\xff"), Error);
   EXPECT_THROW(from_bytes<std::vector<double>>(std::string(8, '\xff')), Error) << "a size that cannot be";
+}
+
+TEST(Messages, SizesAndTruthValuesThatCannotBeAreRefused) {
+  const std::string none = to_bytes(std::uint64_t{0});
+  const struct {
+    std::uint64_t rows, columns;
+  } sizes[] = {{1ULL << 32U, 1ULL << 32U}, {1ULL << 63U, 1}, {1, 1ULL << 63U}, {0, 2}};
+  for (const auto& [rows, columns] : sizes) {
+    const std::string times = none + to_bytes(rows) + to_bytes(columns);  // of a series without channels
+    EXPECT_THROW(from_bytes<TimeSeries>(times + none + none), Error) << rows << " × " << columns;
+  }
+  EXPECT_THROW(from_bytes<bool>("\xff"), Error);
 }
 
 }  // namespace
