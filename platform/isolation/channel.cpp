@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <utility>
@@ -13,7 +14,8 @@
 namespace lacuna {
 namespace {
 
-constexpr int kBetweenLooks = 50;  // ms
+constexpr int kBetweenLooks = 50;            // ms
+constexpr std::uint64_t kBlock = 1U << 24U;  // bytes; a size that is stated takes no memory before its bytes are there
 
 }  // namespace
 
@@ -54,8 +56,12 @@ bool MessageChannel::read_all(char* bytes, std::size_t count) const {
 std::optional<std::string> MessageChannel::receive() const {
   std::uint64_t size = 0;
   if (!read_all(reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
-  std::string message(size, '\0');
-  if (!read_all(message.data(), message.size())) return std::nullopt;
+  std::string message;
+  while (message.size() < size) {
+    const std::size_t done = message.size();
+    message.resize(done + static_cast<std::size_t>(std::min(size - done, kBlock)));
+    if (!read_all(message.data() + done, message.size() - done)) return std::nullopt;
+  }
   return message;
 }
 

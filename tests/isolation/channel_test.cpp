@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <array>
 #include <optional>
@@ -30,6 +31,16 @@ TEST(MessageChannel, CarriesMessagesOfAnySize) {
   EXPECT_EQ(there.receive(), "");
   EXPECT_EQ(there.receive(), large);
   sender.join();
+}
+
+TEST(MessageChannel, ASizeThatIsNotKeptTakesNoMemory) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()), 0);
+  const MessageChannel here(ends[0]);
+  const std::string size_and_more(20, '\x7f');
+  EXPECT_EQ(write(ends[1], size_and_more.data(), size_and_more.size()), 20);
+  close(ends[1]);
+  EXPECT_EQ(here.receive(), std::nullopt);
 }
 
 TEST(MessageChannel, ThatTheOtherEndClosedSaysSo) {
