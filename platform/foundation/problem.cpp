@@ -66,10 +66,7 @@ std::string to_string(const SourceLocation& location) {
 BadInput::BadInput(std::vector<Problem> problems) : Error(one_line_each(problems)), problems_(std::move(problems)) {}
 
 void ProblemList::add(Problem problem) {
-  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& other) {
-    return to_string(other.location) == to_string(problem.location) && other.message == problem.message;
-  });
-  if (!known) problems_.push_back(std::move(problem));
+  if (told_.emplace(to_string(problem.location), problem.message).second) problems_.push_back(std::move(problem));
 }
 
 void ProblemList::add_of_key(SourceLocation location, const std::string& key, const std::string& message) {

@@ -2,6 +2,7 @@
 
 #include <lacuna/error.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,7 @@ class ProblemList {
 
  private:
   std::vector<Problem> problems_;
+  std::set<std::pair<std::string, std::string>> told_;  ///< where, and what
 };
 
 /// Throws `BadInput` with one problem.

@@ -60,6 +60,14 @@ TEST(ProblemList, SaysNothingTwice) {
   EXPECT_EQ(problems.all().size(), 2U);
 }
 
+/// A file of the wrong kind may have a problem a line.
+TEST(ProblemList, TakesManyProblemsInShortTime) {
+  constexpr int kMany = 50'000;
+  ProblemList problems;
+  for (int line = 1; line <= kMany; ++line) problems.add({"a.toml", line, 1}, "is in deg");
+  EXPECT_EQ(problems.all().size(), kMany);
+}
+
 TEST(BadInput, HasOneLineForEachProblemWhateverAFileIsNamed) {
   EXPECT_STREQ(BadInput({{{"sine\nY.csv", 3, 1}, "no such file: a\x1B\nb"}, {{"x.toml"}, "is in deg"}}).what(),
                "sine Y.csv:3:1: no such file: a  b\nx.toml: is in deg");
