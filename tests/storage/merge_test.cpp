@@ -1,3 +1,4 @@
+#include "foundation/problem.h"
 #include "storage/asked.h"
 #include "storage/core/statement.h"
 #include "storage/made_up_run.h"
@@ -20,6 +21,7 @@ using test::ask;
 using test::fill_small_database;
 using test::MadeUpDatabase;
 using test::MadeUpRun;
+using test::sentence_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -167,6 +169,26 @@ TEST_F(MergeTest, AFaultInOneShardKeepsAllOut) {
     EXPECT_THAT(refused.what(), HasSubstr("none.db"));
   }
   EXPECT_EQ(asked("SELECT count(*) FROM run"), 0);
+}
+
+/// Whoever changed the rows of runs that are not sealed, or tables, which no seal covers.
+TEST_F(MergeTest, ShardsThatContradictThemselvesAreRefused) {
+  const auto refusal = [&](const std::string& change) {
+    const auto shard = shard_with_comparisons("c.db");
+    SQLite::Database(shard.string(), SQLite::OPEN_READWRITE).exec("DELETE FROM seal; " + change);
+    const std::string said = sentence_of([&] { merged({shard}); });
+    std::filesystem::remove(shard);
+    EXPECT_EQ(asked("SELECT count(*) FROM run"), 0) << change;
+    return said;
+  };
+  EXPECT_THAT(refusal("UPDATE holdout_look SET experiment = 3"),
+              HasSubstr("c.db: a row of holdout_look refers to a row of experiment that is not there"));
+  EXPECT_THAT(refusal("DROP TABLE work_time"), HasSubstr("c.db: table work_time is not as this program makes it"));
+  EXPECT_THAT(refusal("ALTER TABLE fit ADD COLUMN more TEXT"), HasSubstr("table fit is not"));
+  EXPECT_THAT(refusal("UPDATE experiment SET id = 7; UPDATE experiment_text SET experiment = 7;"
+                      "UPDATE revision SET experiment = 7; UPDATE trial SET experiment = 7;"
+                      "UPDATE holdout_look SET experiment = 7"),
+              HasSubstr("c.db: has a row that refers to what none of its runs has stored"));
 }
 
 TEST_F(MergeTest, RunsOfOneExperimentByTwoBuildsOfAPluginStayApart) {

@@ -159,7 +159,7 @@ class TableCopy {
       case Meaning::run: return numbers_.run(old);
       case Meaning::key: return numbers_.key(old);
       case Meaning::shared: return numbers_.shared(column.table, old);
-      case Meaning::revision_number: return numbers_.revision_number(*own_key());
+      case Meaning::revision_number: return numbers_.needed(numbers_.revision_number(numbers_.needed(own_key())));
       case Meaning::look_number: return look_number(old);
       case Meaning::trial_name:
       case Meaning::later:
@@ -175,18 +175,18 @@ class TableCopy {
     if (table_ == "holdout_look") {
       experiment = rows_.integer(position("experiment"));
     } else {
-      experiment_of_revision_.with(rows_.integer(position("revision"))).step();
-      experiment = experiment_of_revision_.integer(0);
+      const bool is_there = experiment_of_revision_.with(rows_.integer(position("revision"))).step();
+      experiment = numbers_.needed(is_there ? std::optional(experiment_of_revision_.integer(0)) : std::nullopt);
     }
-    return numbers_.look_number(*numbers_.shared("experiment", experiment), old);
+    return numbers_.needed(numbers_.look_number(numbers_.needed(numbers_.shared("experiment", experiment)), old));
   }
 
   /// What was measured in a trial is stored once, whichever runs use it.
   bool is_measured_already() {
     if (table_ != "trace" || !rows_.null(position("comparison")) || !rows_.null(position("model"))) return false;
-    const auto trial = numbers_.shared("trial", rows_.integer(position("trial")));
-    return trial && !numbers_.is_new("trial", *trial) &&
-           same_trace_.with(*trial, rows_.text(position("kind")), rows_.text(position("digest"))).step();
+    const std::int64_t trial = numbers_.needed(numbers_.shared("trial", rows_.integer(position("trial"))));
+    return !numbers_.is_new("trial", trial) &&
+           same_trace_.with(trial, rows_.text(position("kind")), rows_.text(position("digest"))).step();
   }
 
   const Database& shard_;

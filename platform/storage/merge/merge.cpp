@@ -3,6 +3,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
+#include "storage/core/migrate.h"
 #include "storage/core/one_state.h"
 #include "storage/core/row_key.h"
 #include "storage/core/run_claim.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -94,6 +96,31 @@ void check_no_run_is_carried_out(Database& into, ProblemList& problems) {
                    fmt::format("run {} is being carried out; merge when it has ended", one.value));
 }
 
+std::string text_of_table(const Database& database, const std::string& name) {
+  Statement table(database, "SELECT sql FROM sqlite_schema WHERE type = 'table' AND name = ?");
+  return table.with(name).step() ? table.text(0) : "";
+}
+
+/// What is taken for granted of tables, such as their references, their own text says.
+void check_tables(const Database& shard, ProblemList& problems) {
+  Database blank = Database::open_blank();
+  bring_up_to_date(blank, schema_migrations());
+  for (const TableOfRuns& table : run_tables())
+    if (text_of_table(shard, table.name) != text_of_table(blank, table.name))
+      problems.add({shard.file().string()},
+                   fmt::format("table {} is not as this program makes it; make the shard anew", table.name));
+}
+
+void check_references(const Database& shard, ProblemList& problems) {
+  std::set<std::pair<std::string, std::string>> told;
+  Statement broken(shard, "PRAGMA foreign_key_check");
+  while (broken.step())
+    if (told.emplace(broken.text(0), broken.text(2)).second)
+      problems.add({shard.file().string()},
+                   plain_text(fmt::format("a row of {} refers to a row of {} that is not there; make the shard anew",
+                                          broken.text(0), broken.text(2))));
+}
+
 /// Every problem of every shard, before anything is written.
 void check(Database& into, const std::vector<std::filesystem::path>& shards) {
   ProblemList problems;
@@ -104,6 +131,8 @@ void check(Database& into, const std::vector<std::filesystem::path>& shards) {
       const LogLeft log(file);
       const Database shard = Database::open_read_only(file);
       hold_one_state(shard);
+      check_tables(shard, problems);
+      check_references(shard, problems);
       check_seals(shard, problems);
       check_known_runs(into, shard, problems);
       check_plugins(shard, used, &problems);

@@ -4,6 +4,8 @@
 #include "storage/core/statement.h"
 #include "storage/eea/eea_names.h"
 
+#include <lacuna/error.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,7 +48,7 @@ std::map<std::int64_t, std::int64_t> last_numbers(const Database& into, const ch
 
 }  // namespace
 
-Renumbering::Renumbering(const Database& shard, const Database& into) {
+Renumbering::Renumbering(const Database& shard, const Database& into) : file_(shard.file()) {
   find_runs(shard, into);
   find_tests(shard);
   for (const SharedTable& table : shared_tables()) find_rows(shard, into, table.name);
@@ -73,7 +75,7 @@ void Renumbering::find_tests(const Database& shard) {
     if (!renumbered) continue;
     trials.keys[row.integer(0)] = *renumbered;
     trials.added.insert(*renumbered);
-    trial_names_[*renumbered] = name_of_test_trial(RunId{*run(row.integer(1))}, row.integer(2));
+    trial_names_[*renumbered] = name_of_test_trial(RunId{needed(run(row.integer(1)))}, row.integer(2));
   }
 }
 
@@ -126,6 +128,21 @@ std::optional<std::int64_t> Renumbering::shared(const std::string& table, std::i
   return found == rows.keys.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::int64_t Renumbering::needed(const std::optional<std::int64_t>& renumbered) const {
+  if (renumbered) return *renumbered;
+  throw Error(file_.string() + ": has a row that refers to what none of its runs has stored; make the shard anew");
+}
+
+std::optional<std::int64_t> Renumbering::revision_number(std::int64_t key) const {
+  const auto found = revision_numbers_.find(key);
+  return found == revision_numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::int64_t> Renumbering::look_number(std::int64_t experiment, std::int64_t number) const {
+  const auto found = look_numbers_.find({experiment, number});
+  return found == look_numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
 bool Renumbering::is_shared(const std::string& table) {
   return std::any_of(shared_tables().begin(), shared_tables().end(), [&](const auto& t) { return t.name == table; });
 }
@@ -144,7 +161,7 @@ void Renumbering::number_revisions(const Database& shard, const Database& into) 
   Statement row(shard, "SELECT id, experiment FROM revision ORDER BY experiment, number");
   while (row.step()) {
     const auto key = shared("revision", row.integer(0));
-    if (key && is_new("revision", *key)) revision_numbers_[*key] = ++last[*shared("experiment", row.integer(1))];
+    if (key && is_new("revision", *key)) revision_numbers_[*key] = ++last[needed(shared("experiment", row.integer(1)))];
   }
 }
 
@@ -153,7 +170,7 @@ void Renumbering::number_looks(const Database& shard, const Database& into) {
   Statement row(shard, "SELECT id, experiment, number FROM holdout_look ORDER BY experiment, number");
   while (row.step()) {
     if (!key(row.integer(0))) continue;
-    const std::int64_t experiment = *shared("experiment", row.integer(1));
+    const std::int64_t experiment = needed(shared("experiment", row.integer(1)));
     look_numbers_[{experiment, row.integer(2)}] = ++last[experiment];
   }
 }

@@ -31,6 +31,8 @@ class Renumbering {
   std::optional<std::int64_t> key(std::int64_t key) const;
   /// Of a row in one of the tables that runs share.
   std::optional<std::int64_t> shared(const std::string& table, std::int64_t key) const;
+  /// Of what a row that is copied cannot do without. Throws `Error` where no run of the shard has stored it.
+  std::int64_t needed(const std::optional<std::int64_t>& renumbered) const;
   static bool is_shared(const std::string& table);
   /// Whether the other database did not have that row, by the key that it gets.
   bool is_new(const std::string& table, std::int64_t key) const;
@@ -38,11 +40,9 @@ class Renumbering {
   const std::string* trial_name(std::int64_t key) const;
   /// The number, within its experiment, of a revision that the other database did not have. `key`: the one that it
   /// gets.
-  std::int64_t revision_number(std::int64_t key) const { return revision_numbers_.at(key); }
+  std::optional<std::int64_t> revision_number(std::int64_t key) const;
   /// The same of a look at held-out data. `experiment`: its new key.
-  std::int64_t look_number(std::int64_t experiment, std::int64_t number) const {
-    return look_numbers_.at({experiment, number});
-  }
+  std::optional<std::int64_t> look_number(std::int64_t experiment, std::int64_t number) const;
 
  private:
   struct Table {
@@ -56,6 +56,7 @@ class Renumbering {
   void number_revisions(const Database& shard, const Database& into);
   void number_looks(const Database& shard, const Database& into);
 
+  const std::filesystem::path file_;  ///< the shard, for messages
   std::map<std::int64_t, std::int64_t> runs_;
   std::map<std::string, Table> tables_;
   std::map<std::int64_t, std::string> trial_names_;
