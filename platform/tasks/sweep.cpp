@@ -2,6 +2,8 @@
 
 #include <lacuna/error.h>
 
+#include <fmt/format.h>
+
 namespace lacuna {
 namespace {
 
@@ -47,7 +49,7 @@ std::vector<std::vector<std::string>> sweep_points(const std::vector<SweptKey>& 
     for (const std::vector<std::string>& point : points)
       for (const std::string& value : values) {
         longer.push_back(point);
-        longer.back().push_back(key + "=" + value);
+        longer.back().push_back(fmt::format("{}={}", key, value));
       }
     points = std::move(longer);
   }
