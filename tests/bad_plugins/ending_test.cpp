@@ -179,7 +179,8 @@ TEST_F(HostileEffectInARun, IsNamedWhereThereAreNoWorkers) {
   if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes, and needs address space";
   for (const auto& [deed, what] : kDeeds) {
     program_.shell("rm -f small.db* once");
-    const Outcome outcome = run("add_loads " + deed + " 60'; export HOSTILE_ONCE='once", "--no-isolate" + limit_of(deed));
+    const Outcome outcome =
+        run("add_loads " + deed + " 60'; export HOSTILE_ONCE='once", "--no-isolate" + limit_of(deed));
     if (outcome.exit_code != 0)
       EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what))) << deed;
     else  // what is thrown ends no process
