@@ -2,8 +2,8 @@
 
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
+#include "storage/core/clock.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <mutex>
@@ -45,8 +44,6 @@ std::string name_of_this_machine() {
   utsname names{};
   return uname(&names) == 0 ? names.nodename : "a machine without a name";
 }
-
-std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 void make_folders(const fs::path& folder) {
   for (const char* name : {"", "shards", "checkpoints", "signs", "logs"}) {
