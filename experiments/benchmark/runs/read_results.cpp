@@ -11,17 +11,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double number(const ordered_json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
+double number(const ordered_json& object) { return object.is_null() ? kUnknown : object.get<double>(); }
 
 std::string place_of(const std::string& where) { return where.empty() ? "world" : where; }
 
-IntervalRecord interval_of(const std::string& name, const ordered_json& json) {
-  return {name, number(json.at("value")), number(json.at("ci95").at(0)), number(json.at("ci95").at(1))};
+IntervalRecord interval_of(const std::string& name, const ordered_json& object) {
+  return {name, number(object.at("value")), number(object.at("ci95").at(0)), number(object.at("ci95").at(1))};
 }
 
-RankedEffectRecord effect_of(const ordered_json& json) {
-  RankedEffectRecord effect{{json.at("effect"), place_of(json.at("where"))}, {}};
-  for (const auto& [name, one] : json.at("parameters").items()) effect.parameters.push_back(interval_of(name, one));
+RankedEffectRecord effect_of(const ordered_json& object) {
+  RankedEffectRecord effect{{object.at("effect"), place_of(object.at("where"))}, {}};
+  for (const auto& [name, one] : object.at("parameters").items()) effect.parameters.push_back(interval_of(name, one));
   return effect;
 }
 
@@ -32,11 +32,11 @@ EffectAt look_alike_of(const std::string& text) {
   return {text.substr(0, at), place_of(text.substr(at + 3))};
 }
 
-RankedModelRecord model_of(const ordered_json& json) {
+RankedModelRecord model_of(const ordered_json& object) {
   RankedModelRecord model{
-      number(json.at("probability")), number(json.at("gain")), number(json.at("ratio_to_floor")), {}, {}};
-  for (const ordered_json& effect : json.at("effects")) model.effects.push_back(effect_of(effect));
-  for (const ordered_json& name : json.at("class")) model.look_alikes.push_back(look_alike_of(name));
+      number(object.at("probability")), number(object.at("gain")), number(object.at("ratio_to_floor")), {}, {}};
+  for (const ordered_json& effect : object.at("effects")) model.effects.push_back(effect_of(effect));
+  for (const ordered_json& name : object.at("class")) model.look_alikes.push_back(look_alike_of(name));
   return model;
 }
 
