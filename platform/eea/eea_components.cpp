@@ -58,7 +58,7 @@ std::unique_ptr<OperatorBreeder> breeder_for(const Chosen<Encoding>& encoding, c
     };
     return std::make_unique<OperatorBreeder>(layout, random, std::move(mutations));
   } catch (const Error& error) {
-    complaints.add(key, error.what());
+    complaints.add(key, error);
     return nullptr;
   }
 }
@@ -71,7 +71,7 @@ void try_operators(const OperatorBreeder& breeder, const std::string& section, C
       RandomStream any(std::array<std::uint64_t, 1>{i});
       breeder.trial_child(i, any);
     } catch (const Error& error) {
-      complaints.add(section + ".mutation[" + std::to_string(i) + "]", error.what());
+      complaints.add(section + ".mutation[" + std::to_string(i) + "]", error);
     }
   }
 }
@@ -86,7 +86,7 @@ void try_search(const SearchPlan& plan, const std::string& section, Complaints& 
     const SearchTask task{plan.layout(), *plan.breeder, {0}, {}};
     guarded_call(strategy.origin, "begin", [&] { return strategy->begin(task, strategy.parameters); });
   } catch (const Error& error) {
-    complaints.add(section + ".parameters", error.what());
+    complaints.add(section + ".parameters", error);
   }
 }
 
@@ -160,7 +160,7 @@ bool try_fitness(const TestValue::Part& part, const std::string& key, Complaints
   } catch (const BadInput&) {
     throw;
   } catch (const Error& error) {
-    complaints.add(key, error.what());
+    complaints.add(key, error);
     return false;
   }
 }

@@ -47,7 +47,7 @@ std::vector<std::size_t> chosen_channels(const RobotSpec& robot, const std::vect
         if (wanted) chosen.push_back(channel);
     }
   } catch (const Error& error) {
-    complaints.add(key, error.what());
+    complaints.add(key, error);
   }
   return chosen;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/experiment.h"
+#include "foundation/guarded_call.h"
 
 #include <cstddef>
 #include <string>
@@ -15,6 +16,9 @@ class Complaints {
   /// `key` as in "model.effects[0].where[1]".
   void add(const std::string& key, const std::string& message) {
     problems_.add_of_key(experiment_.where(key), key, message);
+  }
+  void add(const std::string& key, const Error& error) {
+    problems_.add_of_key(experiment_.where(key), key, error.what(), reason_of(error));
   }
   /// Of something that stands elsewhere, as in the robot file.
   void add_at(const SourceLocation& place, const std::string& message) { problems_.add(place, message); }

@@ -48,7 +48,7 @@ Chosen<Interface> choose(const PluginCatalog& catalog, const ComponentChoice& ch
     chosen.parameters = *values;
     chosen.component = &component;
   } catch (const Error& error) {
-    complaints.add(keys.name, error.what());
+    complaints.add(keys.name, error);
   }
   return chosen;
 }

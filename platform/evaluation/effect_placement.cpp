@@ -73,8 +73,9 @@ class EntryCheck {
   }
 
  private:
-  void complain(const std::string& subkey, const std::string& message) {
-    complaints_.add(key_ + subkey, message);
+  template <class What>
+  void complain(const std::string& subkey, const What& what) {
+    complaints_.add(key_ + subkey, what);
     good_ = false;
   }
 
@@ -83,7 +84,7 @@ class EntryCheck {
       placed_.effect = &catalog_.get<PhysicalEffect>(entry_.effect);
       description_ = guarded_call(origin_, "describe", [this] { return placed_.effect->describe(); });
     } catch (const Error& error) {
-      complain(".effect", error.what());
+      complain(".effect", error);
       return false;
     }
     placed_.id = entry_.id;
@@ -139,7 +140,7 @@ class EntryCheck {
       try {
         match_elements(robot, {entry_.where[i]});
       } catch (const Error& error) {
-        complain(".where[" + std::to_string(i) + "]", error.what());
+        complain(".where[" + std::to_string(i) + "]", error);
         found = false;
       }
     }
@@ -149,7 +150,7 @@ class EntryCheck {
       placed_.kind = matched.kind;
       placed_.elements = std::move(matched.elements);
     } catch (const Error& error) {
-      complain(".where", error.what());
+      complain(".where", error);
       return false;
     }
     name_elements(robot);
@@ -208,10 +209,10 @@ class EntryCheck {
       const EffectContext context{placed_.values, placed_.elements, placed_.kind, 0.0};
       guarded_call(origin_, "amend", [&] { placed_.effect->amend(copy, context); });
       if (!same_elements(copy, robot))
-        throw Error(to_string(origin_) +
-                    ": it added or removed elements of the robot, which an effect may not; repair the plugin");
+        throw ComponentError(origin_,
+                             "it added or removed elements of the robot, which an effect may not; repair the plugin");
     } catch (const Error& error) {
-      complain("", error.what());
+      complain("", error);
     }
   }
 

@@ -25,7 +25,7 @@ RobotSpec build_robot(const SystemSource& source, const PluginCatalog& catalog, 
       complaints.add(source.key + ".robot", to_string(plugin.origin) + " makes a robot that cannot be: " + problem);
     if (problems.empty()) return robot;
   } catch (const Error& error) {
-    complaints.add(source.key + ".robot", error.what());
+    complaints.add(source.key + ".robot", error);
   }
   return {};
 }

@@ -49,7 +49,7 @@ void check_process_noise(const RobotSpec& robot, const NoiseSection& noise, Comp
         complaints.check_unit(key,
                               robot.joints[static_cast<std::size_t>(joint)].kind == JointKind::slider ? "N" : "N*m");
     } catch (const Error& error) {
-      complaints.add(key, error.what());
+      complaints.add(key, error);
     }
   }
 }

@@ -18,9 +18,22 @@ std::string type_name(const std::type_info* type) {
   return status == 0 ? name.get() : type->name();
 }
 
-std::string fault(const ComponentOrigin& origin, std::string_view what, const std::string& thrown) {
-  return to_string(origin) + ": " + std::string(what) + " threw " + thrown +
+std::string fault(std::string_view what, const std::string& thrown) {
+  return std::string(what) + " threw " + thrown +
          "; that is a fault of the plugin: repair it, or do without this component";
+}
+
+/// Without the component.
+std::string reason_of_current_exception(std::string_view what) {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    return fault(what, type_name(&typeid(error)) + " (" + error.what() + ")");
+  } catch (...) {
+    return fault(what, "an object of type " + type_name(abi::__cxa_current_exception_type()));
+  }
 }
 
 }  // namespace
@@ -35,15 +48,20 @@ const char* on_page(const ComponentOrigin& origin) {
 }
 
 std::string describe_current_exception(const ComponentOrigin& origin, std::string_view what) {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return to_string(origin) + ": " + error.what();
-  } catch (const std::exception& error) {
-    return fault(origin, what, type_name(&typeid(error)) + " (" + error.what() + ")");
-  } catch (...) {
-    return fault(origin, what, "an object of type " + type_name(abi::__cxa_current_exception_type()));
+  return to_string(origin) + ": " + reason_of_current_exception(what);
+}
+
+void throw_component_error(const ComponentOrigin& origin, std::string_view what) {
+  throw ComponentError(origin, reason_of_current_exception(what));
+}
+
+std::string reason_of(const Error& error) {
+  if (const auto* of_component = dynamic_cast<const ComponentError*>(&error)) return of_component->reason();
+  if (const auto* input = dynamic_cast<const BadInput*>(&error); input != nullptr && !input->problems().empty()) {
+    const Problem& first = input->problems().front();
+    return first.reason.empty() ? first.message : first.reason;
   }
+  return error.what();
 }
 
 }  // namespace lacuna

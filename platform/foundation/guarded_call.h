@@ -30,9 +30,27 @@ const char* on_page(const ComponentOrigin& origin);
 /// such as an engine in the middle of a run.
 std::string describe_current_exception(const ComponentOrigin& origin, std::string_view what);
 
+/// What a component threw: its text names the component and its file, `reason` does not.
+class ComponentError : public Error {
+ public:
+  ComponentError(const ComponentOrigin& origin, const std::string& reason)
+      : Error(to_string(origin) + ": " + reason), reason_(reason) {}
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
+};
+
+/// As `ComponentError`, the exception that is being handled. Only inside a `catch` block.
+[[noreturn]] void throw_component_error(const ComponentOrigin& origin, std::string_view what);
+
+/// What is wrong, without the place in a file, the key and the component: for where these are said already. Of several
+/// problems the first.
+std::string reason_of(const Error& error);
+
 /// Calls into plugin code, and lets a parent process know (foundation/plugin_call.h); `what` is a literal. Whatever
-/// leaves it, foreign types included, becomes an `Error` that names component, file and what to do. `BadInput` and
-/// `Interrupted` come from the host's own services and pass unchanged.
+/// leaves it, foreign types included, becomes a `ComponentError` that names component, file and what to do. `BadInput`
+/// and `Interrupted` come from the host's own services and pass unchanged.
 template <class Call>
 decltype(auto) guarded_call(const ComponentOrigin& origin, const char* what, Call&& call) {
   const PluginCall active(on_page(origin), what);
@@ -43,7 +61,7 @@ decltype(auto) guarded_call(const ComponentOrigin& origin, const char* what, Cal
   } catch (const Interrupted&) {
     throw;
   } catch (...) {
-    throw Error(describe_current_exception(origin, what));
+    throw_component_error(origin, what);
   }
 }
 

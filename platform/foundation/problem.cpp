@@ -69,8 +69,9 @@ void ProblemList::add(Problem problem) {
   if (told_.emplace(to_string(problem.location), problem.message).second) problems_.push_back(std::move(problem));
 }
 
-void ProblemList::add_of_key(SourceLocation location, const std::string& key, const std::string& message) {
-  add(Problem{std::move(location), key.empty() ? message : key + ": " + message, key});
+void ProblemList::add_of_key(SourceLocation location, const std::string& key, const std::string& message,
+                             const std::string& reason) {
+  add(Problem{std::move(location), key.empty() ? message : key + ": " + message, key, reason});
 }
 
 void ProblemList::throw_if_any() const {

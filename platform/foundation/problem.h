@@ -24,6 +24,7 @@ struct Problem {
   SourceLocation location;
   std::string message;
   std::string key = {};  ///< that it is about and with which the message begins, "model.effects[0].where"; empty: none
+  std::string reason = {};  ///< the message without the key and the component that said it; empty: as the message
 };
 
 /// Thrown for bad input (exit code 2). Its text has one line a problem.
@@ -43,7 +44,11 @@ class ProblemList {
   void add(SourceLocation location, std::string message) { add(Problem{std::move(location), std::move(message)}); }
   void add(Problem problem);
   /// What is wrong with the value of a key: the message begins with it.
-  void add_of_key(SourceLocation location, const std::string& key, const std::string& message);
+  void add_of_key(SourceLocation location, const std::string& key, const std::string& message) {
+    add_of_key(std::move(location), key, message, message);
+  }
+  void add_of_key(SourceLocation location, const std::string& key, const std::string& message,
+                  const std::string& reason);
   bool empty() const { return problems_.empty(); }
   const std::vector<Problem>& all() const { return problems_; }
   /// Throws `BadInput` with everything collected so far, in file and line order, if there is anything.

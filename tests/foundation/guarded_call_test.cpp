@@ -54,6 +54,30 @@ TEST(GuardedCall, WhatTheHostsServicesThrowPassesUnchanged) {
   EXPECT_THROW(guarded_call(kOrigin, "recorded", [] { throw Interrupted("stop"); }), Interrupted);
 }
 
+TEST(GuardedCall, KeepsTheReasonWithoutTheComponent) {
+  const auto reason = [](const auto& call) {
+    try {
+      guarded_call(kOrigin, "amend", call);
+    } catch (const Error& error) {
+      return reason_of(error);
+    }
+    return std::string();
+  };
+  EXPECT_EQ(reason([] { throw Error("place it on hinges (not in a.so): nowhere else"); }),
+            "place it on hinges (not in a.so): nowhere else");
+  EXPECT_THAT(reason([] { throw 7; }), testing::StartsWith("amend threw an object of type int; "));
+}
+
+TEST(ReasonOf, IsThatOfTheFirstProblemWithoutPlaceAndKey) {
+  ProblemList problems;
+  problems.add_of_key({"rig.toml", 3, 1}, "model.effects[0]", to_string(kOrigin) + ": too heavy", "too heavy");
+  problems.add_of_key({"rig.toml", 4, 1}, "engine.step", "is not above 0");
+  EXPECT_EQ(reason_of(BadInput(problems.all())), "too heavy");
+  EXPECT_EQ(reason_of(BadInput({problems.all()[1]})), "is not above 0");
+  EXPECT_EQ(reason_of(BadInput({Problem{{"rig.toml"}, "is empty"}})), "is empty");
+  EXPECT_EQ(reason_of(Error("no disk")), "no disk");
+}
+
 TEST(ComponentOrigin, OfTheProgramItselfHasNoFile) {
   EXPECT_EQ(to_string(ComponentOrigin{"metric", "mean", {}}), "metric \"mean\"");
 }

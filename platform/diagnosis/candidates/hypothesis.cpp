@@ -1,6 +1,7 @@
 #include "diagnosis/candidates/hypothesis.h"
 
 #include "foundation/address.h"
+#include "foundation/guarded_call.h"
 
 #include <lacuna/error.h>
 #include <lacuna/physical_effect.h>
@@ -79,13 +80,6 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   return hypothesis;
 }
 
-/// The reason alone: what stands before it names a line and a file that the user did not write.
-std::string reason_of(const std::string& text) {
-  const std::string line = text.substr(0, text.find('\n'));
-  const std::size_t file = line.find(".so): ");
-  return file == std::string::npos ? line : line.substr(file + 6);
-}
-
 /// Those of plugins that cannot be used are added to `untestable`.
 std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among,
                                       std::vector<Untestable>& untestable) {
@@ -96,7 +90,7 @@ std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::v
     if (listing.problem.empty())
       names.push_back(listing.name);
     else
-      untestable.push_back({listing.name, "", reason_of(listing.problem)});
+      untestable.push_back({listing.name, "", listing.problem});
   }
   return names;
 }
@@ -143,7 +137,7 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
         try {
           all.push_back(make(experiment, catalog, base, description, std::move(entry)));
         } catch (const Error& error) {
-          reasons.push_back({name, place, reason_of(error.what())});
+          reasons.push_back({name, place, reason_of(error)});
         }
       }
     if (all.size() == before && !reasons.empty()) untestable.push_back(reasons.front());
