@@ -1,5 +1,6 @@
 #include "diagnosis/data_checks/data_doubts.h"
 
+#include "diagnosis/data_checks/command_doubts.h"
 #include "diagnosis/recorded_pendulum.h"
 
 #include <gmock/gmock.h>
@@ -128,6 +129,19 @@ TEST(DataDoubts, NameMotionThatComesBeforeItsCommands) {
   RecordedPendulum rig;
   for (Trial& trial : rig.trials) stamp_late(trial, 5);
   EXPECT_THAT(faults_of(rig), ElementsAre(HasSubstr("50 ms before its commands")));
+}
+
+/// As where the model has a drag that grows with the square of the velocity.
+TEST(DataDoubts, AreNotRaisedByAnOrderThatTheModelExplainsAsWell) {
+  const RecordedPendulum rig;
+  const DoubtTask task{rig.definition, *rig.model, rig.trials, rig.values};
+  CommandLags lags{Eigen::VectorXd::LinSpaced(3, -0.05, 0.05), 0.01, {CommandLagProfile{.of_model = 400.0}}};
+  CommandLagProfile& profile = lags.profiles.front();
+  profile.squares = profile.early = profile.late = Eigen::Vector3d(100.0, 300.0, 300.0);
+  EXPECT_THAT(faults_among(command_doubts(task, {}, lags)),
+              ElementsAre(HasSubstr("50 ms before its commands: 3 times")));
+  profile.of_model = 120.0;
+  EXPECT_THAT(faults_among(command_doubts(task, {}, lags)), IsEmpty());
 }
 
 TEST(DataDoubts, NameTheFileOfAnotherRig) {

@@ -75,7 +75,8 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
   }
 }
 
-/// In all trials together: a lag of one trial alone is another doubt.
+/// In all trials together: a lag of one trial alone is another doubt. What the model leaves with the commands as they
+/// are stamped counts, too: it may have effects that lagged commands stand in for.
 void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
   std::vector<const CommandLagProfile*> profiles;
   for (const CommandLagProfile& profile : lags.profiles) profiles.push_back(&profile);
@@ -83,11 +84,13 @@ void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
   const Eigen::Index best = best_lag(profiles), now = lags.lags.size() / 2;
   if (lags.lags(best) > -kHeldIntervals * lags.interval) return;
   if (std::abs(lag_drift(lags, profiles)) > kSteadyLag * std::abs(lags.lags(best))) return;  // a clock that gains
-  double at_best = 0.0, at_now = 0.0;
+  double at_best = 0.0, at_now = 0.0, of_model = 0.0;
   for (const CommandLagProfile* profile : profiles) {
     at_best += profile->squares(best);
     at_now += profile->squares(now);
+    of_model += profile->of_model;
   }
+  at_now = std::min(at_now, of_model);
   if (at_now < kWorseNow * at_best) return;
   doubts.push_back(
       {Severity::fault, fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "

@@ -41,6 +41,8 @@ CommandLagProfile profile_of(const AccelerationTable& table, std::size_t trial, 
       profile.late(i) += straight_fit(columns.bottomRows(rest), measured.tail(rest)).squares;
     }
     profile.power += measured.squaredNorm();
+    const Eigen::VectorXd predicted = channel.uncommanded + channel.commanded.rowwise().sum();
+    profile.of_model += (measured - predicted / channel.deviation).squaredNorm();
     profile.rows += static_cast<double>(channel.size());
     profile.freedom += static_cast<double>(channel.size() - columns.cols());
   }

@@ -21,6 +21,7 @@ struct CommandLagProfile {
   double rows = 0.0;            ///< accelerations
   double freedom = 0.0;         ///< rows less the coefficients fitted
   double power = 0.0;           ///< squares of the accelerations, in noise variances
+  double of_model = 0.0;        ///< squares that the model's own accelerations leave, in noise variances
   Eigen::VectorXd early, late;  ///< the same of the first and the second half of the rows alone
   Eigen::VectorXd squares;      ///< by lag: what is left beside surroundings and lagged commands, in noise variances
 };
