@@ -37,7 +37,7 @@ Json row(const Reading& reading) { return {reading.position, reading.angle}; }
 void run_series(const Json& test, CartPole& cart_pole) {
   const double period = test["period"];
   const Json& commands = test["commands"];
-  Json times = {0.0}, samples = {row(cart_pole.read())};
+  Json times = Json::array({0.0}), samples = Json::array({row(cart_pole.read())});
   std::size_t place = 0;
   for (int k = 0; k < test["periods"]; ++k) {
     while (place + 1 < commands["times"].size() && commands["times"][place + 1] <= k * period + 1e-9) ++place;
