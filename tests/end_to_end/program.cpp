@@ -181,4 +181,8 @@ Outcome Program::run_and_signal(const std::vector<std::string>& arguments, const
       arguments, [&] { return fs::exists(folder_ / file); }, signal);
 }
 
+bool Program::carries_out(const std::string& database) const {
+  return !shell("sqlite3 -readonly " + database + " 'SELECT run FROM claim' 2>/dev/null").output.empty();
+}
+
 }  // namespace lacuna

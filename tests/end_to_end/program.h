@@ -56,6 +56,9 @@ class Program {
   /// The same, ready as soon as `file` exists in the folder.
   Outcome run_and_signal(const std::vector<std::string>& arguments, const std::string& file, int signal) const;
 
+  /// Whether a run is carried out in the database.
+  bool carries_out(const std::string& database) const;
+
  private:
   void copy_experiment(const std::string& experiment, const std::string& robot, const std::string& data) const;
   pid_t start(const std::vector<std::string>& arguments) const;

@@ -133,7 +133,8 @@ TEST_F(Run, HasTheSameHashInWorkerProcesses) {
 
 TEST_F(Run, InWorkerProcessesGoesOnFromWhereItWasInterrupted) {
   ASSERT_EQ(program_.run({"run", "small.toml", "--no-isolate", "--db", "whole.db"}).exit_code, kDone);
-  const Outcome cut = program_.run_and_signal({"run", "small.toml", "--isolate"}, "small.db-wal", SIGTERM);
+  const Outcome cut = program_.run_and_signal(
+      {"run", "small.toml", "--isolate"}, [&] { return program_.carries_out("small.db"); }, SIGTERM);
   EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
   EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
   const Outcome rest = program_.run({"run", "small.toml", "--resume", "--isolate", "--replicates", "1"});
@@ -169,7 +170,8 @@ TEST_F(Run, InterruptedGoesOnToTheSameRows) {
   for (const int signal : {SIGINT, SIGTERM}) {
     for (const char* file : {"small.db", "small.db-wal", "small.db-shm"})
       std::filesystem::remove(program_.folder() / file);
-    const Outcome cut = program_.run_and_signal({"run", "small.toml"}, "small.db-wal", signal);
+    const Outcome cut = program_.run_and_signal(
+        {"run", "small.toml"}, [&] { return program_.carries_out("small.db"); }, signal);
     EXPECT_EQ(cut.exit_code, kInterrupted) << cut.errors;
     EXPECT_THAT(cut.errors, HasSubstr("--resume goes on from here"));
     const Outcome rest = program_.run({"run", "small.toml", "--resume"});
@@ -190,7 +192,11 @@ TEST_F(Run, ResumeOfAFinishedRunSucceedsAndSaysWhereItIs) {
 }
 
 TEST_F(Run, ResumeRefusesAnExperimentThatHasChanged) {
-  ASSERT_EQ(program_.run_and_signal({"run", "small.toml"}, "small.db-wal", SIGINT).exit_code, kInterrupted);
+  ASSERT_EQ(program_
+                .run_and_signal(
+                    {"run", "small.toml"}, [&] { return program_.carries_out("small.db"); }, SIGINT)
+                .exit_code,
+            kInterrupted);
   program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
   const Outcome outcome = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(outcome.exit_code, kBadInput);

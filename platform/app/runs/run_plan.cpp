@@ -12,9 +12,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace lacuna {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kEnding{2};  ///< that a process which was killed may take until it has ended
 
 std::string given(const std::vector<std::string>& overrides) {
   if (overrides.empty()) return "no --set";
@@ -38,16 +43,26 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
   return fmt::format("{}", fmt::join(other, ", with "));
 }
 
+/// Not held where another process has the run until `deadline`.
+RunClaim claim_by(Clock::time_point deadline, Database& database, RunId run, const std::vector<ForeignClaim>& silent) {
+  constexpr double kBetween = 0.05;  // s
+  for (;;) {
+    RunClaim claim(database, run, silent);
+    if (claim.held() || Clock::now() >= deadline) return claim;
+    pause_for(kBetween);
+  }
+}
+
 /// Takes the run into the plan, or says why not. Whether it was begun with what there is now.
 bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBench& bench, Database& database,
-              const std::vector<ForeignClaim>& silent, RunPlan& plan) {
+              const std::vector<ForeignClaim>& silent, Clock::time_point deadline, RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);
   const std::string other = difference(stored, options, bench);
   if (!other.empty()) {
     plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
     return false;
   }
-  RunClaim claim(database, run.run, silent);
+  RunClaim claim = claim_by(deadline, database, run.run, silent);
   if (!claim.held()) {
     plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
     return true;
@@ -142,8 +157,9 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;
   const std::vector<ForeignClaim> silent = silent_claims(database, runs, options.quiet);
+  const Clock::time_point deadline = Clock::now() + kEnding;
   for (const EeaRunListing& run : runs)
-    if (run.ending != "done" && consider(run, options, bench, database, silent, plan)) unfinished = true;
+    if (run.ending != "done" && consider(run, options, bench, database, silent, deadline, plan)) unfinished = true;
   if (plan.replicates.empty()) {
     if (!unfinished) plan.finished = finished_run(runs, options, bench, database, plan);
     if (!plan.finished) refuse(database, name, plan);
