@@ -177,8 +177,9 @@ TEST(Messages, SizesAndTruthValuesThatCannotBeAreRefused) {
     std::uint64_t rows, columns;
   } sizes[] = {{1ULL << 32U, 1ULL << 32U}, {1ULL << 63U, 1}, {1, 1ULL << 63U}, {0, 2}};
   for (const auto& [rows, columns] : sizes) {
-    const std::string times = none + to_bytes(rows) + to_bytes(columns);  // of a series without channels
-    EXPECT_THROW(from_bytes<TimeSeries>(times + none + none), Error) << rows << " × " << columns;
+    std::string series = none;  // without channels
+    series.append(to_bytes(rows)).append(to_bytes(columns)).append(none).append(none);
+    EXPECT_THROW(from_bytes<TimeSeries>(series), Error) << rows << " × " << columns;
   }
   EXPECT_THROW(from_bytes<bool>("\xff"), Error);
 }

@@ -176,7 +176,7 @@ TEST_F(MergeTest, ShardsThatContradictThemselvesAreRefused) {
   const auto refusal = [&](const std::string& change) {
     const auto shard = shard_with_comparisons("c.db");
     SQLite::Database(shard.string(), SQLite::OPEN_READWRITE).exec("DELETE FROM seal; " + change);
-    const std::string said = sentence_of([&] { merged({shard}); });
+    std::string said = sentence_of([&] { merged({shard}); });
     std::filesystem::remove(shard);
     EXPECT_EQ(asked("SELECT count(*) FROM run"), 0) << change;
     return said;
