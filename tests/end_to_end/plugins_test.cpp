@@ -43,9 +43,10 @@ TEST(PluginsList, HasOneKindWhereItIsAskedFor) {
   const std::vector<std::string> robots = lines_of(program.run({"plugins", "list", "--kind", "robot"}).output);
   EXPECT_THAT(robots, testing::SizeIs(3));
   EXPECT_THAT(robots, testing::Each(testing::StartsWith("robot  ")));
-  const Outcome json = program.run({"plugins", "list", "--kind", "search", "--json"});
-  for (const nlohmann::json& component : nlohmann::json::parse(json.output)["components"])
-    EXPECT_EQ(component["kind"], "search");
+  const Outcome outcome = program.run({"plugins", "list", "--kind", "search", "--json"});
+  const nlohmann::json listed = nlohmann::json::parse(outcome.output);
+  EXPECT_FALSE(listed.at("components").empty());
+  for (const nlohmann::json& component : listed.at("components")) EXPECT_EQ(component.at("kind"), "search");
 }
 
 }  // namespace
