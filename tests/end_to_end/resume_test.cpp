@@ -269,6 +269,21 @@ TEST_F(Resume, LeavesARunThatAnotherProcessCarriesOut) {
   EXPECT_EQ(outcome.exit_code, kInterrupted) << "the first goes on undisturbed: " << outcome.errors;
 }
 
+/// It holds the socket of its run until it has ended.
+TEST_F(Resume, WaitsForAKilledProcessToEnd) {
+  interrupt({});
+  program_.write("ending.py",
+                 "import os, socket, time\n"
+                 "file = os.stat('small.db')\n"
+                 "held = socket.socket(socket.AF_UNIX)\n"
+                 "held.bind(f'\\0lacuna run {file.st_dev} {file.st_ino} 1')\n"
+                 "open('held', 'w').close()\n"
+                 "time.sleep(0.5)\n");
+  const Outcome outcome =
+      program_.shell("python3 ending.py & until [ -e held ]; do sleep 0.01; done; lacuna run small.toml --resume");
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.errors;
+}
+
 TEST_F(Resume, WaitsForASignOfLifeFromAnotherMachine) {
   interrupt({});
   const std::string foreign =
