@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <random>
 
 namespace lacuna {
@@ -54,23 +57,32 @@ bool is_written_directly(const fs::path& target) {
   return names_descriptor(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none));
 }
 
-constexpr std::string_view kDraft = ".lacuna-";
-constexpr std::size_t kDigits = 16;  // behind it
+constexpr std::size_t kDigits = 8;  // behind the machine's
+
+/// Begins the names of this machine's drafts: on some network file systems no other one sees the locks on them.
+const std::string& kind_of_draft() {
+  static const std::string kind = [] {
+    utsname names{};
+    uname(&names);
+    return fmt::format(".lacuna-{:08x}", static_cast<std::uint32_t>(std::hash<std::string_view>()(names.nodename)));
+  }();
+  return kind;
+}
 
 fs::path unused_name(const fs::path& folder) {
   std::random_device random;
-  return folder / fmt::format("{}{:08x}{:08x}", kDraft, random(), random());
+  return folder / fmt::format("{}{:08x}", kind_of_draft(), random());
 }
 
 /// Whoever writes a draft holds this lock on it, which ends with the process.
 bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
-/// Removes the drafts of processes that were killed.
+/// Removes the drafts of processes of this machine that were killed.
 void remove_stale_drafts(const fs::path& folder) {
   std::error_code none;
   for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {
     const std::string name = entry->path().filename().string();
-    if (!name.starts_with(kDraft) || name.size() != kDraft.size() + kDigits) continue;
+    if (!name.starts_with(kind_of_draft()) || name.size() != kind_of_draft().size() + kDigits) continue;
     const int draft = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (draft < 0) continue;
     if (lock(draft)) ::unlink(entry->path().c_str());

@@ -114,13 +114,19 @@ TEST_F(WholeFileTest, LeavesNoDraftWhenKilled) {
 }
 
 TEST_F(WholeFileTest, RemovesDraftsOfTheKilledAndNoOthers) {
-  folder_.write(".lacuna-0123456789abcdef", "half of it");
+  const std::string own = [&] {  // what names of this machine's drafts begin with
+    const std::string name = WholeFile(file_, Link::followed).named_draft().filename();
+    return name.substr(0, name.size() - 8);
+  }();
+  folder_.write(own + "01234567", "half of it");
+  folder_.write(".lacuna-0123456789abcdef", "half of it, of another machine, whose locks are not seen here");
   folder_.write(".lacuna-settings", "mine");
-  const fs::path held = folder_.write(".lacuna-fedcba9876543210", "half of it");
+  const fs::path held = folder_.write(own + "76543210", "half of it");
   const int writer = ::open(held.c_str(), O_WRONLY);
   ASSERT_EQ(::flock(writer, LOCK_EX), 0);
   write_whole(file_, "new\n", Link::followed);
-  EXPECT_THAT(names(), testing::UnorderedElementsAre("result.json", ".lacuna-settings", ".lacuna-fedcba9876543210"));
+  EXPECT_THAT(names(), testing::UnorderedElementsAre("result.json", ".lacuna-settings", ".lacuna-0123456789abcdef",
+                                                     own + "76543210"));
   ::close(writer);
 }
 
