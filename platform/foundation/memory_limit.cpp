@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string>
 
 namespace lacuna {
 namespace {
@@ -24,11 +26,35 @@ constexpr bool kWatched = false;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// What a container may use; a file that is not there, or says "max", sets no limit.
-std::uint64_t limit_in(const char* file) {
+/// What a container or a batch system's job may use; a file that is not there, or says "max", sets no limit.
+std::uint64_t limit_in(const std::filesystem::path& file) {
   std::uint64_t bytes = 0;
   std::ifstream stream(file);
   return stream >> bytes ? bytes : kNoLimit;
+}
+
+/// The least limit of a control group and of those that it is in. `group`: "/slurm/job_17".
+std::uint64_t limit_of(const std::filesystem::path& hierarchy, std::filesystem::path group, const char* file) {
+  std::uint64_t least = limit_in(hierarchy / file);
+  for (; group.has_relative_path(); group = group.parent_path())
+    least = std::min(least, limit_in(hierarchy / group.relative_path() / file));
+  return least;
+}
+
+/// Of this process, whose groups /proc/self/cgroup names: "0::/group", or "4:memory:/group" with the first version.
+std::uint64_t limit_of_groups() {
+  std::uint64_t least = kNoLimit;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1), group = line.substr(second + 1);
+    if (controllers.empty())
+      least = std::min(least, limit_of("/sys/fs/cgroup", group, "memory.max"));
+    else if (controllers == "memory")
+      least = std::min(least, limit_of("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes"));
+  }
+  return least;
 }
 
 template <class Resource>
@@ -45,9 +71,7 @@ std::uint64_t usable_memory() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   const std::uint64_t physical =
       pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : kNoLimit;
-  const std::uint64_t all = std::min(
-      {physical, limit_in("/sys/fs/cgroup/memory.max"), limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes")});
-  return all / 10 * 9;
+  return std::min(physical, limit_of_groups()) / 10 * 9;
 }
 
 void limit_memory(std::uint64_t bytes) {
