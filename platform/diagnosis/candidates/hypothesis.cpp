@@ -80,6 +80,12 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   return hypothesis;
 }
 
+/// Without the plugin's file, which is this machine's concern.
+std::string reason_of(const PluginListing& listing) {
+  const std::string component = to_string(ComponentOrigin{listing.kind, listing.name, listing.file}) + ": ";
+  return listing.problem.starts_with(component) ? listing.problem.substr(component.size()) : listing.problem;
+}
+
 /// Those of plugins that cannot be used are added to `untestable`.
 std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among,
                                       std::vector<Untestable>& untestable) {
@@ -90,7 +96,7 @@ std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::v
     if (listing.problem.empty())
       names.push_back(listing.name);
     else
-      untestable.push_back({listing.name, "", listing.problem});
+      untestable.push_back({listing.name, "", reason_of(listing)});
   }
   return names;
 }
