@@ -105,7 +105,7 @@ void make_alternative(Request& request, std::uint8_t wanted) {
     else
       make_alternative<index + 1>(request, wanted);
   } else {
-    throw Error("a message between two processes is none");
+    throw Error("a message between two processes is of no kind that there is");
   }
 }
 

@@ -48,6 +48,7 @@ std::string WorkerProcess::answer() {
   message->erase(0, 1);
   if (kind == AnswerKind::lost) throw WorkerLost(from_bytes<LostWork>(*message));
   if (kind == AnswerKind::failed) throw Error(from_bytes<std::string>(*message));
+  if (kind != AnswerKind::done) throw Error("a worker process gave an answer of no kind that there is");
   return std::move(*message);
 }
 
