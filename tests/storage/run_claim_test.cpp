@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -61,6 +63,22 @@ TEST_F(RunClaimTest, OfAProcessThatWasKilledIsFreeAtOnce) {
   child.all();
   EXPECT_EQ(ask(filled_.database, "SELECT count(*) FROM claim"), 1) << "nobody took it away";
   EXPECT_TRUE(RunClaim(filled_.database, filled_.run).held());
+}
+
+/// A process has as many as it has replicates, and one socket.
+TEST_F(RunClaimTest, ThousandsNeedNoMoreOpenFilesThanOne) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit few{std::min<rlim_t>(before.rlim_cur, 100), before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  {
+    std::vector<RunClaim> claims;
+    ResultStore store(filled_.database);
+    for (int i = 0; i < 300; ++i) claims.emplace_back(filled_.database, store.begin_run({.command = "run"}, {}));
+    store.hand_over();
+    EXPECT_TRUE(std::all_of(claims.begin(), claims.end(), [](const RunClaim& claim) { return claim.held(); }));
+  }
+  setrlimit(RLIMIT_NOFILE, &before);
 }
 
 TEST_F(RunClaimTest, OfAnotherMachineCountsUntilItFallsSilent) {

@@ -5,6 +5,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "isolation/remote_evaluations.h"
+#include "storage/core/run_claim.h"
 #include "storage/core/storage_error.h"
 #include "storage/results/result_store.h"
 
@@ -150,7 +151,8 @@ void Replicates::end_those_without_a_turn(std::vector<ReplicateEnd>& ends) {
   const std::lock_guard lock(writing_);
   Transaction transaction(database_);
   for (const ReplicateEnd& end : ends)
-    if (!end.began) set_run_ending(database_, end.planned.run, end.ending);
+    if (!end.began && !is_taken_over(database_, end.planned.run))
+      set_run_ending(database_, end.planned.run, end.ending);
   transaction.commit();
 }
 

@@ -7,6 +7,7 @@
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "foundation/shell_word.h"
+#include "storage/results/result_store.h"
 #include "storage/results/stored_run.h"
 
 #include <fmt/format.h>
@@ -59,14 +60,16 @@ bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
   const StoredRun stored = stored_run(database, run.run);
   const std::string other = difference(stored, options, bench);
   if (!other.empty()) {
-    plan.left.push_back(fmt::format("run {} was begun with {}; it goes on with the same alone", run.run.value, other));
+    plan.left.push_back(fmt::format("run {} was begun with {}; give the same to go on with it", run.run.value, other));
     return false;
   }
   RunClaim claim = claim_by(deadline, database, run.run, silent);
   if (!claim.held()) {
     plan.left.push_back(fmt::format("run {} is being carried out by another process", run.run.value));
+    plan.taken = true;
     return true;
   }
+  if (is_done(database, run.run)) return false;  // meanwhile
   plan.replicates.push_back({run.run, run.replicate, stored.seed});
   plan.claims.push_back(std::move(claim));
   return true;
@@ -91,26 +94,24 @@ std::optional<RunId> finished_run(std::vector<EeaRunListing> runs, const RunOpti
   const SourceLocation file{database.file().string()};
   std::vector<Problem> problems;
   for (const std::string& reason : plan.left) problems.push_back({file, reason});
-  problems.push_back({file, "has no run of " + name + " to go on with; without --resume a new one begins"});
+  problems.push_back({file, plan.taken
+                                ? "has no other run of " + name + " to go on with; wait for that process"
+                                : "has no run of " + name + " to go on with; without --resume a new one begins"});
   throw BadInput(std::move(problems));
 }
 
-/// Claims of other machines on these runs whose processes show no sign of life. Waits for one where there are any.
-std::vector<ForeignClaim> silent_claims(const Database& database, const std::vector<EeaRunListing>& runs, bool quiet) {
-  std::vector<ForeignClaim> claims = foreign_claims(database);
-  std::erase_if(claims, [&](const ForeignClaim& claim) {
-    return std::none_of(runs.begin(), runs.end(), [&](const EeaRunListing& run) {
-      return run.run.value == claim.run.value && run.ending != "done";
-    });
+/// Claims that count no more.
+std::vector<ForeignClaim> silent_ones(const Database& database, const std::vector<EeaRunListing>& runs, bool quiet) {
+  std::vector<RunId> open;
+  for (const EeaRunListing& run : runs)
+    if (run.ending != "done") open.push_back(run.run);
+  return silent_claims(database, open, [&] {
+    if (!quiet)
+      fmt::print(stderr,
+                 "{}: another machine, or this one before it was started anew, has begun to carry a run out; waiting "
+                 "{:g} s for a sign that it still does\n",
+                 database.file().string(), kSilence);
   });
-  if (claims.empty()) return claims;
-  if (!quiet)
-    fmt::print(stderr,
-               "{}: another machine, or this one before it was started anew, has begun to carry a run out; waiting "
-               "{:g} s for a sign that it still does\n",
-               database.file().string(), kSilence);
-  pause_for(kSilence);
-  return claims;  // one that has beaten since is another
 }
 
 std::vector<EeaRunListing> runs_of(const Database& database, const std::string& experiment) {
@@ -156,19 +157,26 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   const std::string& name = bench.rig().experiment.name;
   const std::vector<EeaRunListing> runs = runs_of(database, name);
   bool unfinished = false;
-  const std::vector<ForeignClaim> silent = silent_claims(database, runs, options.quiet);
+  const std::vector<ForeignClaim> silent = silent_ones(database, runs, options.quiet);
   const Clock::time_point deadline = Clock::now() + kEnding;
-  for (const EeaRunListing& run : runs)
+  Clock::time_point beaten = Clock::now();
+  for (const EeaRunListing& run : runs) {
     if (run.ending != "done" && consider(run, options, bench, database, silent, deadline, plan)) unfinished = true;
+    if (std::chrono::duration<double>(Clock::now() - beaten).count() < kBetweenBeats) continue;
+    beat_claims(database);
+    beaten = Clock::now();
+  }
   if (plan.replicates.empty()) {
-    if (!unfinished) plan.finished = finished_run(runs, options, bench, database, plan);
+    if (!unfinished) plan.finished = finished_run(runs_of(database, name), options, bench, database, plan);
     if (!plan.finished) refuse(database, name, plan);
     return plan;
   }
+  Transaction transaction(database);
   ResultStore store(database);
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
   Replicates(bench, database, plan.experiment).enter(plan.replicates);
+  transaction.commit();
   store.hand_over();
   return plan;
 }

@@ -26,6 +26,7 @@ struct RunPlan {
   std::vector<PlannedReplicate> replicates;
   std::vector<RunClaim> claims;   ///< on these runs
   std::vector<std::string> left;  ///< sentences: unfinished runs that are left as they are, and why
+  bool taken = false;             ///< one of them by another process
   std::optional<RunId> finished;  ///< there is nothing to go on with because this run is done
 };
 

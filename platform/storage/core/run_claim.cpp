@@ -1,5 +1,6 @@
 #include "storage/core/run_claim.h"
 
+#include "foundation/interrupt.h"
 #include "storage/core/statement.h"
 
 #include <lacuna/error.h>
@@ -10,18 +11,21 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <utility>
 
 namespace lacuna {
 namespace {
 
-/// Processes with the same see each other's sockets.
+/// Processes with the same see each other's names.
 const std::string& this_machine() {
   static const std::string machine = [] {
     std::string boot;
@@ -32,43 +36,75 @@ const std::string& this_machine() {
   return machine;
 }
 
-/// No other process has ever the same.
-const std::string& this_process() {
-  static const std::string process = this_machine() + " " + std::to_string(getpid()) + " " +
-                                     std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+/// No other process has ever the same, be it forked from this one.
+std::string this_process() {
+  static std::mutex guard;
+  static pid_t owner = 0;
+  static std::string process;
+  const std::lock_guard lock(guard);
+  if (owner != getpid()) {
+    owner = getpid();
+    process = this_machine() + " " + std::to_string(owner) + " " +
+              std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+  }
   return process;
 }
 
-struct stat identity_of(const Database& database) {
+/// Of the file, on whatever machine it is seen from; a copy has another.
+std::int64_t inode_of(const Database& database) {
   struct stat file {};
   stat(database.file().c_str(), &file);
-  return file;
+  return static_cast<std::int64_t>(file.st_ino);
 }
 
-/// Of the file, on whatever machine it is seen from; a copy has another.
-std::int64_t inode_of(const Database& database) { return static_cast<std::int64_t>(identity_of(database).st_ino); }
-
-std::string name_of(const Database& database, RunId run) {
-  const struct stat file = identity_of(database);
-  return "lacuna run " + std::to_string(file.st_dev) + " " + std::to_string(file.st_ino) + " " +
-         std::to_string(run.value);
-}
-
-/// False: another process has the name.
-bool take_name(int socket, const std::string& name) {
+/// A name in Linux's abstract namespace, which the kernel takes away with the process that has it. False: another one
+/// has it.
+bool bind_name(int socket, const std::string& holder) {
+  const std::string name = "lacuna " + holder;
   sockaddr_un address{};
+  if (name.size() + 1 > sizeof(address.sun_path)) throw Error(name + ": is too long for the name of a socket");
   address.sun_family = AF_UNIX;
   std::copy(name.begin(), name.end(), address.sun_path + 1);  // a zero byte first: the abstract namespace
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  return bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 || errno != EADDRINUSE;
+  if (bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0) return true;
+  if (errno == EADDRINUSE) return false;
+  throw Error(std::string("a process cannot show others that it lives: ") + std::strerror(errno));
 }
 
-/// False: another machine has the row. Who has the name finds rows of this machine left by processes that have ended.
+int open_socket() {
+  const int descriptor = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (descriptor < 0) throw Error(std::string("a process cannot show others that it lives: ") + std::strerror(errno));
+  return descriptor;
+}
+
+/// From now on other processes of this machine see that this one lives.
+void show_life() {
+  static std::atomic<pid_t> shown = 0;
+  if (shown.exchange(getpid()) != getpid()) bind_name(open_socket(), this_process());  // open until the process ends
+}
+
+bool lives(const std::string& holder) {
+  if (holder == this_process()) return true;
+  const int probe = open_socket();
+  const bool is_free = bind_name(probe, holder);
+  close(probe);
+  return !is_free;
+}
+
+/// Whether a claim counts: `machine` and `holder` as its row has them.
+bool counts(const std::string& machine, const ForeignClaim& claim, const std::vector<ForeignClaim>& silent) {
+  if (machine == this_machine()) return lives(claim.holder);
+  return std::find(silent.begin(), silent.end(), claim) == silent.end();
+}
+
+/// False: another process has the row.
 bool take_row(Database& database, RunId run, const std::vector<ForeignClaim>& silent) {
   Transaction transaction(database);
-  for (const ForeignClaim& foreign : foreign_claims(database)) {
-    if (foreign.run.value != run.value) continue;
-    if (std::find(silent.begin(), silent.end(), foreign) == silent.end()) return false;
+  {
+    Statement found(database, "SELECT machine, holder, beat FROM claim WHERE run = ? AND file = ?");
+    found.with(run, inode_of(database));
+    while (found.step())
+      if (counts(found.text(0), {run, found.text(1), found.integer(2)}, silent)) return false;
   }
   Statement(database, "INSERT OR REPLACE INTO claim (run, machine, holder, file, beat) VALUES (?, ?, ?, ?, 0)")
       .run_with(run, this_machine(), this_process(), inode_of(database));
@@ -87,26 +123,36 @@ std::vector<ForeignClaim> foreign_claims(const Database& database) {
 }
 
 RunClaim::RunClaim(Database& database, RunId run, const std::vector<ForeignClaim>& silent)
-    : database_(&database), run_(run), socket_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  held_ = take_name(socket_, name_of(database, run)) && take_row(database, run, silent);
+    : database_(&database), run_(run) {
+  show_life();
+  held_ = take_row(database, run, silent);
 }
 
 RunClaim::~RunClaim() {
-  if (held_) try {
-      Transaction transaction(*database_);
-      Statement(*database_, "DELETE FROM claim WHERE run = ? AND holder = ?").run_with(run_, this_process());
-      transaction.commit();
-    } catch (const std::exception&) {
-      // The row falls silent with this process.
-    }
-  if (socket_ >= 0) close(socket_);
+  if (!held_) return;
+  try {
+    Transaction transaction(*database_);
+    Statement(*database_, "DELETE FROM claim WHERE run = ? AND holder = ?").run_with(run_, this_process());
+    transaction.commit();
+  } catch (const std::exception&) {
+    // The row falls silent with this process.
+  }
 }
 
 RunClaim::RunClaim(RunClaim&& other) noexcept
-    : database_(other.database_),
-      run_(other.run_),
-      socket_(std::exchange(other.socket_, -1)),
-      held_(std::exchange(other.held_, false)) {}
+    : database_(other.database_), run_(other.run_), held_(std::exchange(other.held_, false)) {}
+
+std::vector<ForeignClaim> silent_claims(const Database& database, const std::vector<RunId>& runs,
+                                        const std::function<void()>& before_waiting) {
+  std::vector<ForeignClaim> claims = foreign_claims(database);
+  std::erase_if(claims, [&](const ForeignClaim& claim) {
+    return std::none_of(runs.begin(), runs.end(), [&](const RunId run) { return run.value == claim.run.value; });
+  });
+  if (claims.empty()) return claims;
+  if (before_waiting) before_waiting();
+  pause_for(kSilence);
+  return claims;  // one that has beaten since is another
+}
 
 void beat_claims(Database& database) {
   Transaction transaction(database);
@@ -114,9 +160,13 @@ void beat_claims(Database& database) {
   transaction.commit();
 }
 
-void check_claim(const Database& database, RunId run) {
+bool is_taken_over(const Database& database, RunId run) {
   Statement found(database, "SELECT holder FROM claim WHERE run = ? AND file = ?");
-  if (found.with(run, inode_of(database)).step() && found.text(0) != this_process())
+  return found.with(run, inode_of(database)).step() && found.text(0) != this_process();
+}
+
+void check_claim(const Database& database, RunId run) {
+  if (is_taken_over(database, run))
     throw Error(database.file().string() + ": run " + std::to_string(run.value) +
                 " is being continued by another process, too; this one stops, and nothing stored is lost");
 }

@@ -4,6 +4,7 @@
 #include "storage/core/records.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,19 @@ struct ForeignClaim {
 /// Those on runs of this file; a copy of a database has none.
 std::vector<ForeignClaim> foreign_claims(const Database& database);
 
-/// While it lives, no other process carries the run out. On one machine the kernel gives a claim up with the process
-/// that has it, however that ends: it is a socket's name in Linux's abstract namespace, made of the database file's
-/// identity and the run's number. (A lock on the database file itself would drop SQLite's own when it is closed.)
-/// Between machines, and between containers with networks of their own, a row of the database says who has it.
+/// Claims of other machines on these runs, once `kSilence` has passed: those whose processes live are others by then.
+/// Does not wait where there are none. `before_waiting`: tells the user.
+std::vector<ForeignClaim> silent_claims(const Database& database, const std::vector<RunId>& runs,
+                                        const std::function<void()>& before_waiting = {});
+
+/// While it lives, no other process carries the run out: a row of the database says who does. On one machine the row
+/// counts as long as that process lives, which the kernel tells: each process that claims something has a socket's name
+/// in Linux's abstract namespace. (A lock on the database file itself would drop SQLite's own when it is closed.)
+/// Between machines, and between containers with networks of their own, it counts while it beats.
 class RunClaim {
  public:
-  /// `silent`: claims whose beat has stood still for `kSilence`, which count no more. Waits for nothing.
+  /// `silent`: claims whose beat has stood still for `kSilence`, which count no more. Waits for nothing. Throws `Error`
+  /// where this process cannot show that it lives.
   RunClaim(Database& database, RunId run, const std::vector<ForeignClaim>& silent = {});
   ~RunClaim();
   RunClaim(RunClaim&& other) noexcept;
@@ -43,14 +50,15 @@ class RunClaim {
  private:
   Database* database_;
   RunId run_;
-  int socket_ = -1;
   bool held_ = false;
 };
 
 /// Shows others that this process lives, on all of its claims.
 void beat_claims(Database& database);
 
-/// Throws `Error` where another process has taken the run over, inside the transaction that would write it.
+/// Whether another process has taken the run over.
+bool is_taken_over(const Database& database, RunId run);
+/// Throws `Error` then, inside the transaction that would write it.
 void check_claim(const Database& database, RunId run);
 
 }  // namespace lacuna

@@ -28,14 +28,12 @@ std::string random_identity() {
   return hex;
 }
 
-/// The same task gets the same one whoever carries it out, so that a merge knows it.
-std::string identity_of(const RunRecord& record, RunId run) {
-  constexpr std::size_t kDigits = 32;
-  if (record.task.empty()) return random_identity();
-  return sha256(record.task + " " + std::to_string(run.value)).substr(0, kDigits);
-}
-
 }  // namespace
+
+std::string identity_of_run(const std::string& task, RunId run) {
+  constexpr std::size_t kDigits = 32;
+  return sha256(task + " " + std::to_string(run.value)).substr(0, kDigits);
+}
 
 ResultStore::ResultStore(Database& database) : database_(database) {}
 
@@ -61,8 +59,8 @@ RunId ResultStore::begin_run(const RunRecord& record, const Provenance& p) {
   number.step();
   const RunId run{number.integer(0)};
   Statement(database_, "INSERT INTO run (number, identity, command, seed, threads, started) VALUES (?, ?, ?, ?, ?, ?)")
-      .run_with(run, identity_of(record, run), record.command, static_cast<std::int64_t>(record.seed), record.threads,
-                utc_now());
+      .run_with(run, record.task.empty() ? random_identity() : identity_of_run(record.task, run), record.command,
+                static_cast<std::int64_t>(record.seed), record.threads, utc_now());
   Statement(
       database_,
       "INSERT INTO provenance (run, program, source_revision, compiler, build_type, ode, sqlite, eigen, processor,"
@@ -90,6 +88,11 @@ void ResultStore::continue_run(RunId run) {
 void ResultStore::end_run(RunEnding ending) {
   set_run_ending(database_, run(), ending);
   ended_ = true;
+}
+
+bool is_done(const Database& database, RunId run) {
+  Statement ending(database, "SELECT 1 FROM run WHERE number = ? AND ending = 'done'");
+  return ending.with(run).step();
 }
 
 void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending) {

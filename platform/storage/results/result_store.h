@@ -118,6 +118,11 @@ class ResultStore {
   bool ended_ = false;  ///< or nothing to end
 };
 
+/// The identity of a run that carries a task out: the same for whoever does, so that a merge knows it.
+std::string identity_of_run(const std::string& task, RunId run);
+
+/// Whether the run is there and has come to its end.
+bool is_done(const Database& database, RunId run);
 /// Without an ending, the run has not ended.
 void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending);
 /// For what ends a run when nothing else has.
