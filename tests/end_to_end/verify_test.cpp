@@ -38,6 +38,18 @@ TEST(Verify, FindsAllRunsAsTheCommandsLeftThem) {
                                         "backup (lacuna backup makes them)"));
 }
 
+TEST(Verify, FindsAViewThatIsNotTheProgramsAnyMore) {
+  const Program program;
+  const std::string search = "population = 12, keep = 6, generations = 2";
+  program.write("small.toml", small_experiment("0.2", search, search));
+  ASSERT_EQ(program.run({"run", "small.toml"}).exit_code, 0);
+  ASSERT_EQ(program.shell("sqlite3 small.db \"CREATE TABLE notes (text); DROP VIEW runs\"").exit_code, 0);
+  const Outcome changed = program.run({"verify", "small.db"});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_THAT(changed.output, HasSubstr("view runs is not as this program makes it\n"));
+  EXPECT_EQ(changed.output.find("notes"), std::string::npos) << "a table more is the user's";
+}
+
 /// What is left of a database that was cut off at its first byte is not sound.
 TEST(Verify, RefusesAnEmptyFileAsABackupDoes) {
   const Program program;

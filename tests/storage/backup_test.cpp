@@ -126,5 +126,23 @@ TEST_F(BackupTest, OfADamagedDatabaseThereIsNone) {
   EXPECT_THAT(other_files(), IsEmpty());
 }
 
+/// What SQLite takes for sound, but is not what a run has ended with.
+TEST_F(BackupTest, OfRowsThatAreNotThoseOfTheirRunThereIsNone) {
+  {
+    Database database = Database::open(file());
+    ResultStore store(database);
+    test::fill_small_database(store);
+    store.end_run(RunEnding::done);
+    Statement(database, "UPDATE fitted_value SET value = value + 1e-12").run();
+  }
+  try {
+    back_up(file(), copy());
+    FAIL() << "other values were copied";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is damaged (run 1, table fitted_value: not what the run ended with"));
+  }
+  EXPECT_THAT(other_files(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace lacuna

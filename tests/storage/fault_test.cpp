@@ -262,7 +262,9 @@ TEST_F(StorageFault, ACopyOfADatabaseInAReadOnlyFolderTakesWhatIsNotKept) {
 
 TEST_F(StorageFault, AReadOnlyFolderIsNamed) {
   const auto open = [&] { return sentence_of([&] { Database::open(file_); }); };
-  const char* sentence = "rig.db: cannot be written: its folder is read-only; --db FILE puts the database elsewhere";
+  const char* sentence =
+      "rig.db: cannot be written: its folder is read-only; name a database elsewhere (--db FILE, where the command has "
+      "it)";
   EXPECT_THAT(ask_as_guest(folder_.path(), open), HasSubstr(sentence));
   chmod(folder_.path().c_str(), 0777);
   { Database::open(file_); }

@@ -119,6 +119,21 @@ TEST_F(VerificationTest, ARunThatIsGoneOnWithIsSealedAnew) {
 }
 
 /// A column that a later version adds to a table is not part of what was sealed before.
+/// Another command knows more of a trial that the run has stored.
+TEST_F(VerificationTest, WhatARunHasEndedWithIsNotAddedTo) {
+  Database database = Database::open(file());
+  ResultStore store(database);
+  TrialRecord trial{.name = "swing", .file = "swing.csv", .digest = test::kSomeDigest, .duration = 1.0, .samples = 3};
+  trial.setup = {"weights", {{"body.arm.mass", 0.5}}};
+  for (const char* unit : {"", "kg"}) {
+    trial.setting_units = {unit};
+    store.begin_run({.command = "lacuna run"}, {});
+    store.find_or_add_trial(store.record_experiment({"rig", "rig.toml", "[experiment]", {}}), trial);
+    store.end_run(RunEnding::done);
+  }
+  EXPECT_THAT(broken_tables(), IsEmpty());
+}
+
 TEST_F(VerificationTest, ColumnsOfLaterVersionsChangeNoSeal) {
   fill();
   change("ALTER TABLE fit ADD COLUMN weight REAL DEFAULT 1.5");

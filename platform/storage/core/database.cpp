@@ -154,7 +154,8 @@ void Database::read_copy_of_this_version() {
   // SQLite keeps a database without a name in a temporary file that ends with the connection.
   std::unique_ptr<SQLite::Database> copy = connect(file_, "", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   try {
-    SQLite::Backup(*copy, *connection_).executeStep();
+    if (const int result = SQLite::Backup(*copy, *connection_).executeStep(); result != SQLITE_DONE)
+      throw_storage_error(file_, result, sqlite3_errstr(result));
   } catch (const SQLite::Exception& error) {
     throw_storage_error(file_, error);
   }
@@ -181,14 +182,15 @@ Database Database::open_read_only(const std::filesystem::path& file) {
   try {
     check_header(database, schema_migrations());
   } catch (const Error&) {
-    // On read-only media the write-ahead log's index cannot be made. Without a log none is needed.
-    const bool cannot_open = (sqlite3_errcode(database.handle()) & 0xff) == SQLITE_CANTOPEN ||
-                             (sqlite3_errcode(database.handle()) & 0xff) == SQLITE_READONLY;
+    // On read-only media, and on full ones, the write-ahead log's index cannot be made. Without a log none is needed.
+    const int code = sqlite3_extended_errcode(database.handle());
+    const bool cannot_open = (code & 0xff) == SQLITE_CANTOPEN || (code & 0xff) == SQLITE_READONLY ||
+                             (code & 0xff) == SQLITE_FULL || code == SQLITE_IOERR_SHMSIZE;
     if (!cannot_open) throw;
     if (has_content(file.string() + "-wal")) {
       throw Error(file.string() +
-                  ": has changes in its -wal file, which cannot be read in a read-only folder; copy both files to a "
-                  "folder that can be written, and read them there");
+                  ": has changes in its -wal file, which cannot be read in a read-only folder or on a full disk; copy "
+                  "both files to a folder that can be written, and read them there");
     }
     database.connection_ =
         connect(file, uri_of(file.string()) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);

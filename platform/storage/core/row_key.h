@@ -16,6 +16,8 @@ inline std::int64_t last_key(RunId run) { return key_base(run) + ((std::int64_t{
 inline std::int64_t key_of(RunId run, std::uint64_t number) {
   return key_base(run) + 1 + static_cast<std::int64_t>(number);
 }
+/// The run whose row it is.
+inline RunId run_of(std::int64_t key) { return {key >> kCounterBits}; }
 inline std::uint64_t number_of(std::int64_t key) {
   return static_cast<std::uint64_t>(key & ((std::int64_t{1} << kCounterBits) - 1)) - 1;
 }

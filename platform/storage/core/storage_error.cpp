@@ -17,8 +17,7 @@ bool is_damage(int code) { return (code & 0xff) == SQLITE_CORRUPT || code == SQL
 std::string sentence(int code, const std::string& message) {
   if (code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     return "cannot grow: the disk or the quota is full, or files may not grow this large (ulimit -f); make room and "
-           "run "
-           "again (lacuna run: with --resume), what was finished is kept";
+           "repeat the command (lacuna run: with --resume); what was finished is kept";
   if (is_damage(code))
     return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
   switch (code & 0xff) {
@@ -26,8 +25,8 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
     case SQLITE_FULL:
-      return "cannot grow: the disk or the quota is full; make room and run again (lacuna run: with --resume), what "
-             "was finished is kept";
+      return "cannot grow: the disk or the quota is full; make room and repeat the command (lacuna run: with "
+             "--resume); what was finished is kept";
     case SQLITE_READONLY: return "is read-only; check the permissions of the file and of its folder, or copy it";
     case SQLITE_CANTOPEN: return "cannot be opened; check that its folder exists and its permissions";
     case SQLITE_PERM:
@@ -55,7 +54,9 @@ bool folder_is_read_only(const std::filesystem::path& file) {
 void throw_storage_error(const std::filesystem::path& file, int extended_code, const std::string& message) {
   const int code = extended_code & 0xff;
   if ((code == SQLITE_CANTOPEN || code == SQLITE_READONLY) && folder_is_read_only(file))
-    throw Error(file.string() + ": cannot be written: its folder is read-only; --db FILE puts the database elsewhere");
+    throw Error(file.string() +
+                ": cannot be written: its folder is read-only; name a database elsewhere (--db FILE, where "
+                "the command has it)");
   if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted while it was read");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
   const std::string text = file.string() + ": " + sentence(extended_code, message);

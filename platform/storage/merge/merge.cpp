@@ -3,11 +3,11 @@
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
-#include "storage/core/migrate.h"
 #include "storage/core/one_state.h"
 #include "storage/core/row_key.h"
 #include "storage/core/run_claim.h"
 #include "storage/core/run_rows.h"
+#include "storage/core/schema_check.h"
 #include "storage/core/seal.h"
 #include "storage/core/statement.h"
 #include "storage/files/log_left.h"
@@ -86,29 +86,23 @@ void check_known_runs(const Database& into, const Database& shard, ProblemList& 
 }
 
 /// A merge would keep a process that writes to the database waiting for too long.
-void check_no_run_is_carried_out(Database& into, ProblemList& problems) {
+void check_no_run_is_carried_out(Database& into) {
   std::vector<RunId> open;
   Statement run(into, "SELECT number FROM run JOIN eea_run ON eea_run.run = run.number WHERE ended IS NULL");
   while (run.step()) open.push_back({run.integer(0)});
+  const std::vector<ForeignClaim> silent = silent_claims(into, open);
+  ProblemList problems;
   for (const RunId one : open)
-    if (!RunClaim(into, one).held())
+    if (!RunClaim(into, one, silent).held())
       problems.add({into.file().string()},
                    fmt::format("run {} is being carried out; merge when it has ended", one.value));
-}
-
-std::string text_of_table(const Database& database, const std::string& name) {
-  Statement table(database, "SELECT sql FROM sqlite_schema WHERE type = 'table' AND name = ?");
-  return table.with(name).step() ? table.text(0) : "";
+  problems.throw_if_any();
 }
 
 /// What is taken for granted of tables, such as their references, their own text says.
-void check_tables(const Database& shard, ProblemList& problems) {
-  Database blank = Database::open_blank();
-  bring_up_to_date(blank, schema_migrations());
-  for (const TableOfRuns& table : run_tables())
-    if (text_of_table(shard, table.name) != text_of_table(blank, table.name))
-      problems.add({shard.file().string()},
-                   fmt::format("table {} is not as this program makes it; make the shard anew", table.name));
+void check_schema(const Database& shard, ProblemList& problems) {
+  for (const std::string& name : changed_schema(shard))
+    problems.add({shard.file().string()}, name + " is not as this program makes it; make the shard anew");
 }
 
 void check_references(const Database& shard, ProblemList& problems) {
@@ -121,36 +115,55 @@ void check_references(const Database& shard, ProblemList& problems) {
                                           broken.text(0), broken.text(2))));
 }
 
-/// Every problem of every shard, before anything is written.
-void check(Database& into, const std::vector<std::filesystem::path>& shards) {
+/// Every problem of a shard. `used`: plugins of the database and of the shards before; those of this one are added
+/// where there is none.
+std::vector<Problem> problems_of(const std::filesystem::path& file, const Database& into, UsedPlugins& used) {
   ProblemList problems;
+  UsedPlugins with = used;
+  try {
+    const LogLeft log(file);
+    const Database shard = Database::open_read_only(file);
+    hold_one_state(shard);
+    check_schema(shard, problems);
+    check_references(shard, problems);
+    check_seals(shard, problems);
+    check_known_runs(into, shard, problems);
+    check_plugins(shard, with, &problems);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const BadInput& unusable) {
+    for (const Problem& problem : unusable.problems()) problems.add(problem);
+  } catch (const Error& unusable) {
+    problems.add({}, unusable.what());
+  }
+  if (problems.empty()) used = std::move(with);
+  return problems.all();
+}
+
+/// What keeps each shard from being merged, before anything is written.
+std::vector<MergedShard> looked_at(const Database& into, const std::vector<std::filesystem::path>& shards) {
   UsedPlugins used;
   check_plugins(into, used, nullptr);
-  check_no_run_is_carried_out(into, problems);
-  for (const std::filesystem::path& file : shards) try {
-      const LogLeft log(file);
-      const Database shard = Database::open_read_only(file);
-      hold_one_state(shard);
-      check_tables(shard, problems);
-      check_references(shard, problems);
-      check_seals(shard, problems);
-      check_known_runs(into, shard, problems);
-      check_plugins(shard, used, &problems);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const BadInput& unusable) {
-      for (const Problem& problem : unusable.problems()) problems.add(problem);
-    } catch (const Error& unusable) {
-      problems.add({}, unusable.what());
-    }
+  std::vector<MergedShard> all;
+  for (const std::filesystem::path& file : shards) all.emplace_back().problems = problems_of(file, into, used);
+  return all;
+}
+
+void throw_problems(const std::vector<MergedShard>& shards) {
+  ProblemList problems;
+  for (const MergedShard& shard : shards)
+    for (const Problem& problem : shard.problems) problems.add(problem);
   problems.throw_if_any();
 }
 
-MergedShard merge_one(Database& into, const std::filesystem::path& file) {
+void merge_one(Database& into, const std::filesystem::path& file, MergedShard& merged) {
   const LogLeft log(file);
   const Database shard = Database::open_read_only(file);
   hold_one_state(shard);
-  MergedShard merged;
+  ProblemList problems;
+  check_known_runs(into, shard, problems);  // of shards before it, too
+  merged.problems = problems.all();
+  if (!problems.empty()) return;
   Transaction transaction(into);
   const Renumbering numbers(shard, into);
   copy_runs(shard, into, numbers);
@@ -159,20 +172,21 @@ MergedShard merge_one(Database& into, const std::filesystem::path& file) {
   Statement run(shard, "SELECT number FROM run ORDER BY number");
   while (run.step())
     if (!numbers.run(run.integer(0))) merged.known.push_back({run.integer(0)});
-  return merged;
 }
 
 }  // namespace
 
-std::vector<MergedShard> merge(Database& into, const std::vector<std::filesystem::path>& shards,
+std::vector<MergedShard> merge(Database& into, const std::vector<std::filesystem::path>& shards, Unusable unusable,
                                const std::function<void(double)>& progress) {
-  check(into, shards);
-  std::vector<MergedShard> merged;
-  for (const std::filesystem::path& shard : shards) {
-    merged.push_back(merge_one(into, shard));
-    if (progress) progress(static_cast<double>(merged.size()) / static_cast<double>(shards.size()));
+  check_no_run_is_carried_out(into);
+  std::vector<MergedShard> all = looked_at(into, shards);
+  if (unusable == Unusable::refuses_all) throw_problems(all);
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    if (all[i].problems.empty()) merge_one(into, shards[i], all[i]);
+    if (unusable == Unusable::refuses_all) throw_problems({all[i]});
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(shards.size()));
   }
-  return merged;
+  return all;
 }
 
 }  // namespace lacuna

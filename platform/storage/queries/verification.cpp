@@ -1,6 +1,8 @@
 #include "storage/queries/verification.h"
 
 #include "foundation/interrupt.h"
+#include "storage/core/one_state.h"
+#include "storage/core/schema_check.h"
 #include "storage/core/statement.h"
 #include "storage/results/stored_run.h"
 #include "storage/traces/read_trace.h"
@@ -40,7 +42,7 @@ void check_traces(const Database& database, std::vector<std::string>& damage) {
     try {
       read_trace(database, trace);
     } catch (const Error& error) {
-      damage.push_back(fmt::format("trace {} of run {}: {}", trace.value, trace.value >> 40, error.what()));
+      damage.push_back(fmt::format("trace {}: {}", trace.value, error.what()));
     }
   }
 }
@@ -49,7 +51,12 @@ void check_traces(const Database& database, std::vector<std::string>& damage) {
 
 Verification verify(const Database& database, const std::function<void(double)>& progress) {
   Verification found;
+  hold_one_state(database);
   ask(found.damage, [&] { check_pages(database, found.damage); });
+  ask(found.damage, [&] {
+    for (const std::string& name : changed_schema(database))
+      found.damage.push_back(name + " is not as this program makes it");
+  });
   ask(found.damage, [&] { found.seals = check_seals(database, progress); });
   ask(found.damage, [&] { check_traces(database, found.damage); });
   ask(found.damage, [&] { check_stored_texts(database); });

@@ -16,7 +16,8 @@ struct Verification {
 };
 
 /// Holds everything that is stored against the hashes that were stored with it: runs against their seals (seal.h),
-/// traces and texts of experiments against their own, and the pages against SQLite's rules. Nothing is written.
+/// traces and texts of experiments against their own, and the pages against SQLite's rules; and the schema against that
+/// of this program. All of one state of the file, which the connection sees from then on. Nothing is written.
 /// `progress` gets the part that is done, 0 to 1. Throws `Error` where the file is no database of this program, and
 /// `Interrupted`.
 Verification verify(const Database& database, const std::function<void(double)>& progress = {});

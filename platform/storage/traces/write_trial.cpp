@@ -38,6 +38,16 @@ TraceId write_trace(const Database& database, RunId run, const TraceOwner& owner
   return id;
 }
 
+namespace {
+
+/// Whether the settings of a trial belong to a run that has ended: they stay as they are.
+bool are_sealed(const Database& database, TrialId trial) {
+  Statement seal(database, "SELECT 1 FROM seal WHERE run = ? AND part = 'trial_setting'");
+  return seal.with(run_of(trial.value)).step();
+}
+
+}  // namespace
+
 TrialId write_trial(const Database& database, RunId run, ExperimentId experiment, const TrialRecord& record) {
   Statement(database,
             "INSERT INTO trial (id, experiment, name, file, digest, held_out, duration, samples, setup)"
@@ -47,6 +57,7 @@ TrialId write_trial(const Database& database, RunId run, ExperimentId experiment
   Statement find(database, "SELECT id FROM trial WHERE experiment = ? AND digest = ? AND name = ? AND held_out = ?");
   find.with(experiment, record.digest, record.name, record.held_out).step();
   const TrialId trial{find.integer(0)};
+  if (record.setup.values.empty() || are_sealed(database, trial)) return trial;
   for (std::size_t i = 0; i < record.setup.values.size(); ++i)
     Statement(database,
               "INSERT INTO trial_setting (trial, position, address, value, unit) VALUES (?, ?, ?, ?, ?)"
