@@ -1,6 +1,7 @@
 #include "tasks/slurm_jobs.h"
 
 #include "foundation/child_program.h"
+#include "foundation/plain_text.h"
 #include "foundation/shell_word.h"
 #include "foundation/whole_file.h"
 
@@ -13,6 +14,8 @@ namespace lacuna {
 namespace {
 
 constexpr double kLongestSubmission = 60.0;  // s
+constexpr int kNoSuchProgram = 127;
+constexpr const char* kChildMark = "LACUNA_CHILD";  // foundation/child_program.h
 
 /// The shell's place is taken by the program, so that signals reach it and nothing outlives it.
 std::string script(const std::string& command) { return "#!/bin/sh\nexec " + command + "\n"; }
@@ -30,16 +33,29 @@ void write_scripts(const TaskFolder& folder, const std::filesystem::path& progra
 std::string submit(std::vector<std::string> words) {
   CapturedOutput output("sbatch output"), errors("sbatch errors");
   words.insert(words.begin(), {"sbatch", "--parsable"});
+  const std::string command = fmt::format("{}", fmt::join(words, " "));
+  // Slurm hands the environment on, and a job on this machine is none of this program's children.
+  words.insert(words.begin(), {"env", "-u", kChildMark});
   ChildProgram sbatch(
       {.words = words, .folder = {}, .environment = {}, .output = output.file(), .errors = errors.file()});
   const auto ended = sbatch.ended_within(kLongestSubmission);
-  const std::string command = fmt::format("{}", fmt::join(words, " "));
   if (!ended)
     throw Error(
         fmt::format("`{}` did not answer within {:g} s; is Slurm's controller up?", command, kLongestSubmission));
+  if (ended->code() == kNoSuchProgram)
+    throw Error("sbatch is not to be found; --executor slurm works where Slurm's commands are installed");
   if (ended->code() != 0) throw Error(fmt::format("`{}` {}: {}", command, ended->phrase(), errors.end()));
-  const std::string answer = output.end();
-  return answer.substr(0, answer.find_first_of(";\n"));
+  const std::string answer = output.end(), number = answer.substr(0, answer.find_first_of(";\n"));
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
+    throw Error(fmt::format("`{}` did not answer with the number of a job but: {}", command, plain_text(answer)));
+  return number;
+}
+
+/// Slurm replaces what begins with % in the names of such files.
+std::string log_pattern(const std::filesystem::path& folder, const std::string& name) {
+  std::string pattern;
+  for (const char c : folder.string()) pattern += c == '%' ? "%%" : std::string(1, c);
+  return pattern + "/" + name;
 }
 
 }  // namespace
@@ -88,8 +104,8 @@ SlurmJobs submit_to_slurm(const TaskFolder& folder, const std::filesystem::path&
                                     "--open-mode=append",
                                     "--signal=B:USR1@60",
                                     "--array=" + array_of(folder.open_tasks()),
-                                    "--output=" + (logs / "%a.log").string()};
-  std::vector<std::string> merge = {"--job-name=lacuna-merge", "--output=" + (logs / "merge.log").string()};
+                                    "--output=" + log_pattern(logs, "%a.log")};
+  std::vector<std::string> merge = {"--job-name=lacuna-merge", "--output=" + log_pattern(logs, "merge.log")};
   array.insert(array.end(), options.begin(), options.end());
   merge.insert(merge.end(), options.begin(), options.end());
   array.push_back((folder.path() / "task.sh").string());
@@ -97,7 +113,13 @@ SlurmJobs submit_to_slurm(const TaskFolder& folder, const std::filesystem::path&
   jobs.array = submit(array);
   merge.push_back("--dependency=afterany:" + jobs.array);
   merge.push_back((folder.path() / "merge.sh").string());
-  jobs.merge = submit(merge);
+  try {
+    jobs.merge = submit(merge);
+  } catch (const Error& refused) {
+    throw Error(fmt::format("{}\nthe tasks are submitted as Slurm job {}; when it has ended: lacuna merge {} {}",
+                            refused.what(), jobs.array, shell_word(database.string()),
+                            shell_word(folder.path().string())));
+  }
   return jobs;
 }
 

@@ -2,15 +2,22 @@
 
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
+#include "storage/core/backup.h"
 #include "storage/core/clock.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -22,20 +29,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kBetweenSigns{15};
-constexpr std::chrono::seconds kSilence{60};
+constexpr std::chrono::minutes kSilence{3};  // network file systems tell of changes a minute later
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error(file.string() + ": cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void copy_whole(const fs::path& from, const fs::path& to) {
-  std::ifstream source(from, std::ios::binary);
-  if (!source) throw Error(from.string() + ": cannot be read");
-  WholeFile whole(to, Link::replaced);
-  if (fs::file_size(from) > 0) whole.stream() << source.rdbuf();
-  whole.publish();
 }
 
 /// As Slurm calls it, where it does.
@@ -45,18 +44,49 @@ std::string name_of_this_machine() {
   return uname(&names) == 0 ? names.nodename : "a machine without a name";
 }
 
-void make_folders(const fs::path& folder) {
-  for (const char* name : {"", "shards", "checkpoints", "signs", "logs"}) {
-    std::error_code failure;
-    fs::create_directories(folder / name, failure);
-    if (failure) throw_problem({(folder / name).string()}, "cannot be made: " + failure.message());
-  }
+constexpr std::array kFolders = {"shards", "checkpoints", "signs", "logs"};
+
+bool is_own_folder(const std::string& name) {
+  return std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end();
 }
+
+void make_folders(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  for (const char* name : kFolders) {
+    if (failure) break;
+    fs::create_directories(folder / name, failure);
+  }
+  if (failure) throw_problem({folder.string()}, "cannot be made: " + failure.message());
+}
+
+/// By the clock of the file system, which all machines share. Where nothing can be written, by that of this machine.
+fs::file_time_type now_in(const fs::path& folder) {
+  std::string name = (folder / ".now-XXXXXX").string();
+  const int probe = mkostemp(name.data(), O_CLOEXEC);
+  std::error_code lost;
+  const fs::file_time_type now = fs::last_write_time(name, lost);
+  if (probe < 0) return fs::file_time_type::clock::now();
+  close(probe);
+  fs::remove(name, lost);
+  return now;
+}
+
+/// Makes now, by the same clock, the time of its last change.
+void touch(const fs::path& file) { utimensat(AT_FDCWD, file.c_str(), nullptr, 0); }
 
 bool shows_life(const fs::path& sign) {
   std::error_code gone;
   const fs::file_time_type last = fs::last_write_time(sign, gone);
-  return !gone && fs::file_time_type::clock::now() - last < kSilence;
+  return !gone && now_in(sign.parent_path()) - last < kSilence;
+}
+
+/// Than the folders that one which was killed has made before it wrote its plan.
+bool has_other_files(const fs::path& folder) {
+  std::error_code none;
+  for (fs::recursive_directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none))
+    if (!entry->is_directory() || entry.depth() > 0 || !is_own_folder(entry->path().filename())) return true;
+  return false;
 }
 
 std::vector<std::string> ids_of(const TaskPlan& plan) {
@@ -73,14 +103,14 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
     TaskFolder there(folder);
     if (ids_of(there.plan()) != ids_of(plan))
       throw_problem({folder.string()}, "has another plan already; remove the folder, or name another one");
-    return there;
+    if (text_of_plan(there.plan()) == text_of_plan(plan)) return there;
+    write_whole(file, text_of_plan(plan), Link::replaced);  // the same tasks, whose files have moved
+    return TaskFolder(folder);
   }
   if (folder.empty()) throw_problem({}, "--out is empty; name a new folder");
-  std::error_code missing;
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw_problem({folder.string()}, "is a file; name a new folder with --out");
-  if (fs::exists(folder) && !fs::is_empty(folder, missing))
-    throw_problem({folder.string()}, "has other files in it; name a new folder with --out");
+  if (has_other_files(folder)) throw_problem({folder.string()}, "has other files in it; name a new folder with --out");
   make_folders(folder);
   write_whole(file, text_of_plan(plan), Link::replaced);
   return TaskFolder(folder);
@@ -142,28 +172,49 @@ std::vector<std::size_t> TaskFolder::open_tasks() const {
 }
 
 bool TaskFolder::take_checkpoint(std::size_t number, const fs::path& file) const {
-  if (!fs::exists(checkpoint(number))) return false;
-  copy_whole(checkpoint(number), file);
+  const fs::path from = checkpoint(number);
+  if (!fs::exists(from)) return false;
+  std::error_code failure;
+  fs::copy_file(from, file, fs::copy_options::overwrite_existing, failure);
+  if (failure)
+    throw Error(fmt::format("{}: cannot be copied to {}: {}", from.string(), file.string(), failure.message()));
   return true;
 }
 
+fs::path TaskFolder::put_checkpoint_aside(std::size_t number) const {
+  const fs::path aside = checkpoint(number).string() + ".unusable";
+  std::error_code gone;  // another process has done so
+  fs::rename(checkpoint(number), aside, gone);
+  return aside;
+}
+
 void TaskFolder::keep_checkpoint(std::size_t number, const fs::path& file) const {
-  if (fs::exists(file)) copy_whole(file, checkpoint(number));
+  std::error_code missing;
+  const std::uintmax_t there = fs::file_size(checkpoint(number), missing);
+  if (!fs::exists(file) || is_done(number)) return;
+  // A database of a task only grows: a smaller one is that of a process that began later.
+  if (missing || there <= fs::file_size(file)) hand_on(file, checkpoint(number));
 }
 
 void TaskFolder::note_interruption(std::size_t number, const std::string& reason) const {
-  write_sign(number, "interrupted", reason);
+  try_to_write_sign(number, "interrupted", reason);
 }
 
 void TaskFolder::keep_shard(std::size_t number, const fs::path& file) const {
-  if (!is_done(number)) copy_whole(file, shard(number));
+  if (!is_done(number)) hand_on(file, shard(number));
   std::error_code gone;
   fs::remove(checkpoint(number), gone);
-  write_sign(number, "done", "");
+  try_to_write_sign(number, "done", "");
 }
 
 void TaskFolder::note_failure(std::size_t number, const std::string& reason) const {
-  write_sign(number, "failed", reason);
+  try_to_write_sign(number, "failed", reason);
+}
+
+void TaskFolder::try_to_write_sign(std::size_t number, const char* state, const std::string& reason) const try {
+  write_sign(number, state, reason);
+} catch (const Error& full) {
+  fmt::print(stderr, "{}\n", full.what());
 }
 
 void TaskFolder::write_sign(std::size_t number, const char* state, const std::string& reason) const {
@@ -178,10 +229,7 @@ TaskSign::TaskSign(const TaskFolder& folder, std::size_t number) {
     std::mutex unused;
     std::unique_lock lock(unused);
     std::condition_variable_any until;
-    while (!until.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); })) {
-      std::error_code lost;  // what cannot be written here is said where the shard is
-      fs::last_write_time(file, fs::file_time_type::clock::now(), lost);
-    }
+    while (!until.wait_for(lock, stop, kBetweenSigns, [&] { return stop.stop_requested(); })) touch(file);
   });
 }
 

@@ -13,7 +13,7 @@ namespace lacuna {
 /// How far a task is.
 enum class TaskState {
   open,         ///< nobody has begun it
-  running,      ///< a process has shown within the last minute that it works on it
+  running,      ///< a process has shown within the last three minutes that it works on it
   silent,       ///< it was begun, and its process has shown nothing for longer than that
   interrupted,  ///< it goes on from a checkpoint
   failed,       ///< it ended with an error
@@ -29,18 +29,18 @@ struct TaskStatus {
 
 /// A plan's folder, which many processes on many machines use at once:
 ///
-///     plan.json       the plan, never changed
+///     plan.json       the plan
 ///     shards/N.db     results of task N, complete
 ///     checkpoints/N.db  of one that was interrupted
 ///     signs/N.json    who has it, since when, what became of it
 ///     logs/           what jobs have printed
 ///
-/// Every file gets its name when it is complete. A task that two processes carry out at once gets the same results
-/// twice, of which the first stay.
+/// Every file gets its name when it is complete and checked. A task that two processes carry out at once gets the same
+/// results twice.
 class TaskFolder {
  public:
-  /// Makes the folder. Where it has this plan already, that one stays. Throws `BadInput` where it has another plan or
-  /// other files.
+  /// Makes the folder. Where it has a plan of the same tasks already, what they have found stays. Throws `BadInput`
+  /// where it has another plan or other files.
   static TaskFolder make(const std::filesystem::path& folder, const TaskPlan& plan);
   /// Throws `BadInput` where there is no plan.
   explicit TaskFolder(const std::filesystem::path& folder);
@@ -53,6 +53,7 @@ class TaskFolder {
   const Task& task(std::size_t number) const;
 
   std::filesystem::path shard(std::size_t number) const;
+  std::filesystem::path checkpoint(std::size_t number) const;
   bool is_done(std::size_t number) const;
   TaskStatus status(std::size_t number) const;
   /// Numbers of the tasks that are not done.
@@ -60,18 +61,23 @@ class TaskFolder {
 
   /// The checkpoint, copied to `file`; false where there is none.
   bool take_checkpoint(std::size_t number, const std::filesystem::path& file) const;
-  /// Nothing where there is no such file.
+  /// Of one that cannot be used; returns where it is.
+  std::filesystem::path put_checkpoint_aside(std::size_t number) const;
+  /// A database of the task, be it that it is written meanwhile. Does nothing where there is no such file, where the
+  /// task is done or where another process has left a later checkpoint. Throws `Error` where it cannot be written.
   void keep_checkpoint(std::size_t number, const std::filesystem::path& file) const;
-  /// Gives the shard its place, unless another process was quicker. The checkpoint goes.
+  /// Gives the shard its place, unless another process was quicker. The checkpoint goes. Throws `Error` where it cannot
+  /// be written.
   void keep_shard(std::size_t number, const std::filesystem::path& file) const;
   void note_interruption(std::size_t number, const std::string& reason) const;
   void note_failure(std::size_t number, const std::string& reason) const;
 
  private:
   friend class TaskSign;
-  std::filesystem::path checkpoint(std::size_t number) const;
   std::filesystem::path sign(std::size_t number) const;
   void write_sign(std::size_t number, const char* state, const std::string& reason) const;
+  /// What cannot be written is said: it changes nothing of what the task has found.
+  void try_to_write_sign(std::size_t number, const char* state, const std::string& reason) const;
 
   std::filesystem::path folder_;
   TaskPlan plan_;

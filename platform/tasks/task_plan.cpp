@@ -82,15 +82,20 @@ std::string text_of_plan(const TaskPlan& plan) {
     json["inputs"].push_back({{"file", input.file.string()}, {"sha256", input.sha256}});
   json["tasks"] = Json::array();
   for (const Task& task : plan.tasks) json["tasks"].push_back(json_of(task));
-  return json.dump(1) + "\n";
+  try {
+    return json.dump(1) + "\n";
+  } catch (const Json::exception&) {
+    throw Error("a file's name or a setting is not UTF-8, which plans are written in; rename it, or write it so");
+  }
 }
 
 TaskPlan read_plan(const std::string& text, const std::filesystem::path& file) try {
   TaskPlan plan = plan_of(Json::parse(text));
   check_tasks(plan);
   return plan;
-} catch (const Json::exception& broken) {
-  throw_problem({file.string()}, fmt::format("is not a plan of `lacuna plan`: {}", broken.what()));
+} catch (const Json::exception&) {
+  throw_problem({file.string()},
+                "is not a plan of `lacuna plan`, or is damaged; put a copy back, or make the plan anew");
 } catch (const BadInput&) {
   throw;
 } catch (const Error& wrong) {

@@ -99,6 +99,64 @@ TEST_F(Plan, GoesOnFromACheckpoint) {
   EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "");
 }
 
+/// As a plugin ends it, or the system where memory is used up.
+TEST_F(Plan, WhatAProcessHasFoundThatWasKilledIsACheckpoint) {
+  write_small("0.5", 240);
+  lacuna("run small.toml --db serial.db --quiet");
+  lacuna("plan small.toml --out plan");
+  const Outcome killed = program_.shell(
+      "TMPDIR=$PWD lacuna task run plan 0 --quiet & sleep 1; pkill -KILL -P $! ; wait $!; code=$?; ls; exit $code");
+  EXPECT_EQ(killed.exit_code, 1);
+  EXPECT_THAT(killed.errors, HasSubstr("what task 0 has found until then is its checkpoint; to continue: "
+                                       "lacuna task run plan 0"));
+  EXPECT_EQ(killed.output.find("lacuna-scratch"), std::string::npos) << killed.output;
+  EXPECT_THAT(lacuna("status plan"), AllOf(HasSubstr("task 0 failed ("), HasSubstr("was ended by signal 9 (Killed)")));
+  EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "0.db\n");
+  lacuna("task run plan 0 --quiet");
+  EXPECT_EQ(hashes("plan/shards/0.db"), hashes("serial.db"));
+}
+
+TEST_F(Plan, ACheckpointThatCannotBeUsedIsPutAside) {
+  lacuna("plan small.toml --replicates 2 --out plan");
+  program_.write("plan/checkpoints/0.db", "no database at all, whatever its name says");
+  const Outcome anew = program_.shell("lacuna task run plan 0 --quiet");
+  EXPECT_EQ(anew.exit_code, 0);
+  EXPECT_THAT(anew.errors, AllOf(HasSubstr("plan/checkpoints/0.db: is not a database"),
+                                 HasSubstr("it is kept as plan/checkpoints/0.db.unusable, and the task begins anew")));
+  program_.shell("cp plan/shards/0.db plan/checkpoints/1.db");
+  EXPECT_THAT(program_.shell("lacuna task run plan 1 --quiet").errors,
+              HasSubstr("plan/checkpoints/1.db: holds other results than those of the task"));
+  EXPECT_THAT(lacuna("merge all.db plan"), HasSubstr("2 runs added"));
+}
+
+/// Results that cannot be handed in stay where they are, and are named.
+TEST_F(Plan, AFullFolderLosesNothing) {
+  const Outcome full = program_.shell(
+      "mkdir full && unshare --mount sh -c 'mount -t tmpfs -o size=300k none full || { echo no mount; exit; }; "
+      "lacuna plan small.toml --out full/plan; TMPDIR=$PWD lacuna task run full/plan 0 --quiet; echo $?; "
+      "ls full/plan/shards full/plan/checkpoints; lacuna status full/plan'");
+  if (full.output.find("no mount") != std::string::npos || full.errors.find("unshare") != std::string::npos)
+    GTEST_SKIP() << "a file system of its own cannot be mounted here; it takes root";
+  EXPECT_THAT(full.errors, AllOf(HasSubstr("full/plan/shards/0.db: cannot grow: the disk or the quota is full"),
+                                 HasSubstr("what was found until then is in ")));
+  EXPECT_THAT(full.output,
+              AllOf(HasSubstr("\n1\nfull/plan/checkpoints:\n\nfull/plan/shards:\n"), HasSubstr("task 0 failed (")));
+  EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("1 run as stored"));
+}
+
+TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
+  lacuna("plan small.toml --replicates 3 --out plan");
+  for (const char* number : {"0", "1"}) lacuna("task run plan " + std::string(number) + " --quiet");
+  program_.shell("cp plan/shards/1.db plan/shards/2.db; truncate -s 100000 plan/shards/0.db");
+  const Outcome merge = program_.shell("lacuna merge all.db plan");
+  EXPECT_EQ(merge.exit_code, 1);
+  EXPECT_THAT(merge.output, HasSubstr("all.db: 1 run added"));
+  EXPECT_THAT(merge.errors,
+              AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; remove it, and "
+                              "`lacuna task run plan 2` makes it anew"),
+                    HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
+}
+
 TEST_F(Plan, ATaskThatTwoProcessesCarryOutIsThereOnce) {
   lacuna("plan small.toml --out plan");
   const Outcome both = program_.shell(

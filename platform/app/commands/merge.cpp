@@ -4,7 +4,10 @@
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "storage/merge/merge.h"
+#include "tasks/slurm_jobs.h"
+#include "tasks/task_database.h"
 #include "tasks/task_folder.h"
 
 #include <lacuna/error.h>
@@ -12,6 +15,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <list>
 #include <memory>
 
 namespace lacuna {
@@ -23,54 +27,85 @@ struct MergeOptions {
   bool quiet = false;
 };
 
-/// Databases to take in, and what is missing of plans.
-struct Shards {
-  std::vector<std::filesystem::path> files;
-  std::string missing;  ///< a line for each task
-  std::size_t tasks = 0, done = 0;
+/// A database to take in.
+struct Source {
+  std::filesystem::path file;
+  const TaskFolder* plan = nullptr;  ///< whose task it carries out; null: none
+  std::size_t task = 0;
 };
 
-std::string missing_line(const TaskFolder& folder, std::size_t number) {
-  const TaskStatus status = folder.status(number);
-  const std::string task = fmt::format("{}: task {}", plain_text(folder.path().string()), number);
-  return status.state == TaskState::failed ? fmt::format("{} failed: {}\n", task, plain_text(status.reason))
-                                           : fmt::format("{} is not done\n", task);
+/// What is to be merged, and what of plans is not there to be.
+struct Sources {
+  std::list<TaskFolder> plans;
+  std::vector<Source> all;
+  std::string missing;  ///< lines
+  std::size_t tasks = 0;
+};
+
+std::string name_of(const TaskFolder& plan) { return plain_text(plan.path().string()); }
+
+void add_plan(const std::filesystem::path& folder, Sources& sources) {
+  const TaskFolder& plan = sources.plans.emplace_back(folder);
+  std::vector<std::size_t> not_done;
+  for (std::size_t number = 0; number < plan.plan().tasks.size(); ++number) {
+    ++sources.tasks;
+    if (plan.is_done(number)) {
+      sources.all.push_back({plan.shard(number), &plan, number});
+    } else if (const TaskStatus status = plan.status(number); status.state == TaskState::failed) {
+      sources.missing += fmt::format("{}: task {} failed: {}\n", name_of(plan), number, plain_text(status.reason));
+    } else {
+      not_done.push_back(number);
+    }
+  }
+  if (!not_done.empty())
+    sources.missing +=
+        fmt::format("{}: {} not done: {}\n", name_of(plan), counted(not_done.size(), "task"), array_of(not_done));
 }
 
-void add_shards(const std::filesystem::path& plan, Shards& shards) {
-  const TaskFolder folder(plan);
-  for (std::size_t number = 0; number < folder.plan().tasks.size(); ++number) {
-    ++shards.tasks;
-    if (folder.is_done(number)) {
-      ++shards.done;
-      shards.files.push_back(folder.shard(number));
-      continue;
-    }
-    shards.missing += missing_line(folder, number);
-  }
+void leave_out(const Source& source, const std::string& reason, Sources& sources) {
+  sources.missing +=
+      fmt::format("{}: {}; remove it, and `lacuna task run {} {}` makes it anew\n", plain_text(source.file.string()),
+                  reason, shell_word(source.plan->path().string()), source.task);
+}
+
+/// Shards that are not of their tasks.
+void leave_out_strangers(Sources& sources) {
+  std::erase_if(sources.all, [&](const Source& source) {
+    if (source.plan == nullptr) return false;
+    const auto fault = why_not_of_task(source.file, source.plan->task(source.task), TaskDatabase::shard);
+    if (fault) leave_out(source, plain_text(*fault), sources);
+    return fault.has_value();
+  });
 }
 
 /// An empty file would be taken for a database without tables.
-void check_not_empty(const std::vector<std::filesystem::path>& files) {
+void check_not_empty(const std::vector<Source>& sources) {
   ProblemList problems;
-  for (const std::filesystem::path& file : files) {
+  for (const Source& source : sources) {
     std::error_code missing;
-    if (std::filesystem::file_size(file, missing) == 0 && !missing)
-      problems.add({file.string()}, "is empty; of a plan, remove it, and `lacuna task run` makes it anew");
+    if (source.plan == nullptr && std::filesystem::file_size(source.file, missing) == 0 && !missing)
+      problems.add({source.file.string()}, "is empty; leave it out");
   }
   problems.throw_if_any();
 }
 
-/// Of a merge that is refused nothing is left where there was nothing.
-std::vector<MergedShard> merged(const MergeOptions& options, const std::vector<std::filesystem::path>& files) {
+/// Of a merge that takes nothing in nothing is left where there was nothing.
+std::vector<MergedShard> merged(const MergeOptions& options, const Sources& sources) {
   const bool was_there = std::filesystem::exists(options.database);
+  std::vector<std::filesystem::path> files;
+  for (const Source& source : sources.all) files.push_back(source.file);
+  const Unusable unusable = sources.plans.empty() ? Unusable::refuses_all : Unusable::is_left_out;
+  bool has_begun = false;
   try {
     Database database = Database::open(options.database);
     ProgressLine line(options.quiet);
-    return merge(database, files, [&](double part) { line.show({.what = "merge", .fraction = part}); });
+    return merge(database, files, unusable, [&](double part) {
+      has_begun = true;
+      line.show({.what = "merge", .fraction = part});
+    });
   } catch (const BadInput&) {
     std::error_code ignored;
-    if (!was_there) std::filesystem::remove(options.database, ignored);
+    if (!was_there && !has_begun) std::filesystem::remove(options.database, ignored);
     throw;
   }
 }
@@ -85,22 +120,36 @@ void print(const MergeOptions& options, const std::vector<MergedShard>& shards) 
              known > 0 ? fmt::format(", {} there already", known) : "");
 }
 
+/// What the merge has left out.
+void add_left_out(const std::vector<MergedShard>& shards, Sources& sources) {
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    for (const Problem& problem : shards[i].problems) sources.missing += BadInput({problem}).what() + std::string("\n");
+    if (!shards[i].problems.empty() && sources.all[i].plan != nullptr)
+      leave_out(sources.all[i], "cannot be used", sources);
+  }
+}
+
 void merge_databases(const MergeOptions& options) {
-  Shards shards;
+  Sources sources;
   for (const std::filesystem::path& source : options.sources) {
     if (std::filesystem::is_directory(source))
-      add_shards(source, shards);
+      add_plan(source, sources);
     else
-      shards.files.push_back(source);
+      sources.all.push_back({source});
   }
-  check_not_empty(shards.files);
-  if (!shards.files.empty()) {
-    const std::vector<MergedShard> found = merged(options, shards.files);
+  check_not_empty(sources.all);
+  leave_out_strangers(sources);
+  std::size_t done = 0;
+  if (!sources.all.empty()) {
+    const std::vector<MergedShard> found = merged(options, sources);
+    add_left_out(found, sources);
     if (!options.quiet) print(options, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      done += found[i].problems.empty() && sources.all[i].plan != nullptr ? 1 : 0;
   }
-  if (!shards.missing.empty())
-    throw Error(fmt::format("{}{} of {} tasks are merged; run the others, then repeat this command", shards.missing,
-                            shards.done, shards.tasks));
+  if (!sources.missing.empty())
+    throw Error(fmt::format("{}{} of {} tasks are merged; run the others, then repeat this command", sources.missing,
+                            done, sources.tasks));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "command_line/whole_number.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
+#include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "tasks/task_folder.h"
 
@@ -21,11 +22,15 @@ struct PlanCommand : PlanOptions {
 };
 
 void make_plan(PlanCommand options) {
+  if (options.kind == TaskKind::diagnosis && options.replicates)
+    throw_problem({}, "--replicates repeats runs; a diagnosis is made once: leave it out");
   options.plugin_paths = options.common.plugin_paths;
   const TaskFolder folder = TaskFolder::make(options.out, freeze_plan(options));
   const std::string typed = shell_word(options.out.string());
   fmt::print("{}: {}\n", plain_text(options.out.string()), counted(folder.plan().tasks.size(), "task"));
-  fmt::print("→ lacuna task run {} 0\n→ lacuna status {}\n", typed, typed);
+  if (const std::vector<std::size_t> open = folder.open_tasks(); !open.empty())
+    fmt::print("→ lacuna task run {} {}\n", typed, open.front());
+  fmt::print("→ lacuna status {}\n", typed);
 }
 
 }  // namespace

@@ -23,13 +23,16 @@ void add_run_command(CLI::App& program) {
       ->add_option("--replicates", options->replicates, "How often the run is repeated, instead of the file's number")
       ->option_text("N")
       ->check(whole_number(1, 1000000));
-  command->add_flag_callback(
+  CLI::Option* isolate = command->add_flag_callback(
       "--isolate", [options] { options->isolate = true; },
       "Simulate models in worker processes: a plugin that crashes costs a model, not the run (default where a plugin "
       "is "
       "not of the installed ones)");
-  command->add_flag_callback(
-      "--no-isolate", [options] { options->isolate = false; }, "Simulate models in this process, whatever the plugins");
+  command
+      ->add_flag_callback(
+          "--no-isolate", [options] { options->isolate = false; },
+          "Simulate models in this process, whatever the plugins")
+      ->excludes(isolate);
   command->add_flag("--resume", options->resume,
                     "Go on with this experiment's runs that were not done, or begin where there is none");
   add_slurm_options(*command, *slurm);

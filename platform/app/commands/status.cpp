@@ -27,13 +27,18 @@ const char* to_string(TaskState state) {
   return "";
 }
 
+std::string on_one_line(std::string reason) {
+  for (std::size_t end = 0; (end = reason.find('\n', end)) != std::string::npos;) reason.replace(end, 1, "; ");
+  return plain_text(reason);
+}
+
 /// What each of them is at is said of those that somebody may have to look after.
 void print_task(std::size_t number, const TaskStatus& status) {
   const std::string who = fmt::format("{}, {}", plain_text(status.machine), plain_text(status.time));
   if (status.state == TaskState::failed)
-    fmt::print("task {} failed ({}): {}\n", number, who, plain_text(status.reason));
+    fmt::print("task {} failed ({}): {}\n", number, who, on_one_line(status.reason));
   if (status.state == TaskState::silent)
-    fmt::print("task {}: no sign of life for a minute ({}). If its process or machine has ended, run it again\n",
+    fmt::print("task {}: no sign of life for three minutes ({}). If its process or machine has ended, run it again\n",
                number, who);
   if (status.state == TaskState::running) fmt::print("task {} is running ({})\n", number, who);
 }
@@ -52,7 +57,7 @@ void print_status(const std::filesystem::path& path) {
   fmt::print("{}: {}: {}\n", plain_text(path.string()), counted(folder.plan().tasks.size(), "task"),
              fmt::join(counts, ", "));
   const std::string typed = shell_word(path.string());
-  for (const TaskState state : {TaskState::open, TaskState::interrupted, TaskState::failed, TaskState::silent})
+  for (const TaskState state : {TaskState::interrupted, TaskState::failed, TaskState::open, TaskState::silent})
     if (tasks.contains(state)) return fmt::print("→ lacuna task run {} {}\n", typed, tasks[state].front());
   if (!tasks.contains(TaskState::running)) fmt::print("→ lacuna merge ALL.db {}\n", typed);
 }

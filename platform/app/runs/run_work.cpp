@@ -106,6 +106,18 @@ void print_next(const std::vector<ReplicateEnd>& ends, const Database& database,
     fmt::print("→ lacuna {} {}\n", drawing_command(ends, bench), shell_word(database.file().string()));
 }
 
+/// What was asked for and is not done, in sentences.
+std::vector<std::string> not_done(const RunOptions& options, const Experiment& experiment, const RunPlan& plan,
+                                  bool goes_on) {
+  std::vector<std::string> all = plan.left;
+  if (goes_on && options.replicates)
+    all.push_back("--replicates counts new runs; those that are there go on, and no new one begins");
+  if (!experiment.sweep.empty() && options.task.empty())
+    all.push_back(experiment.file.string() +
+                  " has a [sweep], which `lacuna plan` carries out; this run takes the file's own values");
+  return all;
+}
+
 /// A supervisor types the same line again, whatever became of the run.
 void say_finished(const RunOptions& options, const std::string& experiment, RunId run, const std::string& database) {
   if (takes_standard_output(options.json)) return;
@@ -126,7 +138,8 @@ void carry_out_run(const RunOptions& options) {
   if (options.resume && !goes_on && !options.quiet)
     fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
   if (!options.quiet)
-    for (const std::string& reason : plan.left) fmt::print(stderr, "{}\n", reason);
+    for (const std::string& reason : not_done(options, bench.rig().experiment, plan, goes_on))
+      fmt::print(stderr, "{}\n", reason);
   if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);

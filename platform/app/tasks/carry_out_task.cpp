@@ -1,12 +1,16 @@
 #include "app/tasks/carry_out_task.h"
 
 #include "app/runs/run_work.h"
+#include "app/tasks/task_checkpoints.h"
+#include "app/tasks/task_left.h"
 #include "app/terminal/scratch_folder.h"
+#include "app/terminal/supervised.h"
 #include "app/workspace/diagnosis_work.h"
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "storage/core/storage_error.h"
+#include "tasks/task_database.h"
 
 #include <fmt/format.h>
 
@@ -59,32 +63,49 @@ void check_inputs(const TaskFolder& folder, const Task& task) {
   problems.throw_if_any();
 }
 
-/// What cannot be moved to the plan stays where it is.
-void hand_in(ScratchFolder& scratch, const std::function<void()>& move) try {
+/// What cannot be moved to the plan stays where it is. `before`: what else went wrong.
+void hand_in(ScratchFolder& scratch, const std::string& before, const std::function<void()>& move) try {
   move();
 } catch (const std::exception& lost) {
   scratch.keep();
-  throw Error(fmt::format("{}\nwhat was found until then is in {}", lost.what(), scratch.path().string()));
+  throw Error(fmt::format("{}{}{}\nwhat was found until then is in {}", before, before.empty() ? "" : "\n", lost.what(),
+                          scratch.path().string()));
+}
+
+/// Whether there is a checkpoint to go on from, which becomes the task's database. One that cannot be used is kept, and
+/// the task begins anew.
+bool take_checkpoint(const Work& work, const std::filesystem::path& database) {
+  if (!work.folder.take_checkpoint(work.number, database)) return false;
+  const auto fault = why_not_of_task(database, work.folder.task(work.number), TaskDatabase::checkpoint);
+  if (!fault) return true;
+  std::filesystem::remove(database);
+  fmt::print(stderr, "{}: {}; it is kept as {}, and the task begins anew\n",
+             work.folder.checkpoint(work.number).string(), plain_text(*fault),
+             work.folder.put_checkpoint_aside(work.number).string());
+  return false;
 }
 
 void carry_out(const Work& work) {
   check_inputs(work.folder, work.folder.task(work.number));
   ScratchFolder scratch;
   const std::filesystem::path database = scratch / "shard.db";
+  leave_to_supervisor(TaskLeft{work.folder.path(), work.number, scratch.path()}.text());
   const auto keep_checkpoint = [&] { work.folder.keep_checkpoint(work.number, database); };
   try {
-    do_work(work, database, work.folder.take_checkpoint(work.number, database));
+    const bool goes_on = take_checkpoint(work, database);
+    const TaskCheckpoints checkpoints(work.folder, work.number, database);
+    do_work(work, database, goes_on);
   } catch (const Interrupted& interruption) {
-    hand_in(scratch, keep_checkpoint);
+    hand_in(scratch, "", keep_checkpoint);
     work.folder.note_interruption(work.number, interruption.what());
     throw Interrupted(fmt::format("task {} was interrupted; to continue: {}", work.number, command_line()));
   } catch (const DamagedDatabase&) {
     throw;
-  } catch (const std::exception&) {
-    hand_in(scratch, keep_checkpoint);
+  } catch (const std::exception& failure) {
+    hand_in(scratch, failure.what(), keep_checkpoint);
     throw;
   }
-  hand_in(scratch, [&] { work.folder.keep_shard(work.number, database); });
+  hand_in(scratch, "", [&] { work.folder.keep_shard(work.number, database); });
 }
 
 }  // namespace
@@ -93,7 +114,7 @@ void carry_out_task(const TaskFolder& folder, std::size_t number, int threads, b
   folder.task(number);
   const std::string shard = plain_text(folder.shard(number).string());
   if (folder.is_done(number)) {
-    if (!quiet) fmt::print("task {} is done: {}\n", number, shard);
+    if (!quiet) fmt::print("task {} is done already: {}\n", number, shard);
     return;
   }
   folder.make_ready();

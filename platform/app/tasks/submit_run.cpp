@@ -42,7 +42,7 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
                                    "same command again to submit what is not done",
                                    name));
   for (const std::string& word : slurm.sbatch)
-    if (word.starts_with("--array") || word.starts_with("-a"))
+    if (word.starts_with("--ar") || word.starts_with("-a"))  // sbatch takes beginnings of names, too
       problems.add({}, "--sbatch " + word + ": the array is that of the tasks; leave it out");
   problems.throw_if_any();
 }

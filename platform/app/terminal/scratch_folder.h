@@ -4,7 +4,8 @@
 
 namespace lacuna {
 
-/// A new folder in the system's place for such, which nobody else can look into and which ends with the object.
+/// A new folder in the system's place for such, which nobody else can look into and which ends with the object. What
+/// killed processes have left is removed by a later one, a day after.
 class ScratchFolder {
  public:
   /// Throws `Error` where none can be made.
@@ -15,11 +16,12 @@ class ScratchFolder {
 
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
-  /// It stays, for a user to look after.
-  void keep() { kept_ = true; }
+  /// It stays, for a user to look after, under another name.
+  void keep();
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;
   bool kept_ = false;
 };
 

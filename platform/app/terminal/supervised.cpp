@@ -6,16 +6,22 @@
 #include "foundation/plugin_call.h"
 #include "foundation/processes.h"
 
+#include <lacuna/error.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -115,6 +121,27 @@ int exit_code_of(int status) {
   return std::max(WEXITSTATUS(status), CallPage::exit_code());
 }
 
+/// Memory that a child shares with its supervisor. The size is written last.
+struct LeftPage {
+  std::atomic<std::size_t> size = 0;
+  std::array<char, 16384> bytes{};
+};
+LeftPage* left_page = nullptr;
+
+/// A new one for each child. Where there is none, nothing can be left.
+void prepare_left_page() {
+  if (left_page == nullptr) {
+    void* const memory = mmap(nullptr, sizeof(LeftPage), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return;
+    left_page = new (memory) LeftPage;
+  }
+  left_page->size = 0;
+}
+
+std::string left_by_child() {
+  return left_page == nullptr ? "" : std::string(left_page->bytes.data(), left_page->size);
+}
+
 /// In the child.
 int do_work(int argc, char** argv, int (*work)(int, char**), pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -135,7 +162,16 @@ void end_like(const WatchedEnd& end, const sigset_t& mask) {
 
 }  // namespace
 
-void print_loss(const ChildLoss& loss) { fmt::print(stderr, "{}\n", loss.sentence); }
+void leave_to_supervisor(const std::string& left) {
+  if (left_page == nullptr) return;
+  if (left.size() > left_page->bytes.size()) throw Error("the names of the task's folders are too long");
+  std::copy(left.begin(), left.end(), left_page->bytes.begin());
+  left_page->size = left.size();
+}
+
+void print_loss(const ChildLoss& loss) {
+  if (!loss.begins_anew) fmt::print(stderr, "{}\n", loss.sentence);
+}
 
 int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*report)(const ChildLoss&)) {
   std::signal(SIGCHLD, SIG_DFL);
@@ -145,6 +181,7 @@ int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*repor
   sigprocmask(SIG_BLOCK, &signals, &mask);
   for (;;) {
     CallPage::prepare();
+    prepare_left_page();
     const pid_t parent = getpid(), child = fork();
     if (child <= 0) sigprocmask(SIG_SETMASK, &mask, nullptr);
     if (child < 0) return work(argc, argv);  // rather without a supervisor than not at all
@@ -153,9 +190,12 @@ int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*repor
     if (CallPage::is_closed()) return exit_code_of(end.status);
     end_descendants(kGrace);
     end_like(end, mask);
-    const ChildLoss loss = loss_of(end);
-    if (begins_anew(end, loss)) continue;
+    ChildLoss loss = loss_of(end);
+    loss.was_asked = end.reason == EndedFor::unheeding;
+    loss.left = left_by_child();
+    loss.begins_anew = begins_anew(end, loss);
     report(loss);
+    if (loss.begins_anew) continue;
     return end.reason == EndedFor::unheeding ? kToRunAgain : kEndedBadly;
   }
 }

@@ -10,9 +10,16 @@ struct ChildLoss {
   std::string deed;           ///< what happened, a clause
   std::string sentence;       ///< the same for people: with what follows from it, and what to do
   bool is_the_works = false;  ///< it follows from what the child was at, and would happen again
+  bool was_asked = false;     ///< it had been asked to end
+  bool begins_anew = false;   ///< without the component that ended it, which was said
+  std::string left = {};      ///< what the child had left (`leave_to_supervisor`)
 };
 
-/// On standard error.
+/// In a child: what `ChildLoss::left` is, should it end otherwise than by returning. Throws `Error` where it is too
+/// long.
+void leave_to_supervisor(const std::string& left);
+
+/// On standard error; nothing where the work begins anew.
 void print_loss(const ChildLoss& loss);
 
 /// Runs `work(argc, argv)` in a child process, with this one's streams, terminal and process group, and returns its

@@ -1,0 +1,24 @@
+#include "app/tasks/task_checkpoints.h"
+
+#include <lacuna/error.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+namespace lacuna {
+
+TaskCheckpoints::TaskCheckpoints(const TaskFolder& folder, std::size_t number, std::filesystem::path database,
+                                 std::chrono::milliseconds between)
+    : keeping_([&folder, number, database = std::move(database), between](const std::stop_token& stop) {
+        std::mutex unused;
+        std::unique_lock lock(unused);
+        std::condition_variable_any until;
+        while (!until.wait_for(lock, stop, between, [&] { return stop.stop_requested(); })) try {
+            folder.keep_checkpoint(number, database);
+          } catch (const Error&) {
+            // What cannot be written is said where the task hands its results in.
+          }
+      }) {}
+
+}  // namespace lacuna
