@@ -10,6 +10,7 @@
 #include "foundation/problem.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -121,7 +122,8 @@ void check_different(const TaskPlan& plan, ProblemList& problems) {
     const auto [same, is_new] = by_id.try_emplace(task.id, &task);
     if (!is_new)
       problems.add({task.experiment.string()},
-                   "is planned twice: name each experiment once, and each value of a sweep once");
+                   fmt::format("is planned twice{}: name each experiment once, and each value of a sweep once",
+                               task.settings.empty() ? "" : fmt::format(" with {}", fmt::join(task.settings, ", "))));
     const auto [named, is_first] = file_of.try_emplace(task.name, task.experiment);
     if (named->second != task.experiment)
       problems.add({task.experiment.string()},
