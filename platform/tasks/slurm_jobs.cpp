@@ -18,7 +18,7 @@ constexpr int kNoSuchProgram = 127;
 constexpr const char* kChildMark = "LACUNA_CHILD";  // foundation/child_program.h
 
 /// The shell's place is taken by the program, so that signals reach it and nothing outlives it.
-std::string script(const std::string& command) { return "#!/bin/sh\nexec " + command + "\n"; }
+std::string script(const std::string& command) { return "#!/bin/bash\nexec " + command + "\n"; }
 
 void write_scripts(const TaskFolder& folder, const std::filesystem::path& program,
                    const std::filesystem::path& database) {
