@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kBetweenSigns{15};
-constexpr std::chrono::minutes kSilence{3};  // network file systems tell of changes a minute later
+constexpr std::chrono::minutes kLongestSilence{3};  // network file systems tell of changes a minute later
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -78,7 +78,7 @@ void touch(const fs::path& file) { utimensat(AT_FDCWD, file.c_str(), nullptr, 0)
 bool shows_life(const fs::path& sign) {
   std::error_code gone;
   const fs::file_time_type last = fs::last_write_time(sign, gone);
-  return !gone && now_in(sign.parent_path()) - last < kSilence;
+  return !gone && now_in(sign.parent_path()) - last < kLongestSilence;
 }
 
 /// Than the folders that one which was killed has made before it wrote its plan.
@@ -119,7 +119,8 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
 TaskFolder::TaskFolder(const fs::path& folder) : folder_(folder) {
   const fs::path file = folder / "plan.json";
   if (!fs::is_regular_file(file))
-    throw_problem({folder.string()}, "is not the folder of a plan; `lacuna plan` makes one");
+    throw_problem({folder.empty() ? "the empty name" : folder.string()},
+                  "is not the folder of a plan; `lacuna plan` makes one");
   plan_ = read_plan(bytes_of(file), file);
 }
 
