@@ -179,6 +179,22 @@ bool sqlite_finds(const std::filesystem::path& file) try {
   return true;
 }
 
+/// All rows with their types and bits, as SQLite reads them. Nothing reads every bit: not those that are unused, nor
+/// what a row has in the place of its key.
+std::string rows_of(const std::filesystem::path& file) try {
+  const SQLite::Database database(file.string());
+  std::string rows;
+  for (const std::string& table : sealed_tables()) {
+    SQLite::Statement row(database, "SELECT * FROM " + table);
+    while (row.executeStep())
+      for (int i = 0; i < row.getColumnCount(); ++i)
+        rows += std::to_string(row.getColumn(i).getType()) + ' ' + row.getColumn(i).getString() + '\n';
+  }
+  return rows;
+} catch (const std::exception& unreadable) {
+  return unreadable.what();
+}
+
 TEST_F(VerificationTest, FindsEveryFlippedBit) {
   fill();
   const std::filesystem::path whole = folder_ / "whole.db", flipped = folder_ / "flipped.db";
@@ -194,13 +210,16 @@ TEST_F(VerificationTest, FindsEveryFlippedBit) {
 
   constexpr int kFlips = 50;
   std::mt19937_64 random(1);
+  const std::string rows = rows_of(whole);
   int by_sqlite = 0;
-  for (int i = 0; i < kFlips; ++i) {
+  for (int i = 0; i < kFlips;) {
     const std::size_t place = places[random() % places.size()];
     const auto bit = static_cast<unsigned char>(1U << (random() % 8));
     std::string changed = bytes;
     changed[place] = static_cast<char>(static_cast<unsigned char>(changed[place]) ^ bit);
     std::ofstream(flipped, std::ios::binary) << changed;
+    if (rows_of(flipped) == rows) continue;
+    ++i;
     EXPECT_TRUE(is_found(flipped)) << "byte " << place << ", bit " << int{bit};
     by_sqlite += sqlite_finds(flipped) ? 1 : 0;
   }
