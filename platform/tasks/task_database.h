@@ -14,8 +14,14 @@ enum class TaskDatabase {
   shard        ///< all of them
 };
 
-/// Why a database is not that of the task, a clause, as in "is damaged"; nothing where it is. Throws `Interrupted`.
-std::optional<std::string> why_not_of_task(const std::filesystem::path& database, const Task& task,
-                                           TaskDatabase expected);
+/// Why a database cannot be used as that of a task.
+struct TaskDatabaseFault {
+  std::string reason;          ///< a clause, as in "is damaged"
+  bool is_of_database = true;  ///< it is not what it should be; false: another one would not do better
+};
+
+/// Nothing where it can be used. Throws `Interrupted`.
+std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& database, const Task& task,
+                                                 TaskDatabase expected);
 
 }  // namespace lacuna

@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   is_done([&] { lacuna::PageDatabase().copy(Database::open_read_only(shard), kRoomForPages); });
   {
     Database all = Database::open(folder.write("all.db", host));
-    is_done([&] { lacuna::merge(all, {shard}); });
+    is_done([&] { lacuna::merge(all, {{shard}}); });
     require_sound(all);
   }
   require(lacuna::read_bytes(shard) == bytes, "nothing is written to a shard");

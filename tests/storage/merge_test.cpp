@@ -51,9 +51,9 @@ class MergeTest : public testing::Test {
     store.end_run(RunEnding::done);
     return file(name);
   }
-  std::vector<MergedShard> merged(const std::vector<std::filesystem::path>& shards) const {
+  std::vector<MergedShard> merged(const std::vector<std::filesystem::path>& files) const {
     Database all = Database::open(file("all.db"));
-    return merge(all, shards);
+    return merge(all, std::vector<Shard>(files.begin(), files.end()));
   }
   std::vector<std::string> hashes(const std::string& name) const {
     const Database database = Database::open_read_only(file(name));
@@ -156,6 +156,40 @@ TEST_F(MergeTest, ARunThatHasGoneOnSinceIsNotTakenForTheEarlierState) {
     store.end(RunEnding::done);
   }
   EXPECT_THAT(test::sentence_of([&] { merged({file("a.db")}); }), HasSubstr("has an earlier state of it"));
+}
+
+TEST_F(MergeTest, NoShardIsMergedWhereALaterOneHasMoreOfItsRun) {
+  {
+    MadeUpDatabase shard(file("a.db"));
+    shard.advance(kMadeUp, 2);
+    shard.store->end(RunEnding::interrupted);
+  }
+  std::filesystem::copy_file(file("a.db"), file("b.db"));
+  {
+    Database database = Database::open(file("b.db"));
+    set_run_ending(database, RunId{1}, RunEnding::failed);
+  }
+  SQLite::Database(file("b.db").string(), SQLite::OPEN_READWRITE).exec("UPDATE run SET ended = '2099-01-01T00:00:00Z'");
+  EXPECT_THAT(test::sentence_of([&] {
+                merged({file("a.db"), file("b.db")});
+              }),
+              testing::AllOf(HasSubstr("b.db: run 1 is run 1 of "),
+                             HasSubstr("a.db, which has an earlier state of it; leave that one out")));
+  EXPECT_EQ(asked("SELECT count(*) FROM run"), 0);
+}
+
+TEST_F(MergeTest, AShardThatIsLeftOutKeepsNoOtherOut) {
+  const auto good = shard_with_run("a.db", 1), bad = shard_with_run("b.db", 2);
+  SQLite::Database(bad.string(), SQLite::OPEN_READWRITE).exec("UPDATE model SET score = score * 2 WHERE score > 0");
+  Database all = Database::open(file("all.db"));
+  const auto result = merge(all, {{bad, Unusable::is_left_out}, {good}});
+  EXPECT_TRUE(result[0].is_unsound);
+  EXPECT_THAT(result[0].problems, testing::Not(IsEmpty()));
+  EXPECT_THAT(result[1].added, ElementsAre(RunId{1}));
+  EXPECT_THAT(sentence_of([&] {
+                merge(all, {{good, Unusable::is_left_out}, {bad}});
+              }),
+              HasSubstr("b.db: run 1, table model: not what the run ended with"));
 }
 
 TEST_F(MergeTest, AFaultInOneShardKeepsAllOut) {

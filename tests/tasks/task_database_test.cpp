@@ -24,7 +24,8 @@ class TaskDatabaseTest : public testing::Test {
   std::optional<std::string> fault(TaskDatabase expected) const {
     Task task;
     task.id = "task 1";
-    return why_not_of_task(file_, task, expected);
+    const auto fault = why_not_of_task(file_, task, expected);
+    return fault ? std::optional(fault->reason) : std::nullopt;
   }
 
   TestFolder folder_;

@@ -5,6 +5,7 @@
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
+#include "storage/core/statement.h"
 #include "storage/merge/merge.h"
 #include "tasks/slurm_jobs.h"
 #include "tasks/task_database.h"
@@ -47,11 +48,12 @@ std::string name_of(const TaskFolder& plan) { return plain_text(plan.path().stri
 void add_plan(const std::filesystem::path& folder, Sources& sources) {
   const TaskFolder& plan = sources.plans.emplace_back(folder);
   std::vector<std::size_t> not_done;
+  const auto now = plan.now();
   for (std::size_t number = 0; number < plan.plan().tasks.size(); ++number) {
     ++sources.tasks;
     if (plan.is_done(number)) {
       sources.all.push_back({plan.shard(number), &plan, number});
-    } else if (const TaskStatus status = plan.status(number); status.state == TaskState::failed) {
+    } else if (const TaskStatus status = plan.status(number, now); status.state == TaskState::failed) {
       sources.missing += fmt::format("{}: task {} failed: {}\n", name_of(plan), number, plain_text(status.reason));
     } else {
       not_done.push_back(number);
@@ -62,10 +64,9 @@ void add_plan(const std::filesystem::path& folder, Sources& sources) {
         fmt::format("{}: {} not done: {}\n", name_of(plan), counted(not_done.size(), "task"), array_of(not_done));
 }
 
-void leave_out(const Source& source, const std::string& reason, Sources& sources) {
-  sources.missing +=
-      fmt::format("{}: {}; remove it, and `lacuna task run {} {}` makes it anew\n", plain_text(source.file.string()),
-                  reason, shell_word(source.plan->path().string()), source.task);
+std::string how_to_make_anew(const Source& source) {
+  return fmt::format("; remove it, and `lacuna task run {} {}` makes it anew", shell_word(source.plan->path().string()),
+                     source.task);
 }
 
 /// Shards that are not of their tasks.
@@ -73,7 +74,9 @@ void leave_out_strangers(Sources& sources) {
   std::erase_if(sources.all, [&](const Source& source) {
     if (source.plan == nullptr) return false;
     const auto fault = why_not_of_task(source.file, source.plan->task(source.task), TaskDatabase::shard);
-    if (fault) leave_out(source, plain_text(*fault), sources);
+    if (fault)
+      sources.missing += fmt::format("{}: {}{}\n", plain_text(source.file.string()), plain_text(fault->reason),
+                                     fault->is_of_database ? how_to_make_anew(source) : "");
     return fault.has_value();
   });
 }
@@ -89,26 +92,38 @@ void check_not_empty(const std::vector<Source>& sources) {
   problems.throw_if_any();
 }
 
-/// Of a merge that takes nothing in nothing is left where there was nothing.
 std::vector<MergedShard> merged(const MergeOptions& options, const Sources& sources) {
-  const bool was_there = std::filesystem::exists(options.database);
-  std::vector<std::filesystem::path> files;
-  for (const Source& source : sources.all) files.push_back(source.file);
-  const Unusable unusable = sources.plans.empty() ? Unusable::refuses_all : Unusable::is_left_out;
-  bool has_begun = false;
-  try {
-    Database database = Database::open(options.database);
-    ProgressLine line(options.quiet);
-    return merge(database, files, unusable, [&](double part) {
-      has_begun = true;
-      line.show({.what = "merge", .fraction = part});
-    });
-  } catch (const BadInput&) {
-    std::error_code ignored;
-    if (!was_there && !has_begun) std::filesystem::remove(options.database, ignored);
-    throw;
-  }
+  std::vector<Shard> shards;
+  for (const Source& source : sources.all)
+    shards.push_back({source.file, source.plan == nullptr ? Unusable::refuses_all : Unusable::is_left_out});
+  Database database = Database::open(options.database);
+  ProgressLine line(options.quiet);
+  return merge(database, shards, [&](double part) { line.show({.what = "merge", .fraction = part}); });
 }
+
+bool has_runs(const std::filesystem::path& file) {
+  const Database database = Database::open_read_only(file);
+  return Statement(database, "SELECT 1 FROM run").step();
+}
+
+/// Of a merge that takes nothing in nothing is left where there was nothing.
+class NewDatabase {
+ public:
+  explicit NewDatabase(const std::filesystem::path& file) : file_(file), was_there_(std::filesystem::exists(file)) {}
+  ~NewDatabase() {
+    try {
+      if (!was_there_ && std::filesystem::exists(file_) && !has_runs(file_)) std::filesystem::remove(file_);
+    } catch (const std::exception&) {
+      // It stays.
+    }
+  }
+  NewDatabase(const NewDatabase&) = delete;
+  NewDatabase& operator=(const NewDatabase&) = delete;
+
+ private:
+  std::filesystem::path file_;
+  bool was_there_;
+};
 
 void print(const MergeOptions& options, const std::vector<MergedShard>& shards) {
   std::size_t added = 0, known = 0;
@@ -124,8 +139,9 @@ void print(const MergeOptions& options, const std::vector<MergedShard>& shards) 
 void add_left_out(const std::vector<MergedShard>& shards, Sources& sources) {
   for (std::size_t i = 0; i < shards.size(); ++i) {
     for (const Problem& problem : shards[i].problems) sources.missing += BadInput({problem}).what() + std::string("\n");
-    if (!shards[i].problems.empty() && sources.all[i].plan != nullptr)
-      leave_out(sources.all[i], "cannot be used", sources);
+    if (shards[i].is_unsound)
+      sources.missing += fmt::format("{}: does not hold what was stored in it{}\n",
+                                     plain_text(sources.all[i].file.string()), how_to_make_anew(sources.all[i]));
   }
 }
 
@@ -139,6 +155,7 @@ void merge_databases(const MergeOptions& options) {
   }
   check_not_empty(sources.all);
   leave_out_strangers(sources);
+  const NewDatabase database(options.database);
   std::size_t done = 0;
   if (!sources.all.empty()) {
     const std::vector<MergedShard> found = merged(options, sources);

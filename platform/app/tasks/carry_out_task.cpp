@@ -80,7 +80,7 @@ bool take_checkpoint(const Work& work, const std::filesystem::path& database) {
   if (!fault) return true;
   std::filesystem::remove(database);
   fmt::print(stderr, "{}: {}; it is kept as {}, and the task begins anew\n",
-             work.folder.checkpoint(work.number).string(), plain_text(*fault),
+             work.folder.checkpoint(work.number).string(), plain_text(fault->reason),
              work.folder.put_checkpoint_aside(work.number).string());
   return false;
 }

@@ -10,11 +10,13 @@
 #include "storage/core/schema_check.h"
 #include "storage/core/seal.h"
 #include "storage/core/statement.h"
+#include "storage/core/storage_error.h"
 #include "storage/files/log_left.h"
 #include "storage/merge/copy_runs.h"
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -72,16 +74,53 @@ std::int64_t own_rows(const Database& database, std::int64_t run) {
   return rows;
 }
 
-/// A run that the database has is left as it is, which must not hide that the shard has more of it.
-void check_known_runs(const Database& into, const Database& shard, ProblemList& problems) {
-  Statement there(into, "SELECT number, ended FROM run WHERE identity = ? AND coalesce(ending, '') <> 'done'");
+/// A run that is not done.
+struct OpenRun {
+  std::string user;   ///< "run 3 of all.db"
+  std::string ended;  ///< when; empty: it has not
+  std::function<std::int64_t()> rows;
+  const char* advice;
+};
+using OpenRuns = std::map<std::string, OpenRun>;  // by identity
+
+/// `add`: takes the number, the identity, the name and the end of each.
+template <class Add>
+void for_open_runs(const Database& database, const Add& add) {
+  Statement run(database, "SELECT number, identity, ended FROM run WHERE coalesce(ending, '') <> 'done'");
+  while (run.step())
+    add(run.integer(0), run.text(1), fmt::format("run {} of {}", run.integer(0), database.file().string()),
+        run.text(2));
+}
+
+/// Of the database that others are merged into, which outlives what is returned.
+OpenRuns open_runs(const Database& into) {
+  OpenRuns known;
+  for_open_runs(into, [&](std::int64_t number, const std::string& identity, std::string user, std::string ended) {
+    known[identity] = {std::move(user), std::move(ended), [&into, number] { return own_rows(into, number); },
+                       "merge into a new database"};
+  });
+  return known;
+}
+
+/// Of a shard that comes before others. Those that are known already stay.
+void add_open_runs(const Database& shard, OpenRuns& known) {
+  for_open_runs(shard, [&](std::int64_t number, const std::string& identity, std::string user, std::string ended) {
+    if (known.contains(identity)) return;
+    known[identity] = {std::move(user), std::move(ended), [rows = own_rows(shard, number)] { return rows; },
+                       "leave that one out"};
+  });
+}
+
+/// A run that is known is left as it is, which must not hide that the shard has more of it.
+void check_known_runs(const OpenRuns& known, const Database& shard, ProblemList& problems) {
   Statement run(shard, "SELECT number, identity, ended FROM run");
   while (run.step()) {
-    if (!there.with(run.text(1)).step()) continue;
-    if (there.text(1) == run.text(2) && own_rows(into, there.integer(0)) == own_rows(shard, run.integer(0))) continue;
-    problems.add({shard.file().string()},
-                 fmt::format("run {} is run {} of {}, which has an earlier state of it; merge into a new database",
-                             run.integer(0), there.integer(0), into.file().string()));
+    const auto there = known.find(run.text(1));
+    if (there == known.end()) continue;
+    const auto& [user, ended, rows, advice] = there->second;
+    if (ended != run.text(2) || rows() != own_rows(shard, run.integer(0)))
+      problems.add({shard.file().string()},
+                   fmt::format("run {} is {}, which has an earlier state of it; {}", run.integer(0), user, advice));
   }
 }
 
@@ -115,11 +154,17 @@ void check_references(const Database& shard, ProblemList& problems) {
                                           broken.text(0), broken.text(2))));
 }
 
-/// Every problem of a shard. `used`: plugins of the database and of the shards before; those of this one are added
-/// where there is none.
-std::vector<Problem> problems_of(const std::filesystem::path& file, const Database& into, UsedPlugins& used) {
+/// What the database and the shards before have, against which the next one is held.
+struct Known {
+  UsedPlugins plugins;
+  OpenRuns runs;
+};
+
+/// Looks for every problem of a shard. What it has is added to what is known where there is none.
+MergedShard looked_at(const std::filesystem::path& file, Known& known) {
   ProblemList problems;
-  UsedPlugins with = used;
+  MergedShard looked;
+  Known with = known;
   try {
     const LogLeft log(file);
     const Database shard = Database::open_read_only(file);
@@ -127,32 +172,41 @@ std::vector<Problem> problems_of(const std::filesystem::path& file, const Databa
     check_schema(shard, problems);
     check_references(shard, problems);
     check_seals(shard, problems);
-    check_known_runs(into, shard, problems);
-    check_plugins(shard, with, &problems);
+    looked.is_unsound = !problems.empty();
+    check_known_runs(known.runs, shard, problems);
+    check_plugins(shard, with.plugins, &problems);
+    add_open_runs(shard, with.runs);
   } catch (const Interrupted&) {
     throw;
   } catch (const BadInput& unusable) {
     for (const Problem& problem : unusable.problems()) problems.add(problem);
+  } catch (const DamagedDatabase& damaged) {
+    looked.is_unsound = true;
+    problems.add({}, damaged.what());
   } catch (const Error& unusable) {
     problems.add({}, unusable.what());
   }
-  if (problems.empty()) used = std::move(with);
-  return problems.all();
+  if (problems.empty()) known = std::move(with);
+  looked.problems = problems.all();
+  return looked;
 }
 
 /// What keeps each shard from being merged, before anything is written.
-std::vector<MergedShard> looked_at(const Database& into, const std::vector<std::filesystem::path>& shards) {
-  UsedPlugins used;
-  check_plugins(into, used, nullptr);
+std::vector<MergedShard> looked_at(const Database& into, const std::vector<Shard>& shards) {
+  Known known{.plugins = {}, .runs = open_runs(into)};
+  check_plugins(into, known.plugins, nullptr);
   std::vector<MergedShard> all;
-  for (const std::filesystem::path& file : shards) all.emplace_back().problems = problems_of(file, into, used);
+  all.reserve(shards.size());
+  for (const Shard& shard : shards) all.push_back(looked_at(shard.file, known));
   return all;
 }
 
-void throw_problems(const std::vector<MergedShard>& shards) {
+/// Of the shards that refuse the merge.
+void throw_problems(const std::vector<Shard>& shards, const std::vector<MergedShard>& looked) {
   ProblemList problems;
-  for (const MergedShard& shard : shards)
-    for (const Problem& problem : shard.problems) problems.add(problem);
+  for (std::size_t i = 0; i < shards.size(); ++i)
+    if (shards[i].unusable == Unusable::refuses_all)
+      for (const Problem& problem : looked[i].problems) problems.add(problem);
   problems.throw_if_any();
 }
 
@@ -161,7 +215,7 @@ void merge_one(Database& into, const std::filesystem::path& file, MergedShard& m
   const Database shard = Database::open_read_only(file);
   hold_one_state(shard);
   ProblemList problems;
-  check_known_runs(into, shard, problems);  // of shards before it, too
+  check_known_runs(open_runs(into), shard, problems);  // it may be another file by now
   merged.problems = problems.all();
   if (!problems.empty()) return;
   Transaction transaction(into);
@@ -176,14 +230,14 @@ void merge_one(Database& into, const std::filesystem::path& file, MergedShard& m
 
 }  // namespace
 
-std::vector<MergedShard> merge(Database& into, const std::vector<std::filesystem::path>& shards, Unusable unusable,
+std::vector<MergedShard> merge(Database& into, const std::vector<Shard>& shards,
                                const std::function<void(double)>& progress) {
   check_no_run_is_carried_out(into);
   std::vector<MergedShard> all = looked_at(into, shards);
-  if (unusable == Unusable::refuses_all) throw_problems(all);
+  throw_problems(shards, all);
   for (std::size_t i = 0; i < shards.size(); ++i) {
-    if (all[i].problems.empty()) merge_one(into, shards[i], all[i]);
-    if (unusable == Unusable::refuses_all) throw_problems({all[i]});
+    if (all[i].problems.empty()) merge_one(into, shards[i].file, all[i]);
+    throw_problems({shards[i]}, {all[i]});
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(shards.size()));
   }
   return all;
