@@ -1,19 +1,19 @@
 #include "foundation/whole_file.h"
 
+#include "foundation/this_machine.h"
+
 #include <lacuna/error.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <functional>
 #include <random>
 
 namespace lacuna {
@@ -58,31 +58,32 @@ bool is_written_directly(const fs::path& target) {
 }
 
 constexpr std::size_t kDigits = 8;  // behind the machine's
+constexpr std::chrono::hours kOld{1};
 
 /// Begins the names of this machine's drafts: on some network file systems no other one sees the locks on them.
-const std::string& kind_of_draft() {
-  static const std::string kind = [] {
-    utsname names{};
-    uname(&names);
-    return fmt::format(".lacuna-{:08x}", static_cast<std::uint32_t>(std::hash<std::string_view>()(names.nodename)));
-  }();
-  return kind;
-}
+std::string kind_of_draft() { return ".lacuna-" + digits_of_this_machine(); }
 
 fs::path unused_name(const fs::path& folder) {
   std::random_device random;
   return folder / fmt::format("{}{:08x}", kind_of_draft(), random());
 }
 
-/// Whoever writes a draft holds this lock on it, which ends with the process.
+/// Whoever writes a draft holds this lock on it, which ends with the process; a library that writes one does not.
 bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+bool is_old(const fs::path& draft) {
+  std::error_code gone;
+  const fs::file_time_type changed = fs::last_write_time(draft, gone);
+  return !gone && fs::file_time_type::clock::now() - changed > kOld;
+}
 
 /// Removes the drafts of processes of this machine that were killed.
 void remove_stale_drafts(const fs::path& folder) {
+  const std::string kind = kind_of_draft();
   std::error_code none;
   for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {
     const std::string name = entry->path().filename().string();
-    if (!name.starts_with(kind_of_draft()) || name.size() != kind_of_draft().size() + kDigits) continue;
+    if (!name.starts_with(kind) || name.size() != kind.size() + kDigits || !is_old(entry->path())) continue;
     const int draft = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (draft < 0) continue;
     if (lock(draft)) ::unlink(entry->path().c_str());
@@ -172,8 +173,10 @@ void WholeFile::name_draft() {
   draft_ = name;
 }
 
+/// On some network file systems the lock of one descriptor keeps another one of the same process from the file.
 const fs::path& WholeFile::named_draft() {
   name_draft();
+  ::flock(buffer_->fd(), LOCK_UN);
   return draft_;
 }
 

@@ -21,7 +21,7 @@ enum class Link {
 /// the complete draft, once it is on the disk, the file's name. Until then, and wherever something fails, the old file
 /// stays as it is, and the draft ends with the object. It has no name before `publish` (O_TMPFILE), so that a killed
 /// process leaves none; where that cannot be, or in the moment of `publish`, a hidden file `.lacuna-...` is left, which
-/// the next one of the same machine that writes into the folder removes.
+/// one of the same machine that writes into the folder an hour later removes.
 /// Permissions of a file that is replaced stay. What a user named and is no regular file (/dev/stdout, a pipe) has
 /// nothing to be replaced and is written into directly.
 class WholeFile {
@@ -34,7 +34,7 @@ class WholeFile {
 
   std::ostream& stream() { return stream_; }
   /// A name of the draft, for a library that opens files itself; whoever holds it closes the file before `publish`.
-  /// Throws `Error` where it can have none.
+  /// Nothing keeps the library from locking it. Throws `Error` where it can have none.
   const std::filesystem::path& named_draft();
   /// Brings what was written to the disk. Throws `Error` where it does not fit.
   void finish();

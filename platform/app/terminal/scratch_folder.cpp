@@ -1,5 +1,7 @@
 #include "app/terminal/scratch_folder.h"
 
+#include "foundation/this_machine.h"
+
 #include <lacuna/error.h>
 
 #include <fcntl.h>
@@ -21,11 +23,14 @@ namespace fs = std::filesystem;
 constexpr std::string_view kName = "lacuna-scratch-", kKeptName = "lacuna-kept-";
 constexpr std::chrono::hours kOld{24};
 
+/// On some network file systems no other machine sees the lock.
+std::string name_here() { return fmt::format("{}{}-", kName, digits_of_this_machine()); }
+
 /// Removes folders of processes that were killed, whose locks have ended with them.
 void remove_stale_ones(const fs::path& place) {
   std::error_code none;
   for (fs::directory_iterator entry(place, none), end; !none && entry != end; entry.increment(none)) {
-    if (!entry->path().filename().string().starts_with(kName)) continue;
+    if (!entry->path().filename().string().starts_with(name_here())) continue;
     std::error_code gone;
     const fs::file_time_type changed = fs::last_write_time(entry->path(), gone);
     if (gone || fs::file_time_type::clock::now() - changed < kOld) continue;
@@ -43,7 +48,7 @@ ScratchFolder::ScratchFolder() {
   const std::filesystem::path place = std::filesystem::temp_directory_path(missing);
   if (missing) throw Error("the folder for temporary files ($TMPDIR) cannot be used: " + missing.message());
   remove_stale_ones(place);
-  std::string name = (place / kName).string() + "XXXXXX";
+  std::string name = (place / name_here()).string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("{}: cannot be made: {}", name, std::strerror(errno)));
   path_ = name;
   lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -59,11 +64,16 @@ ScratchFolder::~ScratchFolder() {
 
 void ScratchFolder::keep() {
   kept_ = true;
-  std::string name = path_.filename().string();
-  name.replace(0, kName.size(), kKeptName);
+  path_ = keep_scratch(path_);
+}
+
+std::filesystem::path keep_scratch(const fs::path& folder) {
+  std::string name = folder.filename().string();
+  if (!name.starts_with(kName)) return folder;
+  const fs::path kept = folder.parent_path() / name.replace(0, kName.size(), kKeptName);
   std::error_code failure;
-  fs::rename(path_, path_.parent_path() / name, failure);
-  if (!failure) path_.replace_filename(name);
+  fs::rename(folder, kept, failure);
+  return failure ? folder : kept;
 }
 
 }  // namespace lacuna

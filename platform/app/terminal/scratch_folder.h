@@ -5,7 +5,7 @@
 namespace lacuna {
 
 /// A new folder in the system's place for such, which nobody else can look into and which ends with the object. What
-/// killed processes have left is removed by a later one, a day after.
+/// killed processes of this machine have left is removed by a later one, a day after.
 class ScratchFolder {
  public:
   /// Throws `Error` where none can be made.
@@ -16,7 +16,7 @@ class ScratchFolder {
 
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
-  /// It stays, for a user to look after, under another name.
+  /// It stays, under another name (`keep_scratch`).
   void keep();
 
  private:
@@ -24,5 +24,9 @@ class ScratchFolder {
   int lock_ = -1;
   bool kept_ = false;
 };
+
+/// Gives such a folder, of this process or of another one that has ended, a name under which it stays for a user to
+/// look after. Returns that; where it cannot be had, the old one.
+std::filesystem::path keep_scratch(const std::filesystem::path& folder);
 
 }  // namespace lacuna

@@ -45,10 +45,10 @@ void check_new(const std::filesystem::path& to) {
   throw_copy_error(from, to, extended > 0 ? extended : error.getErrorCode(), error.what());
 }
 
-/// The draft is nobody's yet, and comes to the disk as a whole: it needs no journal.
+/// The draft is nobody's yet, and comes to the disk as a whole: it needs neither journal nor locks.
 void copy_pages(const Database& from, const std::filesystem::path& to, const std::filesystem::path& draft,
                 const Progress& progress) {
-  const auto into = open_connection(draft.string(), SQLITE_OPEN_READWRITE);
+  const auto into = open_connection(uri_of(draft.string()) + "?nolock=1", SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI);
   into->exec("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF");
   SQLite::Backup backup(*into, from.connection());
   int result = SQLITE_OK;
@@ -81,6 +81,12 @@ void check_content(const Database& database) {
   const BrokenSeal& first = seals.broken.front();
   throw_damaged(database.file(), "run " + std::to_string(first.run.value) + ", table " + first.table +
                                      ": not what the run ended with: " + first.reason);
+}
+
+bool is_larger(const std::filesystem::path& file, const std::filesystem::path& than) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(file, missing);
+  return !missing && size > std::filesystem::file_size(than);
 }
 
 }  // namespace
@@ -120,7 +126,7 @@ void hand_on(const std::filesystem::path& database, const std::filesystem::path&
   } catch (const SQLite::Exception& error) {
     throw_copy_error(database, to, error);
   }
-  whole.publish();
+  if (!is_larger(to, draft)) whole.publish();
 }
 
 }  // namespace lacuna
