@@ -151,7 +151,7 @@ void Replicates::end_those_without_a_turn(std::vector<ReplicateEnd>& ends) {
   const std::lock_guard lock(writing_);
   Transaction transaction(database_);
   for (const ReplicateEnd& end : ends)
-    if (!end.began && !is_taken_over(database_, end.planned.run))
+    if (!end.began && !is_taken_over(database_, end.planned.run) && !is_done(database_, end.planned.run))
       set_run_ending(database_, end.planned.run, end.ending);
   transaction.commit();
 }
