@@ -118,7 +118,6 @@ TEST_F(VerificationTest, ARunThatIsGoneOnWithIsSealedAnew) {
   EXPECT_TRUE(verified().is_sound());
 }
 
-/// A column that a later version adds to a table is not part of what was sealed before.
 /// Another command knows more of a trial that the run has stored.
 TEST_F(VerificationTest, WhatARunHasEndedWithIsNotAddedTo) {
   Database database = Database::open(file());
@@ -134,6 +133,7 @@ TEST_F(VerificationTest, WhatARunHasEndedWithIsNotAddedTo) {
   EXPECT_THAT(broken_tables(), IsEmpty());
 }
 
+/// A column that a later version adds to a table is not part of what was sealed before.
 TEST_F(VerificationTest, ColumnsOfLaterVersionsChangeNoSeal) {
   fill();
   change("ALTER TABLE fit ADD COLUMN weight REAL DEFAULT 1.5");
