@@ -30,7 +30,6 @@ constexpr off_t kMostText = 1 << 16;
 constexpr off_t kMostWritten = 1 << 24;
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr double kLongestWait = 1e9;  // s, which a clock that counts nanoseconds can tell
-constexpr const char* kMarkName = "LACUNA_CHILD";
 constexpr int kMostLooks = 50;
 constexpr std::chrono::milliseconds kShortestPause{1}, kLongestPause{10};
 
@@ -81,7 +80,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 std::string new_mark() {
   static std::atomic<unsigned> children = 0;
   static const auto begun = std::chrono::system_clock::now().time_since_epoch().count();
-  return fmt::format("{}={}.{}.{}", kMarkName, begun, getpid(), ++children);
+  return fmt::format("{}={}.{}.{}", kChildMark, begun, getpid(), ++children);
 }
 
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& variables) {
@@ -89,7 +88,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
     const std::string name = text.substr(0, text.find('='));
-    if (name != kMarkName && !variables.contains(name)) all.push_back(text);
+    if (name != kChildMark && !variables.contains(name)) all.push_back(text);
   }
   for (const auto& [name, value] : variables) all.push_back(fmt::format("{}={}", name, value));
   return all;

@@ -54,9 +54,12 @@ struct ChildEnding {
   std::string deed() const;
 };
 
+/// The variable that all that a child begins has in its environment.
+inline constexpr const char* kChildMark = "LACUNA_CHILD";
+
 /// A program that runs beside this one, in a process group of its own, so that an interrupt at the terminal reaches
-/// this process alone and the child's own children end with it, those too that take another group or session: all have
-/// a variable LACUNA_CHILD in their environment. One thread.
+/// this process alone and the child's own children end with it, those too that take another group or session. One
+/// thread.
 class ChildProgram {
  public:
   /// Throws `Error` where it cannot be started.

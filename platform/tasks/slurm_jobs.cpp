@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kLongestSubmission = 60.0;  // s
 constexpr int kNoSuchProgram = 127;
-constexpr const char* kChildMark = "LACUNA_CHILD";  // foundation/child_program.h
 
 /// The shell's place is taken by the program, so that signals reach it and nothing outlives it.
 std::string script(const std::string& command) { return "#!/bin/bash\nexec " + command + "\n"; }

@@ -60,25 +60,13 @@ void make_folders(const fs::path& folder) {
   if (failure) throw_problem({folder.string()}, "cannot be made: " + failure.message());
 }
 
-/// By the clock of the file system, which all machines share. Where nothing can be written, by that of this machine.
-fs::file_time_type now_in(const fs::path& folder) {
-  std::string name = (folder / ".now-XXXXXX").string();
-  const int probe = mkostemp(name.data(), O_CLOEXEC);
-  std::error_code lost;
-  const fs::file_time_type now = fs::last_write_time(name, lost);
-  if (probe < 0) return fs::file_time_type::clock::now();
-  close(probe);
-  fs::remove(name, lost);
-  return now;
-}
-
-/// Makes now, by the same clock, the time of its last change.
+/// Makes now, by the clock of the file system, which all machines share, the time of its last change.
 void touch(const fs::path& file) { utimensat(AT_FDCWD, file.c_str(), nullptr, 0); }
 
-bool shows_life(const fs::path& sign) {
+bool shows_life(const fs::path& sign, fs::file_time_type now) {
   std::error_code gone;
   const fs::file_time_type last = fs::last_write_time(sign, gone);
-  return !gone && now_in(sign.parent_path()) - last < kLongestSilence;
+  return !gone && now - last < kLongestSilence;
 }
 
 /// Than the folders that one which was killed has made before it wrote its plan.
@@ -141,7 +129,18 @@ fs::path TaskFolder::sign(std::size_t number) const { return folder_ / "signs" /
 
 bool TaskFolder::is_done(std::size_t number) const { return fs::exists(shard(number)); }
 
-TaskStatus TaskFolder::status(std::size_t number) const {
+fs::file_time_type TaskFolder::now() const {
+  std::string name = (folder_ / "signs" / ".now-XXXXXX").string();
+  const int probe = mkostemp(name.data(), O_CLOEXEC);
+  std::error_code lost;
+  const fs::file_time_type now = fs::last_write_time(name, lost);
+  if (probe < 0) return fs::file_time_type::clock::now();
+  close(probe);
+  fs::remove(name, lost);
+  return now;
+}
+
+TaskStatus TaskFolder::status(std::size_t number, fs::file_time_type now) const {
   TaskStatus status;
   const auto sign_file = sign(number);
   const auto json =
@@ -161,7 +160,7 @@ TaskStatus TaskFolder::status(std::size_t number) const {
   else if (said == "interrupted")
     status.state = TaskState::interrupted;
   else if (said == "begun")
-    status.state = shows_life(sign_file) ? TaskState::running : TaskState::silent;
+    status.state = shows_life(sign_file, now) ? TaskState::running : TaskState::silent;
   return status;
 }
 
@@ -190,11 +189,7 @@ fs::path TaskFolder::put_checkpoint_aside(std::size_t number) const {
 }
 
 void TaskFolder::keep_checkpoint(std::size_t number, const fs::path& file) const {
-  std::error_code missing;
-  const std::uintmax_t there = fs::file_size(checkpoint(number), missing);
-  if (!fs::exists(file) || is_done(number)) return;
-  // A database of a task only grows: a smaller one is that of a process that began later.
-  if (missing || there <= fs::file_size(file)) hand_on(file, checkpoint(number));
+  if (fs::exists(file) && !is_done(number)) hand_on(file, checkpoint(number));
 }
 
 void TaskFolder::note_interruption(std::size_t number, const std::string& reason) const {

@@ -55,7 +55,10 @@ class TaskFolder {
   std::filesystem::path shard(std::size_t number) const;
   std::filesystem::path checkpoint(std::size_t number) const;
   bool is_done(std::size_t number) const;
-  TaskStatus status(std::size_t number) const;
+  /// By the clock of the folder's file system, which all machines share; where nothing can be written there, by that
+  /// of this one.
+  std::filesystem::file_time_type now() const;
+  TaskStatus status(std::size_t number, std::filesystem::file_time_type now) const;
   /// Numbers of the tasks that are not done.
   std::vector<std::size_t> open_tasks() const;
 

@@ -13,6 +13,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Stands in for Slurm where there is none: carries the tasks out one after the other, in the order that it is given.
 constexpr const char* kSbatch = R"(#!/bin/sh
@@ -23,10 +24,11 @@ for word; do
     *.sh) script=$word ;;
   esac
 done
+shell=$(sed -n '1s/^#!//p' "$script")
 if [ -n "$numbers" ]; then
-  for number in $(seq $numbers); do SLURM_ARRAY_TASK_ID=$number sh "$script" >> printed 2>&1; done
+  for number in $(seq $numbers); do SLURM_ARRAY_TASK_ID=$number $shell "$script" >> printed 2>&1; done
 else
-  sh "$script" >> printed 2>&1
+  $shell "$script" >> printed 2>&1
 fi
 echo 17
 )";
@@ -99,21 +101,43 @@ TEST_F(Plan, GoesOnFromACheckpoint) {
   EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "");
 }
 
-/// As a plugin ends it, or the system where memory is used up.
+/// As a plugin ends it, the system where memory is used up, or a shell that is closed.
 TEST_F(Plan, WhatAProcessHasFoundThatWasKilledIsACheckpoint) {
   write_small("0.5", 240);
   lacuna("run small.toml --db serial.db --quiet");
   lacuna("plan small.toml --out plan");
-  const Outcome killed = program_.shell(
-      "TMPDIR=$PWD lacuna task run plan 0 --quiet & sleep 1; pkill -KILL -P $! ; wait $!; code=$?; ls; exit $code");
-  EXPECT_EQ(killed.exit_code, 1);
+  const auto kill = [&](const std::string& signal, long bytes) {  // once it has written so much
+    return program_.shell(
+        "TMPDIR=$PWD lacuna task run plan 0 --threads 1 --quiet & until [ $(stat -c %s "
+        "lacuna-scratch-*/shard.db-wal 2>/dev/null || echo 0) -gt " +
+        std::to_string(bytes) + " ]; do kill -0 $! || exit 3; sleep 0.01; done; pkill -" + signal +
+        " -P $!; wait $!; code=$?; ls -d lacuna-*; exit $code");
+  };
+  const Outcome hung_up = kill("HUP", 0);
+  EXPECT_EQ(hung_up.exit_code, 129) << hung_up.errors;
+  EXPECT_THAT(hung_up.errors, AllOf(HasSubstr("interrupted by signal 1 (Hangup)"), HasSubstr("to continue: lacuna")));
+  EXPECT_EQ(hung_up.output, "") << "no folder is left";
+  const Outcome killed = kill("KILL", 500'000);
+  EXPECT_EQ(killed.exit_code, 1) << killed.errors;
   EXPECT_THAT(killed.errors, HasSubstr("what task 0 has found until then is its checkpoint; to continue: "
                                        "lacuna task run plan 0"));
-  EXPECT_EQ(killed.output.find("lacuna-scratch"), std::string::npos) << killed.output;
+  EXPECT_EQ(killed.output, "");
   EXPECT_THAT(lacuna("status plan"), AllOf(HasSubstr("task 0 failed ("), HasSubstr("was ended by signal 9 (Killed)")));
   EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "0.db\n");
   lacuna("task run plan 0 --quiet");
   EXPECT_EQ(hashes("plan/shards/0.db"), hashes("serial.db"));
+}
+
+/// Where the plan's folder cannot be reached either.
+TEST_F(Plan, WhatAKilledProcessCannotHandInIsKeptAndNamed) {
+  write_small("0.5", 240);
+  lacuna("plan small.toml --out plan");
+  const Outcome killed = program_.shell(
+      "TMPDIR=$PWD lacuna task run plan 0 --threads 1 --quiet & until [ -s lacuna-scratch-*/shard.db-wal ]; do kill -0 "
+      "$! || exit 3; sleep 0.01; done; rmdir plan/shards; ln -s shards plan/shards; pkill -KILL -P $!; wait $!");
+  EXPECT_EQ(killed.exit_code, 1) << killed.errors;
+  EXPECT_THAT(killed.errors, HasSubstr("what was found until then is in "));
+  EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("shard.db: sound"));
 }
 
 TEST_F(Plan, ACheckpointThatCannotBeUsedIsPutAside) {
@@ -155,6 +179,23 @@ TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
               AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; remove it, and "
                               "`lacuna task run plan 2` makes it anew"),
                     HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
+  program_.shell("sqlite3 plan/shards/1.db 'UPDATE model SET score = score * 2 + 1'");
+  const Outcome nothing = program_.shell("lacuna merge new.db plan");
+  EXPECT_THAT(nothing.errors, HasSubstr("plan/shards/1.db: does not hold what was stored in it; remove it, and "
+                                        "`lacuna task run plan 1` makes it anew"));
+  EXPECT_THAT(nothing.errors, HasSubstr("0 of 3 tasks are merged"));
+  EXPECT_EQ(program_.shell("ls new.db").exit_code, 2) << "nothing was made";
+  EXPECT_EQ(program_.shell("lacuna merge all.db plan plan/shards/1.db").exit_code, 2) << "named for itself";
+}
+
+/// What another shard would not mend.
+TEST_F(Plan, AShardOfANewerVersionIsNotToBeRemoved) {
+  lacuna("plan small.toml --out plan");
+  lacuna("task run plan 0 --quiet");
+  program_.shell("sqlite3 plan/shards/0.db 'PRAGMA user_version = 999'");
+  const Outcome merge = program_.shell("lacuna merge all.db plan");
+  EXPECT_EQ(merge.exit_code, 1);
+  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/0.db: "), HasSubstr("newer"), Not(HasSubstr("remove"))));
 }
 
 TEST_F(Plan, ATaskThatTwoProcessesCarryOutIsThereOnce) {
@@ -211,12 +252,33 @@ TEST_F(Plan, GoesToSlurm) {
       << "another plan is there";
 }
 
+/// Shells quote such names in ways that not all of them read, and Slurm replaces what begins with %.
+TEST_F(Plan, GoesToSlurmFromAFolderOfAnyName) {
+  program_.shell("mkdir \"$(printf 'it\\047s 50%%\\ta')\" && cp small.toml it*");
+  program_.write("sbatch", kSbatch);
+  const Outcome submitted = program_.shell(
+      "chmod +x sbatch; here=$PWD; cd it*; PATH=$here:$PATH lacuna run small.toml --replicates 2 --executor slurm && "
+      "cat printed && lacuna runs small.db");
+  EXPECT_EQ(submitted.exit_code, 0) << submitted.errors;
+  EXPECT_THAT(submitted.output, HasSubstr("small.db: 2 runs added"));
+  EXPECT_THAT(program_.shell("cat it*/calls").output, HasSubstr("s 50%%"));
+}
+
 TEST_F(Plan, SaysWhatSlurmSays) {
   program_.write("sbatch", "#!/bin/sh\necho 'invalid partition specified: long' >&2\nexit 1\n");
   const Outcome refused =
       program_.shell("chmod +x sbatch; PATH=.:$PATH lacuna run small.toml --executor slurm --sbatch --partition=long");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("--partition=long"), HasSubstr("invalid partition specified: long")));
+  const auto submission = [&](const std::string& sbatch) {
+    program_.write("sbatch", "#!/bin/sh\n" + sbatch + "\n");
+    return program_.shell("PATH=.:$PATH lacuna run small.toml --executor slurm").errors;
+  };
+  EXPECT_THAT(submission("echo welcome"), HasSubstr("did not answer with the number of a job but: welcome"));
+  EXPECT_THAT(submission("exit 127"), HasSubstr("sbatch is not to be found"));
+  EXPECT_THAT(submission("case \"$*\" in *dependency*) echo no more jobs >&2; exit 1;; esac; echo 18"),
+              AllOf(HasSubstr("no more jobs"),
+                    HasSubstr("the tasks are submitted as Slurm job 18; when it has ended: lacuna merge ")));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ class TaskFolderTest : public testing::Test {
     test::add_experiments(database, 0, progress);
     return scratch_ / "shard.db";
   }
+  TaskStatus status(std::size_t number) const { return folder_.status(number, folder_.now()); }
   std::int64_t progress_of_checkpoint(std::size_t number) const {
     return folder_.take_checkpoint(number, scratch_ / "taken.db") ? progress_in(scratch_ / "taken.db") : 0;
   }
@@ -73,23 +74,23 @@ TEST_F(TaskFolderTest, IsMadeWhereItWasHalfMade) {
 }
 
 TEST_F(TaskFolderTest, TellsHowFarEachTaskIs) {
-  EXPECT_EQ(folder_.status(0).state, TaskState::open);
+  EXPECT_EQ(status(0).state, TaskState::open);
   {
     const TaskSign sign(folder_, 0);
-    EXPECT_EQ(folder_.status(0).state, TaskState::running);
-    EXPECT_FALSE(folder_.status(0).machine.empty());
+    EXPECT_EQ(status(0).state, TaskState::running);
+    EXPECT_FALSE(status(0).machine.empty());
   }
   std::filesystem::last_write_time(scratch_ / "plan" / "signs" / "0.json",
                                    std::filesystem::file_time_type::clock::now() - std::chrono::minutes(5));
-  EXPECT_EQ(folder_.status(0).state, TaskState::silent);
+  EXPECT_EQ(status(0).state, TaskState::silent);
   folder_.note_failure(0, "the rig does not answer");
-  EXPECT_EQ(folder_.status(0).state, TaskState::failed);
-  EXPECT_EQ(folder_.status(0).reason, "the rig does not answer");
+  EXPECT_EQ(status(0).state, TaskState::failed);
+  EXPECT_EQ(status(0).reason, "the rig does not answer");
   folder_.keep_checkpoint(1, local(1));
   folder_.note_interruption(1, "interrupted");
-  EXPECT_EQ(folder_.status(1).state, TaskState::interrupted);
+  EXPECT_EQ(status(1).state, TaskState::interrupted);
   folder_.keep_shard(2, local(2));
-  EXPECT_EQ(folder_.status(2).state, TaskState::done);
+  EXPECT_EQ(status(2).state, TaskState::done);
   EXPECT_THAT(folder_.open_tasks(), ElementsAre(0U, 1U, 3U));
 }
 
@@ -113,6 +114,9 @@ TEST_F(TaskFolderTest, ACheckpointHasWhatIsInTheLog) {
   test::add_experiments(database, 0, 3);
   folder_.keep_checkpoint(0, scratch_ / "shard.db");
   EXPECT_EQ(progress_of_checkpoint(0), 3);
+  test::add_experiments(database, 3, 2);
+  folder_.keep_checkpoint(0, scratch_ / "shard.db");
+  EXPECT_EQ(progress_of_checkpoint(0), 5) << "the file itself has not grown, and is smaller than the checkpoint";
 }
 
 TEST_F(TaskFolderTest, WhatIsDamagedBecomesNeitherCheckpointNorShard) {
@@ -130,7 +134,7 @@ TEST_F(TaskFolderTest, TheFirstShardStays) {
   folder_.keep_shard(0, local(1));
   folder_.keep_shard(0, local(2));
   EXPECT_EQ(progress_in(folder_.shard(0)), 1);
-  EXPECT_EQ(folder_.status(0).state, TaskState::done);
+  EXPECT_EQ(status(0).state, TaskState::done);
 }
 
 }  // namespace

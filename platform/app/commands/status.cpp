@@ -46,8 +46,9 @@ void print_task(std::size_t number, const TaskStatus& status) {
 void print_status(const std::filesystem::path& path) {
   const TaskFolder folder(path);
   std::map<TaskState, std::vector<std::size_t>> tasks;
+  const auto now = folder.now();
   for (std::size_t number = 0; number < folder.plan().tasks.size(); ++number) {
-    const TaskStatus status = folder.status(number);
+    const TaskStatus status = folder.status(number, now);
     tasks[status.state].push_back(number);
     print_task(number, status);
   }

@@ -1,8 +1,7 @@
 #include "app/tasks/task_checkpoints.h"
 
-#include <lacuna/error.h>
-
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -16,7 +15,7 @@ TaskCheckpoints::TaskCheckpoints(const TaskFolder& folder, std::size_t number, s
         std::condition_variable_any until;
         while (!until.wait_for(lock, stop, between, [&] { return stop.stop_requested(); })) try {
             folder.keep_checkpoint(number, database);
-          } catch (const Error&) {
+          } catch (const std::exception&) {
             // What cannot be written is said where the task hands its results in.
           }
       }) {}

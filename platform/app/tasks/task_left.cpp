@@ -1,13 +1,13 @@
 #include "app/tasks/task_left.h"
 
+#include "app/terminal/scratch_folder.h"
 #include "foundation/shell_word.h"
 #include "tasks/task_folder.h"
-
-#include <lacuna/error.h>
 
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <exception>
 
 namespace lacuna {
 namespace {
@@ -23,17 +23,26 @@ void note_end(const TaskFolder& folder, const TaskLeft& left, const ChildLoss& l
   loss.was_asked ? folder.note_interruption(left.number, loss.deed) : folder.note_failure(left.number, loss.sentence);
 }
 
-void hand_in(const TaskLeft& left, const ChildLoss& loss) try {
-  const TaskFolder folder(left.folder);
-  note_end(folder, left, loss);
-  folder.keep_checkpoint(left.number, left.scratch / "shard.db");
-  std::error_code ignored;
-  std::filesystem::remove_all(left.scratch, ignored);
-  if (loss.begins_anew) return;
-  fmt::print(stderr, "what task {} has found until then is its checkpoint; to continue: lacuna task run {} {}\n",
-             left.number, shell_word(left.folder.string()), left.number);
-} catch (const Error& lost) {
-  fmt::print(stderr, "{}\nwhat was found until then is in {}\n", lost.what(), left.scratch.string());
+void say_where_it_is(const TaskFolder& folder, std::size_t number) {
+  if (folder.is_done(number)) return tell(fmt::format("another process has done task {}", number));
+  const char* const found = std::filesystem::exists(folder.checkpoint(number)) ? "found until then is its checkpoint"
+                                                                               : "done until then was not stored yet";
+  tell(fmt::format("what task {} has {}; to continue: lacuna task run {} {}", number, found,
+                   shell_word(folder.path().string()), number));
+}
+
+void hand_in(const TaskLeft& left, const ChildLoss& loss) {
+  const std::filesystem::path scratch = keep_scratch(left.scratch);
+  try {
+    const TaskFolder folder(left.folder);
+    note_end(folder, left, loss);
+    folder.keep_checkpoint(left.number, scratch / "shard.db");
+    std::error_code ignored;
+    std::filesystem::remove_all(scratch, ignored);
+    if (!loss.begins_anew) say_where_it_is(folder, left.number);
+  } catch (const std::exception& lost) {
+    tell(fmt::format("{}\nwhat was found until then is in {}", lost.what(), scratch.string()));
+  }
 }
 
 }  // namespace

@@ -21,6 +21,8 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <new>
 #include <string>
 #include <vector>
@@ -68,7 +70,18 @@ ChildLoss by_overdue(const ActiveCall& call) {
 ChildLoss by_unheeding(const ActiveCall& call) {
   const std::string what = call.component.empty() ? "a simulation" : name_of(call);
   const std::string deed = fmt::format("interrupted; {} did not return within two seconds and was ended", what);
-  return {"", deed, deed + kDatabaseIsSafe};
+  return {"", deed, deed + kDatabaseIsSafe, false, true};
+}
+
+/// By which a user, or a closed pipe, ended the child; 0: it ended otherwise.
+int signal_of_others(const WatchedEnd& end) {
+  const int signal = WIFSIGNALED(end.status) ? WTERMSIG(end.status) : 0;
+  return signal == SIGPIPE || is_wish(signal) ? signal : 0;
+}
+
+ChildLoss by_signal_of_others(int signal) {
+  const std::string deed = fmt::format("interrupted by signal {} ({})", signal, strsignal(signal));
+  return {"", deed, fmt::format("lacuna: {}{}", deed, kDatabaseIsSafe), false, true};
 }
 
 ChildLoss by_nobody(const WatchedEnd& end) {
@@ -98,6 +111,7 @@ ChildLoss by_plugins(const WatchedEnd& end, const std::vector<ActiveCall>& calls
 ChildLoss loss_of(const WatchedEnd& end) {
   if (end.reason == EndedFor::overdue) return by_overdue(*end.call);
   if (end.reason == EndedFor::unheeding) return by_unheeding(*end.call);
+  if (const int signal = signal_of_others(end)) return by_signal_of_others(signal);
   const std::vector<ActiveCall> calls = CallPage::active();
   return calls.empty() ? by_nobody(end) : by_plugins(end, calls);
 }
@@ -153,13 +167,6 @@ int do_work(int argc, char** argv, int (*work)(int, char**), pid_t parent) {
   return code;
 }
 
-/// Ends as a child did that a user, or a closed pipe, ended.
-void end_like(const WatchedEnd& end, const sigset_t& mask) {
-  if (!WIFSIGNALED(end.status)) return;
-  const int signal = WTERMSIG(end.status);
-  if (signal == SIGPIPE || is_wish(signal)) end_by(signal, mask);
-}
-
 }  // namespace
 
 void leave_to_supervisor(const std::string& left) {
@@ -169,8 +176,14 @@ void leave_to_supervisor(const std::string& left) {
   left_page->size = left.size();
 }
 
+void tell(const std::string& line) {
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  std::fputs((line + "\n").c_str(), stderr);
+  std::signal(SIGPIPE, before);
+}
+
 void print_loss(const ChildLoss& loss) {
-  if (!loss.begins_anew) fmt::print(stderr, "{}\n", loss.sentence);
+  if (!loss.begins_anew) tell(loss.sentence);
 }
 
 int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*report)(const ChildLoss&)) {
@@ -189,12 +202,12 @@ int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*repor
     const WatchedEnd end = watch_child(child, signals);
     if (CallPage::is_closed()) return exit_code_of(end.status);
     end_descendants(kGrace);
-    end_like(end, mask);
     ChildLoss loss = loss_of(end);
-    loss.was_asked = end.reason == EndedFor::unheeding;
     loss.left = left_by_child();
     loss.begins_anew = begins_anew(end, loss);
-    report(loss);
+    const int signal = signal_of_others(end);
+    if (signal == 0 || !loss.left.empty()) report(loss);
+    if (signal != 0) end_by(signal, mask);
     if (loss.begins_anew) continue;
     return end.reason == EndedFor::unheeding ? kToRunAgain : kEndedBadly;
   }

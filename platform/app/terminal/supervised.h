@@ -19,7 +19,9 @@ struct ChildLoss {
 /// long.
 void leave_to_supervisor(const std::string& left);
 
-/// On standard error; nothing where the work begins anew.
+/// Prints a line on standard error, or nowhere where that is closed.
+void tell(const std::string& line);
+/// Tells what became of the child; nothing where the work begins anew.
 void print_loss(const ChildLoss& loss);
 
 /// Runs `work(argc, argv)` in a child process, with this one's streams, terminal and process group, and returns its
