@@ -29,7 +29,7 @@ void read_sign(const std::string& text) {
   static const lacuna::TestFolder scratch;
   static const lacuna::TaskFolder folder = lacuna::TaskFolder::make(scratch / "plan", small_plan());
   scratch.write("plan/signs/0.json", text);
-  folder.status(0);
+  folder.status(0, folder.now());
 }
 
 }  // namespace
