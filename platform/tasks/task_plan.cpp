@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -30,15 +32,29 @@ Json json_of(const Task& task) {
           {"inputs", task.inputs}};
 }
 
+/// Other numbers would be made whole somehow.
+template <class Number>
+Number whole(const Json& json) {
+  if (!json.is_number_unsigned() || !std::in_range<Number>(json.get<std::uint64_t>()))
+    throw Error(fmt::format("has {} where a whole number belongs", json.dump()));
+  return json.get<Number>();
+}
+
+std::vector<std::size_t> whole_numbers(const Json& json) {
+  std::vector<std::size_t> numbers;
+  for (const Json& number : json) numbers.push_back(whole<std::size_t>(number));
+  return numbers;
+}
+
 Task task_of(const Json& json) {
   return {.id = json.at("id").get<std::string>(),
           .kind = json.at("kind").get<std::string>() == kRun ? TaskKind::run : TaskKind::diagnosis,
           .experiment = json.at("experiment").get<std::string>(),
           .name = json.at("name").get<std::string>(),
           .settings = json.at("settings").get<std::vector<std::string>>(),
-          .seed = json.at("seed").get<std::uint64_t>(),
-          .replicate = json.at("replicate").get<int>(),
-          .inputs = json.at("inputs").get<std::vector<std::size_t>>()};
+          .seed = whole<std::uint64_t>(json.at("seed")),
+          .replicate = whole<int>(json.at("replicate")),
+          .inputs = whole_numbers(json.at("inputs"))};
 }
 
 TaskPlan plan_of(const Json& json) {

@@ -74,6 +74,11 @@ TEST_F(TaskPlanTest, RefusesWhatIsNoPlanOrWasEdited) {
   std::string text = text_of_plan(plan_);
   text.replace(text.find("\"seed\": 7"), 9, "\"seed\": 9");
   EXPECT_THAT(complaint(text), HasSubstr("task 0 was changed after planning"));
+  for (const std::string seed : {"1e308", "-1", "7.5", "[7]"}) {
+    text = text_of_plan(plan_);
+    text.replace(text.find("\"seed\": 7"), 9, "\"seed\": " + seed);
+    EXPECT_THAT(complaint(text), HasSubstr("plan.json: has " + seed.substr(0, 1)));
+  }
   text = text_of_plan(plan_);
   text.replace(text.find("lacuna-plan/1"), 13, "lacuna-plan/9");
   EXPECT_THAT(complaint(text), HasSubstr("lacuna-plan/9"));
