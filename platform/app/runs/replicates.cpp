@@ -146,13 +146,15 @@ void Replicates::carry_out(std::size_t index, int threads, RunDisplay& display, 
   display.end_replicate(index, end);
 }
 
-/// In one transaction, for there may be thousands.
-void Replicates::end_those_without_a_turn(std::vector<ReplicateEnd>& ends) {
+/// There may be thousands.
+void Replicates::end_those_without_a_turn(const std::vector<ReplicateEnd>& ends) {
   const std::lock_guard lock(writing_);
   Transaction transaction(database_);
+  std::vector<RunId> runs;
   for (const ReplicateEnd& end : ends)
     if (!end.began && !is_taken_over(database_, end.planned.run) && !is_done(database_, end.planned.run))
-      set_run_ending(database_, end.planned.run, end.ending);
+      runs.push_back(end.planned.run);
+  end_runs(database_, runs, RunEnding::interrupted);
   transaction.commit();
 }
 

@@ -25,7 +25,7 @@ class Replicates {
 
  private:
   void carry_out(std::size_t index, int threads, RunDisplay& display, ReplicateEnd& end);
-  void end_those_without_a_turn(std::vector<ReplicateEnd>& ends);
+  void end_those_without_a_turn(const std::vector<ReplicateEnd>& ends);
   EeaRunRecord record(int replicate) const;
   EeaState state_of(EeaStore& store) const;
 

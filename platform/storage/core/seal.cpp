@@ -24,28 +24,42 @@ struct SealedRows {
   bool operator==(const SealedRows&) const = default;
 };
 
-/// `columns`: those that were there when the run ended; later versions may have more. `between`: called now and then.
-SealedRows hash_rows(const Database& database, RunId run, const TableOfRuns& table,
-                     const std::vector<std::string>& columns, const std::vector<std::string>& key, void (*between)()) {
-  constexpr std::size_t kBlock = 1U << 20U;
-  Statement row(database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY {}", fmt::join(columns, ", "), table.name,
-                                      rows_of_run(table), fmt::join(key, ", "))
-                              .c_str());
-  table.owner == RowOwner::key ? row.with(key_base(run), last_key(run)) : row.with(run);
-  Sha256 hash;
-  SealedRows content;
-  std::string bytes;
-  for (; row.step(); ++content.rows) {
-    for (int column = 0; column < row.columns(); ++column) row.append_bits(column, bytes);
-    if (bytes.size() < kBlock) continue;
-    between();
+/// What runs have in one table.
+class RowsOfRuns {
+ public:
+  /// `columns`: those that were there when the run ended; later versions may have more.
+  RowsOfRuns(const Database& database, const TableOfRuns& table, const std::vector<std::string>& columns,
+             const std::vector<std::string>& key)
+      : owner_(table.owner),
+        row_(database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY {}", fmt::join(columns, ", "), table.name,
+                                   rows_of_run(table), fmt::join(key, ", "))
+                           .c_str()) {}
+
+  /// `between`: called now and then.
+  SealedRows hashed(RunId run, void (*between)()) {
+    constexpr std::size_t kBlock = 1U << 20U;
+    owner_ == RowOwner::key ? row_.with(key_base(run), last_key(run)) : row_.with(run);
+    SealedRows content;
+    if (!row_.step()) return content;
+    Sha256 hash;
+    std::string bytes;
+    do {
+      ++content.rows;
+      for (int column = 0; column < row_.columns(); ++column) row_.append_bits(column, bytes);
+      if (bytes.size() < kBlock) continue;
+      between();
+      hash.add(bytes);
+      bytes.clear();
+    } while (row_.step());
     hash.add(bytes);
-    bytes.clear();
+    content.sha256 = hash.hex();
+    return content;
   }
-  hash.add(bytes);
-  content.sha256 = hash.hex();
-  return content;
-}
+
+ private:
+  RowOwner owner_;
+  Statement row_;
+};
 
 /// What was interrupted is sealed for that, too.
 void come_to_the_end() {}
@@ -80,7 +94,7 @@ std::optional<std::string> fault_of(const Database& database, RunId run, const T
   if (seal && (seal->columns.empty() || !std::all_of(seal->columns.begin(), seal->columns.end(), is_known)))
     return "its seal is damaged";
   const SealedRows content =
-      hash_rows(database, run, table, seal ? seal->columns : now.all, now.key, throw_if_asked_to_stop);
+      RowsOfRuns(database, table, seal ? seal->columns : now.all, now.key).hashed(run, throw_if_asked_to_stop);
   const std::int64_t sealed = seal ? seal->content.rows : 0;
   if (content.rows != sealed) return fmt::format("{} rows, {} were sealed", content.rows, sealed);
   if (seal && content.sha256 != seal->content.sha256) return "other content";
@@ -103,16 +117,31 @@ void check_run(const Database& database, RunId run, std::map<std::string, Seal> 
 
 }  // namespace
 
-void seal_run(Database& database, RunId run) {
-  unseal_run(database, run);
-  Statement insert(database, "INSERT INTO seal (run, part, columns, rows, sha256) VALUES (?, ?, ?, ?, ?)");
-  for (const TableOfRuns& table : run_tables()) {
-    const TableColumns columns = columns_of(database, table.name);
-    const SealedRows content = hash_rows(database, run, table, columns.all, columns.key, come_to_the_end);
-    if (content.rows > 0)
-      insert.run_with(run, table.name, nlohmann::json(columns.all).dump(), content.rows, content.sha256);
+struct Sealer::Part {
+  Part(const Database& database, const TableOfRuns& table, const TableColumns& of)
+      : name(table.name), columns(nlohmann::json(of.all).dump()), rows(database, table, of.all, of.key) {}
+
+  std::string name, columns;
+  RowsOfRuns rows;
+};
+
+Sealer::Sealer(Database& database) : database_(database) {
+  for (const TableOfRuns& table : run_tables())
+    parts_.push_back(std::make_unique<Part>(database, table, columns_of(database, table.name)));
+}
+
+Sealer::~Sealer() = default;
+
+void Sealer::seal(RunId run) {
+  unseal_run(database_, run);
+  Statement insert(database_, "INSERT INTO seal (run, part, columns, rows, sha256) VALUES (?, ?, ?, ?, ?)");
+  for (const auto& part : parts_) {
+    const SealedRows content = part->rows.hashed(run, come_to_the_end);
+    if (content.rows > 0) insert.run_with(run, part->name, part->columns, content.rows, content.sha256);
   }
 }
+
+void seal_run(Database& database, RunId run) { Sealer(database).seal(run); }
 
 void unseal_run(Database& database, RunId run) { Statement(database, "DELETE FROM seal WHERE run = ?").run_with(run); }
 

@@ -4,6 +4,7 @@
 #include "storage/core/records.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,23 @@ namespace lacuna {
 /// Proof that what a run stored is still what it ended with: of each table that has rows of the run, the SHA-256 of
 /// these rows, every column with its type and its bits. It shows accidents; who changes rows on purpose can change it.
 
-/// Writes the seals of a run, in the place of those that it had. To be called in the transaction that ends the run,
+/// Writes the seals of runs, in the place of those that they had. To be called in the transaction that ends a run,
 /// after everything else that it writes.
+class Sealer {
+ public:
+  explicit Sealer(Database& database);
+  ~Sealer();
+  Sealer(const Sealer&) = delete;
+  Sealer& operator=(const Sealer&) = delete;
+
+  void seal(RunId run);
+
+ private:
+  struct Part;
+  Database& database_;
+  std::vector<std::unique_ptr<Part>> parts_;  ///< one for each table
+};
+/// Of one; of many, one `Sealer` is much faster.
 void seal_run(Database& database, RunId run);
 /// Takes them away: the run goes on.
 void unseal_run(Database& database, RunId run);

@@ -95,8 +95,9 @@ bool is_done(const Database& database, RunId run) {
   return ending.with(run).step();
 }
 
-void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending) {
-  Transaction transaction(database);
+namespace {
+
+void write_ending(Database& database, RunId run, std::optional<RunEnding> ending) {
   std::optional<std::string> time;
   std::optional<std::string> name;
   if (ending) {
@@ -104,7 +105,24 @@ void set_run_ending(Database& database, RunId run, std::optional<RunEnding> endi
     name = to_string(*ending);
   }
   Statement(database, "UPDATE run SET ended = ?, ending = ? WHERE number = ?").run_with(time, name, run);
+}
+
+}  // namespace
+
+void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending) {
+  Transaction transaction(database);
+  write_ending(database, run, ending);
   ending ? seal_run(database, run) : unseal_run(database, run);
+  transaction.commit();
+}
+
+void end_runs(Database& database, const std::vector<RunId>& runs, RunEnding ending) {
+  Transaction transaction(database);
+  Sealer sealer(database);
+  for (const RunId run : runs) {
+    write_ending(database, run, ending);
+    sealer.seal(run);
+  }
   transaction.commit();
 }
 

@@ -125,6 +125,8 @@ std::string identity_of_run(const std::string& task, RunId run);
 bool is_done(const Database& database, RunId run);
 /// Without an ending, the run has not ended.
 void set_run_ending(Database& database, RunId run, std::optional<RunEnding> ending);
+/// Of many runs, in one transaction.
+void end_runs(Database& database, const std::vector<RunId>& runs, RunEnding ending);
 /// For what ends a run when nothing else has.
 void end_run_unless_ended(Database& database, RunId run, RunEnding ending);
 
