@@ -77,6 +77,9 @@ TEST_F(RunClaimTest, ThousandsNeedNoMoreOpenFilesThanOne) {
     for (int i = 0; i < 300; ++i) claims.emplace_back(filled_.database, store.begin_run({.command = "run"}, {}));
     store.hand_over();
     EXPECT_TRUE(std::all_of(claims.begin(), claims.end(), [](const RunClaim& claim) { return claim.held(); }));
+    RunClaim::release(claims);
+    EXPECT_EQ(ask(filled_.database, "SELECT count(*) FROM claim"), 0);
+    EXPECT_FALSE(claims.front().held());
   }
   setrlimit(RLIMIT_NOFILE, &before);
 }

@@ -134,7 +134,7 @@ void carry_out_run(const RunOptions& options) {
   ask_target(bench);  // what does not fit is said before a run begins
   Database database = Database::open(file);
   const bool goes_on = options.resume && has_run(database, bench);
-  const RunPlan plan = goes_on ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
+  RunPlan plan = goes_on ? unfinished_runs(options, bench, database) : begin_runs(options, bench, database);
   if (options.resume && !goes_on && !options.quiet)
     fmt::print(stderr, "{} has no run of {} yet, so a new one begins\n", file.string(), bench.rig().experiment.name);
   if (!options.quiet)
@@ -149,6 +149,7 @@ void carry_out_run(const RunOptions& options) {
     RunDisplay display(plan.replicates, options.quiet, &lines);
     ends = Replicates(bench, database, plan.experiment, workers.get()).run(plan.replicates, plan.threads, display);
   }
+  RunClaim::release(plan.claims);
   lift_time_limit();  // what follows is quick
   check_kept(ends, database);
   if (!takes_standard_output(options.json)) {

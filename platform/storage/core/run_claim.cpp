@@ -128,11 +128,24 @@ RunClaim::RunClaim(Database& database, RunId run, const std::vector<ForeignClaim
   held_ = take_row(database, run, silent);
 }
 
+void RunClaim::remove_row() {
+  Statement(*database_, "DELETE FROM claim WHERE run = ? AND holder = ?").run_with(run_, this_process());
+}
+
+void RunClaim::release(std::vector<RunClaim>& claims) {
+  if (claims.empty()) return;
+  Transaction transaction(*claims.front().database_);
+  for (RunClaim& claim : claims)
+    if (claim.held_) claim.remove_row();
+  transaction.commit();
+  for (RunClaim& claim : claims) claim.held_ = false;
+}
+
 RunClaim::~RunClaim() {
   if (!held_) return;
   try {
     Transaction transaction(*database_);
-    Statement(*database_, "DELETE FROM claim WHERE run = ? AND holder = ?").run_with(run_, this_process());
+    remove_row();
     transaction.commit();
   } catch (const std::exception&) {
     // The row falls silent with this process.

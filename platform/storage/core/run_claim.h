@@ -46,8 +46,12 @@ class RunClaim {
 
   /// False: another process has it.
   bool held() const { return held_; }
+  /// Ends claims of one database in one transaction, for there may be thousands.
+  static void release(std::vector<RunClaim>& claims);
 
  private:
+  void remove_row();
+
   Database* database_;
   RunId run_;
   bool held_ = false;
