@@ -62,13 +62,15 @@ constexpr std::chrono::hours kOld{1};
 
 /// Begins the names of this machine's drafts: on some network file systems no other one sees the locks on them.
 std::string kind_of_draft() { return ".lacuna-" + digits_of_this_machine(); }
+/// Of those that a library writes, on which this program holds no lock.
+std::string kind_of_librarys() { return kind_of_draft() + "-"; }
 
-fs::path unused_name(const fs::path& folder) {
+fs::path unused_name(const fs::path& folder, const std::string& kind) {
   std::random_device random;
-  return folder / fmt::format("{}{:08x}", kind_of_draft(), random());
+  return folder / fmt::format("{}{:08x}", kind, random());
 }
 
-/// Whoever writes a draft holds this lock on it, which ends with the process; a library that writes one does not.
+/// Whoever writes a draft holds this lock on it, which ends with the process.
 bool lock(int descriptor) { return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
 bool is_old(const fs::path& draft) {
@@ -77,13 +79,20 @@ bool is_old(const fs::path& draft) {
   return !gone && fs::file_time_type::clock::now() - changed > kOld;
 }
 
+/// Of this machine, whose process may have ended.
+bool may_be_stale(const fs::path& draft) {
+  const std::string name = draft.filename().string();
+  const auto is_of = [&](const std::string& kind) {
+    return name.starts_with(kind) && name.size() == kind.size() + kDigits;
+  };
+  return is_of(kind_of_draft()) || (is_of(kind_of_librarys()) && is_old(draft));
+}
+
 /// Removes the drafts of processes of this machine that were killed.
 void remove_stale_drafts(const fs::path& folder) {
-  const std::string kind = kind_of_draft();
   std::error_code none;
   for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with(kind) || name.size() != kind.size() + kDigits || !is_old(entry->path())) continue;
+    if (!may_be_stale(entry->path())) continue;
     const int draft = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (draft < 0) continue;
     if (lock(draft)) ::unlink(entry->path().c_str());
@@ -112,7 +121,7 @@ Draft open_draft(const fs::path& folder, mode_t mode) {
     if (unnamed >= 0 && lock(unnamed)) return {unnamed, {}};
     if (unnamed >= 0) ::close(unnamed);
   }
-  const fs::path name = unused_name(folder);
+  const fs::path name = unused_name(folder, kind_of_draft());
   const int named = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
   if (named < 0) return {};
   lock(named);  // in vain only where another process took it for stale just now: then `publish` says that it is gone
@@ -168,14 +177,16 @@ bool WholeFile::rename_draft(const fs::path& name) {
 
 void WholeFile::name_draft() {
   if (!draft_.empty()) return;
-  const fs::path name = unused_name(folder_of(target_));
+  const fs::path name = unused_name(folder_of(target_), kind_of_draft());
   if (!give_name(name)) fail(file_);
   draft_ = name;
 }
 
 /// On some network file systems the lock of one descriptor keeps another one of the same process from the file.
 const fs::path& WholeFile::named_draft() {
-  name_draft();
+  const fs::path name = unused_name(folder_of(target_), kind_of_librarys());
+  if (!(draft_.empty() ? give_name(name) : rename_draft(name))) fail(file_);
+  draft_ = name;
   ::flock(buffer_->fd(), LOCK_UN);
   return draft_;
 }

@@ -117,20 +117,20 @@ TEST_F(WholeFileTest, LeavesNoDraftWhenKilled) {
 TEST_F(WholeFileTest, RemovesDraftsOfTheKilledAndNoOthers) {
   const std::string own = [&] {  // what names of this machine's drafts begin with
     const std::string name = WholeFile(file_, Link::followed).named_draft().filename();
-    return name.substr(0, name.size() - 8);
+    return name.substr(0, name.size() - 9);
   }();
   const auto hour_ago = fs::file_time_type::clock::now() - std::chrono::minutes(61);
-  fs::last_write_time(folder_.write(own + "01234567", "half of it"), hour_ago);
-  folder_.write(own + "89abcdef", "half of it, by a library that holds no lock of ours");
+  folder_.write(own + "01234567", "half of it");
+  fs::last_write_time(folder_.write(own + "-01234567", "half of it"), hour_ago);
+  folder_.write(own + "-89abcdef", "half of it, by a library that holds no lock of ours");
   folder_.write(".lacuna-0123456789abcdef", "half of it, of another machine, whose locks are not seen here");
   folder_.write(".lacuna-settings", "mine");
   const fs::path held = folder_.write(own + "76543210", "half of it");
   const int writer = ::open(held.c_str(), O_WRONLY);
   ASSERT_EQ(::flock(writer, LOCK_EX), 0);
-  fs::last_write_time(held, hour_ago);
   write_whole(file_, "new\n", Link::followed);
   EXPECT_THAT(names(), testing::UnorderedElementsAre("result.json", ".lacuna-settings", ".lacuna-0123456789abcdef",
-                                                     own + "89abcdef", own + "76543210"));
+                                                     own + "-89abcdef", own + "76543210"));
   ::close(writer);
 }
 
