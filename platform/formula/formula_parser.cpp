@@ -117,6 +117,7 @@ class Parser {
     const FormulaToken sign = take();
     Expression of = unary();
     if (sign.text == "+") return of;
+    if (of.kind == Kind::negation) return Expression(of.parts.front());  // written, it would be nested twice as deep
     return made(Kind::negation, sign.column, {std::move(of)});
   }
 

@@ -1,6 +1,8 @@
 #include "formula/force_law.h"
 
+#include "formula/formula_parser.h"
 #include "foundation/placement_unit.h"
+#include "foundation/problem.h"
 #include "foundation/unit.h"
 
 #include <gmock/gmock.h>
@@ -109,6 +111,13 @@ TEST(ForceLaw, ThePrecedenceOfSignsIsThatOfArithmetic) {
   EXPECT_EQ(read_force_law("q - (0.1*v - 2)", {}).parameters[1].start, -0.1);
   EXPECT_EQ(text("sin(-(q - 2)*3)"), "term_1*sin(-(q - 2)*3)");
   EXPECT_EQ(text("cos(q/(2*(1 + abs(v))))"), "term_1*cos(q/(2*(1 + abs(v))))");
+}
+
+/// Found by fuzzing: each but one would stand in parentheses, more of them than are read.
+TEST(ForceLaw, ManyMinusSignsAreWrittenAsOneOrNone) {
+  ProblemList problems;
+  EXPECT_EQ(formula_text(*parse_formula(std::string(39, '-') + "v", problems)), "-v");
+  EXPECT_EQ(formula_text(*parse_formula("-(-v)", problems)), "v");
 }
 
 }  // namespace
