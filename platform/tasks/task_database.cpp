@@ -15,7 +15,7 @@ std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& da
   if (expected == TaskDatabase::checkpoint) require_sound_pages(opened);
   const RunsOfTask runs = runs_of_task(opened, task.id);
   if (runs.has_others) return TaskDatabaseFault{"holds other results than those of the task"};
-  if (!runs.has_begun) return TaskDatabaseFault{"holds no results of the task"};
+  if (!runs.has_begun && expected == TaskDatabase::shard) return TaskDatabaseFault{"holds no results of the task"};
   if (expected == TaskDatabase::shard && !runs.is_done) return TaskDatabaseFault{"does not hold the end of the task"};
   return std::nullopt;
 } catch (const Interrupted&) {

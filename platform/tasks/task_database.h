@@ -10,7 +10,7 @@ namespace lacuna {
 
 /// What a database is expected to be of a task.
 enum class TaskDatabase {
-  checkpoint,  ///< some of its results, in a sound file
+  checkpoint,  ///< some of its results, or none yet, in a sound file
   shard        ///< all of them
 };
 

@@ -59,6 +59,7 @@ TEST_F(TaskDatabaseTest, MustBeReadable) {
   EXPECT_TRUE(fault(TaskDatabase::shard)) << "there is none";
   Database::open(file_);
   EXPECT_THAT(fault(TaskDatabase::shard), Optional(std::string("holds no results of the task")));
+  EXPECT_EQ(fault(TaskDatabase::checkpoint), std::nullopt);
   begin_run("task 1");
   std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 2);
   EXPECT_THAT(fault(TaskDatabase::checkpoint), Optional(std::string("is damaged")));
