@@ -134,10 +134,14 @@ void RunClaim::remove_row() {
 
 void RunClaim::release(std::vector<RunClaim>& claims) {
   if (claims.empty()) return;
-  Transaction transaction(*claims.front().database_);
-  for (RunClaim& claim : claims)
-    if (claim.held_) claim.remove_row();
-  transaction.commit();
+  try {
+    Transaction transaction(*claims.front().database_);
+    for (RunClaim& claim : claims)
+      if (claim.held_) claim.remove_row();
+    transaction.commit();
+  } catch (const std::exception&) {
+    // The rows fall silent with this process.
+  }
   for (RunClaim& claim : claims) claim.held_ = false;
 }
 
