@@ -175,18 +175,15 @@ bool WholeFile::rename_draft(const fs::path& name) {
   return errno == EINVAL && ::link(draft_.c_str(), name.c_str()) == 0;
 }
 
-void WholeFile::name_draft() {
-  if (!draft_.empty()) return;
-  const fs::path name = unused_name(folder_of(target_), kind_of_draft());
-  if (!give_name(name)) fail(file_);
+void WholeFile::name_draft(const std::string& kind) {
+  const fs::path name = unused_name(folder_of(target_), kind);
+  if (!(draft_.empty() ? give_name(name) : rename_draft(name))) fail(file_);
   draft_ = name;
 }
 
 /// On some network file systems the lock of one descriptor keeps another one of the same process from the file.
 const fs::path& WholeFile::named_draft() {
-  const fs::path name = unused_name(folder_of(target_), kind_of_librarys());
-  if (!(draft_.empty() ? give_name(name) : rename_draft(name))) fail(file_);
-  draft_ = name;
+  name_draft(kind_of_librarys());
   ::flock(buffer_->fd(), LOCK_UN);
   return draft_;
 }
@@ -194,7 +191,7 @@ const fs::path& WholeFile::named_draft() {
 void WholeFile::publish() {
   finish();
   if (direct_) return;
-  name_draft();
+  if (draft_.empty()) name_draft(kind_of_draft());
   if (::rename(draft_.c_str(), target_.c_str()) != 0) fail(file_);
   draft_.clear();
 }

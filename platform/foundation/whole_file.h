@@ -44,7 +44,7 @@ class WholeFile {
   void publish_as_new();
 
  private:
-  void name_draft();
+  void name_draft(const std::string& kind);
   bool give_name(const std::filesystem::path& name);
   bool rename_draft(const std::filesystem::path& name);
 
