@@ -53,7 +53,9 @@ class MergeTest : public testing::Test {
   }
   std::vector<MergedShard> merged(const std::vector<std::filesystem::path>& files) const {
     Database all = Database::open(file("all.db"));
-    return merge(all, std::vector<Shard>(files.begin(), files.end()));
+    std::vector<Shard> shards;
+    for (const std::filesystem::path& path : files) shards.push_back({path});
+    return merge(all, shards);
   }
   std::vector<std::string> hashes(const std::string& name) const {
     const Database database = Database::open_read_only(file(name));
