@@ -154,7 +154,8 @@ TEST(ExitCode, IsZeroForWhatADatabaseInAReadOnlyFolderHas) {
   EXPECT_EQ(read_only("fit first-steps.toml").exit_code, kDone);
   const Outcome look = read_only("compare first-steps.toml");
   EXPECT_EQ(look.exit_code, kFailed);
-  EXPECT_THAT(look.errors, HasSubstr("kept/a.db: cannot be written: its folder is read-only; name a database elsewhere"));
+  EXPECT_THAT(look.errors,
+              HasSubstr("kept/a.db: cannot be written: its folder is read-only; name a database elsewhere"));
   EXPECT_EQ(read_only("diagnose first-steps.toml --among coulomb_friction").exit_code, kFailed);
   program.shell("chmod 755 kept");
 }

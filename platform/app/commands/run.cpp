@@ -26,8 +26,7 @@ void add_run_command(CLI::App& program) {
   CLI::Option* isolate = command->add_flag_callback(
       "--isolate", [options] { options->isolate = true; },
       "Simulate models in worker processes: a plugin that crashes costs a model, not the run (default where a plugin "
-      "is "
-      "not of the installed ones)");
+      "is not of the installed ones)");
   command
       ->add_flag_callback(
           "--no-isolate", [options] { options->isolate = false; },
