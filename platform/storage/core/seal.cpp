@@ -1,8 +1,7 @@
 #include "storage/core/seal.h"
 
-#include "foundation/digest.h"
 #include "foundation/interrupt.h"
-#include "storage/core/row_key.h"
+#include "storage/core/row_hash.h"
 #include "storage/core/run_rows.h"
 #include "storage/core/statement.h"
 
@@ -18,55 +17,12 @@
 namespace lacuna {
 namespace {
 
-struct SealedRows {
-  std::int64_t rows = 0;
-  std::string sha256;
-  bool operator==(const SealedRows&) const = default;
-};
-
-/// What runs have in one table.
-class RowsOfRuns {
- public:
-  /// `columns`: those that were there when the run ended; later versions may have more.
-  RowsOfRuns(const Database& database, const TableOfRuns& table, const std::vector<std::string>& columns,
-             const std::vector<std::string>& key)
-      : owner_(table.owner),
-        row_(database, fmt::format("SELECT {} FROM {} WHERE {} ORDER BY {}", fmt::join(columns, ", "), table.name,
-                                   rows_of_run(table), fmt::join(key, ", "))
-                           .c_str()) {}
-
-  /// `between`: called now and then.
-  SealedRows hashed(RunId run, void (*between)()) {
-    constexpr std::size_t kBlock = 1U << 20U;
-    owner_ == RowOwner::key ? row_.with(key_base(run), last_key(run)) : row_.with(run);
-    SealedRows content;
-    if (!row_.step()) return content;
-    Sha256 hash;
-    std::string bytes;
-    do {
-      ++content.rows;
-      for (int column = 0; column < row_.columns(); ++column) row_.append_bits(column, bytes);
-      if (bytes.size() < kBlock) continue;
-      between();
-      hash.add(bytes);
-      bytes.clear();
-    } while (row_.step());
-    hash.add(bytes);
-    content.sha256 = hash.hex();
-    return content;
-  }
-
- private:
-  RowOwner owner_;
-  Statement row_;
-};
-
 /// What was interrupted is sealed for that, too.
 void come_to_the_end() {}
 
 struct Seal {
   std::vector<std::string> columns;
-  SealedRows content;
+  HashedRows content;
 };
 
 /// By table. What cannot be read as a seal has no columns.
@@ -93,8 +49,8 @@ std::optional<std::string> fault_of(const Database& database, RunId run, const T
   };
   if (seal && (seal->columns.empty() || !std::all_of(seal->columns.begin(), seal->columns.end(), is_known)))
     return "its seal is damaged";
-  const SealedRows content =
-      RowsOfRuns(database, table, seal ? seal->columns : now.all, now.key).hashed(run, throw_if_asked_to_stop);
+  const HashedRows content =
+      RowHash(database, table, seal ? seal->columns : now.all, now.key).of(run, throw_if_asked_to_stop);
   const std::int64_t sealed = seal ? seal->content.rows : 0;
   if (content.rows != sealed) return fmt::format("{} rows, {} were sealed", content.rows, sealed);
   if (seal && content.sha256 != seal->content.sha256) return "other content";
@@ -122,7 +78,7 @@ struct Sealer::Part {
       : name(table.name), columns(nlohmann::json(of.all).dump()), rows(database, table, of.all, of.key) {}
 
   std::string name, columns;
-  RowsOfRuns rows;
+  RowHash rows;
 };
 
 Sealer::Sealer(Database& database) : database_(database) {
@@ -136,7 +92,7 @@ void Sealer::seal(RunId run) {
   unseal_run(database_, run);
   Statement insert(database_, "INSERT INTO seal (run, part, columns, rows, sha256) VALUES (?, ?, ?, ?, ?)");
   for (const auto& part : parts_) {
-    const SealedRows content = part->rows.hashed(run, come_to_the_end);
+    const HashedRows content = part->rows.of(run, come_to_the_end);
     if (content.rows > 0) insert.run_with(run, part->name, part->columns, content.rows, content.sha256);
   }
 }
