@@ -156,6 +156,16 @@ TEST_F(Run, IsReproducedAndReplayedFromTheDatabaseAlone) {
   EXPECT_THAT(csv.output, HasSubstr("angle_front_left_measured,angle_front_left_predicted"));
 }
 
+/// As where a backup is looked at beside the damaged database.
+TEST_F(Run, IsReplayedFromTheDatabaseThatIsNamedAlone) {
+  ASSERT_EQ(program_.run({"run", "small.toml", "--db", "backup.db"}).exit_code, kDone);
+  program_.write("small.db", "no database");
+  for (const char* command : {"replay", "reproduce"}) {
+    const Outcome again = program_.run({command, "backup.db"});
+    EXPECT_EQ(again.exit_code, kDone) << again.errors;
+  }
+}
+
 TEST_F(Run, ThatWasChangedInTheDatabaseIsNotReproduced) {
   ASSERT_EQ(program_.run({"run", "small.toml"}).exit_code, kDone);
   ASSERT_EQ(program_.shell("sqlite3 small.db 'UPDATE model SET score = score + 1e-9 WHERE id & 1023 = 7'").exit_code,
@@ -185,6 +195,9 @@ TEST_F(Run, ResumeOfAFinishedRunSucceedsAndSaysWhereItIs) {
   const Outcome again = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(again.exit_code, kDone) << again.errors;
   EXPECT_THAT(again.output, HasSubstr("small is finished: run 1 in small.db is done"));
+  const Outcome lines = program_.run({"run", "small.toml", "--resume", "--json"});
+  EXPECT_EQ(lines.output, "") << "which has lines of JSON alone";
+  EXPECT_THAT(lines.errors, HasSubstr("small is finished: run 1 in small.db is done"));
   program_.write("small.toml", kSmallRun + "[fit]\nstarts = 3\n");
   const Outcome changed = program_.run({"run", "small.toml", "--resume"});
   EXPECT_EQ(changed.exit_code, kBadInput) << "what the file says now has not been run";

@@ -120,8 +120,8 @@ std::vector<std::string> not_done(const RunOptions& options, const Experiment& e
 
 /// A supervisor types the same line again, whatever became of the run.
 void say_finished(const RunOptions& options, const std::string& experiment, RunId run, const std::string& database) {
-  if (takes_standard_output(options.json)) return;
-  fmt::print("{} is finished: run {} in {} is done. Without --resume a new run begins\n→ lacuna runs {}\n", experiment,
+  fmt::print(takes_standard_output(options.json) ? stderr : stdout,
+             "{} is finished: run {} in {} is done. Without --resume a new run begins\n→ lacuna runs {}\n", experiment,
              run.value, database, shell_word(database));
 }
 

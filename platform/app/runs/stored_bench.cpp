@@ -75,6 +75,7 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run, Comm
   stored.listing = run;
   stored.run = stored_run(database, run.run);
   if (options.experiment.empty()) options.experiment = stored.run.experiment.file;
+  if (options.database.empty()) options.database = database.file();  // not one of the experiment's name, here by chance
   options.overrides = put_over(stored.run.experiment.overrides, options.overrides);
   options.decided = stored.run.experiment.decided;
   auto catalog = std::make_shared<const PluginCatalog>(plugin_search_path(options.plugin_paths));
