@@ -13,6 +13,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -110,6 +111,9 @@ int run_program(int argc, char** argv) {
     return complain(error, kBadInput);
   } catch (const Interrupted& error) {
     return complain(error, kInterrupted);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string reason = error.code().message();
+    return complain(Error(error.path1().string() + ": " + reason + "; check the name and the permissions"), kFailed);
   } catch (const std::exception& error) {
     return complain(error, kFailed);
   }

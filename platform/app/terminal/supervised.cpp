@@ -86,7 +86,7 @@ ChildLoss by_signal_of_others(int signal) {
 
 ChildLoss by_nobody(const WatchedEnd& end) {
   const std::string deed =
-      fmt::format("it {} before its work was done, in no call of a plugin", ChildEnding{end.status}.phrase());
+      fmt::format("the process {} before its work was done, in no call of a plugin", ChildEnding{end.status}.phrase());
   return {"", deed,
           fmt::format("lacuna: {}{}{}", deed,
                       was_killed(end) ? kKilledByOthers
@@ -128,7 +128,8 @@ bool begins_anew(const WatchedEnd& end, const ChildLoss& loss) {
 /// After its work was done, a plugin's last acts may still end it another way.
 int exit_code_of(int status) {
   if (WIFSIGNALED(status)) {
-    fmt::print(stderr, "lacuna: it {} after its work was done, which is complete; a plugin's destructors do that\n",
+    fmt::print(stderr,
+               "lacuna: the process {} after its work was done, which is complete; a plugin's destructors do that\n",
                ChildEnding{status}.phrase());
     return kEndedBadly;
   }

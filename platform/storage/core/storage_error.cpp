@@ -17,7 +17,7 @@ bool is_damage(int code) { return (code & 0xff) == SQLITE_CORRUPT || code == SQL
 std::string sentence(int code, const std::string& message) {
   if (code == SQLITE_IOERR_WRITE || code == SQLITE_IOERR_SHMSIZE)
     return "cannot grow: the disk or the quota is full, or files may not grow this large (ulimit -f); make room and "
-           "repeat the command (lacuna run: with --resume); what was finished is kept";
+           "repeat the command (lacuna run: with --resume)";
   if (is_damage(code))
     return "is damaged (" + message + "); restore a copy, or save what can be read with: sqlite3 FILE .recover";
   switch (code & 0xff) {
@@ -26,7 +26,7 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_LOCKED: return "is being written by another process; wait until it has ended and try again";
     case SQLITE_FULL:
       return "cannot grow: the disk or the quota is full; make room and repeat the command (lacuna run: with "
-             "--resume); what was finished is kept";
+             "--resume)";
     case SQLITE_READONLY: return "is read-only; check the permissions of the file and of its folder, or copy it";
     case SQLITE_CANTOPEN: return "cannot be opened; check that its folder exists and its permissions";
     case SQLITE_PERM:
