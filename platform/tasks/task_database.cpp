@@ -2,11 +2,21 @@
 
 #include "foundation/guarded_call.h"
 #include "foundation/interrupt.h"
+#include "foundation/problem.h"
 #include "storage/core/storage_error.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/runs_of_task.h"
 
 namespace lacuna {
+namespace {
+
+/// Of the file, which whoever reports the fault names.
+std::string without_name(const std::string& sentence, const std::filesystem::path& file) {
+  const std::string name = file.string() + ": ";
+  return sentence.starts_with(name) ? sentence.substr(name.size()) : sentence;
+}
+
+}  // namespace
 
 std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& database, const Task& task,
                                                  TaskDatabase expected) try {
@@ -22,8 +32,10 @@ std::optional<TaskDatabaseFault> why_not_of_task(const std::filesystem::path& da
   throw;
 } catch (const DamagedDatabase&) {
   return TaskDatabaseFault{"is damaged"};
+} catch (const BadInput&) {
+  return TaskDatabaseFault{"is not a database of Lacuna"};
 } catch (const Error& unusable) {
-  return TaskDatabaseFault{reason_of(unusable), false};
+  return TaskDatabaseFault{without_name(reason_of(unusable), database), false};
 }
 
 }  // namespace lacuna

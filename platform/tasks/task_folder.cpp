@@ -4,6 +4,7 @@
 #include "foundation/whole_file.h"
 #include "storage/core/backup.h"
 #include "storage/core/clock.h"
+#include "tasks/task_database.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +34,7 @@ constexpr std::chrono::minutes kLongestSilence{3};  // network file systems tell
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file.string() + ": cannot be read");
+  if (!stream || fs::is_directory(file)) throw Error(file.string() + ": cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -43,6 +44,8 @@ std::string name_of_this_machine() {
   utsname names{};
   return uname(&names) == 0 ? names.nodename : "a machine without a name";
 }
+
+std::string name_of_database(std::size_t task) { return fmt::format("{}.db", task); }
 
 constexpr std::array kFolders = {"shards", "checkpoints", "signs", "logs"};
 
@@ -69,12 +72,26 @@ bool shows_life(const fs::path& sign, fs::file_time_type now) {
   return !gone && now - last < kLongestSilence;
 }
 
-/// Than the folders that one which was killed has made before it wrote its plan.
+/// Than the folders of a plan, which one that was killed has made before it wrote its plan, or whose plan was lost.
 bool has_other_files(const fs::path& folder) {
   std::error_code none;
-  for (fs::recursive_directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none))
-    if (!entry->is_directory() || entry.depth() > 0 || !is_own_folder(entry->path().filename())) return true;
+  for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none))
+    if (!entry->is_directory() || !is_own_folder(entry->path().filename())) return true;
   return false;
+}
+
+/// What a lost plan's tasks have found must be of the plan that takes its place.
+void check_found(const fs::path& folder, const TaskPlan& plan) {
+  const fs::path shards = folder / "shards";
+  if (!fs::exists(shards)) return;
+  ProblemList problems;
+  for (std::size_t number = 0; number < plan.tasks.size(); ++number) {
+    const fs::path shard = shards / name_of_database(number);
+    if (!fs::exists(shard)) continue;
+    if (const auto fault = why_not_of_task(shard, plan.tasks[number], TaskDatabase::shard))
+      problems.add({shard.string()}, fault->reason + "; move it away, or name a new folder with --out");
+  }
+  problems.throw_if_any();
 }
 
 std::vector<std::string> ids_of(const TaskPlan& plan) {
@@ -85,12 +102,16 @@ std::vector<std::string> ids_of(const TaskPlan& plan) {
 
 }  // namespace
 
+fs::path checkpoint_in(const fs::path& folder, std::size_t task) {
+  return folder / "checkpoints" / name_of_database(task);
+}
+
 TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   const fs::path file = folder / "plan.json";
   if (fs::exists(file)) {
     TaskFolder there(folder);
     if (ids_of(there.plan()) != ids_of(plan))
-      throw_problem({folder.string()}, "has another plan already; remove the folder, or name another one");
+      throw_problem({folder.string()}, "has another plan already; move that folder away, or plan into another one");
     if (text_of_plan(there.plan()) == text_of_plan(plan)) return there;
     write_whole(file, text_of_plan(plan), Link::replaced);  // the same tasks, whose files have moved
     return TaskFolder(folder);
@@ -99,6 +120,7 @@ TaskFolder TaskFolder::make(const fs::path& folder, const TaskPlan& plan) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw_problem({folder.string()}, "is a file; name a new folder with --out");
   if (has_other_files(folder)) throw_problem({folder.string()}, "has other files in it; name a new folder with --out");
+  check_found(folder, plan);
   make_folders(folder);
   write_whole(file, text_of_plan(plan), Link::replaced);
   return TaskFolder(folder);
@@ -121,10 +143,8 @@ const Task& TaskFolder::task(std::size_t number) const {
   return plan_.tasks[number];
 }
 
-fs::path TaskFolder::shard(std::size_t number) const { return folder_ / "shards" / fmt::format("{}.db", number); }
-fs::path TaskFolder::checkpoint(std::size_t number) const {
-  return folder_ / "checkpoints" / fmt::format("{}.db", number);
-}
+fs::path TaskFolder::shard(std::size_t number) const { return folder_ / "shards" / name_of_database(number); }
+fs::path TaskFolder::checkpoint(std::size_t number) const { return checkpoint_in(folder_, number); }
 fs::path TaskFolder::sign(std::size_t number) const { return folder_ / "signs" / fmt::format("{}.json", number); }
 
 bool TaskFolder::is_done(std::size_t number) const { return fs::exists(shard(number)); }

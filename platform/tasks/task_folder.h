@@ -27,6 +27,9 @@ struct TaskStatus {
   std::string reason;   ///< why it failed, or was interrupted
 };
 
+/// Where a plan's folder has what was found of a task that is not done.
+std::filesystem::path checkpoint_in(const std::filesystem::path& folder, std::size_t task);
+
 /// A plan's folder, which many processes on many machines use at once:
 ///
 ///     plan.json       the plan

@@ -110,8 +110,10 @@ TaskPlan read_plan(const std::string& text, const std::filesystem::path& file) t
   check_tasks(plan);
   return plan;
 } catch (const Json::exception&) {
-  throw_problem({file.string()},
-                "is not a plan of `lacuna plan`, or is damaged; put a copy back, or make the plan anew");
+  throw_problem(
+      {file.string()},
+      "is not a plan of `lacuna plan`, or is damaged; put a copy back, or remove it and make the plan anew there: "
+      "what its tasks have found stays");
 } catch (const BadInput&) {
   throw;
 } catch (const Error& wrong) {

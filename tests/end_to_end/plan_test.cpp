@@ -138,6 +138,11 @@ TEST_F(Plan, WhatAKilledProcessCannotHandInIsKeptAndNamed) {
   EXPECT_EQ(killed.exit_code, 1) << killed.errors;
   EXPECT_THAT(killed.errors, HasSubstr("what was found until then is in "));
   EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("shard.db: sound"));
+  const std::string advice = killed.errors.substr(killed.errors.find("after: cp ") + 7);
+  program_.shell("rm plan/shards; mkdir plan/shards; " + advice);
+  EXPECT_EQ(program_.shell("ls plan/checkpoints").output, "0.db\n") << advice;
+  lacuna("task run plan 0 --quiet");
+  EXPECT_THAT(lacuna("merge all.db plan"), HasSubstr("1 run added"));
 }
 
 TEST_F(Plan, ACheckpointThatCannotBeUsedIsPutAside) {
@@ -168,6 +173,18 @@ TEST_F(Plan, AFullFolderLosesNothing) {
   EXPECT_THAT(lacuna("verify lacuna-kept-*/shard.db"), HasSubstr("1 run as stored"));
 }
 
+TEST_F(Plan, ALostPlanIsMadeAnewAroundWhatItsTasksHaveFound) {
+  lacuna("plan small.toml --replicates 2 --out plan");
+  lacuna("task run plan 0 --quiet");
+  program_.write("plan/plan.json", "{");
+  EXPECT_THAT(program_.shell("lacuna status plan").errors,
+              HasSubstr("put a copy back, or remove it and make the plan"));
+  program_.shell("rm plan/plan.json");
+  EXPECT_EQ(program_.shell("lacuna plan small.toml --seed 9 --out plan").exit_code, 2) << "of another plan";
+  EXPECT_THAT(lacuna("plan small.toml --replicates 2 --out plan"), HasSubstr("plan: 2 tasks"));
+  EXPECT_THAT(lacuna("status plan"), HasSubstr("1 done (0)"));
+}
+
 TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
   lacuna("plan small.toml --replicates 3 --out plan");
   for (const char* number : {"0", "1"}) lacuna("task run plan " + std::string(number) + " --quiet");
@@ -175,13 +192,14 @@ TEST_F(Plan, LeavesOutShardsThatAreNotOfTheirTasks) {
   const Outcome merge = program_.shell("lacuna merge all.db plan");
   EXPECT_EQ(merge.exit_code, 1);
   EXPECT_THAT(merge.output, HasSubstr("all.db: 1 run added"));
+  EXPECT_EQ(program_.shell("ls | grep all.db-").output, "") << "no log is left";
   EXPECT_THAT(merge.errors,
-              AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; remove it, and "
+              AllOf(HasSubstr("plan/shards/2.db: holds other results than those of the task; move it away, and "
                               "`lacuna task run plan 2` makes it anew"),
                     HasSubstr("plan/shards/0.db: is damaged"), HasSubstr("1 of 3 tasks are merged")));
   program_.shell("sqlite3 plan/shards/1.db 'UPDATE model SET score = score * 2 + 1'");
   const Outcome nothing = program_.shell("lacuna merge new.db plan");
-  EXPECT_THAT(nothing.errors, HasSubstr("plan/shards/1.db: does not hold what was stored in it; remove it, and "
+  EXPECT_THAT(nothing.errors, HasSubstr("plan/shards/1.db: does not hold what was stored in it; move it away, and "
                                         "`lacuna task run plan 1` makes it anew"));
   EXPECT_THAT(nothing.errors, HasSubstr("0 of 3 tasks are merged"));
   EXPECT_EQ(program_.shell("ls new.db").exit_code, 2) << "nothing was made";
@@ -195,7 +213,7 @@ TEST_F(Plan, AShardOfANewerVersionIsNotToBeRemoved) {
   program_.shell("sqlite3 plan/shards/0.db 'PRAGMA user_version = 999'");
   const Outcome merge = program_.shell("lacuna merge all.db plan");
   EXPECT_EQ(merge.exit_code, 1);
-  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/0.db: "), HasSubstr("newer"), Not(HasSubstr("remove"))));
+  EXPECT_THAT(merge.errors, AllOf(HasSubstr("plan/shards/0.db: "), HasSubstr("newer"), Not(HasSubstr("move it away"))));
 }
 
 TEST_F(Plan, ATaskThatTwoProcessesCarryOutIsThereOnce) {
@@ -228,7 +246,13 @@ TEST_F(Plan, RefusesWhatCannotBePlanned) {
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("nothing.toml"), HasSubstr("other.toml: is called small, as ")));
   EXPECT_EQ(program_.shell("lacuna plan small.toml --diagnose --out plan").exit_code, 2);
   EXPECT_EQ(program_.shell("lacuna plan small.toml --sweep experiment.passes=1,1 --out plan").exit_code, 2);
-  EXPECT_EQ(program_.shell("lacuna plan small.toml --sweep experiment.pases=1 --out plan").exit_code, 2);
+  const Outcome unknown = program_.shell("lacuna plan small.toml --sweep experiment.pases=1 --out plan");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors, HasSubstr("small.toml: sweep: experiment.pases=1: experiment: unknown key"));
+  EXPECT_THAT(
+      program_.shell("lacuna plan small.toml --sweep experiment.passes=1,2 --set experiment.passes=3 --out plan")
+          .errors,
+      HasSubstr("--set experiment.passes=3: the key is swept"));
   EXPECT_EQ(program_.shell("ls plan").exit_code, 2) << "nothing was made";
   EXPECT_EQ(program_.shell("lacuna status .").exit_code, 2);
   EXPECT_EQ(program_.shell("lacuna task run . 0").exit_code, 2);
@@ -248,6 +272,11 @@ TEST_F(Plan, GoesToSlurm) {
   lacuna("run small.toml --replicates 2 --db serial.db --quiet");
   EXPECT_EQ(hashes("small.db"), hashes("serial.db"));
   EXPECT_THAT(program_.shell(run).output, HasSubstr("all 2 tasks of"));
+  program_.shell("rm -r small.plan calls");
+  for (const char* unusable : {"small.toml", "no-such-folder/all.db", "."})
+    EXPECT_NE(program_.shell(run + " --db " + unusable).exit_code, 0) << unusable;
+  EXPECT_EQ(program_.shell("ls small.plan calls").output, "") << "nothing was submitted";
+  program_.shell(run + " --db other.db");
   EXPECT_EQ(program_.shell("lacuna run small.toml --executor slurm --db other.db").exit_code, 2)
       << "another plan is there";
 }

@@ -1,11 +1,11 @@
 #include "app/commands/commands.h"
+#include "app/tasks/new_database.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
-#include "storage/core/statement.h"
 #include "storage/merge/merge.h"
 #include "tasks/slurm_jobs.h"
 #include "tasks/task_database.h"
@@ -65,8 +65,8 @@ void add_plan(const std::filesystem::path& folder, Sources& sources) {
 }
 
 std::string how_to_make_anew(const Source& source) {
-  return fmt::format("; remove it, and `lacuna task run {} {}` makes it anew", shell_word(source.plan->path().string()),
-                     source.task);
+  return fmt::format("; move it away, and `lacuna task run {} {}` makes it anew",
+                     shell_word(source.plan->path().string()), source.task);
 }
 
 /// Shards that are not of their tasks.
@@ -100,30 +100,6 @@ std::vector<MergedShard> merged(const MergeOptions& options, const Sources& sour
   ProgressLine line(options.quiet);
   return merge(database, shards, [&](double part) { line.show({.what = "merge", .fraction = part}); });
 }
-
-bool has_runs(const std::filesystem::path& file) {
-  const Database database = Database::open_read_only(file);
-  return Statement(database, "SELECT 1 FROM run").step();
-}
-
-/// Of a merge that takes nothing in nothing is left where there was nothing.
-class NewDatabase {
- public:
-  explicit NewDatabase(const std::filesystem::path& file) : file_(file), was_there_(std::filesystem::exists(file)) {}
-  ~NewDatabase() {
-    try {
-      if (!was_there_ && std::filesystem::exists(file_) && !has_runs(file_)) std::filesystem::remove(file_);
-    } catch (const std::exception&) {
-      // It stays.
-    }
-  }
-  NewDatabase(const NewDatabase&) = delete;
-  NewDatabase& operator=(const NewDatabase&) = delete;
-
- private:
-  std::filesystem::path file_;
-  bool was_there_;
-};
 
 void print(const MergeOptions& options, const std::vector<MergedShard>& shards) {
   std::size_t added = 0, known = 0;
@@ -165,8 +141,8 @@ void merge_databases(const MergeOptions& options) {
       done += found[i].problems.empty() && sources.all[i].plan != nullptr ? 1 : 0;
   }
   if (!sources.missing.empty())
-    throw Error(fmt::format("{}{} of {} tasks are merged; run the others, then repeat this command", sources.missing,
-                            done, sources.tasks));
+    throw Error(fmt::format("{}{} of {} tasks are merged; do what is missing, then repeat this command",
+                            sources.missing, done, sources.tasks));
 }
 
 }  // namespace

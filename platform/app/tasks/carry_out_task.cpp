@@ -64,12 +64,13 @@ void check_inputs(const TaskFolder& folder, const Task& task) {
 }
 
 /// What cannot be moved to the plan stays where it is. `before`: what else went wrong.
-void hand_in(ScratchFolder& scratch, const std::string& before, const std::function<void()>& move) try {
+void hand_in(const Work& work, ScratchFolder& scratch, const std::string& before,
+             const std::function<void()>& move) try {
   move();
 } catch (const std::exception& lost) {
   scratch.keep();
-  throw Error(fmt::format("{}{}{}\nwhat was found until then is in {}", before, before.empty() ? "" : "\n", lost.what(),
-                          scratch.path().string()));
+  throw Error(fmt::format("{}{}{}\n{}", before, before.empty() ? "" : "\n", lost.what(),
+                          where_it_stays(work.folder.path(), work.number, scratch.path())));
 }
 
 /// Whether there is a checkpoint to go on from, which becomes the task's database. One that cannot be used is kept, and
@@ -96,16 +97,16 @@ void carry_out(const Work& work) {
     const TaskCheckpoints checkpoints(work.folder, work.number, database);
     do_work(work, database, goes_on);
   } catch (const Interrupted& interruption) {
-    hand_in(scratch, "", keep_checkpoint);
+    hand_in(work, scratch, "", keep_checkpoint);
     work.folder.note_interruption(work.number, interruption.what());
     throw Interrupted(fmt::format("task {} was interrupted; to continue: {}", work.number, command_line()));
   } catch (const DamagedDatabase&) {
     throw;
   } catch (const std::exception& failure) {
-    hand_in(scratch, failure.what(), keep_checkpoint);
+    hand_in(work, scratch, failure.what(), keep_checkpoint);
     throw;
   }
-  hand_in(scratch, "", [&] { work.folder.keep_shard(work.number, database); });
+  hand_in(work, scratch, "", [&] { work.folder.keep_shard(work.number, database); });
 }
 
 }  // namespace

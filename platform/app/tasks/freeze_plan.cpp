@@ -97,6 +97,36 @@ void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan&
   }
 }
 
+std::string key_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
+
+/// One value would win, and the plan would say both.
+void check_settings(const std::vector<std::string>& overrides, const std::vector<SweptKey>& swept) {
+  ProblemList problems;
+  for (const std::string& setting : overrides)
+    for (const SweptKey& key : swept)
+      if (key.first == key_of(setting))
+        problems.add({},
+                     fmt::format("--set {0}: the key is swept; leave it out, or give it this value alone: --sweep {0}",
+                                 setting));
+  problems.throw_if_any();
+}
+
+/// Adds the tasks at one point of the sweep; what is wrong there is said of the sweep, not of a setting.
+void add_point(const PlanOptions& options, CommonOptions point, const std::vector<std::string>& settings,
+               TaskPlan& plan, Inputs& inputs) {
+  point.overrides.insert(point.overrides.end(), settings.begin(), settings.end());
+  try {
+    add_tasks(options, point, plan, inputs);
+  } catch (const BadInput& bad) {
+    std::vector<Problem> problems = bad.problems();
+    for (Problem& problem : problems)
+      for (const std::string& setting : settings)
+        if (problem.location.file == "--set " + setting)
+          problem.location.file = fmt::format("{}: sweep: {}", point.experiment.string(), setting);
+    throw BadInput(std::move(problems));
+  }
+}
+
 void add_experiment(const PlanOptions& options, const std::filesystem::path& file, const std::vector<SweptKey>& typed,
                     TaskPlan& plan, Inputs& inputs) {
   const ScratchFolder nothing;
@@ -107,12 +137,10 @@ void add_experiment(const PlanOptions& options, const std::filesystem::path& fil
   base.seed = options.seed;
   base.database = nothing / "none.db";  // what others have stored is none of the task's
   const Experiment experiment = read_experiment(base.experiment, base.overrides);
-  for (const std::vector<std::string>& settings :
-       sweep_points(swept_keys(options.with_sweep_of_file ? experiment.sweep : std::vector<SweptKey>(), typed))) {
-    CommonOptions point = base;
-    point.overrides.insert(point.overrides.end(), settings.begin(), settings.end());
-    add_tasks(options, point, plan, inputs);
-  }
+  const std::vector<SweptKey> swept =
+      swept_keys(options.with_sweep_of_file ? experiment.sweep : std::vector<SweptKey>(), typed);
+  check_settings(options.overrides, swept);
+  for (const std::vector<std::string>& settings : sweep_points(swept)) add_point(options, base, settings, plan, inputs);
 }
 
 void check_different(const TaskPlan& plan, ProblemList& problems) {

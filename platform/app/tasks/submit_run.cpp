@@ -1,6 +1,7 @@
 #include "app/tasks/submit_run.h"
 
 #include "app/tasks/freeze_plan.h"
+#include "app/tasks/new_database.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/rig.h"
 #include "foundation/counted.h"
@@ -30,21 +31,32 @@ PlanOptions plan_options(const RunOptions& options) {
 
 /// What concerns one process has no meaning for many, and is not passed over in silence.
 void check_options(const RunOptions& options, const SlurmOptions& slurm) {
-  const std::pair<bool, const char*> given[] = {{options.json.has_value(), "--json"},
-                                                {options.threads > 0, "--threads"},
-                                                {options.isolate.has_value(), "--isolate and --no-isolate"},
-                                                {options.resume, "--resume"},
-                                                {has_time_limit(), "--time-limit"}};
+  struct Given {
+    bool is_given;
+    const char* name;
+    const char* instead;
+  };
+  constexpr const char* kSubmitAgain = "the same command again submits what is not done";
+  constexpr const char* kBySbatch = "give Slurm its own limits by --sbatch";
+  const Given given[] = {{options.json.has_value(), "--json", "`lacuna status` tells how far the tasks are"},
+                         {options.threads > 0, "--threads", kBySbatch},
+                         {options.isolate.has_value(), "--isolate and --no-isolate", "tasks choose by their plugins"},
+                         {options.resume, "--resume", kSubmitAgain},
+                         {has_time_limit(), "--time-limit", kBySbatch}};
   ProblemList problems;
-  for (const auto& [is_given, name] : given)
-    if (is_given)
-      problems.add({}, fmt::format("--executor slurm does not take {}; give Slurm its own limits by --sbatch, and the "
-                                   "same command again to submit what is not done",
-                                   name));
+  for (const Given& option : given)
+    if (option.is_given)
+      problems.add({}, fmt::format("--executor slurm does not take {}; {}", option.name, option.instead));
   for (const std::string& word : slurm.sbatch)
     if (word.starts_with("--ar") || word.starts_with("-a"))  // sbatch takes beginnings of names, too
       problems.add({}, "--sbatch " + word + ": the array is that of the tasks; leave it out");
   problems.throw_if_any();
+}
+
+/// The job that merges may come days later, and nobody may look at what it says.
+void check_database(const std::filesystem::path& file) {
+  const NewDatabase nothing_yet(file);
+  Database::open(file);
 }
 
 /// Where all tasks are done, their merge is all that is left.
@@ -81,6 +93,7 @@ void submit_run(const RunOptions& options, const SlurmOptions& slurm) {
   const std::string& name = plan.tasks.front().name;
   const std::filesystem::path database =
       std::filesystem::absolute(options.database.empty() ? name + ".db" : options.database.string());
+  check_database(database);
   const TaskFolder folder = TaskFolder::make(std::filesystem::absolute(name + ".plan"), plan);
   const std::size_t open = folder.open_tasks().size();
   if (open == 0) return say_finished(folder, database);

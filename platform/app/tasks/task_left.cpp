@@ -41,11 +41,18 @@ void hand_in(const TaskLeft& left, const ChildLoss& loss) {
     std::filesystem::remove_all(scratch, ignored);
     if (!loss.begins_anew) say_where_it_is(folder, left.number);
   } catch (const std::exception& lost) {
-    tell(fmt::format("{}\nwhat was found until then is in {}", lost.what(), scratch.string()));
+    tell(fmt::format("{}\n{}", lost.what(), where_it_stays(left.folder, left.number, scratch)));
   }
 }
 
 }  // namespace
+
+std::string where_it_stays(const std::filesystem::path& folder, std::size_t number,
+                           const std::filesystem::path& scratch) {
+  return fmt::format("what was found until then is in {}; the task goes on from there after: cp {} {}",
+                     scratch.string(), shell_word((scratch / "shard.db").string()),
+                     shell_word(checkpoint_in(folder, number).string()));
+}
 
 std::string TaskLeft::text() const {
   const std::string end(1, '\0');

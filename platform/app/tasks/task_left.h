@@ -18,6 +18,10 @@ struct TaskLeft {
   std::string text() const;
 };
 
+/// The sentence for what could not be brought to the plan's folder.
+std::string where_it_stays(const std::filesystem::path& folder, std::size_t number,
+                           const std::filesystem::path& scratch);
+
 /// For the process that watches: prints what became of the other one and, where that had a task, hands in what it has
 /// found and notes that the task failed or was interrupted.
 void report_loss(const ChildLoss& loss);
