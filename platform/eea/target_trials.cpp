@@ -122,6 +122,7 @@ void carry_out_test(const EeaRun& run, const EeaTarget& target, EeaState& state,
 
 void note_prediction(const EeaRun& run, EeaState& state, int number, const TargetTrial& trial) {
   const KnownModel& best = state.best.front();
+  if (best.genome.empty()) return;  // the approximate model that came with the experiment: no row is its own
   const ForetoldTrial foretold = run.evaluations->foretell(best, trial);
   state.counts.test_steps += foretold.steps;
   if (foretold.valid)

@@ -155,6 +155,8 @@ TEST(EeaLoop, AnApproximateModelBeginsWithExploration) {
   ASSERT_TRUE(journal.trial_rows.front().test.has_value());
   EXPECT_EQ(*journal.trial_rows.front().test, *journal.passes.front().best_test);
   EXPECT_TRUE(std::isfinite(journal.trial_rows.front().predicted_fitness));
+  EXPECT_GT(journal.predictions, 0);
+  EXPECT_EQ(journal.predictions_of_nobody, 0) << "the approximate model has no row";
 }
 
 TEST(EeaLoop, ARandomTestFitnessNeedsNoModel) {

@@ -21,7 +21,10 @@ class MemoryJournal : public EeaJournal {
     trial_rows.push_back(std::move(row));
     trials.push_back(trial);
   }
-  void add_prediction(std::uint64_t, int, const TimeSeries&, const TimeSeries&) override { ++predictions; }
+  void add_prediction(std::uint64_t model, int, const TimeSeries&, const TimeSeries&) override {
+    ++predictions;
+    if (model >= models.size()) ++predictions_of_nobody;
+  }
   void add(PassRow row) override { passes.push_back(std::move(row)); }
   void note_failure(const FailedTrialRecord& failed) override { failures.push_back(failed); }
   void checkpoint(const EeaState& state, bool) override { checkpoints.push_back(save(state)); }
@@ -34,6 +37,7 @@ class MemoryJournal : public EeaJournal {
   std::vector<FailedTrialRecord> failures;
   std::vector<std::vector<double>> checkpoints;
   int predictions = 0;
+  int predictions_of_nobody = 0;  ///< by models without a row before, where the run began here
 };
 
 /// Populations of a dozen and tests of 0.3 s: a few hundredths of a second.
