@@ -139,4 +139,6 @@ void apply_overrides(TomlNode& tree, const std::vector<std::string>& overrides, 
   }
 }
 
+std::string overridden_key(const std::string& text) { return text.substr(0, text.find('=')); }
+
 }  // namespace lacuna

@@ -6,6 +6,7 @@
 #include "app/terminal/time_limit.h"
 #include "command_line/usage_error.h"
 #include "foundation/interrupt.h"
+#include "foundation/plain_text.h"
 #include "foundation/problem.h"
 #include "kernels/kernels.h"
 
@@ -112,8 +113,8 @@ int run_program(int argc, char** argv) {
   } catch (const Interrupted& error) {
     return complain(error, kInterrupted);
   } catch (const std::filesystem::filesystem_error& error) {
-    const std::string reason = error.code().message();
-    return complain(Error(error.path1().string() + ": " + reason + "; check the name and the permissions"), kFailed);
+    const std::string what = plain_text(error.path1().string()) + ": " + error.code().message();
+    return complain(Error(what + "; check the name and the permissions"), kFailed);
   } catch (const std::exception& error) {
     return complain(error, kFailed);
   }

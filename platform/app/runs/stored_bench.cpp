@@ -1,6 +1,7 @@
 #include "app/runs/stored_bench.h"
 
 #include "app/workspace/run_inputs.h"
+#include "config/overrides.h"
 #include "foundation/shell_word.h"
 
 #include <fmt/format.h>
@@ -30,12 +31,10 @@ std::unique_ptr<EeaBench> open_bench(const CommonOptions& options, const std::st
   }
 }
 
-std::string key_of_override(const std::string& text) { return text.substr(0, text.find('=')); }
-
 /// A key that is set anew loses its old value.
 std::vector<std::string> put_over(std::vector<std::string> overrides, const std::vector<std::string>& newer) {
   for (const std::string& one : newer)
-    std::erase_if(overrides, [&](const std::string& old) { return key_of_override(old) == key_of_override(one); });
+    std::erase_if(overrides, [&](const std::string& old) { return overridden_key(old) == overridden_key(one); });
   overrides.insert(overrides.end(), newer.begin(), newer.end());
   return overrides;
 }

@@ -6,6 +6,7 @@
 #include "app/workspace/rig.h"
 #include "app/workspace/used_plugins.h"
 #include "config/experiment_reader.h"
+#include "config/overrides.h"
 #include "foundation/digest.h"
 #include "foundation/problem.h"
 
@@ -97,14 +98,12 @@ void add_tasks(const PlanOptions& options, const CommonOptions& point, TaskPlan&
   }
 }
 
-std::string key_of(const std::string& setting) { return setting.substr(0, setting.find('=')); }
-
 /// One value would win, and the plan would say both.
 void check_settings(const std::vector<std::string>& overrides, const std::vector<SweptKey>& swept) {
   ProblemList problems;
   for (const std::string& setting : overrides)
     for (const SweptKey& key : swept)
-      if (key.first == key_of(setting))
+      if (key.first == overridden_key(setting))
         problems.add({},
                      fmt::format("--set {0}: the key is swept; leave it out, or give it this value alone: --sweep {0}",
                                  setting));

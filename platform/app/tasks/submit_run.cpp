@@ -36,12 +36,11 @@ void check_options(const RunOptions& options, const SlurmOptions& slurm) {
     const char* name;
     const char* instead;
   };
-  constexpr const char* kSubmitAgain = "the same command again submits what is not done";
   constexpr const char* kBySbatch = "give Slurm its own limits by --sbatch";
   const Given given[] = {{options.json.has_value(), "--json", "`lacuna status` tells how far the tasks are"},
                          {options.threads > 0, "--threads", kBySbatch},
                          {options.isolate.has_value(), "--isolate and --no-isolate", "tasks choose by their plugins"},
-                         {options.resume, "--resume", kSubmitAgain},
+                         {options.resume, "--resume", "the same command again submits what is not done"},
                          {has_time_limit(), "--time-limit", kBySbatch}};
   ProblemList problems;
   for (const Given& option : given)
