@@ -1,10 +1,13 @@
 #include "commands/commands.h"
 #include "commands/not_empty.h"
 
+#include "dirty/dirty_plan.h"
 #include "figures/baseline_table.h"
+#include "figures/dirty_table.h"
 #include "figures/pictures.h"
 #include "figures/tables.h"
 #include "foundation/whole_file.h"
+#include "runs/dirty_store.h"
 #include "runs/work_folder.h"
 
 #include <CLI/CLI.hpp>
@@ -25,10 +28,32 @@ struct FiguresOptions {
   fs::path database, out;
 };
 
+/// The version that was begun last among those that have the set.
+std::string last_version(const Database& database, const std::string& set) {
+  const std::vector<Row> rows = database.query(
+      "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) ORDER BY begun "
+      "DESC LIMIT 1",
+      {set});
+  if (rows.empty()) throw std::invalid_argument(fmt::format("the database has no case of {}", set));
+  return text(rows[0][0]);
+}
+
+void show_dirty(const Database& database, const FiguresOptions& options) {
+  if (options.every_version || options.versions.size() > 1)
+    throw std::invalid_argument("the figures of a dirty set are those of one --version");
+  const std::string version = options.versions.empty() ? last_version(database, options.set) : options.versions.front();
+  const std::string page = dirty_tables(read_dirty_results(database, version, options.set));
+  if (options.out.empty()) return fmt::print("{}", page);
+  make_folder(options.out);
+  lacuna::write_whole(options.out / "figures.md", page, lacuna::Link::replaced);
+  fmt::print("figures.md is in {}\n", options.out.string());
+}
+
 void show_figures(const FiguresOptions& options) {
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   const Database database(options.database, Access::read);
+  if (dirty::is_dirty_set(options.set)) return show_dirty(database, options);
   const FigureValues all = read_figures(
       database, options.every_version ? versions_of(database, options.set) : options.versions, options.set);
   const std::string page = markdown(all) + baseline_table(database, all);
@@ -48,7 +73,8 @@ void add_figures_command(CLI::App& program) {
       ->required()
       ->check(not_empty())
       ->option_text("FILE");
-  command->add_option("--set", options->set, "tuning, reporting or fixed (default: reporting)")->option_text("SET");
+  command->add_option("--set", options->set, "tuning, reporting, fixed or a dirty set (default: reporting)")
+      ->option_text("SET");
   CLI::Option* versions = command
                               ->add_option("--version", options->versions,
                                            "Versions of the method, counted together (default: the one begun last)")

@@ -1,12 +1,17 @@
 #include "commands/commands.h"
 #include "commands/lacuna_program.h"
 #include "commands/not_empty.h"
+#include "commands/sets_text.h"
 
 #include "command_line/whole_number.h"
 #include "contacts/contact_plan.h"
+#include "dirty/dirty_plan.h"
+#include "foundation/figure_text.h"
 #include "foundation/interrupt.h"
 #include "runs/case_store.h"
+#include "runs/dirty_store.h"
 #include "runs/run_case.h"
+#include "runs/run_dirty_case.h"
 #include "runs/run_set.h"
 #include "runs/selection.h"
 #include "runs/work_folder.h"
@@ -59,7 +64,7 @@ std::string answer_text(const CaseResult& result) {
   if (first.verdict == "effect_found" && !first.ranking.empty())
     for (const RankedEffectRecord& effect : first.ranking.front().effects)
       words += fmt::format(" {} @ {}", effect.what.effect, effect.what.place);
-  if (!std::isnan(first.probability)) words += fmt::format(", P {:.2f}", first.probability);
+  if (!std::isnan(first.probability)) words += ", P " + lacuna::probability_text(first.probability);
   return fmt::format("{}, {:.0f} s{}", words, first.seconds, settling_text(result));
 }
 
@@ -81,16 +86,19 @@ std::string failures_text(int failed) {
 }
 
 void run(const RunOptions& options) {
-  const std::vector<CasePlan> plans = selected(plan_all_cases(options.set), options.cases, options.part);
+  const std::vector<CasePlan> plans = selected(plans_of_set(options.set), options.cases, options.part);
   const WorkFolder work(options.work);
   ProgramSettings settings = program_settings(options.lacuna, options.longest);
   settings.most_diagnoses = options.most_diagnoses;
   Database database(options.database);
   keep_version(database, options.version, identity_of(settings, work.path()));
+  const bool is_dirty = dirty::is_dirty_set(options.set);
+  if (is_dirty) make_dirty_table(database);
   const Telling told;
   const SetProgress progress = run_set(
       database, options.version, plans, options.jobs, options.again,
       [&](const CasePlan& plan) {
+        if (is_dirty) return run_dirty_case(plan, options.version, work.path(), options.keep, settings);
         return run_case(plan, options.version,
                         {work.path(), options.keep, !options.without_oracle, options.baselines, options.settle},
                         settings);
@@ -107,7 +115,7 @@ void add_run_command(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
       program.add_subcommand("run", "Send the cases that the database does not have through the program");
-  command->add_option("--set", options->set, "tuning, reporting or fixed")->required()->option_text("SET");
+  command->add_option("--set", options->set, kSets)->required()->option_text("SET");
   command->add_option("--db", options->database, "Database, made if it is not there")
       ->required()
       ->check(not_empty())

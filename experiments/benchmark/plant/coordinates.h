@@ -9,8 +9,9 @@ namespace hidden_effects {
 /// rad
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Joints, and rotors behind elastic transmissions: as many coordinates as a plant of this benchmark has at most.
-inline constexpr int kMostCoordinates = 4;
+/// Joints, and rotors behind elastic transmissions: as many coordinates as a plant of this benchmark has at most. From
+/// 8 on, Eigen would multiply such matrices in another order, and the digits of all cases would change.
+inline constexpr int kMostCoordinates = 7;
 
 /// One number a coordinate, without allocation: rad or m, N·m or N, ...
 using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostCoordinates, 1>;

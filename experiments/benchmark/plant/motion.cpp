@@ -44,6 +44,8 @@ std::vector<std::vector<double>> read_sensors(const PlantSpec& spec, const Laws&
     const PlantSensor& sensor = spec.sensors[s];
     const auto& read = sensor.velocity ? motion.velocity : motion.position;
     DenseReadings dense{read[static_cast<std::size_t>(sensor.joint)], motion.interval};
+    if (sensor.scale != 1.0)
+      for (double& value : dense.values) value *= sensor.scale;
     for (const auto& law : laws) law->read(static_cast<int>(s), dense);
     std::vector<double> sampled;
     for (std::size_t k = 0; k < dense.values.size(); k += static_cast<std::size_t>(motion.steps_a_sample))

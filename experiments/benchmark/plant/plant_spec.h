@@ -44,6 +44,8 @@ struct PlantDrive {
   double stiffness = 0.0;                                  ///< N·m/rad or N/m
   double damping = 0.0;                                    ///< N·m·s/rad or N·s/m
   double gap = 0.0;                                        ///< rad or m, whole width of the play
+  double torque_constant = 0.0;                            ///< N·m/A or N/A, at the joint; of a voltage
+  double resistance = 0.0;                                 ///< Ohm; above 0 the command is a voltage on a motor
 };
 
 /// A sensor of a joint.
@@ -51,6 +53,7 @@ struct PlantSensor {
   std::string name;
   int joint = 0;
   bool velocity = false;  ///< else position
+  double scale = 1.0;     ///< multiplies what is read
 };
 
 /// A planar open chain with its drives and sensors, as data.

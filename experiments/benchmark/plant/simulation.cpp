@@ -111,6 +111,8 @@ void Simulation::add_drive_forces(const Moment& at, double time, double* memory,
     for (std::size_t l = 0; l < laws_.size(); ++l)
       value = laws_[l]->command(static_cast<int>(d), value, at, memory + memory_of_law_[l]);
     if (drive.servo) value = drive.gain * (drive.kp * (value - at.position[moved]) - drive.kd * at.velocity[moved]);
+    if (drive.resistance > 0.0)
+      value = drive.torque_constant * (value - drive.torque_constant * at.velocity[moved]) / drive.resistance;
     value = std::clamp(value, -drive.limit, drive.limit);
     if (rotor < 0) {
       load.force[drive.joint] += value;

@@ -55,7 +55,7 @@ void use_program(const CaseTask& task, const ProgramSettings& settings, UserSess
 }  // namespace
 
 CaseResult go_through(const CaseTask& task, const ProgramSettings& settings) {
-  CaseResult result{task.about, {}, {}, {}, {}, {}, {}, {}};
+  CaseResult result{task.about, {}, {}, {}, {}, {}, {}, {}, {}};
   UserSession session(settings, task.folder, task.withheld);
   try {
     use_program(task, settings, session, result);

@@ -1,6 +1,7 @@
 #include "runs/case_store.h"
 
 #include "laws/law_kind.h"
+#include "runs/dirty_store.h"
 
 #include <fmt/format.h>
 
@@ -180,6 +181,7 @@ void keep_case(Database& database, const CaseResult& result) {
   write_values(writer, result);
   for (const BaselineRecord& one : result.baselines) write_baseline(writer, one);
   if (result.settling) write_settling(writer, *result.settling);
+  write_dirty_effects(database, about, result.dirty);
   transaction.commit();
 }
 

@@ -13,6 +13,16 @@ using nlohmann::ordered_json;
 
 double number(const ordered_json& object) { return object.is_null() ? kUnknown : object.get<double>(); }
 
+/// A key that is absent was not asked.
+double asked(const ordered_json& object, const char* name) {
+  return object.contains(name) ? number(object.at(name)) : kUnknown;
+}
+
+/// By likelihood of what was left out, by horizon of what was fitted.
+double ratio_to_floor(const ordered_json& object) {
+  return asked(object, object.contains("ratio_to_floor") ? "ratio_to_floor" : "fitted_ratio_to_floor");
+}
+
 std::string place_of(const std::string& where) { return where.empty() ? "world" : where; }
 
 IntervalRecord interval_of(const std::string& name, const ordered_json& object) {
@@ -33,8 +43,7 @@ EffectAt look_alike_of(const std::string& text) {
 }
 
 RankedModelRecord model_of(const ordered_json& object) {
-  RankedModelRecord model{
-      number(object.at("probability")), number(object.at("gain")), number(object.at("ratio_to_floor")), {}, {}};
+  RankedModelRecord model{asked(object, "probability"), number(object.at("gain")), ratio_to_floor(object), {}, {}};
   for (const ordered_json& effect : object.at("effects")) model.effects.push_back(effect_of(effect));
   for (const ordered_json& name : object.at("class")) model.look_alikes.push_back(look_alike_of(name));
   return model;
@@ -66,8 +75,8 @@ DiagnosisRecord read_diagnosis(const std::string& json) {
     DiagnosisRecord record;
     record.verdict = document.at("verdict");
     record.probability = number(document.at("probability"));
-    record.p_by_chance = number(document.at("p_by_chance"));
-    record.times_floor = number(document.at("base").at("ratio_to_floor"));
+    record.p_by_chance = asked(document, "p_by_chance");
+    record.times_floor = ratio_to_floor(document.value("base", ordered_json::object()));
     record.seconds = number(document.at("seconds"));
     record.json = json;
     record.next_test = document.value("next_test", "");

@@ -137,6 +137,17 @@ struct SettlingRecord {
   std::vector<SettlingRun> runs;
 };
 
+/// One thing that is not as the owner of a dirty case believes.
+struct DirtyEffectRecord {
+  std::string what;                   ///< the law, or "value body.arm.mass" of the robot file
+  EffectAt answer;                    ///< what the library calls it, and where it is
+  std::string role;                   ///< "main", "small", "misstated" or "reading"
+  bool library_form = true;           ///< false: a law of another form than the library's
+  double share = kUnknown;            ///< of the owner's error that it explains
+  std::vector<std::string> accepted;  ///< "effect @ place" of each answer that names it, or "value body.arm.mass"
+  std::vector<NamedValue> values;
+};
+
 /// All that is kept of a case.
 struct CaseResult {
   CaseRecord about;
@@ -147,6 +158,7 @@ struct CaseResult {
   OracleRecord oracle;
   std::vector<BaselineRecord> baselines;
   std::optional<SettlingRecord> settling;
+  std::vector<DirtyEffectRecord> dirty;  ///< of a dirty case, whose strength is the owner's error over the noise
 };
 
 }  // namespace hidden_effects

@@ -61,7 +61,8 @@ CaseResult run_case(const CasePlan& plan, const std::string& version, const RunC
   try {
     made = make_case(plan);
   } catch (const std::exception& error) {
-    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}};
+    return {
+        about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}, {}};
   }
   write_case(*made, folder.path());
   const CaseRecord about = about_case(*made, version);

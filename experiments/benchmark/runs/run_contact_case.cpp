@@ -49,7 +49,8 @@ CaseResult run_contact_case(const CasePlan& plan, const std::string& version, co
   try {
     made = make_contact_case(plan, folder);
   } catch (const std::exception& error) {
-    return {about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}};
+    return {
+        about_plan(plan, version), std::string("the case cannot be made: ") + error.what(), {}, {}, {}, {}, {}, {}, {}};
   }
   CaseResult result =
       go_through({about_contact_case(*made, version), folder, true_contact_values(*made), {}}, settings);

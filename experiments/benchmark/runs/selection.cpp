@@ -1,5 +1,9 @@
 #include "runs/selection.h"
 
+#include "contacts/contact_plan.h"
+#include "dirty/dirty_plan.h"
+#include "runs/dirty_truth.h"
+
 #include <charconv>
 #include <stdexcept>
 #include <utility>
@@ -23,6 +27,10 @@ std::pair<int, int> two_numbers(const std::string& text, char between, const cha
 }
 
 }  // namespace
+
+std::vector<CasePlan> plans_of_set(const std::string& set) {
+  return dirty::is_dirty_set(set) ? dirty_case_plans(set) : plan_all_cases(set);
+}
 
 std::vector<CasePlan> selected(std::vector<CasePlan> plans, const std::string& cases, const std::string& part) {
   const std::size_t all = plans.size();

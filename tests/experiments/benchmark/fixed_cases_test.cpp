@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLeastRight = 24;         ///< of those with a hidden effect that the base does not absorb
 constexpr int kMostFalsePositives = 1;  ///< of those without
-constexpr double kMostSeconds = 120.0;  ///< of processor time, of one diagnosis
+constexpr double kMostTimesUsual = 16;  ///< processor time of one diagnosis over the median; machines differ by three
 constexpr double kHangs = 300.0;        ///< s, beside other tests
 
 struct Outcome {
@@ -65,6 +65,14 @@ std::vector<Outcome> outcomes() {
   return results;
 }
 
+double usual_seconds(const std::vector<Outcome>& all) {
+  std::vector<double> seconds;
+  for (const Outcome& one : all) seconds.push_back(one.answer.processor_seconds);
+  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  return *middle;
+}
+
 /// One test, since each of ctest's is a process of its own.
 TEST(FixedCases, AreAnsweredAsWellAsBefore) {
   const std::vector<Outcome> all = outcomes();
@@ -74,7 +82,8 @@ TEST(FixedCases, AreAnsweredAsWellAsBefore) {
   const auto false_positives =
       std::count_if(all.begin(), all.end(), [](const Outcome& one) { return !one.hides() && one.positive(); });
   std::cout << right << " hidden effects found, " << false_positives << " found where nothing is hidden\n";
-  for (const Outcome& one : all) EXPECT_LE(one.answer.processor_seconds, kMostSeconds) << one.text();
+  const double most_seconds = kMostTimesUsual * usual_seconds(all);
+  for (const Outcome& one : all) EXPECT_LE(one.answer.processor_seconds, most_seconds) << one.text();
   EXPECT_GE(right, kLeastRight);
   EXPECT_LE(false_positives, kMostFalsePositives);
 }

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace hidden_effects {
+
+/// What `--set` takes, in the help of the commands.
+inline constexpr const char* kSets = "tuning, reporting, fixed, dirty-tuning, dirty-reporting or dirty-quick";
+
+}  // namespace hidden_effects
