@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A pendulum on a motor as a target of Lacuna: lacuna-process/1 on standard input and output.
+"""A pendulum on a motor as a target of Lacuna: lacuna-process/2 on standard input and output.
 
 It has its own equations and none of Lacuna's. What its model in experiments/robots/servo-pendulum.toml knows nothing of
 is dry friction in the hinge.
@@ -22,7 +22,7 @@ STEP = 0.25e-3  # s, of the integration
 
 HELLO = {
     "type": "hello",
-    "protocol": "lacuna-process/1",
+    "protocol": "lacuna-process/2",
     "name": "pendulum",
     "modes": ["series", "exchange"],
     "sensors": [{"name": "angle", "unit": "rad"}],
@@ -79,16 +79,17 @@ def run_series(test):
         pendulum.advance(commands["samples"][place][0], period)
         times.append((k + 1) * period)
         samples.append([pendulum.angle()])
-    say({"type": "samples", "times": times, "samples": samples, "start": AT_REST})
+    say({"type": "samples", "id": test["id"], "times": times, "samples": samples, "start": AT_REST})
 
 
 def run_exchange(test):
     pendulum = Pendulum(test["seed"])
-    say({"type": "readings", "time": 0.0, "sensors": [pendulum.angle()], "start": AT_REST})
+    say({"type": "readings", "id": test["id"], "time": 0.0, "sensors": [pendulum.angle()], "start": AT_REST})
     for k in range(test["periods"]):
         torque = listen()["commands"][0]
         pendulum.advance(torque, test["period"])
-        say({"type": "readings", "time": (k + 1) * test["period"], "sensors": [pendulum.angle()]})
+        time = (k + 1) * test["period"]
+        say({"type": "readings", "id": test["id"], "time": time, "sensors": [pendulum.angle()]})
 
 
 def main():

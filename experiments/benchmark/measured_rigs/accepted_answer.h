@@ -18,7 +18,7 @@ struct AcceptedAnswer {
   std::vector<std::string> nothing_missing;  ///< files that lack nothing
   std::vector<Alternatives> needs;           ///< one of each
   Alternatives may;                          ///< right beside these
-  std::vector<std::string> check;            ///< the model of an independent check, "effect @ place" of each effect
+  std::vector<std::string> check = {};       ///< the model of an independent check, "effect @ place" of each effect
 };
 
 /// Reads measured_rigs/answers.toml. Throws `std::runtime_error` for a file that is not that.

@@ -1,5 +1,6 @@
 #include "measured_rigs/rig_results.h"
 
+#include "foundation/figure_text.h"
 #include "foundation/whole_file.h"
 #include "measured_rigs/set_scores.h"
 #include "runs/case_failure.h"
@@ -70,7 +71,7 @@ double over_check(const AcceptedAnswer& accepted, const std::string& experiment,
   return std::exp(costs.front() - costs.back());
 }
 
-std::string ratio_text(double ratio) { return std::isfinite(ratio) ? fmt::format("× {:.3f}", ratio) : "–"; }
+std::string change_text(double ratio) { return lacuna::error_change_text(ratio, 1.0); }
 
 std::string answer_text(const RigResult& result) {
   if (!result.diagnosis) return result.failure;
@@ -131,8 +132,8 @@ std::string table_of(const std::vector<RigResult>& results) {
     const double held_out = one.diagnosis ? held_out_ratio(*one.diagnosis) : kUnknown;
     const bool by_horizon = std::isfinite(held_out);
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {:.0f} |\n", one.experiment, grade_text(one), answer_text(one),
-                        ratio_text(found && by_horizon ? std::exp(-one.diagnosis->ranking.front().gain) : kUnknown),
-                        ratio_text(found ? held_out : kUnknown), ratio_text(one.over_check), one.seconds);
+                        change_text(found && by_horizon ? std::exp(-one.diagnosis->ranking.front().gain) : kUnknown),
+                        change_text(found ? held_out : kUnknown), change_text(one.over_check), one.seconds);
     const auto [rig, is_new] = rigs.emplace(one.accepted->rig, true);
     rig->second = rig->second && is_right(one);
   }

@@ -1,4 +1,4 @@
-// A cart with a pole on MuJoCo as a target of Lacuna: lacuna-process/1 on standard input and output.
+// A cart with a pole on MuJoCo as a target of Lacuna: lacuna-process/2 on standard input and output.
 
 #include "cart_pole.h"
 
@@ -17,7 +17,7 @@ void say(const Json& message) { std::cout << message.dump() << std::endl; }
 
 Json hello() {
   return {{"type", "hello"},
-          {"protocol", "lacuna-process/1"},
+          {"protocol", "lacuna-process/2"},
           {"name", "MuJoCo cart-pole"},
           {"modes", {"series", "exchange"}},
           {"sensors",
@@ -45,17 +45,21 @@ void run_series(const Json& test, CartPole& cart_pole) {
     times.push_back((k + 1) * period);
     samples.push_back(row(cart_pole.read()));
   }
-  say({{"type", "samples"}, {"times", times}, {"samples", samples}, {"start", at_rest()}});
+  say({{"type", "samples"}, {"id", test["id"]}, {"times", times}, {"samples", samples}, {"start", at_rest()}});
 }
 
 /// A command for each period, made from the readings before it.
 void run_exchange(const Json& test, CartPole& cart_pole) {
   const double period = test["period"];
-  say({{"type", "readings"}, {"time", 0.0}, {"sensors", row(cart_pole.read())}, {"start", at_rest()}});
+  say({{"type", "readings"},
+       {"id", test["id"]},
+       {"time", 0.0},
+       {"sensors", row(cart_pole.read())},
+       {"start", at_rest()}});
   std::string line;
   for (int k = 0; k < test["periods"] && std::getline(std::cin, line); ++k) {
     cart_pole.advance(Json::parse(line)["commands"][0], period);
-    say({{"type", "readings"}, {"time", (k + 1) * period}, {"sensors", row(cart_pole.read())}});
+    say({{"type", "readings"}, {"id", test["id"]}, {"time", (k + 1) * period}, {"sensors", row(cart_pole.read())}});
   }
 }
 
