@@ -24,7 +24,8 @@ constexpr Wanted kWanted[] = {{"kg", "a mass", "0.5 kg"},
                               {"N*m/rad", "a stiffness", "20 N*m/rad"},
                               {"N*m*s/rad", "a damping", "0.5 N*m*s/rad"},
                               {"N/m", "a stiffness", "2000 N/m"},
-                              {"N*s/m", "a damping", "50 N*s/m"}};
+                              {"N*s/m", "a damping", "50 N*s/m"},
+                              {"Ohm", "a resistance", "2 Ohm"}};
 
 std::string behind_blank(std::string_view text) {
   text.remove_prefix(std::strlen(kBlank));

@@ -104,8 +104,12 @@ Table<ColumnMapping> column_keys() {
           },
           "instead of gain: the column, with unit = \"1\", is a count of which a turn has so many")
       .check({"gain", "counts_per_turn"},
-             [](const TomlNode& node, Reading& reading, ColumnMapping&) {
+             [](const TomlNode& node, Reading& reading, ColumnMapping& mapping) {
                const TomlNode* counts = node.find("counts_per_turn");
+               if (counts && mapping.unit != "1")
+                 reading.problem_at("counts_per_turn", counts->location,
+                                    "the column holds counts then: write unit = \"1\", not \"" + mapping.unit +
+                                        "\", or leave counts_per_turn out");
                if (counts && node.find("gain"))
                  reading.problem_at("counts_per_turn", counts->location, "gain says the same; keep one of them");
              })

@@ -1,5 +1,7 @@
 #include "config/path_variables.h"
 
+#include "foundation/special_file.h"
+
 #include <lacuna/error.h>
 
 #include <cstdlib>
@@ -35,9 +37,8 @@ std::filesystem::path resolve_existing_file(const std::string& written, const st
   if (path.is_relative()) path = directory / path;
   path = path.lexically_normal();
   std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) throw Error("no such file: " + path.string());
-  if (!std::filesystem::is_regular_file(status)) throw Error("not a file: " + path.string());
+  if (!std::filesystem::exists(std::filesystem::status(path, failure))) throw Error("no such file: " + path.string());
+  if (const std::string why = why_no_regular_file(path); !why.empty()) throw Error(path.string() + " " + why);
   return path;
 }
 

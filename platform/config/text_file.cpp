@@ -1,6 +1,8 @@
 #include "config/text_file.h"
 
 #include "foundation/problem.h"
+#include "foundation/process_limits.h"
+#include "foundation/special_file.h"
 
 #include <fstream>
 #include <iterator>
@@ -20,12 +22,16 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t{4} << 20U;
 std::string read_text_file(const std::filesystem::path& file) {
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure)) refuse(file, "is a folder; name a file in it");
-  if (!std::filesystem::is_regular_file(file, failure)) refuse(file, "no such file");
+  if (const std::string why = why_no_regular_file(file); !why.empty()) refuse(file, why);
   if (std::filesystem::file_size(file, failure) > kLargestFile || failure)
     refuse(file, "longer than 4 MiB; measured data belongs into files of its own");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) refuse(file, "cannot be read; check its permissions");
+  if (!stream) {
+    const std::string used_up = used_up_descriptors();
+    refuse(file, "cannot be read; " + (used_up.empty() ? "check its permissions" : used_up));
+  }
+  if (text.starts_with("SQLite format 3")) refuse(file, "is a database, not a TOML file");
   return text;
 }
 

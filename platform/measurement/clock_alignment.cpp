@@ -1,9 +1,9 @@
 #include "measurement/clock_alignment.h"
 
 #include "foundation/interrupt.h"
+#include "measurement/alignment_samples.h"
 #include "measurement/blocked_regression.h"
 #include "measurement/clock_check.h"
-#include "measurement/smooth_signal.h"
 
 #include <Eigen/Core>
 #include <fmt/format.h>
@@ -16,126 +16,33 @@
 namespace lacuna {
 namespace {
 
-constexpr std::size_t kBlocks = 8;
-constexpr std::size_t kReach = 4;            ///< steps, of each of two smoothings
+constexpr std::size_t kBlocks = 16;
+constexpr std::size_t kReach = kAlignmentReach;
 constexpr std::int64_t kRowStride = kReach;  ///< steps from row to row: half of what smoothing reaches
-constexpr double kSlow = 0.1;                ///< of the usual speed: friction turns round within it
 constexpr double kCoarsest = 750.0;          ///< windows in the longer recording when first looking
-constexpr double kFewestIntervals = 4;       ///< of the slower device within a window's reach
-constexpr double kAround = 4.0;              ///< reaches to either side that are looked at again with a finer one
-constexpr double kMostWindows = 2e4;         ///< in the longer recording: finer ones would take minutes
-constexpr double kLeastOverlap = 0.5;        ///< of the shorter recording
-constexpr double kLeastVariance = 0.1;       ///< of a target's: where it hardly changes, nothing explains it
-constexpr double kDistinct = 3.0;            ///< standard errors between the best offset and any other
-constexpr double kMostUnexplained = 0.5;     ///< of a target, unexplained
+constexpr double kFewestWindows = 90.0;      ///< in the longer recording, of the longest that are tried
+constexpr double kBetterLook = 0.7;          ///< unexplained, to prefer longer windows
+constexpr double kNearlyBest = 1.3;          ///< errors
+constexpr double kAgree = 2.0;               ///< standard errors between offsets by different windows
+constexpr double kLeastError = 0.005;     ///< of the slower device's interval: nothing is known of what happens within
+constexpr double kFewestIntervals = 8;    ///< of the slower device within a window's reach, half of them in each half
+constexpr double kAround = 2.0;           ///< reaches to either side that are looked at again with a finer one
+constexpr double kMostWindows = 2e4;      ///< in the longer recording: finer ones would take minutes
+constexpr double kLeastOverlap = 0.5;     ///< of the shorter recording
+constexpr double kLeastVariance = 0.1;    ///< of a target's: where it hardly changes, nothing explains it
+constexpr double kDistinct = 3.0;         ///< standard errors between the best offset and any other
+constexpr double kMostUnexplained = 0.5;  ///< of a target, unexplained
+constexpr double kApart = 8.0;            ///< parts of a step between offsets at last
 constexpr int kSkewRounds = 3;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 using Signals = std::vector<ClockedSignal>;
-
-double begin_of(const Signals& signals) {
-  double begin = std::numeric_limits<double>::infinity();
-  for (const ClockedSignal& one : signals) begin = std::min(begin, one.times.front());
-  return begin;
-}
-
-double end_of(const Signals& signals) {
-  double end = -std::numeric_limits<double>::infinity();
-  for (const ClockedSignal& one : signals) end = std::max(end, one.times.back());
-  return end;
-}
 
 double slowest_interval(const Signals& signals) {
   double slowest = 0.0;
   for (const ClockedSignal& one : signals) slowest = std::max(slowest, median_interval(one.times));
   return slowest;
-}
-
-/// The signals of one device at even moments: what may explain others, and what is to be explained.
-struct Sampled {
-  Lattice lattice;
-  Eigen::MatrixXd features, targets;
-};
-
-void standardise(Eigen::Ref<Eigen::MatrixXd> columns) {
-  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
-    double sum = 0.0, squares = 0.0, count = 0.0;
-    for (const double value : columns.col(c)) {
-      if (std::isnan(value)) continue;
-      sum += value;
-      squares += value * value;
-      count += 1.0;
-    }
-    const double deviation = std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
-    if (deviation > 0.0) columns.col(c) = (columns.col(c).array() - sum / count) / deviation;
-  }
-}
-
-double size_of(const std::vector<double>& values) {
-  double squares = 0.0, count = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) squares += value * value, count += 1.0;
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
-}
-
-using Column = std::vector<double>;
-
-/// What a reading says of the forces on its joint: each smoothed twice, as all other signals are. What is not linear in
-/// the reading is computed before the second smoothing, so that the two change places with little error.
-std::vector<Column> features_of(const ClockedSignal& reading, const Lattice& lattice, std::size_t reach) {
-  const Column once = smoothed(step_means(reading.times, reading.values, false, lattice), reach);
-  const bool is_position = reading.unit == "rad" || reading.unit == "m";
-  const Column rates = rates_of(once, lattice.step);
-  std::vector<Column> features = {once, rates};
-  if (is_position) features.push_back(rates_of(rates, lattice.step));
-  const Column& velocity = is_position ? rates : once;
-  const double usual = size_of(velocity);
-  Column direction;
-  for (const double value : velocity) direction.push_back(usual > 0.0 ? std::tanh(value / (kSlow * usual)) : 0.0);
-  features.push_back(std::move(direction));
-  for (const double shift : {0.0, 0.5 * M_PI}) {
-    if (reading.unit != "rad") continue;
-    Column sine;
-    for (const double value : once) sine.push_back(std::sin(value + shift));
-    features.push_back(std::move(sine));
-  }
-  for (Column& feature : features) feature = smoothed(feature, reach);
-  return features;
-}
-
-Sampled sample(const Signals& signals, const Lattice& lattice) {
-  Sampled sampled{lattice, {}, {}};
-  std::vector<Column> features, targets;
-  for (const ClockedSignal& one : signals) {
-    const Column once = smoothed(step_means(one.times, one.values, one.held, lattice), kReach);
-    targets.push_back(smoothed(once, kReach));
-    if (!one.is_reading) continue;
-    for (Column& feature : features_of(one, lattice, kReach)) features.push_back(std::move(feature));
-  }
-  const auto rows = static_cast<Eigen::Index>(lattice.count);
-  for (auto [columns, matrix] : {std::pair(&features, &sampled.features), std::pair(&targets, &sampled.targets)}) {
-    matrix->resize(rows, static_cast<Eigen::Index>(columns->size()));
-    for (std::size_t c = 0; c < columns->size(); ++c)
-      matrix->col(static_cast<Eigen::Index>(c)) = Eigen::Map<const Eigen::VectorXd>((*columns)[c].data(), rows);
-    standardise(*matrix);
-  }
-  return sampled;
-}
-
-/// Both devices on lattices of one step.
-struct SampledPair {
-  Sampled first, second;
-  double base = 0.0;  ///< s, the offset at a shift of no step
-  double offset(std::int64_t shift) const { return base + static_cast<double>(shift) * first.lattice.step; }
-};
-
-SampledPair sample_pair(const Signals& first, const Signals& second, double step) {
-  const auto lattice = [step](const Signals& signals) {
-    const double begin = begin_of(signals);
-    return Lattice{begin, step, static_cast<std::size_t>((end_of(signals) - begin) / step) + 1};
-  };
-  const Lattice a = lattice(first), b = lattice(second);
-  return {sample(first, a), sample(second, b), a.start - b.start};
 }
 
 /// Which side's readings explain the other's signals.
@@ -151,20 +58,26 @@ bool join(const Eigen::MatrixXd& features, Eigen::Index feature, const Eigen::Ma
   return std::all_of(row.data(), to, [](double value) { return std::isfinite(value); });
 }
 
+/// What noise of the readings does: it stays, which never explains too much, or it is taken out (BlockedRegression).
+enum class ReadingNoise { stays, taken_out };
+
 /// Row i of the first goes with row i − shift of the second.
-BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift) {
+BlockedRegression regress(const SampledPair& pair, By by, std::int64_t shift, ReadingNoise noise) {
   throw_if_interrupted();
-  const Eigen::MatrixXd& features = by == By::second ? pair.second.features : pair.first.features;
+  const Sampled& explaining = by == By::second ? pair.second : pair.first;
   const Eigen::MatrixXd& targets = by == By::second ? pair.first.targets : pair.second.targets;
-  BlockedRegression regression(features.cols() + 1, targets.cols(), kBlocks);
-  Eigen::VectorXd row(features.cols() + 1 + targets.cols());
+  BlockedRegression regression(explaining.features.cols() + 1, targets.cols(), kBlocks);
+  Eigen::VectorXd row(explaining.features.cols() + 1 + targets.cols()), again = row;
   const auto rows = static_cast<std::int64_t>(pair.first.lattice.count);
   const std::int64_t begin = std::max<std::int64_t>(0, shift);
   const auto end = std::min(rows, static_cast<std::int64_t>(pair.second.lattice.count) + shift);
   for (std::int64_t i = (begin + kRowStride - 1) / kRowStride * kRowStride; i < end; i += kRowStride) {
     const std::int64_t of_features = by == By::second ? i - shift : i, of_targets = by == By::second ? i : i - shift;
-    if (join(features, of_features, targets, of_targets, row))
-      regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row);
+    if (!join(explaining.features, of_features, targets, of_targets, row) ||
+        !join(explaining.again, of_features, targets, of_targets, again))
+      continue;
+    if (noise == ReadingNoise::stays) again = row = 0.5 * (row + again);
+    regression.add(static_cast<std::size_t>(i) * kBlocks / static_cast<std::size_t>(rows), row, again);
   }
   return regression;
 }
@@ -212,7 +125,7 @@ Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
     if (explaining.features.cols() == 0) continue;
     Profile profile{by, std::vector<std::vector<double>>(static_cast<std::size_t>(explained.targets.cols()))};
     for (std::int64_t shift = shifts.from; shift <= shifts.to; shift += kRowStride) {
-      const BlockedRegression regression = regress(pair, by, shift);
+      const BlockedRegression regression = regress(pair, by, shift, ReadingNoise::stays);
       for (std::size_t t = 0; t < profile.unexplained.size(); ++t)
         profile.unexplained[t].push_back(unexplained(regression, static_cast<Eigen::Index>(t)));
     }
@@ -238,11 +151,12 @@ Found scan_offsets(const SampledPair& pair, const Shifts& shifts) {
 
 /// Whether the errors of stretches grow from the best offset to another, by more than they scatter.
 bool is_distinct(const SampledPair& pair, const Best& best, std::int64_t other) {
-  const std::vector<double> here = regress(pair, best.by, best.shift).errors(best.target);
-  const std::vector<double> there = regress(pair, best.by, other).errors(best.target);
+  const std::vector<double> here = regress(pair, best.by, best.shift, ReadingNoise::stays).errors(best.target);
+  const std::vector<double> there = regress(pair, best.by, other, ReadingNoise::stays).errors(best.target);
   std::vector<double> costs;
-  for (std::size_t b = 0; b < kBlocks; ++b)
-    if (here[b] > 0.0 && there[b] > 0.0) costs.push_back(std::log(there[b] / here[b]));
+  for (std::size_t b = 0; b < std::min(here.size(), there.size()); ++b)
+    if (const double both = std::abs(here[b]) + std::abs(there[b]); both > 0.0)
+      costs.push_back((there[b] - here[b]) / both);
   if (costs.size() < 3) return false;
   const auto count = static_cast<double>(costs.size());
   const Eigen::Map<const Eigen::ArrayXd> c(costs.data(), static_cast<Eigen::Index>(costs.size()));
@@ -286,40 +200,67 @@ struct Fine {
   std::vector<double> middles, offsets;  ///< by stretch: s since the second's begin, s
 };
 
-std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double reach) {
+/// The lowest point by three values a little apart, from the middle one; NaN where they do not bend upwards.
+double lowest_near(double before, double middle, double after, double apart) {
+  const double bend = before + after - 2.0 * middle;
+  return bend > 0.0 ? 0.5 * apart * (before - after) / bend : kUnknown;
+}
+
+/// The offset near one that is good to a step, and its error by a jackknife over stretches. Steps are too far apart for
+/// a parabola: what a wrong offset costs is not even to both sides.
+Fine refine_between(const Signals& first, const Signals& second, const Best& best, double near, double step) {
+  const double apart = step / kApart;
+  std::vector<BlockedRegression> sides;
+  for (const double way : {-1.0, 0.0, 1.0}) {
+    const double at = near + way * apart;
+    const SampledPair pair = sample_pair(first, second, step, at);
+    sides.push_back(regress(pair, best.by, std::llround((at - pair.base) / step), ReadingNoise::taken_out));
+  }
+  const auto lowest_of = [&](const auto& share) {
+    return near + lowest_near(share(sides[0]), share(sides[1]), share(sides[2]), apart);
+  };
+  Fine fine{lowest_of([&](const BlockedRegression& one) { return one.unexplained(best.target); }), kUnknown, {}, {}};
+  std::vector<double> left_out;
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    if (sides[1].rows(b) == 0.0) continue;
+    const double one =
+        lowest_of([&](const BlockedRegression& side) { return side.unexplained_without(b, best.target); });
+    if (std::isfinite(one)) left_out.push_back(one);
+  }
+  if (left_out.size() < 3 || !std::isfinite(fine.offset)) return fine;
+  const auto n = static_cast<double>(left_out.size());
+  const Eigen::Map<const Eigen::ArrayXd> values(left_out.data(), static_cast<Eigen::Index>(left_out.size()));
+  fine.error = std::sqrt((n - 1.0) / n * (values - values.mean()).square().sum());
+  return fine;
+}
+
+/// `around`: s to either side of `near`, where it is looked for.
+std::optional<Fine> refine(const Signals& first, const Signals& second, const Best& best, double near, double around,
+                           double reach) {
   const double step = reach / static_cast<double>(2 * kReach);
   const SampledPair pair = sample_pair(first, second, step);
   const auto middle = static_cast<std::int64_t>(std::llround((near - pair.base) / step));
-  const auto wide = static_cast<std::int64_t>(std::ceil(kAround * reach / step));
+  const auto wide = static_cast<std::int64_t>(std::ceil(std::min(around, kAround * reach) / step)) + 1;
   std::vector<double> whole;
-  std::vector<std::vector<double>> without(kBlocks), alone(kBlocks);
+  std::vector<std::vector<double>> alone(kBlocks);
   for (std::int64_t shift = middle - wide; shift <= middle + wide; ++shift) {
-    const BlockedRegression regression = regress(pair, best.by, shift);
+    const BlockedRegression regression = regress(pair, best.by, shift, ReadingNoise::taken_out);
     whole.push_back(unexplained(regression, best.target));
-    for (std::size_t b = 0; b < kBlocks; ++b) {
-      without[b].push_back(regression.unexplained_without(b, best.target));
-      alone[b].push_back(regression.unexplained_in(b, best.target));
-    }
+    for (std::size_t b = 0; b < kBlocks; ++b) alone[b].push_back(regression.unexplained_in(b, best.target));
   }
   const auto offset = [&](double at) { return pair.offset(middle - wide) + at * step; };
   const std::optional<double> found = lowest(whole);
   if (!found) return std::nullopt;
-  Fine fine{offset(*found), 0.0, {}, {}};
-  std::vector<double> left_out;
+  Fine fine = refine_between(first, second, best, offset(*found), step);
   for (std::size_t b = 0; b < kBlocks; ++b) {
     const auto share = (static_cast<double>(b) + 0.5) / static_cast<double>(kBlocks);
-    if (const auto one = lowest(without[b])) left_out.push_back(offset(*one));
     const auto one = lowest(alone[b]);
     if (!one) continue;
     const double time = pair.first.lattice.start + share * static_cast<double>(pair.first.lattice.count) * step;
     fine.middles.push_back(time - fine.offset - begin_of(second));
     fine.offsets.push_back(offset(*one));
   }
-  if (left_out.size() < 3) return std::nullopt;
-  const auto n = static_cast<double>(left_out.size());
-  const Eigen::Map<const Eigen::ArrayXd> values(left_out.data(), static_cast<Eigen::Index>(left_out.size()));
-  fine.error = std::sqrt((n - 1.0) / n * (values - values.mean()).square().sum());
-  return fine;
+  return std::isfinite(fine.error) ? std::optional(fine) : std::nullopt;
 }
 
 Signals skewed(Signals signals, double skew) {
@@ -336,32 +277,88 @@ std::string name_of(const Signals& first, const Signals& second, const Best& bes
 
 using Answer = std::variant<ClockAlignment, std::string>;
 
+/// Where the offset is, by windows of one reach.
+struct Look {
+  double reach = 0.0;
+  SampledPair pair;
+  Found found;
+};
+
+/// The window must be short against the motion and long against the noise of readings, so several are tried.
+std::optional<Look> look_for_offset(const Signals& first, const Signals& second,
+                                    const std::pair<double, double>& between, double shortest, double longest) {
+  std::optional<Look> best;
+  for (double reach = shortest; reach <= longest; reach *= 2.0) {
+    Look look{reach, sample_pair(first, second, reach / static_cast<double>(2 * kReach)), {}};
+    const Shifts shifts = shifts_within(look.pair, between);
+    if (shifts.from > shifts.to) continue;
+    look.found = scan_offsets(look.pair, shifts);
+    if (!best || look.found.best.unexplained < kBetterLook * best->found.best.unexplained) best = std::move(look);
+  }
+  return best;
+}
+
+/// Stretches that are long against the windows tell offsets of their own.
+void take_stretches(const std::vector<Fine>& offsets, Fine& chosen) {
+  for (const Fine& one : offsets) {
+    if (one.offsets.size() <= chosen.offsets.size()) continue;
+    chosen.middles = one.middles;
+    chosen.offsets = one.offsets;
+  }
+}
+
+/// Of offsets by shorter and shorter windows the first that is nearly as good as the best: noise of readings weighs
+/// less in longer ones. By how much others differ beyond their errors, this one may be off.
+std::optional<Fine> choose(const std::vector<Fine>& offsets) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Fine& one : offsets) least = std::min(least, one.error);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i].error > kNearlyBest * least) continue;
+    Fine chosen = offsets[i];
+    for (std::size_t other = i > 0 ? i - 1 : 0; other <= i + 1 && other < offsets.size(); ++other) {
+      const double apart = std::abs(offsets[other].offset - chosen.offset);
+      if (apart > kAgree * std::hypot(offsets[other].error, offsets[i].error))
+        chosen.error = std::max(chosen.error, std::min(0.5 * apart, offsets[other].error));
+    }
+    take_stretches(offsets, chosen);
+    return chosen;
+  }
+  return std::nullopt;
+}
+
 /// By clocks of one speed; puts down in `fine` what each stretch says.
 Answer align(const Signals& first, const Signals& second, const std::pair<double, double>& between, Fine& fine) {
   const double longer = std::max(end_of(first) - begin_of(first), end_of(second) - begin_of(second));
   const double interval = std::max(slowest_interval(first), slowest_interval(second));
   const double coarse = std::max(kFewestIntervals * interval, longer / kCoarsest);
-  const SampledPair pair = sample_pair(first, second, coarse / static_cast<double>(2 * kReach));
-  const Shifts shifts = shifts_within(pair, between);
-  if (shifts.from > shifts.to) return "no offset within `between` lets half of the shorter file overlap";
-  const Found found = scan_offsets(pair, shifts);
+  double longest = coarse;
+  while (2.0 * longest * kFewestWindows <= longer) longest *= 2.0;
+  const std::optional<Look> look = look_for_offset(first, second, between, coarse, longest);
+  if (!look) return std::string("no offset within `between` lets half of the shorter file overlap");
+  const SampledPair& pair = look->pair;
+  const Found& found = look->found;
   if (!(found.best.unexplained < kMostUnexplained))
     return std::string(
         "whatever the offset, the readings of one file explain less than half of each signal of the other");
   for (const std::int64_t other : found.others)
     if (std::abs(other - found.best.shift) > 4 * kRowStride && !is_distinct(pair, found.best, other))
-      return fmt::format("offsets of {:.4g} s and {:.4g} s explain `{}` equally well, as with a periodic motion",
-                         pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
-  std::optional<Fine> best;
-  double near = pair.offset(found.best.shift);
-  for (double reach = coarse; reach >= kFewestIntervals * interval && longer < kMostWindows * reach; reach *= 0.5) {
-    const std::optional<Fine> one = refine(first, second, found.best, near, reach);
-    if (!one) continue;
+      return fmt::format(
+          "offsets of {:.4g} s and {:.4g} s explain `{}` equally well, so this motion does not tell them apart",
+          pair.offset(found.best.shift), pair.offset(other), name_of(first, second, found.best));
+  std::vector<Fine> offsets;
+  double near = pair.offset(found.best.shift), error_of_near = kInfinite;
+  for (double reach = longest; reach >= kFewestIntervals * interval && longer < kMostWindows * reach; reach *= 0.5) {
+    const std::optional<Fine> one = refine(first, second, found.best, near, kAround * look->reach, reach);
+    if (!one || one->offset < between.first || one->offset > between.second) continue;
+    offsets.push_back(*one);
+    if (one->error > error_of_near) continue;
     near = one->offset;
-    if (!best || one->error < best->error) best = one;
+    error_of_near = one->error;
   }
+  const std::optional<Fine> best = choose(offsets);
   if (!best) return std::string("the best offset lies at the end of the range in which it was looked for");
   fine = *best;
+  fine.error = std::max(fine.error, kLeastError * interval);
   return ClockAlignment{fine.offset, fine.error, 0.0, 0.0, name_of(first, second, found.best)};
 }
 
@@ -374,10 +371,14 @@ Answer align_clocks(const Signals& first, const Signals& second, const Alignment
     Fine fine;
     Answer answer = align(first, skewed(second, skew), task.between, fine);
     ClockAlignment* alignment = std::get_if<ClockAlignment>(&answer);
+    if (!alignment && round > 0)
+      return std::string("the skew cannot be told from these files: leave skew out, or write its number");
     if (!alignment) return answer;
     alignment->skew = skew;
     if (!task.finds_skew) return answer;
-    if (fine.offsets.size() < 4) return std::string("too few stretches of time show an offset, so no skew is found");
+    if (fine.offsets.size() < 4)
+      return std::string(
+          "too few stretches of time show an offset, so the skew cannot be told: leave skew out, or write its number");
     const StraightLine line = line_through(fine.middles, fine.offsets);
     skew += line.slope;
     alignment->offset = line.at_zero;

@@ -34,9 +34,11 @@ struct AlignmentTask {
 ///
 /// At the right offset, the signals of one device follow from the other's readings best: a command from position,
 /// velocity and acceleration (inverse dynamics), a reading from another of the same motion. Both are smoothed alike, so
-/// that smoothing shifts neither. Of all signals the one that is explained best decides. Errors are those of a
-/// jackknife over eight stretches of time; an offset that is not distinctly better than another, as of a periodic
-/// motion, is refused. A delay of a drive or a sensor is part of what is found.
+/// that smoothing shifts neither, and noise of readings is taken out of their products by every other reading against
+/// those between (blocked_regression.h). Of all signals the one that is explained best decides. Errors are those of a
+/// jackknife over sixteen stretches of time, or what windows of other lengths say, if that is more; an offset that is
+/// not distinctly better than another, as of a periodic motion, is refused. A delay of a drive or a sensor is part of
+/// what is found.
 std::variant<ClockAlignment, std::string> align_clocks(const std::vector<ClockedSignal>& first,
                                                        const std::vector<ClockedSignal>& second,
                                                        const AlignmentTask& task);

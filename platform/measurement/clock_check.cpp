@@ -1,6 +1,7 @@
 #include "measurement/clock_check.h"
 
 #include "foundation/unit.h"
+#include "measurement/clock_wraps.h"
 
 #include <fmt/format.h>
 
@@ -57,11 +58,23 @@ TrialClock rows_of_first_file(const TrialClock& clock, const CsvTable& table) {
 }
 
 void check_unit(double median, int line, const RecordingSource& source, FileReport& report) {
-  if (median <= kSlowestPlausible && median >= kFastestPlausible) return;
+  const bool slow = median > kSlowestPlausible;
+  if (!slow && median >= kFastestPlausible) return;
   report.doubt("time unit", line, [&] {
-    return fmt::format("samples are {} apart when column `{}` is read in {}; is it in {}?", seconds(median),
-                       source.time_column, source.time_unit, median > kSlowestPlausible ? "ms or us" : "s or ms");
+    return fmt::format(
+        "samples are {} apart when column `{}` is read in {}; is it in {}? Then write unit = \"{}\" under "
+        "[target.time]",
+        seconds(median), source.time_column, source.time_unit, slow ? "ms or us" : "s or ms", slow ? "ms" : "s");
   });
+}
+
+/// What to write if the clock itself starts again where it goes back to `after`.
+std::string advice_on_period(const TrialClock& clock, double after, double seconds_per_unit) {
+  const double usual = std::abs(median_interval(clock.times));
+  const double period = period_of_step_back(clock.origin + clock.times.back(), after, usual);
+  if (period == 0.0) return {};
+  return fmt::format("; if the clock starts again every {:.9g} s, write encoding = \"{}\" in target.time", period,
+                     to_string(Encoding{EncodingKind::wraps, std::round(1e6 * period / seconds_per_unit) / 1e6}));
 }
 
 }  // namespace
@@ -83,7 +96,9 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
       } else {
         report.problem("repeated time", table.lines[row], [&] {
           return fmt::format(
-              "the time of line {} again, {}, with other values; write time stamps with more digits, or keep one row",
+              "the time of line {} again, {}, with other values; write time stamps with more digits, or keep one row. "
+              "Parts of a second in a column of their own are read where its name goes with that of the seconds, as "
+              "sec and nanosec",
               table.lines[before], seconds(clock.origin + time));
         });
       }
@@ -93,8 +108,9 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
       report.problem("time goes back", table.lines[row], [&] {
         return fmt::format(
             "time goes back from {} to {}; sort the rows, or if another trial starts here, give the "
-            "trials a column and name it in target.trial_column",
-            seconds(clock.origin + clock.times.back()), seconds(clock.origin + time));
+            "trials a column and name it in target.trial_column{}",
+            seconds(clock.origin + clock.times.back()), seconds(clock.origin + time),
+            advice_on_period(clock, clock.origin + time, seconds_per_unit));
       });
     clock.rows.push_back(row);
     clock.times.push_back(time);

@@ -4,7 +4,9 @@
 #include "foundation/unit.h"
 #include "measurement/column_name.h"
 #include "measurement/column_words.h"
+#include "measurement/duplicate_columns.h"
 #include "measurement/file_report.h"
+#include "measurement/header_names.h"
 
 #include <fmt/format.h>
 
@@ -41,14 +43,34 @@ double rising_share(const std::vector<double>& values) {
   return values.size() < 2 ? 0.0 : static_cast<double>(rising) / static_cast<double>(values.size() - 1);
 }
 
-GuessedColumn guess_column(const FileSample& sample, std::size_t index) {
+bool same_dimension_as(const std::string& unit, std::string_view other) {
+  const std::optional<Unit> a = parse_unit(unit), b = parse_unit(other);
+  return a && b && a->same_dimension(*b);
+}
+
+/// The role by name and unit together: a unit counts for more, but does not make a reading of what is wanted, an error
+/// or a battery. A position or velocity in volts is a potentiometer's or a tachometer's; behind such a word A and N are
+/// no units but labels.
+ColumnRole role_of(const std::vector<std::string>& words, ColumnRole by_unit, GuessedColumn& column) {
+  const std::optional<ColumnRole> by_words = role_in_words(words);
+  if (by_words == ColumnRole::other) return ColumnRole::other;
+  if (by_unit == ColumnRole::position || by_unit == ColumnRole::velocity)
+    return tell_wanted(words) ? ColumnRole::reference : by_unit;
+  if (by_unit != ColumnRole::command || !name_a_quantity(words) || by_words == ColumnRole::command) return by_unit;
+  if (!column.of_voltage) column.unit.clear();
+  return by_words.value_or(by_unit);
+}
+
+GuessedColumn guess_column(const FileSample& sample, std::size_t index, const std::string& core) {
   GuessedColumn guess;
   guess.name = sample.format.names[index];
-  guess.unit = unit_in_name(guess.name);
+  guess.unit = unit_in_name(core);
   const bool in_row = guess.unit.empty() && index < sample.format.units.size();
   if (in_row) guess.unit = sample.format.units[index];
-  const std::vector<std::string> words = words_of(guess.name);
+  const std::vector<std::string> words = words_of(core);
   guess.joint = joint_in_words(words);
+  guess.of_voltage = guess.unit.empty() ? tell_voltage(words) : same_dimension_as(guess.unit, "V");
+  guess.of_velocity = tell_velocity(words);
   const std::optional<ColumnRole> by_words = role_in_words(words);
   const std::optional<ColumnRole> by_unit = role_of_unit(guess.unit);
   if (by_words == ColumnRole::trial && guess.unit.empty()) {
@@ -57,8 +79,7 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index) {
   } else if (!sample.is_numeric(index)) {
     guess.reason = "not numbers";
   } else if (by_unit) {
-    const bool is_reference = by_words == ColumnRole::reference && *by_unit != ColumnRole::command;
-    guess.role = is_reference ? ColumnRole::reference : *by_unit;
+    guess.role = role_of(words, *by_unit, guess);
     guess.reason = in_row ? "the row of units" : "the unit in its name";
   } else if (by_words) {
     guess.role = *by_words;
@@ -66,7 +87,22 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index) {
   } else {
     guess.reason = "nothing in its name tells what it is";
   }
+  if (guess.role == ColumnRole::reference) guess.reason = "its name says what is wanted";
+  if (guess.role == ColumnRole::other && by_words == ColumnRole::other)
+    guess.reason = "its name says that it is neither motion nor drive";
   return guess;
+}
+
+/// Of runs side by side the first is read.
+void leave_out_other_runs(const std::vector<CoreName>& cores, std::vector<GuessedColumn>& columns) {
+  const auto first = std::find_if(cores.begin(), cores.end(), [](const CoreName& core) { return !core.run.empty(); });
+  if (first == cores.end()) return;
+  for (std::size_t i = 0; i < cores.size(); ++i) {
+    if (cores[i].run.empty() || cores[i].run == first->run) continue;
+    columns[i].role = ColumnRole::other;
+    columns[i].reason = fmt::format("`{}` is read; write `{}` to a file of its own", first->run, cores[i].run);
+    columns[i].passed_over = true;
+  }
 }
 
 /// One time column: the first by name or unit that mostly rises (trials may follow each other); else the
@@ -77,7 +113,7 @@ void settle_time(const FileSample& sample, std::vector<GuessedColumn>& columns) 
   for (const bool by_name : {true, false})
     for (std::size_t i = 0; i < columns.size() && !time; ++i)
       if ((columns[i].role == ColumnRole::time) == by_name && columns[i].role != ColumnRole::trial &&
-          rising_share(sample.columns[i]) >= (by_name ? kMostly : 1.0)) {
+          !columns[i].passed_over && rising_share(sample.columns[i]) >= (by_name ? kMostly : 1.0)) {
         time = &columns[i];
         if (!by_name) time->reason = "it rises from row to row";
       }
@@ -150,8 +186,11 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
 
 std::vector<GuessedColumn> guess_columns(const FileSample& sample, const ColumnHints& hints) {
   std::vector<GuessedColumn> columns;
-  for (std::size_t i = 0; i < sample.format.names.size(); ++i) columns.push_back(guess_column(sample, i));
+  const std::vector<CoreName> cores = core_names(sample.format.names);
+  for (std::size_t i = 0; i < cores.size(); ++i) columns.push_back(guess_column(sample, i, cores[i].text));
+  leave_out_other_runs(cores, columns);
   settle_time(sample, columns);
+  leave_out_duplicates(sample, columns);
   settle_references(sample, columns);
   if (!hints.time.empty()) apply_hint(sample, {hints.time}, ColumnRole::time, columns);
   apply_hint(sample, hints.positions, ColumnRole::position, columns);

@@ -24,6 +24,8 @@ struct GuessedColumn {
   std::string unit;    ///< in the notation of foundation/unit.h; empty: not known
   std::string joint;   ///< what in the name tells joints apart: "1" in `q1`, "elbow" in `elbow_angle_deg`; often empty
   std::string reason;  ///< why this role, half a sentence
+  bool of_velocity = false;  ///< its words speak of a velocity; of a reference: the velocity is what it wants
+  bool of_voltage = false;   ///< a voltage, by its unit or its words
   bool named_by_user = false;
   bool passed_over = false;  ///< the user named others for what it seemed to be
 };
@@ -36,7 +38,8 @@ struct ColumnHints {
 
 /// Guesses every column of a file, in its order, from names, units in names or in a row of units, and
 /// values: the time column rises, and of two positions that go together the one that lags was measured and the
-/// other is its reference. A column that a hint names and the file does not have is an `Error`.
+/// other is its reference. Where a file has the columns of several runs side by side, those of the first are taken;
+/// of a quantity in two units one. A column that a hint names and the file does not have is an `Error`.
 std::vector<GuessedColumn> guess_columns(const FileSample& sample, const ColumnHints& hints);
 
 }  // namespace lacuna

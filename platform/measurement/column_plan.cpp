@@ -1,10 +1,11 @@
 #include "measurement/column_plan.h"
 
+#include "foundation/name_index.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -50,10 +51,13 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
   return names;
 }
 
-std::string all_names(const std::vector<Channel>& channels) {
-  std::string text;
-  for (const Channel& channel : channels) text += (text.empty() ? "" : ", ") + channel.name;
-  return text.empty() ? "none" : text;
+constexpr std::size_t kMostAdvice = 20;  // problems of one list for which the nearest names are looked for
+
+std::string no_channel(const std::string& name, const std::vector<std::string>& names, std::string_view what,
+                       bool with_advice) {
+  const std::string problem = fmt::format("the robot has no {} `{}`", what, name);
+  if (!with_advice) return problem;
+  return problem + did_you_mean(name, names) + "; it has " + (names.empty() ? "none" : nearest_names(name, names));
 }
 
 }  // namespace
@@ -61,21 +65,23 @@ std::string all_names(const std::vector<Channel>& channels) {
 std::vector<PlannedColumn> plan_columns(const std::vector<ColumnMapping>& mappings,
                                         const std::vector<Channel>& channels, std::string_view what,
                                         ProblemList& problems) {
-  std::vector<PlannedColumn> planned;
-  for (const Channel& channel : channels) {
-    const ColumnMapping* first = nullptr;
-    for (const ColumnMapping& mapping : mappings) {
-      if (mapping.channel != channel.name) continue;
-      if (first) problems.add(mapping.location, fmt::format("{} {} has two columns; keep one", what, channel.name));
-      if (!first) planned.push_back({channel, &mapping, conversion(mapping, channel, problems)});
-      first = &mapping;
-    }
-  }
   const std::vector<std::string> names = names_of(channels);
-  for (const ColumnMapping& mapping : mappings)
-    if (std::find(names.begin(), names.end(), mapping.channel) == names.end())
-      problems.add(mapping.location, fmt::format("the robot has no {} `{}`{}; it has {}", what, mapping.channel,
-                                                 did_you_mean(mapping.channel, names), all_names(channels)));
+  const NameIndex known(names);
+  std::vector<const ColumnMapping*> of_channel(channels.size(), nullptr);
+  std::size_t unknown = 0;
+  for (const ColumnMapping& mapping : mappings) {
+    const std::optional<std::size_t> channel = known.find(mapping.channel);
+    if (!channel)
+      problems.add(mapping.location, no_channel(mapping.channel, names, what, ++unknown <= kMostAdvice));
+    else if (of_channel[*channel])
+      problems.add(mapping.location, fmt::format("{} {} has two columns; keep one", what, mapping.channel));
+    else
+      of_channel[*channel] = &mapping;
+  }
+  std::vector<PlannedColumn> planned;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (const ColumnMapping* mapping = of_channel[c])
+      planned.push_back({channels[c], mapping, conversion(*mapping, channels[c], problems)});
   return planned;
 }
 

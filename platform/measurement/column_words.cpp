@@ -1,91 +1,125 @@
 #include "measurement/column_words.h"
 
+#include "measurement/column_lexicon.h"
 #include "measurement/column_name.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace lacuna {
 namespace {
 
-struct RoleWords {
-  ColumnRole role;
-  std::vector<std::string_view> words;
+enum class CharacterKind { lower, upper, digit, other };
+
+CharacterKind kind_of(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (std::isdigit(byte)) return CharacterKind::digit;
+  if (std::isupper(byte)) return CharacterKind::upper;
+  return std::isalpha(byte) || byte >= 0x80 ? CharacterKind::lower : CharacterKind::other;
+}
+
+bool starts_word(CharacterKind before, CharacterKind now) {
+  if (before == now) return false;
+  return !(before == CharacterKind::upper && now == CharacterKind::lower);  // "Angle" is one word
+}
+
+/// Which kinds of words there are. A letter says less than a word.
+class KindsOfWords {
+ public:
+  explicit KindsOfWords(const std::vector<std::string>& words) : words_(words) {}
+
+  bool have(WordKind kind) const { return strong(kind) || weak(kind); }
+  bool strong(WordKind kind) const { return any(kind, false); }
+  bool weak(WordKind kind) const { return any(kind, true); }
+  /// Whether they number trials and say nothing else.
+  bool number_trials() const {
+    return have(WordKind::trial) && std::all_of(words_.begin(), words_.end(), [](const std::string& word) {
+             const std::optional<WordKind> kind = kind_of_word(word);
+             return kind == WordKind::trial || kind == WordKind::counter ||
+                    std::isdigit(static_cast<unsigned char>(word.front()));
+           });
+  }
+
+ private:
+  bool any(WordKind kind, bool letter) const {
+    return std::any_of(words_.begin(), words_.end(), [&](const std::string& word) {
+      return (word.size() == 1) == letter && kind_of_word(word) == kind;
+    });
+  }
+  const std::vector<std::string>& words_;
 };
 
-/// In the order in which they count.
-const std::array<RoleWords, 6>& role_words() {
-  static const std::array<RoleWords, 6> kRoles{{
-      {ColumnRole::trial, {"trial", "run", "episode", "experiment", "segment", "repetition", "rep", "versuch"}},
-      {ColumnRole::reference, {"ref", "reference", "des", "desired", "setpoint", "goal", "target", "soll"}},
-      {ColumnRole::command,
-       {"tau", "torque", "effort", "force", "u", "cmd", "command", "current", "i", "voltage", "volt", "vir", "pwm",
-        "duty", "moment", "input", "drive"}},
-      {ColumnRole::velocity,
-       {"dot", "qd", "dq", "qdot", "vel", "velocity", "omega", "speed", "rate", "w", "dtheta", "v", "rpm", "gyro"}},
-      {ColumnRole::position,
-       {"q", "qm", "pos", "position", "angle", "theta", "phi", "alpha", "psi", "x", "y", "z", "encoder", "enc",
-        "displacement", "winkel"}},
-      {ColumnRole::time,
-       {"t", "time", "timestamp", "stamp", "zeit", "clock", "sec", "secs", "seconds", "ms", "us", "millis", "micros"}},
-  }};
-  return kRoles;
+/// The quantity that is spoken of: a command, a velocity, a position or a time.
+std::optional<ColumnRole> quantity_in(const KindsOfWords& words) {
+  const bool moves = words.strong(WordKind::velocity) || words.strong(WordKind::position);
+  if (words.strong(WordKind::effort) || words.strong(WordKind::voltage) || (!moves && words.strong(WordKind::current)))
+    return ColumnRole::command;
+  if (words.strong(WordKind::velocity)) return ColumnRole::velocity;
+  if (words.strong(WordKind::position)) return ColumnRole::position;
+  if (words.strong(WordKind::time)) return ColumnRole::time;
+  if (words.weak(WordKind::current) || words.have(WordKind::input)) return ColumnRole::command;
+  if (words.weak(WordKind::velocity)) return ColumnRole::velocity;
+  if (words.weak(WordKind::position)) return ColumnRole::position;
+  return words.have(WordKind::time) ? std::optional(ColumnRole::time) : std::nullopt;
 }
 
-/// Words that often stand in names and tell nothing.
-constexpr std::string_view kFillers[] = {"motor", "joint",  "meas",  "measured", "actual", "act",
-                                         "raw",   "sensor", "value", "m",        "data",   "signal"};
-
-bool has(const std::vector<std::string_view>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-enum class Kind { lower, upper, digit, other };
-
-Kind kind_of(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  if (std::isdigit(byte)) return Kind::digit;
-  if (std::isupper(byte)) return Kind::upper;
-  return std::isalpha(byte) ? Kind::lower : Kind::other;
-}
-
-bool starts_word(Kind before, Kind now) {
-  if (before == now) return false;
-  return !(before == Kind::upper && now == Kind::lower);  // "Angle" is one word
+/// "set", "point" → "setpoint".
+void join_set_points(std::vector<std::string>& words) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i - 1] != "set" || (words[i] != "point" && words[i] != "value")) continue;
+    words[i - 1] = "setpoint";
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> words_of(std::string_view name) {
-  std::vector<std::string> words;
-  Kind before = Kind::other;
+  std::vector<std::string> pieces;
+  CharacterKind before = CharacterKind::other;
   for (const char c : name_without_unit(name)) {
-    const Kind now = kind_of(c);
-    if (now != Kind::other) {
-      if (starts_word(before, now)) words.emplace_back();
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const CharacterKind now = kind_of(c);
+    if (now != CharacterKind::other) {
+      if (starts_word(before, now)) pieces.emplace_back();
+      pieces.back() += c;
     }
     before = now;
   }
+  std::vector<std::string> words;
+  for (const std::string& piece : pieces)
+    for (std::string& part : parts_of_compound(plain_letters(piece))) words.push_back(std::move(part));
+  join_set_points(words);
   return words;
 }
 
 std::optional<ColumnRole> role_in_words(const std::vector<std::string>& words) {
-  for (const RoleWords& role : role_words())
-    for (const std::string& word : words)
-      if (has(role.words, word)) return role.role;
-  return std::nullopt;
+  const KindsOfWords kinds(words);
+  if (kinds.number_trials()) return ColumnRole::trial;
+  if (kinds.have(WordKind::bystander)) return ColumnRole::other;
+  const std::optional<ColumnRole> quantity = quantity_in(kinds);
+  const bool moves = quantity == ColumnRole::velocity || quantity == ColumnRole::position;
+  if (quantity && !moves) return quantity;
+  if (kinds.have(WordKind::wanted)) return ColumnRole::reference;
+  if (kinds.have(WordKind::ordered)) return moves ? ColumnRole::reference : ColumnRole::command;
+  return quantity;
 }
+
+bool tell_measured(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::measured); }
+bool tell_wanted(const std::vector<std::string>& words) {
+  const KindsOfWords kinds(words);
+  return kinds.have(WordKind::wanted) || kinds.have(WordKind::ordered);
+}
+bool name_a_quantity(const std::vector<std::string>& words) {
+  const KindsOfWords kinds(words);
+  return kinds.strong(WordKind::position) || kinds.strong(WordKind::velocity);
+}
+bool tell_velocity(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::velocity); }
+bool tell_voltage(const std::vector<std::string>& words) { return KindsOfWords(words).have(WordKind::voltage); }
 
 std::string joint_in_words(const std::vector<std::string>& words) {
   std::string joint;
-  for (const std::string& word : words) {
-    const bool known = std::any_of(role_words().begin(), role_words().end(),
-                                   [&](const RoleWords& role) { return has(role.words, word); });
-    const bool filler = std::find(std::begin(kFillers), std::end(kFillers), word) != std::end(kFillers);
-    if (!known && !filler) joint += (joint.empty() ? "" : "_") + word;
-  }
+  for (const std::string& word : words)
+    if (!kind_of_word(word)) joint += (joint.empty() ? "" : "_") + word;
   return joint;
 }
 

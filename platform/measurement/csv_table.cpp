@@ -1,11 +1,13 @@
 #include "measurement/csv_table.h"
 
+#include "foundation/name_index.h"
 #include "measurement/csv_lines.h"
 #include "measurement/number_cell.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -23,8 +25,11 @@ class TableReader {
         report_(report),
         splitter_(format.delimiter),
         time_reader_(format.decimal_comma) {
+    const NameIndex names(format.names);
+    const auto index_of = [&](const std::string& name) { return names.find(name).value_or(format.names.size()); };
     time_index_ = index_of(query.time_column);
     if (!query.trial_column.empty()) trial_index_ = index_of(query.trial_column);
+    if (!query.fraction_column.empty()) fraction_index_ = index_of(query.fraction_column);
     for (const WantedColumn& column : query.columns) {
       indices_.push_back(index_of(column.name));
       first_missing_.push_back(0);
@@ -44,17 +49,14 @@ class TableReader {
     }
     table_.time_origin = time_reader_.origin();
     table_.dated = time_reader_.dated();
+    table_.period = time_reader_.period();
     if (table_.dated && !table_.times.empty()) table_.first_date = table_.times.front();
+    add_fractions();
     note_missing();
     return std::move(table_);
   }
 
  private:
-  std::size_t index_of(const std::string& name) const {
-    return static_cast<std::size_t>(std::find(format_.names.begin(), format_.names.end(), name) -
-                                    format_.names.begin());
-  }
-
   /// Rows are about as long as the middle one; a little too much is given back at the end by nobody,
   /// but growing by doubling would touch twice the memory.
   void reserve(std::string_view text) {
@@ -106,6 +108,7 @@ class TableReader {
         fmt::format("{} cells where the header (line {}) has {} names", cells, format_.header_line, names);
     if (format_.delimiter == ',' && cells > names)
       message += "; with decimal commas the cells must be separated by semicolons or tabs";
+    if (cells < names) message += "; complete the row, with empty cells where nothing was measured, or delete it";
     return message;
   }
 
@@ -122,9 +125,25 @@ class TableReader {
       return;
     }
     table_.times.push_back(time.value);
+    if (!query_.fraction_column.empty()) fractions_.push_back(fraction_of(cells));
     table_.lines.push_back(number);
     if (!query_.trial_column.empty()) table_.trials.push_back(trial_number(trimmed(cells[trial_index_])));
     for (std::size_t i = 0; i < indices_.size(); ++i) table_.columns[i].push_back(value(i, cells[indices_[i]], number));
+  }
+
+  /// The part of a second that a column of its own has; NaN where it is none.
+  double fraction_of(const std::vector<std::string_view>& cells) const {
+    const double seconds = read_number(cells[fraction_index_], format_.decimal_comma).value * query_.fraction_unit;
+    return seconds >= 0.0 && seconds < 1.0 ? seconds : kNan;
+  }
+
+  /// Adds parts of a second, if all are, to whole seconds.
+  void add_fractions() {
+    const auto is_whole = [](double time) { return time == std::round(time); };
+    table_.has_fractions =
+        !fractions_.empty() && std::all_of(table_.times.begin(), table_.times.end(), is_whole) &&
+        std::none_of(fractions_.begin(), fractions_.end(), [](double one) { return std::isnan(one); });
+    for (std::size_t i = 0; table_.has_fractions && i < fractions_.size(); ++i) table_.times[i] += fractions_[i];
   }
 
   double value(std::size_t column, std::string_view cell, int number) {
@@ -146,10 +165,12 @@ class TableReader {
       return fmt::format("column `{}` has `{}`; leave the cell empty where nothing was measured", name,
                          excerpt(trimmed(cell)));
     std::string message = fmt::format("column `{}` has `{}` where a number should be", name, excerpt(trimmed(cell)));
+    const std::size_t length = message.size();
     if (!format_.decimal_comma && read_number(cell, true).kind == CellKind::number)
       message += "; if that is a decimal comma, all numbers of the file must have one";
     if (format_.decimal_comma && read_number(cell, false).kind == CellKind::number)
       message += "; numbers of this file have decimal commas";
+    if (message.size() == length) message += "; empty the cell if nothing was measured, or delete the row";
     return message;
   }
 
@@ -178,6 +199,8 @@ class TableReader {
   TimeStampReader time_reader_;
   std::size_t time_index_ = 0;
   std::size_t trial_index_ = 0;
+  std::size_t fraction_index_ = 0;
+  std::vector<double> fractions_;  ///< s, by row
   std::vector<std::size_t> indices_;
   std::vector<int> first_missing_;
   std::vector<std::size_t> missing_;

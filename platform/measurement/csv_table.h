@@ -19,13 +19,18 @@ struct CsvQuery {
   std::string time_column;
   std::string trial_column;  ///< empty: the file is one trial
   std::vector<WantedColumn> columns;
+  /// Added to the time stamps where they are whole seconds and it has a part of a second in each row; empty: none.
+  std::string fraction_column = {};
+  double fraction_unit = 0.0;  ///< s
 };
 
 /// Numbers of the wanted columns, as written (no units applied), row by row.
 struct CsvTable {
   double time_origin = 0.0;                  ///< to be added to `times`; see `TimeStampReader`
-  bool dated = false;                        ///< time stamps are dates: `times` are in s
-  double first_date = 0.0;                   ///< where they are dates, what of `times` the file's own time begins with
+  bool dated = false;                        ///< time stamps are dates or times of day: `times` are in s
+  double first_date = 0.0;                   ///< where they are, what of `times` the file's own time begins with
+  bool has_fractions = false;                ///< the fraction column was added to `times`
+  double period = 0.0;                       ///< s, after which times of day start again; 0: they do not
   std::vector<double> times;                 ///< column's unit
   std::vector<std::vector<double>> columns;  ///< as in the query; NaN where the file has no value
   std::vector<int> lines;                    ///< line of each row in the file

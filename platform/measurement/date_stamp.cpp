@@ -20,6 +20,11 @@ class Pieces {
     rest_.remove_prefix(count);
     return value;
   }
+  /// One digit or two.
+  int one_or_two() {
+    const std::size_t count = rest_.size() > 1 && kDigits.find(rest_[1]) != kDigits.npos ? 2 : 1;
+    return digits(count);
+  }
   bool take(std::string_view any_of) {
     if (!good_ || rest_.empty() || any_of.find(rest_.front()) == any_of.npos) return false;
     rest_.remove_prefix(1);
@@ -59,6 +64,15 @@ int zone(Pieces& pieces) {
   return sign * (hours * 3600 + minutes * 60);
 }
 
+/// Hours to add to those of a twelve-hour clock; takes the mark of the half of the day, if there is one.
+std::optional<int> half_of_day(Pieces& pieces, int hour) {
+  pieces.take(" ");
+  const bool afternoon = pieces.take("Pp");
+  if (!afternoon && !pieces.take("Aa")) return std::nullopt;
+  pieces.need("Mm");
+  return (afternoon ? 12 : 0) - (hour == 12 ? 12 : 0);
+}
+
 }  // namespace
 
 std::optional<DateStamp> read_date_stamp(std::string_view text) {
@@ -83,6 +97,26 @@ std::optional<DateStamp> read_date_stamp(std::string_view text) {
   const int of_day = (hour * 60 + minute) * 60 + second;
   stamp.seconds = static_cast<std::int64_t>(days) * 86400 + of_day - east;
   return stamp;
+}
+
+std::optional<ClockTime> read_clock_time(std::string_view text) {
+  Pieces pieces(text);
+  int fields[3] = {pieces.one_or_two(), 0, 0};
+  int count = 1;
+  while (count < 3 && pieces.take(":")) fields[count++] = pieces.digits(2);
+  if (count == 1) return std::nullopt;
+  ClockTime time;
+  if (pieces.take(count == 3 ? ".,:" : ".,"))
+    time.since.fraction = pieces.fraction();
+  else if (count == 2)
+    return std::nullopt;  // hours with minutes
+  const bool of_day = count == 3;
+  const std::optional<int> half = of_day ? half_of_day(pieces, fields[0]) : std::nullopt;
+  const int hour = of_day ? fields[0] : 0, minute = fields[count - 2], second = fields[count - 1];
+  if (!pieces.all_read() || hour > (half ? 12 : 23) || minute > 59 || second > 60) return std::nullopt;
+  time.since.seconds = ((hour + half.value_or(0)) * 60 + minute) * 60 + second;
+  time.period = of_day ? 86400.0 : 3600.0;
+  return time;
 }
 
 }  // namespace lacuna

@@ -17,4 +17,14 @@ struct DateStamp {
 /// Nothing where the text is something else, or no such day or time of day exists.
 std::optional<DateStamp> read_date_stamp(std::string_view text);
 
+/// A time of day, or of an hour.
+struct ClockTime {
+  DateStamp since;      ///< the start of the day or hour
+  double period = 0.0;  ///< s, after which the clock starts again
+};
+
+/// Reads a time of day such as `12:59:57.005`, `12:59:57,005`, `12:59:57:005` or `1:59:57.005 PM`, and minutes with
+/// seconds such as `59:57.0`. Nothing where the text is something else, or there is no such time.
+std::optional<ClockTime> read_clock_time(std::string_view text);
+
 }  // namespace lacuna

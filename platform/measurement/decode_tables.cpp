@@ -1,6 +1,7 @@
 #include "measurement/decode_tables.h"
 
 #include "foundation/counted.h"
+#include "foundation/unit.h"
 #include "measurement/decode.h"
 #include "measurement/encoding_guess.h"
 
@@ -9,25 +10,26 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace lacuna {
 namespace {
 
 constexpr double kSmallestNumber = 1e-290;  ///< below it a number is memory that nobody wrote to
-constexpr double kLongestTick = 20.0;       ///< median intervals: a clock that wraps goes on that soon
+constexpr double kLargestNumber = 1e30;     ///< beyond it a number stands for no value
 
 void drop_unwritten(const std::vector<const PlannedColumn*>& planned, ReadTable& read) {
   for (std::size_t c = 0; c < planned.size(); ++c) {
     std::size_t count = 0, first = 0;
     for (std::size_t row = 0; row < read.table.columns[c].size(); ++row) {
       double& value = read.table.columns[c][row];
-      if (value == 0.0 || !(std::abs(value) < kSmallestNumber)) continue;
+      if (value == 0.0 || !(std::abs(value) < kSmallestNumber || std::abs(value) > kLargestNumber)) continue;
       if (count++ == 0) first = row;
       value = std::nan("");
     }
     if (count == 0) continue;
     read.report.doubt("unwritten " + planned[c]->mapping->column, read.table.lines[first], [&] {
-      return fmt::format("column `{}` has {} below 1e-290, which no device measures: taken as missing",
+      return fmt::format("column `{}` has {} below 1e-290 or beyond 1e30, which no device measures: taken as missing",
                          planned[c]->mapping->column, counted(count, "number"));
     });
   }
@@ -66,24 +68,66 @@ std::string meaning_of(const Encoding& encoding) {
   return {};
 }
 
+/// The table and the row of a reading, counted over all parts.
+std::pair<ReadTable*, int> line_of(std::size_t place, const ColumnParts& parts, std::vector<ReadTable>& tables) {
+  for (std::size_t p = 0; p < parts.values.size(); ++p) {
+    if (place < parts.values[p].size()) {
+      ReadTable& read = tables[parts.from[p].first];
+      return {&read, read.table.lines[parts.from[p].second[place]]};
+    }
+    place -= parts.values[p].size();
+  }
+  return {&tables.front(), 0};
+}
+
+std::string lines_to_write(std::span<const double> moduli) {
+  std::string text;
+  for (const double modulus : moduli)
+    text +=
+        (text.empty() ? "encoding = \"" : "\" or encoding = \"") + to_string(Encoding{EncodingKind::wraps, modulus});
+  return text + "\"";
+}
+
 void note_encoding(const ColumnMapping& mapping, const std::string& section, const FoundEncoding& found,
                    const ColumnParts& parts, std::vector<ReadTable>& tables) {
-  std::size_t place = found.first;
-  for (std::size_t p = 0; p < parts.values.size(); ++p) {
-    if (place >= parts.values[p].size()) {
-      place -= parts.values[p].size();
-      continue;
-    }
-    ReadTable& read = tables[parts.from[p].first];
-    read.report.doubt("encoding of " + mapping.column, read.table.lines[parts.from[p].second[place]], [&] {
-      return fmt::format(
-          "column `{}` jumps {}, here for the first time, because {}; read so. State it in target.{}.{}: encoding = "
-          "\"{}\"; if it is wrong, encoding = \"plain\"",
-          mapping.column, counted(found.jumps, "time"), meaning_of(found.encoding), section, mapping.channel,
-          to_string(found.encoding));
-    });
-    return;
-  }
+  const auto [read, line] = line_of(found.first, parts, tables);
+  read->report.doubt("encoding of " + mapping.column, line, [&, &jumps = found.jumps] {
+    std::string text = fmt::format(
+        "column `{}` jumps {}, here for the first time, because {}; read so. State it in target.{}.{}: encoding = "
+        "\"{}\"; if it is wrong, encoding = \"plain\"",
+        mapping.column, counted(jumps, "time"), meaning_of(found.encoding), section, mapping.channel,
+        to_string(found.encoding));
+    if (found.moduli.size() > 1)
+      text += ". The readings alone also allow " + lines_to_write(std::span(found.moduli).subspan(1));
+    return text;
+  });
+}
+
+/// A wrong count would shift all readings beyond a jump: the experiment has to say which one it is.
+void refuse_wrap(const ColumnMapping& mapping, const std::string& section, const FoundEncoding& found,
+                 const ColumnParts& parts, std::vector<ReadTable>& tables) {
+  const auto [read, line] = line_of(found.first, parts, tables);
+  read->report.problem("encoding of " + mapping.column, line, [&, &jumps = found.jumps] {
+    std::string text = fmt::format(
+        "column `{}` jumps {}, here for the first time, as a counter does that starts again at {:.9g} ± {:.2g}. ",
+        mapping.column, counted(jumps, "time"), found.estimate, found.error);
+    if (found.moduli.empty())
+      text += fmt::format("No usual count is near. State it in target.{}.{}, as in encoding = \"wraps {:.0f}\"",
+                          section, mapping.channel, found.estimate);
+    else
+      text += fmt::format("The readings do not tell which count it is. State it in target.{}.{}: {}", section,
+                          mapping.channel, lines_to_write(found.moduli));
+    return text + "; if nothing starts again, encoding = \"plain\"";
+  });
+}
+
+EncodingHints hints_of(const PlannedColumn& planned) {
+  const bool is_angle = planned.channel.unit == "rad", is_length = planned.channel.unit == "m";
+  EncodingHints hints{is_angle || is_length || planned.mapping->derivative, {}};
+  if (is_angle && planned.factor != 0.0) hints.turns.push_back(2.0 * M_PI / std::abs(planned.factor));
+  const std::optional<Unit> own = parse_unit(planned.mapping->unit);
+  if (own && own->angle) hints.turns.push_back(2.0 * M_PI / own->to_si);
+  return hints;
 }
 
 /// Of one column, in all tables.
@@ -93,10 +137,11 @@ void decode_column(std::size_t column, const PlannedColumn& planned, const std::
   if (encoding.kind == EncodingKind::plain) return;
   ColumnParts parts = parts_of(tables, column);
   if (encoding.kind == EncodingKind::automatic) {
-    const std::optional<FoundEncoding> found = guess_encoding(parts.values, planned.mapping->unit);
+    const std::optional<FoundEncoding> found = guess_encoding(parts.values, hints_of(planned));
     if (!found) return;
-    note_encoding(*planned.mapping, section, *found, parts, tables);
     encoding = found->encoding;
+    if (encoding.kind == EncodingKind::automatic) return refuse_wrap(*planned.mapping, section, *found, parts, tables);
+    note_encoding(*planned.mapping, section, *found, parts, tables);
   }
   for (std::size_t p = 0; p < parts.values.size(); ++p) {
     decode(encoding, parts.values[p]);
@@ -105,65 +150,7 @@ void decode_column(std::size_t column, const PlannedColumn& planned, const std::
   }
 }
 
-double median_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
-/// A power of two that whole stamps stay below, come near, and start again from 0 at; 0: none.
-double wrap_of_clock(const CsvTable& table) {
-  const std::vector<double>& times = table.times;
-  const double near = kLongestTick * median_step(times);
-  const bool whole = std::all_of(times.begin(), times.end(), [](double time) { return time == std::round(time); });
-  for (const int bits : {16, 24, 31, 32}) {
-    const double modulus = std::ldexp(1.0, bits);
-    std::size_t wraps = 0;
-    bool all = whole;
-    for (std::size_t i = 0; i < times.size() && all; ++i) {
-      const double stamp = table.time_origin + times[i];
-      all = stamp >= 0.0 && stamp < modulus;
-      if (i == 0 || times[i] >= times[i - 1]) continue;
-      all = all && stamp < near && table.time_origin + times[i - 1] > modulus - near;
-      ++wraps;
-    }
-    if (all && wraps > 0) return modulus;
-  }
-  return 0.0;
-}
-
-/// A clock never goes back: each step back is one more turn, however long the pause.
-void unwrap_clock(double modulus, std::vector<double>& times) {
-  double turns = 0.0, before = times.empty() ? 0.0 : times.front();
-  for (double& time : times) {
-    if (time < before) turns += 1.0;
-    before = time;
-    time += turns * modulus;
-  }
-}
-
 }  // namespace
-
-void decode_clock(Encoding encoding, const std::string& time_column, ReadTable& read) {
-  std::vector<double>& times = read.table.times;
-  if (encoding.kind == EncodingKind::automatic && !read.table.dated && read.table.trial_names.empty()) {
-    const double modulus = wrap_of_clock(read.table);
-    if (modulus == 0.0) return;
-    encoding = {EncodingKind::wraps, modulus};
-    const auto back = std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return b < a; });
-    read.report.doubt("clock", read.table.lines[static_cast<std::size_t>(back - times.begin()) + 1], [&] {
-      return fmt::format(
-          "the clock, column `{}`, starts again at {:.0f}; read so. State it in target.time: encoding = \"{}\"; if it "
-          "is wrong, encoding = \"plain\"",
-          time_column, modulus, to_string(encoding));
-    });
-  }
-  if (encoding.kind == EncodingKind::wraps) unwrap_clock(encoding.modulus, times);
-}
 
 void decode_tables(const RecordingPlan& plan, std::vector<ReadTable>& tables) {
   const std::vector<const PlannedColumn*> planned = columns_of(plan);

@@ -1,11 +1,13 @@
 #include "measurement/file_sample.h"
 
+#include "measurement/clock_wraps.h"
 #include "measurement/csv_lines.h"
 #include "measurement/date_stamp.h"
 #include "measurement/measured_text.h"
 #include "measurement/number_cell.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lacuna {
@@ -20,13 +22,14 @@ void throw_problems(FileReport& report) {
   problems.throw_if_any();
 }
 
-/// A cell as a number; of a column of dates the time since its first one, s.
+/// A cell as a number; of a column of dates or times of day the time since its first one, s.
 class SampledColumn {
  public:
   NumberCell read(std::string_view text, bool decimal_comma) {
     const NumberCell cell = read_number(text, decimal_comma);
     if (cell.kind != CellKind::text) return cell;
-    const std::optional<DateStamp> date = read_date_stamp(trimmed(text));
+    std::optional<DateStamp> date = read_date_stamp(trimmed(text));
+    if (const auto time = date ? std::nullopt : read_clock_time(trimmed(text))) date = time->since;
     if (!date) return cell;
     if (!first_) first_ = date->seconds;
     return {CellKind::number, static_cast<double>(date->seconds - *first_) + date->fraction};
@@ -35,6 +38,26 @@ class SampledColumn {
  private:
   std::optional<std::int64_t> first_;  ///< s since 1970
 };
+
+/// Whole seconds and their parts in two columns are one time (clock_wraps.h): the first gets it, the second has nothing
+/// of its own.
+void join_split_times(FileSample& sample) {
+  for (std::size_t c = 0; c < sample.columns.size(); ++c) {
+    const auto fraction = fraction_beside(sample.format.names[c], sample.format.names);
+    const int other = fraction ? sample.find(fraction->name) : -1;
+    if (other < 0) continue;
+    std::vector<double>&seconds = sample.columns[c], &parts = sample.columns[static_cast<std::size_t>(other)];
+    bool split = !seconds.empty();
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+      const double part = parts[i] * fraction->unit;
+      split = split && seconds[i] == std::round(seconds[i]) && part >= 0.0 && part < 1.0;
+    }
+    if (!split) continue;
+    for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] += parts[i] * fraction->unit;
+    std::fill(parts.begin(), parts.end(), std::numeric_limits<double>::quiet_NaN());
+    sample.numeric_share[static_cast<std::size_t>(other)] = 0.0;
+  }
+}
 
 }  // namespace
 
@@ -73,6 +96,7 @@ FileSample sample_file(const std::filesystem::path& path) {
   for (std::size_t c = 0; c < count; ++c)
     sample.numeric_share.push_back(static_cast<double>(numbers[c]) /
                                    static_cast<double>(std::max<std::size_t>(numbers[c] + texts[c], 1)));
+  join_split_times(sample);
   return sample;
 }
 

@@ -45,7 +45,8 @@ NumberCell read_with_point(std::string_view cell) {
   if (!whole || error == std::errc::invalid_argument) return read_word(cell);
   if (error == std::errc::result_out_of_range) {
     const bool underflow = cell.find("e-") != cell.npos || cell.find("E-") != cell.npos;
-    return underflow ? NumberCell{CellKind::number, 0.0} : NumberCell{CellKind::infinite, kNoNumber};
+    return underflow ? NumberCell{CellKind::number, std::numeric_limits<double>::denorm_min()}
+                     : NumberCell{CellKind::infinite, kNoNumber};
   }
   return std::isfinite(value) ? NumberCell{CellKind::number, value} : read_word(cell);
 }
@@ -67,11 +68,22 @@ NumberCell read_number(std::string_view cell, bool decimal_comma) {
   return read_with_point({with_point.data(), cell.size()});
 }
 
+struct TimeStampReader::Dated {
+  DateStamp since;
+  double period = 0.0;
+};
+
+std::optional<TimeStampReader::Dated> TimeStampReader::dated_stamp(std::string_view cell) {
+  if (const std::optional<DateStamp> date = read_date_stamp(cell)) return Dated{*date};
+  if (const std::optional<ClockTime> time = read_clock_time(cell)) return Dated{time->since, time->period};
+  return std::nullopt;
+}
+
 NumberCell TimeStampReader::read(std::string_view cell) {
   constexpr std::int64_t kFarAway = 1'000'000;
   cell = trimmed(cell);
-  const std::optional<DateStamp> date = has_origin_ && !dated_ ? std::nullopt : read_date_stamp(cell);
-  if (date) return read_date(*date);
+  const std::optional<Dated> dated = has_origin_ && !dated_ ? std::nullopt : dated_stamp(cell);
+  if (dated && (!has_origin_ || dated->period == period_)) return read_dated(*dated);
   if (dated_) return stands_for_missing(cell) ? read_word(cell) : NumberCell{CellKind::text, kNoNumber};
   std::int64_t whole = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), whole);
@@ -90,10 +102,11 @@ NumberCell TimeStampReader::read(std::string_view cell) {
   return {CellKind::number, static_cast<double>(whole - origin_) + (cell.front() == '-' ? -fraction : fraction)};
 }
 
-NumberCell TimeStampReader::read_date(const DateStamp& date) {
-  if (!dated_) origin_ = date.seconds;
+NumberCell TimeStampReader::read_dated(const Dated& stamp) {
+  if (!dated_) origin_ = stamp.since.seconds;
   dated_ = has_origin_ = true;
-  return {CellKind::number, static_cast<double>(date.seconds - origin_) + date.fraction};
+  period_ = stamp.period;
+  return {CellKind::number, static_cast<double>(stamp.since.seconds - origin_) + stamp.since.fraction};
 }
 
 }  // namespace lacuna

@@ -1,5 +1,6 @@
 #include "measurement/plausibility.h"
 
+#include "foundation/name_index.h"
 #include "foundation/unit.h"
 #include "measurement/column_name.h"
 #include "measurement/signal_shape.h"
@@ -53,7 +54,8 @@ bool same_unit(const std::string& a, const std::string& b) {
          std::abs(first->to_si - second->to_si) < 1e-6 * second->to_si;
 }
 
-void check_unit(const PlannedColumn& column, const CsvFormat& format, FileReport& report) {
+/// `names`: of the format.
+void check_unit(const PlannedColumn& column, const CsvFormat& format, const NameIndex& names, FileReport& report) {
   const ColumnMapping& mapping = *column.mapping;
   const std::string in_name = unit_in_name(mapping.column);
   if (!in_name.empty() && !same_unit(in_name, mapping.unit))
@@ -61,8 +63,7 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, FileReport
       return fmt::format("column `{}` has the unit {} in its name, but is read in {}", mapping.column, in_name,
                          mapping.unit);
     });
-  const auto place = std::find(format.names.begin(), format.names.end(), mapping.column);
-  const auto index = static_cast<std::size_t>(place - format.names.begin());
+  const std::size_t index = names.find(mapping.column).value_or(format.names.size());
   if (index < format.units.size() && !format.units[index].empty() && !same_unit(format.units[index], mapping.unit))
     report.doubt("units row of " + mapping.column, format.first_line - 1, [&] {
       return fmt::format("the row of units says {} for column `{}`, which is read in {}", format.units[index],
@@ -81,16 +82,19 @@ void check_size(const PlannedColumn& column, const SignalShape& shape, int line,
   for (const PlausibleSize& plausible : kPlausibleSizes) {
     if (column.channel.unit != plausible.unit || size <= plausible.largest) continue;
     report.doubt("size of " + mapping.column, line, [&] {
-      return fmt::format("column `{}` reaches {} when read in {}; is it in {}?", mapping.column,
-                         format_quantity(size, column.channel.unit), mapping.unit, plausible.likelier);
+      return fmt::format(
+          "column `{}` reaches {} when read in {}; is it in {}? Then write {} = {{ ..., unit = \"{}\" }}",
+          mapping.column, format_quantity(size, column.channel.unit), mapping.unit, plausible.likelier, mapping.channel,
+          plausible.likelier);
     });
   }
   const double written = (shape.highest - shape.lowest) / std::abs(column.factor);
   for (const SmallUnit& small : kSmallUnits) {
     if (mapping.unit != small.column_unit || written > small.smallest || mapping.gain != 1.0) continue;
     report.doubt("size of " + mapping.column, line, [&] {
-      return fmt::format("column `{}` moves within {:.3g} {} only; is it in {}?", mapping.column, written, mapping.unit,
-                         small.likelier);
+      return fmt::format(
+          "column `{}` moves within {:.3g} {} only; is it in {}? Then write {} = {{ ..., unit = \"{}\" }}",
+          mapping.column, written, mapping.unit, small.likelier, mapping.channel, small.likelier);
     });
   }
 }
@@ -133,6 +137,7 @@ std::string in_words(double ratio) {
 
 void check_velocity(const Trial& trial, const RecordingPlan& plan, std::size_t velocity, int line, FileReport& report) {
   const std::string unit = plan.sensors[velocity].channel.unit;
+  if (!unit.ends_with("/s")) return;
   SlopeMatch best;
   std::size_t best_position = 0;
   for (std::size_t p = 0; p < plan.sensors.size(); ++p) {
@@ -155,8 +160,9 @@ void check_velocity(const Trial& trial, const RecordingPlan& plan, std::size_t v
 }  // namespace
 
 void check_units(const RecordingPlan& plan, const CsvFormat& format, FileReport& report) {
+  const NameIndex names(format.names);
   for (const auto* planned : {&plan.sensors, &plan.commands})
-    for (const PlannedColumn& column : *planned) check_unit(column, format, report);
+    for (const PlannedColumn& column : *planned) check_unit(column, format, names, report);
 }
 
 void check_values(const Trial& trial, const RecordingPlan& plan, int line, FileReport& report) {

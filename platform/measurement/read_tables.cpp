@@ -1,10 +1,14 @@
 #include "measurement/read_tables.h"
 
+#include "foundation/name_index.h"
+#include "foundation/unit.h"
+#include "measurement/clock_wraps.h"
 #include "measurement/csv_format.h"
 #include "measurement/decode_tables.h"
 #include "measurement/join_tables.h"
 #include "measurement/measured_text.h"
 #include "measurement/plausibility.h"
+#include "measurement/unread_drives.h"
 
 #include <fmt/format.h>
 
@@ -21,16 +25,16 @@ struct OpenedFile {
   std::filesystem::path path;
   FileReport report;
   std::string time_column;
+  std::string time_unit;
   Encoding time_encoding;
   std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are wanted
   std::string text = {};
   CsvFormat format = {};
+  NameIndex columns = {};               ///< of the format's names
   std::vector<std::size_t> given = {};  ///< which of the wanted columns it gives
   std::set<std::string> told = {};      ///< columns whose absence was told
 
-  bool has(const std::string& name) const {
-    return std::find(format.names.begin(), format.names.end(), name) != format.names.end();
-  }
+  bool has(const std::string& name) const { return columns.count(name) > 0; }
   bool is_named(const std::string& name) const { return std::find(only.begin(), only.end(), name) != only.end(); }
 };
 
@@ -45,16 +49,20 @@ void open(const RecordingSource& source, const RecordingPlan& plan, OpenedFile& 
   file.text = read_measured_text(file.path, file.report);
   if (file.report.has_problems()) return;
   file.format = find_csv_format(file.text, {file.time_column, source.delimiter, source.decimal_comma}, file.report);
-  if (!file.report.has_problems()) check_units(plan, file.format, file.report);
+  file.columns = NameIndex(file.format.names);
+  if (file.report.has_problems()) return;
+  check_units(plan, file.format, file.report);
+  note_unread_drives(source, file.format, file.report);
 }
 
 std::vector<OpenedFile> open_files(const RecordingSource& source, const RecordingPlan& plan, const MeasuredFile& file) {
   std::vector<OpenedFile> files = {
-      {file.path, FileReport(file.path.string()), source.time_column, source.time_encoding, {}}};
+      {file.path, FileReport(file.path.string()), source.time_column, source.time_unit, source.time_encoding, {}}};
   for (const FurtherFile& further : file.with)
     files.push_back({further.path,
                      FileReport(further.path.string()),
                      further.time_column.empty() ? source.time_column : further.time_column,
+                     further.time_unit.empty() ? source.time_unit : further.time_unit,
                      {},
                      further.columns});
   for (OpenedFile& one : files) open(source, plan, one);
@@ -64,7 +72,7 @@ std::vector<OpenedFile> open_files(const RecordingSource& source, const Recordin
 /// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
 void check_column(const std::string& name, OpenedFile& file) {
   const std::vector<std::string>& names = file.format.names;
-  const auto count = std::count(names.begin(), names.end(), name);
+  const std::size_t count = file.columns.count(name);
   if (count == 1 || !file.told.insert(name).second) return;
   file.report.problem("column " + name, file.format.header_line, [&] {
     if (count > 1) return fmt::format("{} columns are called `{}`; rename all but one", count, excerpt(name));
@@ -112,6 +120,21 @@ void allot_columns(const std::vector<std::string>& wanted, const std::string& tr
   }
 }
 
+/// Seconds and parts of them in two columns are one time stamp.
+void name_fraction(const OpenedFile& file, double seconds_per_unit, CsvQuery& query) {
+  const auto fraction = fraction_beside(file.time_column, file.format.names);
+  if (seconds_per_unit != 1.0 || !fraction) return;
+  query.fraction_column = fraction->name;
+  query.fraction_unit = fraction->unit;
+}
+
+void note_fraction(const OpenedFile& file, const CsvQuery& query, FileReport& report) {
+  report.note("two columns of time", file.format.header_line, [&] {
+    return fmt::format("time stamps are the seconds in column `{}` plus column `{}` times {:g} s", file.time_column,
+                       query.fraction_column, query.fraction_unit);
+  });
+}
+
 /// Empties the file's text, which is of no more use. Without `allotted` columns there is nothing to be read.
 ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted, bool allotted,
                      OpenedFile& file) {
@@ -119,13 +142,19 @@ ReadTable read_table(const RecordingSource& source, const std::vector<std::strin
   const std::string text = std::move(file.text);
   read.table.columns.resize(wanted.size());
   if (read.report.has_problems() || !allotted) return read;
-  CsvQuery query{file.time_column, source.trial_column, {}};
+  CsvQuery query;
+  query.time_column = file.time_column;
+  query.trial_column = source.trial_column;
+  const std::optional<Unit> unit = parse_unit(file.time_unit);
+  const double seconds_per_unit = unit ? unit->to_si : 1.0;
+  name_fraction(file, seconds_per_unit, query);
   for (const std::size_t c : file.given) query.columns.push_back({wanted[c]});
   read.table = read_csv_table(text, file.format, query, read.report);
+  if (read.table.has_fractions) note_fraction(file, query, read.report);
   std::vector<std::vector<double>> columns(wanted.size());
   for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);
   read.table.columns = std::move(columns);
-  if (!read.report.has_problems()) decode_clock(file.time_encoding, file.time_column, read);
+  if (!read.report.has_problems()) decode_clock({file.time_column, file.time_encoding, seconds_per_unit}, read);
   return read;
 }
 

@@ -2,13 +2,15 @@
 
 #include "foundation/counted.h"
 #include "foundation/unit.h"
-#include "measurement/glitches.h"
+#include "measurement/event_counter.h"
+#include "measurement/mixed_rows.h"
 #include "measurement/repeats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lacuna {
 namespace {
@@ -18,9 +20,9 @@ constexpr Eigen::Index kFewestSamples = 20;  ///< few numbers are alike by chanc
 constexpr std::size_t kFewestTurns = 4;
 constexpr double kNearZero = 0.05;  ///< of the signal's size
 constexpr double kHigh = 0.25;
-constexpr double kStraight = 0.4;  ///< of the height at twice the distance; a smooth minimum has a quarter
-
-bool is_motion(const std::string& unit) { return unit == "rad" || unit == "m" || unit == "rad/s" || unit == "m/s"; }
+constexpr double kCoarseAngle = M_PI / 10.0;  ///< rad, a count of a sensor of few pulses a turn, not of an encoder
+constexpr double kCoarseLength = 5e-3;        ///< m
+constexpr double kStraight = 0.4;             ///< of the height at twice the distance; a smooth minimum has a quarter
 
 std::vector<double> column_of(const TimeSeries& series, std::size_t c) {
   const auto column = series.samples.col(static_cast<Eigen::Index>(c));
@@ -43,32 +45,50 @@ void leave_out_repeats(TimeSeries& measured, std::size_t c, const ColumnMapping&
   });
 }
 
-Eigen::VectorXd without(Eigen::VectorXd column, const std::vector<std::size_t>& left_out) {
-  for (const std::size_t i : left_out) column(static_cast<Eigen::Index>(i)) = std::nan("");
-  return column;
+bool has_known_start(const Trial& trial) {
+  return std::any_of(trial.initial.begin(), trial.initial.end(),
+                     [](const InitialValue& value) { return value.knowledge != InitialKnowledge::from_data; });
 }
 
-void leave_out_glitches(TimeSeries& measured, std::size_t c, const ColumnMapping& mapping,
-                        const std::vector<int>& lines, double origin, FileReport& report) {
-  const auto column = static_cast<Eigen::Index>(c);
-  const std::vector<std::size_t> glitches = find_glitches(column_of(measured, c));
-  const Eigen::VectorXd kept = without(measured.samples.col(column), glitches);
-  for (const std::size_t i : glitches) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double value = measured.samples(row, column);
-    Eigen::Index last = row;
-    while (last > 0 && !std::isfinite(kept(last))) --last;
-    const double before = kept(last);
-    report.doubt("glitch of " + mapping.column, lines[i], [&] {
+/// Readings between events are none; those at events have the noise that follows from their moments, unless the
+/// experiment declares one. They do not show how a trial starts: where that is not stated, all rows stay, as they are.
+bool keep_events_only(Trial& trial, std::size_t c, const ColumnMapping& mapping, int line, FileReport& report) {
+  TimeSeries& measured = trial.measured;
+  const std::string& unit = measured.channels[c].unit;
+  const std::span times(measured.times.data(), static_cast<std::size_t>(measured.times.size()));
+  const EventCounter counter = find_events(times, column_of(measured, c), unit == "rad" ? kCoarseAngle : kCoarseLength);
+  if (counter.events.empty()) return false;
+  const std::string found = fmt::format(
+      "column `{}` counts events: it changes by one count ({}) at a time and stands still for some {:.0f} rows in "
+      "between, which say nothing of the motion",
+      mapping.column, format_quantity(counter.count, unit), counter.rows_between);
+  if (!has_known_start(trial)) {
+    report.doubt("events of " + mapping.column, line, [&] {
       return fmt::format(
-          "column `{}` at {:.9g} s: {} for one to three readings, {} before: a glitch, left out; keep = [\"glitches\"] "
-          "in "
-          "target.sensors.{} compares it",
-          mapping.column, origin + measured.times(row), format_quantity(value, measured.channels[c].unit),
-          format_quantity(before, measured.channels[c].unit), mapping.channel);
+          "{}. All rows are compared nevertheless, because its changes do not show the start. To compare the {} "
+          "changes "
+          "alone, state the start in target.initial or let it be fitted, as in hinge = {{ velocity = 9.0, knowledge = "
+          "\"free\" }}",
+          found, counter.events.size());
     });
+    return false;
   }
-  measured.samples.col(column) = kept;
+  measured.samples.col(static_cast<Eigen::Index>(c)).setConstant(std::nan(""));
+  double squares = 0.0;
+  for (const CountedEvent& event : counter.events) {
+    measured.samples(static_cast<Eigen::Index>(event.row), static_cast<Eigen::Index>(c)) = event.position;
+    squares += event.deviation * event.deviation;
+  }
+  const double noise = std::sqrt(squares / static_cast<double>(counter.events.size()));
+  double& declared = trial.sensor_noise[c];
+  if (std::isnan(declared)) declared = noise;
+  report.doubt("events of " + mapping.column, line, [&] {
+    return fmt::format(
+        "{}. Only its {} changes are compared, each to {}, which is what one row is long; keep = [\"repeats\"] in "
+        "target.sensors.{} compares all rows",
+        found, counter.events.size(), format_quantity(noise, unit), mapping.channel);
+  });
+  return true;
 }
 
 /// Whether b = scale·a + offset, but for the digits that were written.
@@ -111,12 +131,15 @@ std::size_t folded_turns(const std::vector<double>& values) {
 
 void leave_out_false_readings(Trial& trial, const RecordingPlan& plan, const std::vector<int>& lines, double origin,
                               FileReport& report) {
+  leave_out_second_streams(trial, plan, lines, origin, report);
   for (std::size_t c = 0; c < plan.sensors.size(); ++c) {
     const ColumnMapping& mapping = *plan.sensors[c].mapping;
+    const std::string& unit = plan.sensors[c].channel.unit;
+    const bool is_position = unit == "rad" || unit == "m";
+    if (!mapping.keeps_repeats && is_position && keep_events_only(trial, c, mapping, lines.front(), report)) continue;
     if (!mapping.keeps_repeats) leave_out_repeats(trial.measured, c, mapping, lines.front(), report);
-    if (!mapping.keeps_glitches && is_motion(plan.sensors[c].channel.unit))
-      leave_out_glitches(trial.measured, c, mapping, lines, origin, report);
   }
+  leave_out_glitches(trial, plan, lines, origin, report);
 }
 
 void check_commands(const Trial& trial, const RecordingPlan& plan, int line, FileReport& report) {

@@ -4,6 +4,7 @@
 
 #include "foundation/unit.h"
 #include "measurement/clock_check.h"
+#include "measurement/line_departures.h"
 #include "measurement/quantisation.h"
 
 #include <algorithm>
@@ -168,15 +169,15 @@ SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::s
   RestSums sums;
   double lowest = kInfinity, highest = -kInfinity;
   for (const Trial& trial : trials) {
-    const std::vector<double> values = values_of(trial.measured, channel);
-    if (values.empty()) continue;
+    const std::vector<double> all = values_of(trial.measured, channel);
+    if (all.empty()) continue;
+    const auto& [times, values] = OwnReadings({trial.measured.times.data(), all.size()}, all);
     const double quantum = quantisation_step(values);
     noise.quantum = std::max(noise.quantum, quantum);
     for (const double value : values) {
       if (value < lowest) lowest = value;
       if (value > highest) highest = value;
     }
-    const Eigen::VectorXd& times = trial.measured.times;
     for (const RestStretch& stretch : find_rest(times, values, quantum)) {
       sums.add(
           std::span(values).subspan(static_cast<std::size_t>(stretch.first), static_cast<std::size_t>(stretch.count)));

@@ -36,8 +36,8 @@ struct SensorNoise {
   std::string origin(const std::string& unit) const;
 };
 
-/// Noise of the measured channel with this name, from all trials that have it. Noise that
-/// is slower than the stretches is not seen. Deterministic.
+/// Noise of the measured channel with this name, from all trials that have it, by its own readings alone: rows of other
+/// devices lie between them without effect. Noise that is slower than the stretches is not seen. Deterministic.
 SensorNoise estimate_sensor_noise(const std::vector<Trial>& trials, const std::string& channel);
 
 }  // namespace lacuna

@@ -31,6 +31,11 @@ Columns with_role(const Columns& columns, ColumnRole role) {
   return found;
 }
 
+std::string reason_for_no_place(const GuessedColumn& column) {
+  if (column.role != ColumnRole::command) return "no joint is left that it could belong to";
+  return "no joint is left that it could drive; if it drives one, name it with --command";
+}
+
 /// Gives each column to the joint with its name, to the only joint, or in order where there are as many of
 /// both. What finds no place is unused.
 void attach(RigGuess& guess, const Columns& columns, Slot slot) {
@@ -46,7 +51,7 @@ void attach(RigGuess& guess, const Columns& columns, Slot slot) {
       place->*slot = columns[i];
     } else {
       guess.unused.push_back(columns[i]);
-      guess.unused.back().reason = "no joint is left that it could belong to";
+      guess.unused.back().reason = reason_for_no_place(columns[i]);
     }
   }
 }
@@ -86,20 +91,35 @@ Columns commands_by_activity(const Columns& columns, const FileSample& sample, s
   return commands;
 }
 
+/// The joint that a setpoint is of, of several with its name one that nothing drives yet.
+GuessedJoint* joint_of(RigGuess& guess, const GuessedColumn& reference) {
+  GuessedJoint* found = nullptr;
+  for (GuessedJoint& joint : guess.joints)
+    if (guess.joints.size() == 1 || (joint.position && joint.position->joint == reference.joint))
+      if (!found || (found->command && !joint.command)) found = &joint;
+  return found;
+}
+
+ActuatorKind servo_for(const GuessedColumn& reference) {
+  const bool of_velocity = reference.unit.empty()
+                               ? reference.of_velocity
+                               : same_dimension(reference.unit, "m/s") || same_dimension(reference.unit, "rad/s");
+  return of_velocity ? ActuatorKind::velocity_servo : ActuatorKind::position_servo;
+}
+
 void attach_drives(RigGuess& guess, const Columns& columns, const FileSample& sample) {
   attach(guess, commands_by_activity(columns, sample, guess.joints.size()), &GuessedJoint::command);
+  for (GuessedJoint& joint : guess.joints)
+    if (joint.command && joint.command->of_voltage) joint.actuator = ActuatorKind::voltage;
   for (const GuessedColumn& reference : with_role(columns, ColumnRole::reference)) {
-    const auto without = std::find_if(guess.joints.begin(), guess.joints.end(), [&](const GuessedJoint& joint) {
-      return !joint.command &&
-             (guess.joints.size() == 1 || (joint.position && joint.position->joint == reference.joint));
-    });
-    if (without == guess.joints.end()) {
-      guess.unused.push_back(reference);
+    GuessedJoint* joint = joint_of(guess, reference);
+    if (joint && !joint->command) {
+      joint->command = reference;
+      joint->actuator = servo_for(reference);
       continue;
     }
-    without->command = reference;
-    const bool of_velocity = same_dimension(reference.unit, "m/s") || same_dimension(reference.unit, "rad/s");
-    without->actuator = of_velocity ? ActuatorKind::velocity_servo : ActuatorKind::position_servo;
+    guess.unused.push_back(reference);
+    if (joint) guess.unused.back().reason += fmt::format("; `{}` drives the joint", joint->command->name);
   }
 }
 
@@ -132,11 +152,10 @@ void settle_time_unit(RigGuess& guess, const FileSample& sample) {
 void settle_hold(RigGuess& guess) {
   guess.hold_reason = "a controller holds its output between samples";
   for (const MatchedColumn& command : guess.commands)
-    for (const std::string& word : words_of(command.column.name))
-      if (word == "meas" || word == "measured" || word == "actual" || word == "sensor") {
-        guess.hold = Hold::first_order;
-        guess.hold_reason = fmt::format("`{}` is measured, not held", command.column.name);
-      }
+    if (tell_measured(words_of(command.column.name))) {
+      guess.hold = Hold::first_order;
+      guess.hold_reason = fmt::format("`{}` is measured, not held", command.column.name);
+    }
 }
 
 /// Columns of the first file that all others have too.
@@ -156,10 +175,15 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
   return columns;
 }
 
+bool has_no_rows(const FileSample& sample) {
+  return std::all_of(sample.columns.begin(), sample.columns.end(), [](const auto& column) { return column.empty(); });
+}
+
 /// Time and trials.
 RigGuess guess_clock(const Columns& columns, const FileSample& first) {
   RigGuess guess;
   const Columns times = with_role(columns, ColumnRole::time);
+  if (has_no_rows(first)) throw_problem({first.path.string(), 1, 0}, "has a header but no samples");
   if (times.empty())
     throw_problem({first.path.string(), 1, 0},
                   "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
@@ -239,6 +263,7 @@ std::string velocity_unit(const GuessedJoint& joint) { return joint.slides ? "m/
 std::string command_unit(const GuessedJoint& joint) {
   if (joint.actuator == ActuatorKind::position_servo) return position_unit(joint);
   if (joint.actuator == ActuatorKind::velocity_servo) return velocity_unit(joint);
+  if (joint.actuator == ActuatorKind::voltage) return "V";
   return joint.slides ? "N" : "N*m";
 }
 

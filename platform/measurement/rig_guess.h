@@ -17,7 +17,7 @@ struct GuessedJoint {
   bool slides = false;  ///< else it turns
   std::optional<GuessedColumn> position, velocity;
   std::optional<GuessedColumn> command;
-  ActuatorKind actuator = ActuatorKind::force;  ///< a servo where the command is a reference
+  ActuatorKind actuator = ActuatorKind::force;  ///< a servo where the command is a reference, voltage where it is one
   bool only_one = true;                         ///< then names need not tell joints apart
 
   /// Names of what stands around it in the robot.

@@ -74,6 +74,7 @@ AllStays stays_of(const std::vector<double>& values, const SignalShape& shape, c
     const double out = end + 1 < values.size() ? std::abs(values[end + 1] - value) : in;
     if (end - i < kClippedRun || std::min(in, out) < pace.motion || !goes_beyond(in, out, end - i, pace)) continue;
     Stays& where = value == shape.lowest ? stays.lowest : value == shape.highest ? stays.highest : stays.elsewhere;
+    if (end == values.size() && where.runs == 0) continue;  // a fall that ended, or a stop: nothing was left in motion
     where.samples += end - i;
     ++where.runs;
   }

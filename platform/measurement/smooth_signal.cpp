@@ -81,4 +81,11 @@ std::vector<double> rates_of(std::span<const double> values, double step) {
   return rates;
 }
 
+std::vector<double> means_beside_rates(std::span<const double> values) {
+  std::vector<double> means(values.size(), std::nan(""));
+  for (std::size_t i = 1; i + 1 < values.size(); ++i)
+    means[i] = (values[i - 1] + 4.0 * values[i] + values[i + 1]) / 6.0;
+  return means;
+}
+
 }  // namespace lacuna

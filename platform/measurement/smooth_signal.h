@@ -23,7 +23,11 @@ std::vector<double> step_means(std::span<const double> times, std::span<const do
 /// of them is.
 std::vector<double> smoothed(std::span<const double> values, std::size_t reach);
 
-/// Rates of change by central differences; NaN at the ends.
+/// Rates of change by central differences; NaN at the ends. Such a rate is the mean of the true one from the moment
+/// before to the one after.
 std::vector<double> rates_of(std::span<const double> values, double step);
+
+/// Means from the moment before to the one after, of parabolas: what a signal must be to stand beside rates.
+std::vector<double> means_beside_rates(std::span<const double> values);
 
 }  // namespace lacuna

@@ -38,6 +38,23 @@ TEST(UnitInName, IsFoundInBracketsAndAfterUnderscores) {
                                                         {"load [kg\u00b7m\u00b2]", "kg*m^2"},
                                                         {"note [maybe]", ""},
                                                         {"t_sec", "s"},
+                                                        {"Motorstrom in A", "A"},
+                                                        {"x/m", "m"},
+                                                        {"v/(m/s)", "m/s"},
+                                                        {"omega / rad/s", "rad/s"},
+                                                        {"speed rad/s", "rad/s"},
+                                                        {"Torque, Nm", "N*m"},
+                                                        {"torque_nm", "N*m"},
+                                                        {"Velocity (m/s) Run #1", "m/s"},
+                                                        {"phi[\u00b0] filtered", "deg"},
+                                                        {"angle_deg_", "deg"},
+                                                        {"speed_rad_per_s", "rad/s"},
+                                                        {"Angle..deg.", "deg"},
+                                                        {"angleDeg", "deg"},
+                                                        {"torque_N.m", "N*m"},
+                                                        {"motor A", ""},
+                                                        {"/arm/m", ""},
+                                                        {"Rad", ""},
                                                         {"_s", ""},
                                                         {"", ""}};
   for (const auto& [name, unit] : kNames) EXPECT_EQ(unit_in_name(name), unit) << name;
@@ -53,6 +70,15 @@ TEST(ColumnWords, AreSplitAtCaseAndDigits) {
   EXPECT_EQ(role_in_words(words_of("theta_dot")), ColumnRole::velocity);
   EXPECT_EQ(role_in_words(words_of("theta_ref")), ColumnRole::reference);
   EXPECT_EQ(role_in_words(words_of("temperature")), std::nullopt);
+  EXPECT_THAT(words_of("Motorstrom in A"), ElementsAre("motor", "strom"));
+  EXPECT_THAT(words_of("Sollwinkel"), ElementsAre("soll", "winkel"));
+  EXPECT_THAT(words_of("Pendelwinkel"), ElementsAre("pendel", "winkel"));
+  EXPECT_THAT(words_of("velocit\u00e0"), ElementsAre("velocita"));
+  EXPECT_EQ(role_in_words(words_of("position error")), ColumnRole::other);
+  EXPECT_EQ(role_in_words(words_of("current angle")), ColumnRole::position);
+  EXPECT_EQ(role_in_words(words_of("pos_cmd")), ColumnRole::reference);
+  EXPECT_EQ(role_in_words(words_of("run time")), ColumnRole::time);
+  EXPECT_EQ(role_in_words(words_of("Run #")), ColumnRole::trial);
 }
 
 class GuessRig : public testing::Test {
@@ -69,6 +95,26 @@ TEST_F(GuessRig, TakesDatesForTheTime) {
       "2024-05-01T12:00:01.010Z,3,0\n");
   EXPECT_EQ(rig.time.name, "logged");
   EXPECT_EQ(rig.time.unit, "s");
+}
+
+TEST_F(GuessRig, TakesTimesOfDayForTheTime) {
+  const RigGuess rig = guess(
+      "logged,q_deg,tau_Nm\n12:59:59.990,1,0\n13:00:00.000,2,1\n"
+      "13:00:00.010,3,0\n");
+  EXPECT_EQ(rig.time.name, "logged");
+  EXPECT_EQ(rig.time.unit, "s");
+}
+
+/// As ROS writes them, in either order.
+TEST_F(GuessRig, TakesSecondsForTheTimeWhosePartsAreInAColumnOfTheirOwn) {
+  for (const char* content :
+       {"sec,nanosec,q_deg,tau_Nm\n7,980000000,1,0\n7,990000000,2,1\n8,0,3,1\n8,10000000,2,0\n",
+        "nanosec,sec,q_deg,tau_Nm\n980000000,7,1,0\n990000000,7,2,1\n0,8,3,1\n10000000,8,2,0\n"}) {
+    const RigGuess rig = guess(content);
+    EXPECT_EQ(rig.time.name, "sec") << content;
+    EXPECT_EQ(rig.time.unit, "s") << content;
+    EXPECT_EQ(rig.joints.size(), 1u) << content;
+  }
 }
 
 TEST_F(GuessRig, OfAPendulum) {
@@ -98,7 +144,7 @@ TEST_F(GuessRig, TellsTheReferenceByItsLead) {
   ASSERT_EQ(rig.unused.size(), 2u);
   EXPECT_EQ(rig.unused[0].name, "pulses_N");
   EXPECT_EQ(rig.unused[1].name, "qg_m");
-  EXPECT_EQ(rig.unused[1].reason, "`qm_m` follows it with a lag");
+  EXPECT_EQ(rig.unused[1].reason, "`qm_m` follows it with a lag; `vir_V` drives the joint");
 }
 
 TEST_F(GuessRig, PutsColumnsToJointsByTheirNumbersAndNames) {

@@ -34,9 +34,9 @@ double sign_bit(double count) { return count < 0.0 ? 32768.0 - count : count; }
 double complement(double count) { return count < 0.0 ? 65536.0 + count : count; }
 double wrapped(double count) { return std::fmod(5.0 * count + 3900.0 + 4096.0, 4096.0); }
 
-std::string guessed(const std::vector<double>& column, const std::string& unit = "1") {
+std::string guessed(const std::vector<double>& column, const EncodingHints& hints = {}) {
   const std::vector<std::vector<double>> files = {column};
-  const auto found = guess_encoding(files, unit);
+  const auto found = guess_encoding(files, hints);
   return found ? to_string(found->encoding) : "none";
 }
 
@@ -70,7 +70,7 @@ TEST(Encodings, AreFoundAndUndone) {
 TEST(Encodings, FilesAreLookedAtTogether) {
   std::vector<std::vector<double>> files = {written(swung_counts(), sign_bit), {}};
   for (int i = 0; i < kReadings; ++i) files[1].push_back(sign_bit(-250.0 + std::round(20.0 * std::sin(0.1 * i))));
-  EXPECT_EQ(to_string(guess_encoding(files, "1").value().encoding), "sign_bit 2^15");
+  EXPECT_EQ(to_string(guess_encoding(files, {}).value().encoding), "sign_bit 2^15");
 }
 
 TEST(Encodings, ATurnIsFoundInTheUnitOfTheColumn) {
@@ -79,9 +79,9 @@ TEST(Encodings, ATurnIsFoundInTheUnitOfTheColumn) {
     radians.push_back(std::remainder(0.05 * i, 2.0 * M_PI));
     degrees.push_back(std::fmod(3.0 * i, 360.0));
   }
-  EXPECT_EQ(guessed(radians, "rad"), to_string(Encoding{EncodingKind::wraps, 2.0 * M_PI}));
-  EXPECT_EQ(guessed(degrees, "deg"), "wraps 360");
-  EXPECT_EQ(guessed(degrees, "mm"), "none");
+  EXPECT_EQ(guessed(radians, {true, {2.0 * M_PI}}), to_string(Encoding{EncodingKind::wraps, 2.0 * M_PI}));
+  EXPECT_EQ(guessed(degrees, {true, {360.0}}), "wraps 360");
+  EXPECT_EQ(guessed(degrees, {false, {360.0}}), "none") << "a speed goes on nowhere else";
 }
 
 TEST(Encodings, SignalsThatWereWrittenAsTheyAreHaveNone) {
@@ -151,7 +151,8 @@ TEST_F(EncodedFile, AClockThatStartsAgainGoesOn) {
 TEST_F(EncodedFile, NumbersThatNobodyWroteAreMissing) {
   int row = 0;
   const Recording recording = read(file([&](double count) { return row++ == 7 ? 2.1e-308 : count; }));
-  EXPECT_THAT(notes_of(recording), HasSubstr("column `q` has 1 number below 1e-290, which no device measures"));
+  EXPECT_THAT(notes_of(recording),
+              HasSubstr("column `q` has 1 number below 1e-290 or beyond 1e30, which no device measures"));
   EXPECT_TRUE(std::isnan(recording.trials.front().measured.samples(7, 0)));
 }
 

@@ -12,6 +12,7 @@ namespace lacuna {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A robot whose names no draft would choose.
 constexpr const char* kPivot = R"([robot]
@@ -143,6 +144,37 @@ TEST_F(NewCommand, DraftsAServo) {
   EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "rad");
 }
 
+TEST_F(NewCommand, DraftsAVoltageOnAMotor) {
+  std::string text = "t [s],angle [deg],motor voltage [V]\n";
+  for (int i = 0; i < 100; ++i) text += fmt::format("{},{:.4f},{:.3f}\n", 0.01 * i, 40.0 * std::sin(0.1 * i), 0.1 * i);
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  EXPECT_THAT(text_of(rig()), HasSubstr("motor = { column = \"motor voltage [V]\", unit = \"V\" }"));
+  EXPECT_THAT(text_of(robot()), HasSubstr("kind = \"voltage\""));
+  EXPECT_THAT(text_of(robot()), HasSubstr("torque_constant = \"FILL IN N*m/A\""));
+  EXPECT_THAT(run({"check", rig().string()}).err, HasSubstr("resistance: is still blank: write a resistance in Ohm"));
+  EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "V");
+}
+
+TEST_F(NewCommand, AsksForTheGainOfAPotentiometer) {
+  std::string text = "t_s,angle_V,tau_Nm\n";
+  for (int i = 0; i < 100; ++i) text += fmt::format("{},{:.4f},{:.3f}\n", 0.01 * i, std::sin(0.1 * i), 0.1 * i);
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  EXPECT_THAT(text_of(rig()), HasSubstr("angle = { column = \"angle_V\", unit = \"V\", gain = \"FILL IN rad/V\" }"));
+  expect_a_draft_that_works();
+}
+
+/// As programs for schools export: every name ends in the run, a byte order mark, semicolons, decimal commas.
+TEST_F(NewCommand, DraftsWhatEndsInARunsNumber) {
+  std::string text = "\xef\xbb\xbf\"Time (s) Run #1\";\"Position (m) Run #1\";\"Velocity (m/s) Run #1\"\r\n";
+  for (int i = 0; i < 100; ++i)
+    text += fmt::format("0,{:03};0,{:02};{}\r\n", 10 * i % 1000, 40 + i % 7, i % 3 == 0 ? "" : "-0,25");
+  const Outcome outcome = run_new({folder_.write("run.csv", text)});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("position         column Position (m) Run #1 in m (the unit in its name)"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("trials  ")));
+  EXPECT_EQ(expect_a_draft_that_works().trials[0].measured.channels.size(), 2u);
+}
+
 TEST_F(NewCommand, LeavesBlanksOfWhichCheckSaysWhatIsWantedWithUnitAndExample) {
   std::string text = "t,q1,q2,i1_A,i2\n";
   for (int i = 0; i < 100; ++i) text += fmt::format("{},{:.4f},{:.4f},0.1,0.2\n", 0.01 * i, std::sin(0.1 * i), 0.1 * i);
@@ -197,6 +229,56 @@ TEST_F(NewCommand, MatchesColumnsWithARobotThatIsThere) {
   EXPECT_EQ(checked.code, 0) << checked.err;
 }
 
+/// The pivot under a torque that swings it widely, its angle in counts of which a turn has `counts`.
+std::string wide_swing(double counts) {
+  constexpr double kInertia = 0.04, kGravity = 0.5 * 9.81 * 0.2, kInterval = 5e-3;
+  constexpr int kSubsteps = 50;
+  double q = 0.0, v = 0.0;
+  std::string text = "t,u,pos\n";
+  for (int i = 0; i < 1600; ++i) {
+    const double t = kInterval * i, u = 0.6 * std::sin(4.0 * t) + 0.4 * std::sin(2.6 * t + 1.0);
+    text += fmt::format("{:.3f},{:.6f},{:.0f}\n", t, u, q / (2.0 * M_PI) * counts);
+    for (int k = 0; k < kSubsteps; ++k) {
+      v += kInterval / kSubsteps * (u - kGravity * std::sin(q)) / kInertia;
+      q += kInterval / kSubsteps * v;
+    }
+  }
+  return text;
+}
+
+TEST_F(NewCommand, IsFollowedByACheckThatDoubtsCountsPerTurn) {
+  folder_.write("mine.toml", kPivot);
+  folder_.write("run.csv", wide_swing(1024.0));
+  const auto notes_with = [&](int counts) {
+    folder_.write("rig.toml", fmt::format(R"([experiment]
+name = "counts"
+[target]
+kind = "recorded"
+files = ["run.csv"]
+holdout = []
+[target.time]
+column = "t"
+[target.sensors]
+encoder = {{ column = "pos", unit = "1", counts_per_turn = {} }}
+[target.commands]
+drive = {{ column = "u", unit = "N*m" }}
+[model]
+file = "mine.toml"
+effects = []
+[engine]
+step = 0.005
+)",
+                                          counts));
+    const Outcome checked =
+        run({"check", rig().string(), "--plugin-path", LACUNA_BINARY_DIRECTORY "/lib/lacuna/plugins"});
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    return checked.out;
+  };
+  EXPECT_THAT(notes_with(4096), HasSubstr("encoder = { ..., counts_per_turn = 1024 }"));
+  EXPECT_THAT(notes_with(256), HasSubstr("encoder = { ..., counts_per_turn = 1024 }"));
+  EXPECT_THAT(notes_with(1024), Not(HasSubstr("known forces")));
+}
+
 TEST_F(NewCommand, RefusesARobotThatIsNone) {
   const std::filesystem::path file = folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,1,2\n");
   folder_.write("notes.txt", "mine\n");
@@ -213,6 +295,12 @@ TEST_F(NewCommand, RefusesARobotThatIsNone) {
   }
 }
 
+TEST_F(NewCommand, NamesAFileWithoutSamples) {
+  const Outcome outcome = run_new({folder_.write("run.csv", "t,angle_deg,tau_Nm\n")});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("run.csv:1: has a header but no samples"));
+}
+
 TEST_F(NewCommand, TellsProblemsOfTheRecordingsAndDraftsAllTheSame) {
   const Outcome outcome =
       run_new({folder_.write("run.csv", "t,angle_deg,tau_Nm\n0,1,2\n0.1,2,3\n0.2,bad,2\n0.3,1,2\n")});
@@ -226,10 +314,11 @@ TEST_F(NewCommand, DraftsTheRealRigs) {
   if (!folder) GTEST_SKIP() << "LACUNA_DATA is not set";
   const std::filesystem::path data = folder;
   ASSERT_EQ(run_new({data / "emps/train.csv", data / "emps/test_pulses.csv"}).code, 0);
-  EXPECT_THAT(text_of(rig()), HasSubstr("motor = { column = \"vir_V\", unit = \"V\", gain = \"FILL IN N/V\" }"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("motor = { column = \"vir_V\", unit = \"V\" }"));
+  EXPECT_THAT(text_of(robot()), HasSubstr("torque_constant = \"FILL IN N/A\""));
   EXPECT_THAT(text_of(rig()), HasSubstr("position = { column = \"qm_m\", unit = \"m\" }"));
   Recording recording = expect_a_draft_that_works();
-  EXPECT_EQ(recording.trials[0].commands.series.samples(0, 0), 2.53862809 * 35.0);
+  EXPECT_EQ(recording.trials[0].commands.series.samples(0, 0), 2.53862809);
 
   std::filesystem::remove(rig());
   std::filesystem::remove(robot());

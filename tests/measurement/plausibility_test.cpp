@@ -46,7 +46,10 @@ TEST_F(Plausibility, AGoodRecordingGetsNoNote) { EXPECT_EQ(notes(recorded({})), 
 TEST_F(Plausibility, DegreesReadAsRadiansAreNoticed) {
   Swing swing;
   swing.angle = [](double t) { return 57.29578 * std::sin(3.1416 * t); };
-  EXPECT_THAT(notes(recorded(swing)), HasSubstr("column `q` reaches 57.3 rad when read in rad; is it in deg?"));
+  EXPECT_THAT(
+      notes(recorded(swing)),
+      HasSubstr(
+          "column `q` reaches 57.3 rad when read in rad; is it in deg? Then write angle = { ..., unit = \"deg\" }"));
   EXPECT_THAT(notes(recorded(swing)), HasSubstr("column `w` against the slope of `q`: 1/57.3 times"));
 }
 
@@ -60,8 +63,11 @@ TEST_F(Plausibility, RadiansReadAsDegreesAreNoticed) {
 TEST_F(Plausibility, MillisecondsReadAsSecondsAreNoticed) {
   Swing swing;
   swing.time_factor = 1000.0;
-  EXPECT_THAT(notes(recorded(swing)),
-              HasSubstr("samples are 10 s apart when column `t` is read in s; is it in ms or us?"));
+  EXPECT_THAT(
+      notes(recorded(swing)),
+      HasSubstr(
+          "samples are 10 s apart when column `t` is read in s; is it in ms or us? Then write unit = \"ms\" under "
+          "[target.time]"));
   EXPECT_THAT(notes(recorded(swing)), HasSubstr("1000 times: one is in mm, or the time in ms"));
 }
 
@@ -83,6 +89,14 @@ TEST_F(Plausibility, ASaturatedSensorIsNoticed) {
   swing.angle = [](double t) { return std::clamp(std::sin(3.1416 * t), -1.0, 0.8); };
   EXPECT_THAT(notes(recorded(swing)),
               HasSubstr("column `q` stays at its largest value 0.800 rad for 205 samples, 5 times"));
+}
+
+/// What falls to the ground, or runs into a stop, stays there until the recording ends.
+TEST_F(Plausibility, AMotionThatEndsIsNotSaturated) {
+  Swing swing;
+  swing.angle = [](double t) { return std::max(3.0 - 0.5 * t * t, 0.25); };
+  swing.rate = [](double t) { return 0.5 * t * t < 2.75 ? -t : 0.0; };
+  EXPECT_THAT(notes(recorded(swing)), Not(HasSubstr("saturated")));
 }
 
 TEST_F(Plausibility, AnEncoderThatTurnsRoundIsNotSaturated) {
