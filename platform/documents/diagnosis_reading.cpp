@@ -1,6 +1,7 @@
 #include "documents/diagnosis_json.h"
 
 #include "documents/setup_json.h"
+#include "foundation/json_depth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,9 @@ FigureUnit unit_of(const std::string& text) {
   return FigureUnit::nats;
 }
 
+/// Empty where the document does not have it: nobody asked, or the document is of before.
+ordered_json list_of(const ordered_json& whole, const char* name) { return whole.value(name, ordered_json::array()); }
+
 AtThreshold threshold_of(const ordered_json& json) {
   return {json["figure"],
           unit_of(json["unit"]),
@@ -47,16 +51,28 @@ Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered
   return {figure(value), figure(error), figure(interval[0]), figure(interval[1])};
 }
 
+std::optional<double> asked_figure(const ordered_json& json, const char* name) {
+  return json.contains(name) ? std::optional(figure(json[name])) : std::nullopt;
+}
+
+/// What is written under one of two names (diagnosis_json.cpp).
+const ordered_json& either(const ordered_json& json, const char* one, const char* other) {
+  return json[json.contains(one) ? one : other];
+}
+
+double ratio_of(const ordered_json& json) { return figure(either(json, "fitted_ratio_to_floor", "ratio_to_floor")); }
+
 Gain gain_of(const ordered_json& json) { return gain_of(json["value"], json["standard_error"], json["ci95"]); }
 
 /// `of`: the base, or a ranked model, which may have a floor of its own.
 std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_json& of) {
   const ordered_json& floor = of.contains("noise_floor") ? of["noise_floor"] : whole["noise_floor"];
+  const ordered_json& other = either(of, "held_out_rmse", "cv_rmse");
   std::vector<ChannelError> errors;
   for (const auto& [channel, unit] : whole["units"].items())
     if (floor.contains(channel))  // a model whose errors were not told yet has none
       errors.push_back(
-          {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(of["cv_rmse"][channel])});
+          {channel, unit, figure(floor[channel]), figure(of["fit_rmse"][channel]), figure(other[channel])});
   return errors;
 }
 
@@ -76,9 +92,9 @@ RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
   for (const ordered_json& effect : json["effects"]) model.effects.push_back(effect_of(effect));
   model.look_alikes = json["class"].get<std::vector<std::string>>();
   model.gain = gain_of(json["gain"], json["gain_standard_error"], json["gain_ci95"]);
-  model.probability = figure(json["probability"]);
+  model.probability = asked_figure(json, "probability");
   model.errors = errors_of(whole, json);
-  model.times_floor = figure(json["ratio_to_floor"]);
+  model.times_floor = ratio_of(json);
   model.segment = json.value("segment_s", 0.0);
   return model;
 }
@@ -120,40 +136,42 @@ StoppedSearch stop_of(const ordered_json& json) {
 }  // namespace
 
 Diagnosis read_diagnosis(const std::string& document) {
-  const ordered_json whole = ordered_json::parse(document);
+  const ordered_json whole = ordered_json::parse(shallow_json(document));
   Diagnosis diagnosis;
   diagnosis.verdict = verdict_of(whole["verdict"]);
   diagnosis.probability = figure(whole["probability"]);
   diagnosis.calibrated = whole.value("calibrated", false);
   diagnosis.form_only = whole.value("form_only", false);
-  for (const ordered_json& one : whole.value("at_threshold", ordered_json::array()))
-    diagnosis.at_threshold.push_back(threshold_of(one));
+  for (const ordered_json& one : list_of(whole, "at_threshold")) diagnosis.at_threshold.push_back(threshold_of(one));
   diagnosis.evidence = whole.value("evidence", Evidence{});
-  for (const ordered_json& one : whole.value("horizons", ordered_json::array()))
-    diagnosis.horizons.push_back(horizon_of(one));
-  diagnosis.base = errors_of(whole, whole["base"]);
-  diagnosis.base_times_floor = figure(whole["base"]["ratio_to_floor"]);
-  diagnosis.base_segment = whole["base"].value("segment_s", 0.0);
-  for (const ordered_json& one : whole["random_forces"])
+  for (const ordered_json& one : list_of(whole, "horizons")) diagnosis.horizons.push_back(horizon_of(one));
+  if (whole.contains("base")) {  // else nothing was searched
+    diagnosis.base = errors_of(whole, whole["base"]);
+    diagnosis.base_times_floor = ratio_of(whole["base"]);
+    diagnosis.base_segment = whole["base"].value("segment_s", 0.0);
+  }
+  for (const ordered_json& one : list_of(whole, "random_forces"))
     diagnosis.forces.push_back(
         {one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"]), one.value("slow", false)});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
   diagnosis.values = parameters_of(whole.value("values", ordered_json::object()));
-  for (const ordered_json& one : whole.value("segment_lengths", ordered_json::array())) {
+  for (const ordered_json& one : list_of(whole, "segment_lengths")) {
     diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
     for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
   }
-  diagnosis.p_by_chance = figure(whole["p_by_chance"]);
-  diagnosis.chance_95 = figure(whole["chance_95"]);
-  diagnosis.free_force_p = figure(whole["free_force"]["p"]);
-  diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
-  if (whole.contains("answer_gain"))  // documents of before have the gain of the ranking alone
+  diagnosis.p_by_chance = asked_figure(whole, "p_by_chance");
+  diagnosis.chance_95 = asked_figure(whole, "chance_95");
+  if (whole.contains("free_force")) {
+    diagnosis.free_force_p = asked_figure(whole["free_force"], "p");
+    diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
+  }
+  if (whole.contains("answer_gain"))
     diagnosis.answer_gain = gain_of(whole["answer_gain"]);
-  else if (!diagnosis.ranking.empty())
+  else if (!whole.contains("method") && !diagnosis.ranking.empty())  // documents of before have that gain alone
     diagnosis.answer_gain = diagnosis.ranking.front().gain;
   diagnosis.formulas_of_rest = whole.value("formulas_of_rest", false);
-  for (const ordered_json& one : whole["formulas"]) diagnosis.formulas.push_back(formula_of(one));
-  for (const ordered_json& one : whole["residual_force"]) diagnosis.residual_force.push_back(curve_of(one));
+  for (const ordered_json& one : list_of(whole, "formulas")) diagnosis.formulas.push_back(formula_of(one));
+  for (const ordered_json& one : list_of(whole, "residual_force")) diagnosis.residual_force.push_back(curve_of(one));
   diagnosis.hypotheses = whole["hypotheses"];
   diagnosis.findings = whole["findings"].get<std::vector<std::string>>();
   diagnosis.next_test = whole["next_test"];
@@ -161,7 +179,7 @@ Diagnosis read_diagnosis(const std::string& document) {
     diagnosis.next_test_setup = setup_of(whole["next_test_setup"]);
   diagnosis.next_test_worth = whole["next_test_worth"];
   for (const ordered_json& one : whole["not_testable"])
-    diagnosis.untestable.push_back({one["effect"], one["where"], one["reason"]});
+    diagnosis.untestable.push_back({one["effect"], one["where"], one["reason"], one.value("failed", false)});
   if (whole.contains("stopped")) diagnosis.stopped = stop_of(whole["stopped"]);
   diagnosis.seconds = figure(whole["seconds"]);
   return diagnosis;

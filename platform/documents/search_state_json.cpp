@@ -1,6 +1,7 @@
 #include "documents/search_state_json.h"
 
 #include "documents/diagnosis_json.h"
+#include "foundation/json_depth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -97,6 +98,7 @@ std::string search_state_json(const SearchState& state) {
 }
 
 std::optional<SearchState> read_search_state(const std::string& document) {
+  if (nests_too_deep(document)) return std::nullopt;
   try {
     const ordered_json whole = ordered_json::parse(document);
     if (whole.value("format", 0) == kFormat) return read_state(whole);

@@ -1,6 +1,7 @@
 #include "documents/unfinished_search_json.h"
 
 #include "documents/search_state_json.h"
+#include "foundation/json_depth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,7 @@ std::string unfinished_search_json(const UnfinishedSearch& search) {
 }
 
 std::optional<UnfinishedSearch> read_unfinished_search(const std::string& document) {
+  if (nests_too_deep(document)) return std::nullopt;
   try {
     const ordered_json whole = ordered_json::parse(document);
     if (whole.value("format", 0) != kFitsFormat || !whole.contains("fits")) return std::nullopt;

@@ -188,6 +188,7 @@ class Estimation {
     row.score = row.kind == EvaluationKind::invalid ? kNotKnown : evaluated.score.total;
     row.trial_scores = by_trial(state_, evaluated.score.trials);
     row.reason = std::move(evaluated.score.reason);
+    if (!row.reason.empty()) last_reason_ = row.reason;
     state_.models = std::max(state_.models, row.number + 1);
     run_.journal.add(std::move(row));
   }
@@ -220,7 +221,8 @@ class Estimation {
     if (state_.found.empty()) {
       run_.journal.checkpoint(state_, true);  // with the rows that say why
       throw Error("pass " + std::to_string(state_.pass) + ": no model of " + std::to_string(state_.counts.evaluations) +
-                  " can be scored; the view invalid_evaluations says why");
+                  " can be scored; " + (last_reason_.empty() ? "" : "the last one: " + last_reason_ + "; ") +
+                  "the view invalid_evaluations says why");
     }
     state_.best = std::exchange(state_.found, {});
     std::stable_sort(state_.best.begin(), state_.best.end(),
@@ -247,6 +249,7 @@ class Estimation {
   ModelEvaluator evaluator_;
   std::optional<RivalBreeder> breeder_;  // of the restart under way
   std::unique_ptr<Search> search_;       // that uses it
+  std::string last_reason_;              // why a model was invalid
 };
 
 }  // namespace

@@ -70,6 +70,7 @@ class Exploration {
     row.valid = judged.reason.empty();
     row.fitness = row.valid ? judged.fitness : kNotKnown;
     row.reason = judged.reason;
+    if (!row.reason.empty()) last_reason_ = row.reason;
     state_.tests = std::max(state_.tests, row.number + 1);
     run_.journal.add(std::move(row));
   }
@@ -92,8 +93,9 @@ class Exploration {
     if (best.empty() || !std::isfinite(best.front().score)) {
       run_.journal.checkpoint(state_, true);  // with the rows that say why
       throw Error("pass " + std::to_string(state_.pass) + ": none of " +
-                  std::to_string(state_.counts.test_evaluations) +
-                  " tests can be carried out on the model; the view invalid_evaluations says why");
+                  std::to_string(state_.counts.test_evaluations) + " tests can be carried out on the model; " +
+                  (last_reason_.empty() ? "" : "the last one: " + last_reason_ + "; ") +
+                  "the view invalid_evaluations says why");
     }
     state_.search.clear();
     const Individual& individual = best.front().individual;
@@ -106,6 +108,7 @@ class Exploration {
   const EeaDefinition& definition_;
   EeaState& state_;
   std::unique_ptr<Search> search_;
+  std::string last_reason_;  ///< why a test was invalid
 };
 
 }  // namespace

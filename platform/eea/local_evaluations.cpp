@@ -34,7 +34,9 @@ struct LocalEvaluations::Panel {
     std::vector<TestPrediction>& foretold = predictions[static_cast<std::size_t>(worker)];
     if (!judges.predict(test, worker, foretold, judged.steps, judged.reason)) return;
     judged.fitness = definition.value.score(test, foretold);
-    if (!std::isfinite(judged.fitness)) judged.reason = "the test fitness is not finite";
+    if (std::isfinite(judged.fitness)) return;
+    judged.reason = definition.value.why_not_finite(test, foretold);
+    if (judged.reason.empty()) judged.reason = "the weighted sum of the test's fitnesses is not finite";
   }
 
   const EeaDefinition& definition;

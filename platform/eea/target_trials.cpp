@@ -33,6 +33,7 @@ void check_readings(const TimeSeries& measured, const ComponentOrigin& target) {
 Trial trial_of(const EeaTarget& target, const Test& drive, int number) {
   if (target.simulator) target.simulator->begin_trial(static_cast<std::uint64_t>(number));
   if (target.program) target.program->begin_trial(static_cast<std::uint64_t>(number));
+  const CallAllowance lasts(drive.duration);
   Trial trial = guarded_call(target.origin, "carrying a test out", [&] {
     return target.system.carry_out(drive, {.simulator = target.simulator, .program = target.program});
   });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lacuna {
@@ -29,13 +30,21 @@ std::string TestValue::unit() const { return parts_.empty() ? std::string() : pa
 
 double TestValue::score(const Test& test, std::span<const TestPrediction> predictions) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Chosen<TestFitness>& fitness = parts_[i].fitness;
-    const auto judges = predictions.first(std::min(predictions.size(), models_of_part_[i]));
-    sum += parts_[i].weight *
-           guarded_call(fitness.origin, "score", [&] { return fitness->score(test, judges, fitness.parameters); });
-  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) sum += parts_[i].weight * score_of_part(i, test, predictions);
   return sum;
+}
+
+double TestValue::score_of_part(std::size_t part, const Test& test, std::span<const TestPrediction> predictions) const {
+  const Chosen<TestFitness>& fitness = parts_[part].fitness;
+  const auto judges = predictions.first(std::min(predictions.size(), models_of_part_[part]));
+  return guarded_call(fitness.origin, "score", [&] { return fitness->score(test, judges, fitness.parameters); });
+}
+
+std::string TestValue::why_not_finite(const Test& test, std::span<const TestPrediction> predictions) const {
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (const double score = score_of_part(i, test, predictions); !std::isfinite(score))
+      return fmt::format("{}: its score of the test is {}", to_string(parts_[i].fitness.origin), score);
+  return {};
 }
 
 }  // namespace lacuna

@@ -32,8 +32,12 @@ class TestValue {
   bool takes_trials() const { return models_ > 1 || wants_slopes_; }
   /// `predictions`: `models()` of them.
   double score(const Test& test, std::span<const TestPrediction> predictions) const;
+  /// Which fitness gave a score that is not finite, a sentence; empty where none did.
+  std::string why_not_finite(const Test& test, std::span<const TestPrediction> predictions) const;
 
  private:
+  double score_of_part(std::size_t part, const Test& test, std::span<const TestPrediction> predictions) const;
+
   std::vector<Part> parts_;
   std::vector<std::size_t> models_of_part_;
   std::size_t models_ = 0;

@@ -2,9 +2,8 @@
 
 #include <lacuna/error.h>
 
+#include "foundation/name_index.h"
 #include "foundation/problem.h"
-
-#include <algorithm>
 
 namespace lacuna {
 namespace {
@@ -19,19 +18,19 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
 
 std::vector<Eigen::Index> match_channels(const Trial& trial, const std::vector<Channel>& model_channels) {
   std::vector<Eigen::Index> map;
+  const NameIndex known(model_channels, [](const Channel& channel) { return std::string_view(channel.name); });
   for (const Channel& channel : trial.measured.channels) {
-    const auto found = std::find_if(model_channels.begin(), model_channels.end(),
-                                    [&](const Channel& candidate) { return candidate.name == channel.name; });
-    if (found == model_channels.end())
+    const std::optional<std::size_t> found = known.find(channel.name);
+    if (!found)
       throw Error("trial " + trial.name + " measures \"" + channel.name +
                   "\", but the model has no sensor channel of that name" +
                   did_you_mean(channel.name, names_of(model_channels)) +
                   "; map the column to one of the robot's sensors");
-    if (found->unit != channel.unit)
+    const std::string& unit = model_channels[*found].unit;
+    if (unit != channel.unit)
       throw Error("trial " + trial.name + " measures \"" + channel.name + "\" in " + channel.unit +
-                  ", the model's sensor reads " + found->unit +
-                  "; correct the unit of the column or the kind of the sensor");
-    map.push_back(found - model_channels.begin());
+                  ", the model's sensor reads " + unit + "; correct the unit of the column or the kind of the sensor");
+    map.push_back(static_cast<Eigen::Index>(*found));
   }
   return map;
 }

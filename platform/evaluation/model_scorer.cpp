@@ -1,8 +1,11 @@
 #include "evaluation/model_scorer.h"
 
 #include "evaluation/channel_map.h"
+#include "foundation/plugin_fault.h"
 
 #include <lacuna/error.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +49,7 @@ struct ModelScorer::Desk {
   std::unique_ptr<ScoreAccumulator> total = {};
   std::vector<std::unique_ptr<ScoreAccumulator>> trials = {};
   std::vector<double> predicted = {};
+  bool reads_finite = true;     // all that the present candidate read
   TrialReadings readings = {};  // of the trials, where delays are found for a candidate
   ModelProposal unlagged = {};
 };
@@ -61,6 +65,7 @@ struct ModelScorer::Tally {
   double bar;
   std::string fault;
   bool abandoned = false;
+  bool reads_finite = true;  // what the model read, so far
 
   /// Whether the simulation may end here.
   bool take(std::size_t sample, std::span<const double> readings) {
@@ -73,12 +78,14 @@ struct ModelScorer::Tally {
   /// The same of readings that are in the order of what was measured.
   bool add(Eigen::Index row, std::span<const double> ordered) {
     const TimeSeries::Samples& measured = scored.trial.measured.samples;
+    for (const double reading : ordered) reads_finite = reads_finite && std::isfinite(reading);
     const PluginCall call(on_page(metric), "add");
     try {
       const std::span<const double> of_row(measured.data() + row * measured.cols(), ordered.size());
       total.add(ordered, of_row);
       of_trial.add(ordered, of_row);
       abandoned = total.bound() > bar;
+      throw_if_arithmetic_changed("add");
     } catch (...) {
       fault = describe_current_exception(metric, "add");
     }
@@ -127,6 +134,7 @@ void ModelScorer::score(const ModelProposal& candidate, std::optional<double> ba
   result.reason.clear();
   result.steps = 0;
   result.values.clear();
+  desk.reads_finite = true;
   guarded_call(metric_.origin, "reset", [&] { desk.total->reset(); });
   if (lags_.empty())
     score_trials(candidate, bar.value_or(kWorst), desk, result);
@@ -141,10 +149,24 @@ void ModelScorer::score(const ModelProposal& candidate, std::optional<double> ba
       break;
     case ScoreKind::invalid: result.total = kWorst; break;
   }
-  if (result.kind != ScoreKind::full || std::isfinite(result.total)) return;
+  if (result.kind == ScoreKind::invalid || std::isfinite(result.total)) return;
   result.kind = ScoreKind::invalid;
+  result.reason = why_not_finite(desk, result.total);
   result.total = kWorst;
-  result.reason = "the score is not finite: the model reads values that are not, or nothing was measured";
+}
+
+/// The metric's score, or its bound, of a candidate all of whose simulations came to their end.
+std::string ModelScorer::why_not_finite(const Desk& desk, double score) const {
+  if (!desk.reads_finite) return "the model reads values that are not finite";
+  const bool measured = std::any_of(trials_.begin(), trials_.end(), [](const ScoredTrial& scored) {
+    return scored.trial.measured.samples.bottomRows(static_cast<Eigen::Index>(scored_samples(scored)))
+        .array()
+        .isFinite()
+        .any();
+  });
+  if (!measured) return "nothing was measured that a score could be made of";
+  return fmt::format("{}: its score is {}, though all that the model reads is finite{}", to_string(metric_.origin),
+                     score, std::isnan(score) ? kFaultOfPlugin : ": the error is too large for it, or it is faulty");
 }
 
 void ModelScorer::score_trials(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const {
@@ -168,6 +190,7 @@ void ModelScorer::score_trial(std::size_t t, double bar, Desk& desk, ModelScore&
   desk.candidate.simulate(trials_[t].test, options, desk.result);
   result.steps += desk.result.steps;
   if (desk.result.ending == Ending::invalid && tally.fault.empty()) tally.fault = desk.result.reason;
+  desk.reads_finite = desk.reads_finite && tally.reads_finite;
   end_trial(t, tally, result);
 }
 
@@ -197,6 +220,7 @@ void ModelScorer::score_with_lags(const ModelProposal& candidate, double bar, De
     const TimeSeries::Samples& readings = desk.readings[t];
     for (Eigen::Index row = trials_[t].first_sample; row < readings.rows(); ++row)
       if (tally.add(row, {readings.data() + row * readings.cols(), static_cast<std::size_t>(readings.cols())})) break;
+    desk.reads_finite = desk.reads_finite && tally.reads_finite;
     end_trial(t, tally, result);
   }
 }

@@ -60,6 +60,7 @@ class ModelScorer {
   void score_trial(std::size_t trial, double bar, Desk& desk, ModelScore& result) const;
   void score_with_lags(const ModelProposal& candidate, double bar, Desk& desk, ModelScore& result) const;
   void end_trial(std::size_t trial, const Tally& tally, ModelScore& result) const;
+  std::string why_not_finite(const Desk& desk, double score) const;
   bool read_trials(const ModelProposal& candidate, Desk& desk, ModelScore& result) const;
 
   std::vector<ScoredTrial> trials_;

@@ -1,5 +1,10 @@
 #include "evaluation/named_controller.h"
 
+#include "foundation/process_watch.h"
+
+#include <lacuna/error.h>
+
+#include <string>
 #include <utility>
 
 namespace lacuna {
@@ -12,15 +17,26 @@ class NamedController : public Controller {
 
   int state_size() const override {
     const PluginCall call(component_, "its controller's state_size");
-    return controller_->state_size();
+    const int size = controller_->state_size();
+    check("its controller's state_size");
+    return size;
   }
   void act(double time, std::span<const double> sensors, std::span<double> state,
            std::span<double> commands) const override {
     const PluginCall call(component_, "its controller's act");
     controller_->act(time, sensors, state, commands);
+    check("its controller's act");
   }
 
  private:
+  void check(const char* call) const {
+    try {
+      throw_if_arithmetic_changed(call);
+    } catch (const ProcessChanged& change) {
+      throw Error(std::string(component_) + ": " + change.what());
+    }
+  }
+
   std::shared_ptr<const Controller> controller_;  // shared with whoever made the test
   const char* component_;
 };

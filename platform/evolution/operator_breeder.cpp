@@ -1,5 +1,7 @@
 #include "evolution/operator_breeder.h"
 
+#include "foundation/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,9 +38,9 @@ std::string misfit(const Genome& genome, const GenomeLayout& layout) {
     return "has " + std::to_string(genome.size()) + " genes instead of " + std::to_string(layout.size());
   for (std::size_t i = 0; i < genome.size(); ++i) {
     const Gene& gene = layout.genes[i];
-    const std::string what = "has " + std::to_string(genome[i]) + " for " + gene.name;
+    const std::string what = "has " + number_text(genome[i]) + " for " + gene.name;
     if (!(genome[i] >= gene.lower && genome[i] <= gene.upper))
-      return what + ", out of its bounds " + std::to_string(gene.lower) + " to " + std::to_string(gene.upper);
+      return what + ", out of its bounds " + number_text(gene.lower) + " to " + number_text(gene.upper);
     if (gene.kind == GeneKind::integer && genome[i] != std::round(genome[i])) return what + ", which is to be whole";
   }
   return {};

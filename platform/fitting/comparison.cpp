@@ -281,15 +281,23 @@ class Comparer {
   Comparison result_;
 };
 
+/// Without the samples at which nothing was measured, such as repeated readings that were left out.
+std::vector<double> times_measured(const TimeSeries& measured) {
+  std::vector<double> times;
+  for (Eigen::Index row = 0; row < measured.times.size(); ++row)
+    if (measured.samples.row(row).array().isFinite().any()) times.push_back(measured.times(row));
+  return times;
+}
+
 }  // namespace
 
 std::vector<double> usual_horizons(const std::vector<Trial>& trials) {
   double interval = 0.0, longest = 0.0;
   for (const Trial& trial : trials) {
-    const Eigen::VectorXd& times = trial.measured.times;
+    const std::vector<double> times = times_measured(trial.measured);
     if (times.size() < 2) continue;
-    interval = std::max(interval, median_interval({times.data(), static_cast<std::size_t>(times.size())}));
-    longest = std::max(longest, times(times.size() - 1) - times(0));
+    interval = std::max(interval, median_interval(times));
+    longest = std::max(longest, times.back() - times.front());
   }
   std::vector<double> horizons;
   for (const double horizon : kUsualHorizons)

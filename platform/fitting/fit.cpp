@@ -320,8 +320,8 @@ class Fitter {
     result_.samples = problem_->samples();
     if (known.few_blocks)
       result_.notes.push_back(fmt::format(
-          "the 95 % intervals are rough: residuals are correlated over {:.2g} s, so that the trials give only "
-          "{} nearly independent blocks of data; longer trials help",
+          "the 95 % intervals are rough: residuals are correlated over {:.2g} s, and the trials are too short for {} "
+          "blocks of six times that, which would be nearly independent; shorter blocks are used; longer trials help",
           known.correlation_time, known.blocks));
     if (!best.search.converged)
       result_.notes.push_back(

@@ -70,6 +70,8 @@ void search_with_scales(ShootingProblem& problem, SegmentedProblem& searched, Fi
     search.tolerance = std::min(kLoosest, precision / residual_memory(problem, residuals).effective_samples);
     search.max_iterations = options.max_iterations - iterations;
     candidate.search = minimize(searched, point, search);
+    candidate.valid = candidate.search.valid;
+    if (!candidate.valid) return;  // a plugin's effect failed where it had not failed before
     iterations += candidate.search.iterations;
     point = candidate.search.point;
     residuals = candidate.search.residuals;

@@ -2,12 +2,14 @@
 
 #include "foundation/address.h"
 #include "foundation/unit.h"
+#include "measurement/line_departures.h"
 #include "measurement/rest_noise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace lacuna {
 namespace {
@@ -51,30 +53,28 @@ std::optional<Figure> found_at_rest(const std::vector<Trial>& trials, const Chan
   return Figure{found.standard_deviation, found.origin(channel.unit)};
 }
 
-/// White noise of deviation s has second differences of √6 s.
 Figure from_second_differences(const std::vector<Trial>& trials, const std::string& name) {
-  std::vector<double> differences;
+  std::vector<double> departures;
   double largest = 0.0;
   for (const Trial& trial : trials)
     for (std::size_t i = 0; i < trial.measured.channels.size(); ++i) {
       if (trial.measured.channels[i].name != name) continue;
-      const auto values = trial.measured.samples.col(static_cast<Eigen::Index>(i));
-      for (Eigen::Index row = 0; row < values.size(); ++row)
-        if (std::isfinite(values(row))) largest = std::max(largest, std::abs(values(row)));
-      for (Eigen::Index row = 1; row + 1 < values.size(); ++row) {
-        const double difference = values(row + 1) - 2.0 * values(row) + values(row - 1);
-        if (std::isfinite(difference)) differences.push_back(std::abs(difference));
-      }
+      const auto column = trial.measured.samples.col(static_cast<Eigen::Index>(i));
+      const std::vector<double> values(column.begin(), column.end());
+      for (const double value : values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+      const std::span times(trial.measured.times.data(), values.size());
+      for (const double departure : line_departures(times, values)) departures.push_back(std::abs(departure));
     }
   double deviation = 0.0;
-  if (!differences.empty()) {
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    deviation = 1.4826 * *middle / std::sqrt(6.0);
+  if (!departures.empty()) {
+    const auto middle = departures.begin() + static_cast<std::ptrdiff_t>(departures.size() / 2);
+    std::nth_element(departures.begin(), middle, departures.end());
+    deviation = 1.4826 * *middle;
     if (deviation == 0.0) {  // a coarse quantiser: most second differences vanish
       double squares = 0.0;
-      for (const double difference : differences) squares += difference * difference;
-      deviation = std::sqrt(squares / (6.0 * static_cast<double>(differences.size())));
+      for (const double departure : departures) squares += departure * departure;
+      deviation = std::sqrt(squares / static_cast<double>(departures.size()));
     }
   }
   const double resolution = std::numeric_limits<double>::epsilon() * std::max(largest, 1e-6);

@@ -18,7 +18,9 @@ namespace {
 
 constexpr double kToleratedShare = 0.05;  ///< of what is not known of a prediction
 constexpr double kLeastOfSignal = 3e-3;   ///< a channel's standard deviation: few models are better
+constexpr double kToleratedShift = 0.1;   ///< of half a value's 95 % interval
 constexpr int kMostSubsteps = 128;
+constexpr int kMostForValues = 16;    ///< times as many as the motion needs: a fit's time goes with them
 constexpr double kLargestLeap = 4.0;  ///< times as many, at once: the order may not show yet
 constexpr double kHelped = 0.7;       ///< of what the order promises: a chaotic motion follows no step
 constexpr std::size_t kTrials = 8;    ///< spread evenly over those that there are
@@ -57,6 +59,8 @@ class TwoSolutions {
         noise_(sensor_noise(definition.structure.robot, trials_)),
         values_(values),
         threads_(threads) {}
+
+  const std::vector<Trial>& trials() const { return trials_; }
 
   /// See `Substeps::share`; nothing where a trial cannot be simulated.
   std::optional<double> share(int substeps) const {
@@ -128,33 +132,77 @@ class TwoSolutions {
   int threads_;
 };
 
-/// As many as the order promises to need where `substeps` leave this share.
-int next_count(int substeps, double share) {
-  const double wanted = std::ceil(substeps * std::sqrt(share / kToleratedShare));
+/// As many as the order promises to need where `substeps` leave so many times what is tolerated.
+int next_count(int substeps, double excess) {
+  const double wanted = std::ceil(substeps * std::sqrt(excess));
   return static_cast<int>(std::clamp(wanted, substeps + 1.0, kLargestLeap * substeps));
 }
 
-/// The most that so many substeps may leave to be worth it.
-double promised(const Substeps& before, int count) {
-  const double kept = std::pow(static_cast<double>(before.count) / count, 2);
-  return before.share * (1.0 - kHelped * (1.0 - kept));
+/// The most that `count` substeps may leave to be worth it, where `before` leave so much.
+double promised(double left, int before, int count) {
+  const double kept = std::pow(static_cast<double>(before) / count, 2);
+  return left * (1.0 - kHelped * (1.0 - kept));
+}
+
+/// As many as the motion needs.
+Substeps enough_for_motion(const TwoSolutions& solutions) {
+  Substeps found{1, std::numeric_limits<double>::infinity(), {}, false};
+  for (int count = 1; count <= kMostSubsteps && !found.enough;) {
+    const std::optional<double> share = solutions.share(count);
+    if (share && *share > promised(found.share, found.count, count)) break;
+    if (share) found = {count, *share, {}, *share <= kToleratedShare};
+    count = share ? next_count(count, *share / kToleratedShare) : 2 * count;
+  }
+  return found;
+}
+
+/// As many as the free values need, at least those of `found`.
+void suffice_for_values(const IntegrationBias& bias, Substeps& found) {
+  const int most = std::min(kMostSubsteps, kMostForValues * found.count);
+  std::optional<ValueShift> shift = bias.with(found.count);
+  if (!shift) return;
+  found.shift = *shift;
+  while (found.shift.share > kToleratedShift && found.count < most) {
+    const int count = std::min(most, next_count(found.count, found.shift.share / kToleratedShift));
+    shift = bias.with(count);
+    if (!shift || shift->share > promised(found.shift.share, found.count, count)) break;
+    found.count = count;
+    found.shift = *shift;
+  }
+  found.enough = found.shift.share <= kToleratedShift;
+}
+
+/// Of these, as many as the values need that a fit would find.
+Substeps sufficient_for_values(const ModelDefinition& definition, const std::vector<Trial>& trials,
+                               std::span<const double> values, int threads, const FitSection& options,
+                               const TwoSolutions& solutions, Substeps found) {
+  const IntegrationBias bias(definition, options, solutions.trials(), trials.size(), {values.begin(), values.end()},
+                             found.count, threads);
+  const std::vector<double> near = bias.values();
+  if (near.empty()) return found;
+  const TwoSolutions nearer(definition, trials, near, threads);
+  if (!found.enough) found = enough_for_motion(nearer);
+  if (!found.enough) return found;
+  const int for_motion = found.count;
+  suffice_for_values(bias, found);
+  if (found.count > for_motion) found.share = nearer.share(found.count).value_or(found.share);
+  return found;
 }
 
 }  // namespace
 
 Substeps sufficient_substeps(const ModelDefinition& definition, const std::vector<Trial>& trials,
-                             std::span<const double> values, int threads) {
-  Substeps found;
-  if (trials.empty() || definition.engine.engine == "ode") return found;
+                             std::span<const double> values, int threads, TrialsFor trials_for,
+                             const FitSection& options) {
+  if (trials.empty() || definition.engine.engine == "ode") return {};
   const TwoSolutions solutions(definition, trials, values, threads);
-  found = {1, std::numeric_limits<double>::infinity(), false};
-  for (int count = 1; count <= kMostSubsteps && !found.enough;) {
-    const std::optional<double> share = solutions.share(count);
-    if (share && *share > promised(found, count)) break;
-    if (share) found = {count, *share, *share <= kToleratedShare};
-    count = share ? next_count(count, *share) : 2 * count;
+  const Substeps found = enough_for_motion(solutions);
+  if (definition.free.empty() || trials_for == TrialsFor::motion || !std::isfinite(found.share)) return found;
+  try {
+    return sufficient_for_values(definition, trials, values, threads, options, solutions, found);
+  } catch (const TimeIsUp&) {
+    return found;  // the limit stays: what comes next says where it ended
   }
-  return found;
 }
 
 }  // namespace lacuna

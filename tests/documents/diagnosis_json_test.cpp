@@ -1,5 +1,7 @@
 #include "documents/diagnosis_json.h"
 
+#include <lacuna/error.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 namespace lacuna {
 namespace {
@@ -116,7 +120,7 @@ TEST(DiagnosisJson, KeepsEveryVerdictAndUnit) {
 /// Documents that earlier versions kept in databases have fewer keys.
 TEST(DiagnosisJson, ReadsADocumentWithoutTheNewerKeys) {
   nlohmann::ordered_json early = nlohmann::ordered_json::parse(diagnosis_json(filled()));
-  for (const char* newer : {"form_only", "calibrated", "at_threshold", "evidence", "horizons", "values",
+  for (const char* newer : {"method", "form_only", "calibrated", "at_threshold", "evidence", "horizons", "values",
                             "segment_lengths", "answer_gain", "formulas_of_rest", "next_test_setup", "stopped"})
     ASSERT_EQ(early.erase(newer), 1U) << newer;
   early["next_test_setup"] = nullptr;
@@ -127,12 +131,74 @@ TEST(DiagnosisJson, ReadsADocumentWithoutTheNewerKeys) {
   EXPECT_FALSE(read.stopped);
 }
 
+std::set<std::string> keys_of(const nlohmann::json& document) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : document.items()) keys.insert(key);
+  return keys;
+}
+
+/// What a search by horizon or by likelihood leaves, and nothing else.
+Diagnosis found_by(DiagnosisMethod method) {
+  Diagnosis found;
+  found.verdict = Verdict::effect_found;
+  found.base = {{"angle", "rad", 1e-3, 2e-3, 3e-3}};
+  found.ranking.emplace_back();
+  found.ranking.front().effects = {friction()};
+  found.ranking.front().gain = {1.5, 0.5, 1.1, 1.9};
+  if (method == DiagnosisMethod::horizon) {
+    found.horizons = filled().horizons;
+    return found;
+  }
+  found.p_by_chance = 0.0005;
+  found.chance_95 = 5.5;
+  found.ranking.front().probability = 0.8;
+  return found;
+}
+
+/// A key that is there says that its value was computed.
+TEST(DiagnosisJson, LeavesOutWhatWasNotAsked) {
+  const std::set<std::string> both = {"verdict",     "method",    "probability",     "calibrated",      "evidence",
+                                      "noise_floor", "units",     "ranking",         "values",          "hypotheses",
+                                      "findings",    "next_test", "next_test_setup", "next_test_worth", "not_testable",
+                                      "seconds",     "base"};
+  std::set<std::string> by_horizon = both, by_likelihood = both;
+  by_horizon.insert("horizons");
+  by_likelihood.insert({"at_threshold", "random_forces", "segment_lengths", "form_only", "p_by_chance", "chance_95",
+                        "formulas", "formulas_of_rest", "residual_force"});
+  const auto horizon = nlohmann::json::parse(diagnosis_json(found_by(DiagnosisMethod::horizon)));
+  const auto likelihood = nlohmann::json::parse(diagnosis_json(found_by(DiagnosisMethod::likelihood)));
+  EXPECT_EQ(keys_of(horizon), by_horizon);
+  EXPECT_EQ(keys_of(likelihood), by_likelihood);
+  EXPECT_EQ(horizon["method"], "horizon");
+  EXPECT_EQ(likelihood["method"], "likelihood");
+  EXPECT_EQ(keys_of(horizon["base"]),
+            (std::set<std::string>{"fit_rmse", "held_out_rmse", "fitted_ratio_to_floor", "segment_s"}));
+  EXPECT_EQ(keys_of(likelihood["base"]), (std::set<std::string>{"fit_rmse", "cv_rmse", "ratio_to_floor", "segment_s"}));
+  EXPECT_FALSE(horizon["ranking"][0].contains("probability"));
+  EXPECT_TRUE(likelihood["ranking"][0].contains("probability"));
+}
+
+TEST(DiagnosisJson, SaysNothingOfErrorsWhereNothingWasSearched) {
+  const auto nothing = nlohmann::json::parse(diagnosis_json(Diagnosis()));
+  for (const char* key : {"method", "base", "p_by_chance", "chance_95", "free_force", "answer_gain", "formulas"})
+    EXPECT_FALSE(nothing.contains(key)) << key;
+  EXPECT_EQ(read_diagnosis(nothing.dump()).verdict, Verdict::cannot_tell);
+}
+
 TEST(DiagnosisJson, TellsAnUnknownNumberAsNull) {
   Diagnosis whole;
   whole.probability = std::numeric_limits<double>::quiet_NaN();
   const std::string written = diagnosis_json(whole);
   EXPECT_THAT(written, testing::HasSubstr("\"probability\": null"));
   EXPECT_TRUE(std::isnan(read_diagnosis(written).probability));
+}
+
+TEST(DiagnosisJson, RefusesADocumentThatNestsTooDeep) {
+  std::string written = diagnosis_json(filled());
+  const std::string deep = std::string(80'000, '[') + std::string(80'000, ']');
+  written.replace(written.find("at_threshold"), 1, "A");  // the last of two counts
+  written.replace(written.find('{'), 1, "{\"at_threshold\": " + deep + ", ");
+  EXPECT_THROW(read_diagnosis(written), Error);
 }
 
 }  // namespace

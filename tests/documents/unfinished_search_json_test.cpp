@@ -34,5 +34,10 @@ TEST(UnfinishedSearchJson, OfAnotherVersionIsNone) {
   EXPECT_FALSE(read_unfinished_search(R"({"format": 1, "fits": {"a": {"rough": [null]}}, "likelihoods": null})"));
 }
 
+TEST(UnfinishedSearchJson, ThatNestsTooDeepIsNone) {
+  const std::string deep = std::string(80'000, '[') + std::string(80'000, ']');
+  EXPECT_FALSE(read_unfinished_search(R"({"format": 1, "fits": {}, "likelihoods": )" + deep + "}"));
+}
+
 }  // namespace
 }  // namespace lacuna

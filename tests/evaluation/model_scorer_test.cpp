@@ -122,6 +122,52 @@ TEST(ModelScorer, AMetricThatThrowsMakesTheEvaluationInvalidAndIsNamed) {
   EXPECT_THAT(score.reason, HasSubstr("faulty.so"));
 }
 
+/// Gives every candidate the same score.
+class Constant : public FitnessMetric {
+ public:
+  explicit Constant(double score) : score_(score) {}
+  std::string summary() const override { return ""; }
+  std::unique_ptr<ScoreAccumulator> accumulator(const ComparisonShape&, std::span<const double>) const override {
+    class Score : public ScoreAccumulator {
+     public:
+      explicit Score(double score) : score_(score) {}
+      void add(std::span<const double>, std::span<const double>) override {}
+      double bound() const override { return 0.0; }
+      double score() const override { return score_; }
+      void reset() override {}
+
+     private:
+      double score_;
+    };
+    return std::make_unique<Score>(score_);
+  }
+
+ private:
+  double score_;
+};
+
+TEST(ModelScorer, AScoreOfFiniteReadingsThatIsNoNumberIsTheMetricsFaultNotTheModels) {
+  const Rig rig;
+  for (const double bad : {std::nan(""), kInfinity, -kInfinity}) {
+    const Constant constant(bad);
+    const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, {&constant, {}, {"metric", "odd", "odd.so"}}, 1);
+    const ModelScore score = score_of(scorer, 1.0);
+    EXPECT_EQ(score.kind, ScoreKind::invalid);
+    EXPECT_EQ(score.total, kInfinity) << "the worst, whatever the metric says";
+    EXPECT_THAT(score.reason, testing::AllOf(HasSubstr("metric \"odd\" (odd.so): its score is "),
+                                             testing::Not(HasSubstr("model reads values that are not"))));
+  }
+}
+
+TEST(ModelScorer, WithoutAMeasuredValueBlamesNeitherMetricNorModel) {
+  const Rig rig;
+  ScoredTrial trial = rig.trial(kTrueMass);
+  trial.trial.measured.samples.setConstant(std::nan(""));
+  const ModelScore score = score_of(ModelScorer(*rig.model, {trial}, metric(), 1), 1.0);
+  EXPECT_EQ(score.kind, ScoreKind::invalid);
+  EXPECT_THAT(score.reason, testing::StartsWith("nothing was measured"));
+}
+
 TEST(ModelScorer, AValueOutOfBoundsIsInvalidWithItsReasonAndTheNextModelIsNot) {
   const Rig rig;
   const ModelScorer scorer(*rig.model, {rig.trial(kTrueMass)}, metric(), 1);

@@ -80,12 +80,21 @@ TEST(UsualHorizons, GoFromAFewSamplesToHalfTheLongestTrial) {
     Trial trial;
     trial.measured.times =
         Eigen::VectorXd::LinSpaced(1 + static_cast<Eigen::Index>(duration / interval), 0.0, duration);
+    trial.measured.samples = TimeSeries::Samples::Zero(trial.measured.times.size(), 1);
     return usual_horizons({trial});
   };
   EXPECT_THAT(horizons(0.002, 4.0), testing::ElementsAre(0.1, 0.5, 2.0));
   EXPECT_THAT(horizons(0.001, 25.0), testing::ElementsAre(0.1, 0.5, 2.0, 10.0));
   EXPECT_THAT(horizons(1.0 / 15.0, 3.0), testing::ElementsAre(0.5));
   EXPECT_THAT(horizons(0.0005, 0.1), testing::IsEmpty());
+}
+
+TEST(UsualHorizons, CountWhatWasMeasuredAndNotItsRepeats) {
+  Trial trial;
+  trial.measured.times = Eigen::VectorXd::LinSpaced(801, 0.0, 4.0);  // logged every 5 ms, measured every 50 ms
+  trial.measured.samples = TimeSeries::Samples::Constant(801, 1, std::nan(""));
+  for (Eigen::Index row = 0; row < 801; row += 10) trial.measured.samples(row, 0) = 0.0;
+  EXPECT_THAT(usual_horizons({trial}), testing::ElementsAre(0.5, 2.0));
 }
 
 TEST(Compare, TellsHowLongAStartStaysCertain) {

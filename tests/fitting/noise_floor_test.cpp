@@ -7,7 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -43,6 +46,48 @@ TEST(SensorNoise, BelievesWhatTheColumnDeclares) {
   const ChannelNoise noise = sensor_noise(one_joint_robot(), {trial}).front();
   EXPECT_DOUBLE_EQ(noise.deviation, 0.02);
   EXPECT_EQ(noise.origin, "declared for the column");
+}
+
+/// The same readings among the rows of a second device, whose clock is not in step.
+Trial among_other_rows(const Trial& trial) {
+  const Eigen::VectorXd& times = trial.measured.times;
+  std::vector<std::pair<double, double>> rows;
+  for (Eigen::Index i = 0; i < times.size(); ++i) rows.emplace_back(times(i), trial.measured.samples(i, 0));
+  for (double time = 0.0013; time < times(times.size() - 1); time += 0.37 / kRate)
+    rows.emplace_back(time, std::nan(""));
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Trial joined = trial;
+  joined.measured.times.resize(static_cast<Eigen::Index>(rows.size()));
+  joined.measured.samples.resize(static_cast<Eigen::Index>(rows.size()), 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    joined.measured.times(static_cast<Eigen::Index>(i)) = rows[i].first;
+    joined.measured.samples(static_cast<Eigen::Index>(i), 0) = rows[i].second;
+  }
+  return joined;
+}
+
+TEST(SensorNoise, OfTwoDevicesIsThatOfOne) {
+  constexpr double kSame = 1e-6;  // of the figure
+  Trial resting = moving_trial(0.01), counted = resting;
+  for (Eigen::Index i = 0; i < 1000; ++i) resting.measured.samples(i, 0) -= std::sin(static_cast<double>(i) / kRate);
+  for (double& value : counted.measured.samples.reshaped()) value = 0.02 * std::round(value / 0.02);
+  for (const Trial& trial : {moving_trial(0.01), moving_trial(0.0005), resting, counted}) {
+    const ChannelNoise one = sensor_noise(one_joint_robot(), {trial}).front();
+    const ChannelNoise two = sensor_noise(one_joint_robot(), {among_other_rows(trial)}).front();
+    EXPECT_NEAR(two.deviation, one.deviation, kSame * one.deviation);
+    EXPECT_EQ(two.origin, one.origin);
+  }
+}
+
+/// Second differences by number would take the motion between readings that come early and late for noise.
+TEST(SensorNoise, OfReadingsAtUnevenTimesIsTheirOwn) {
+  SeededNoise random(4, 4);
+  Trial trial = moving_trial(0.0);
+  for (Eigen::Index i = 0; i < trial.measured.times.size(); ++i) {
+    trial.measured.times(i) += 0.3 / kRate * std::sin(static_cast<double>(i * i));
+    trial.measured.samples(i, 0) = 20.0 * trial.measured.times(i) + 0.01 * random.normal();
+  }
+  EXPECT_NEAR(sensor_noise(one_joint_robot(), {trial}).front().deviation, 0.01, 0.0005);
 }
 
 TEST(SensorNoise, ElseTheRobotsSensor) {

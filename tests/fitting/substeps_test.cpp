@@ -4,6 +4,7 @@
 #include "fitting/analytic_models.h"
 #include "fitting/comparison.h"
 #include "fitting/cross_check.h"
+#include "fitting/fit.h"
 #include "support/robots.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,36 @@ TEST(Substeps, AreMoreForAStifferSpring) {
   };
   EXPECT_EQ(count(1.0), 1);
   EXPECT_GT(count(40.0), count(12.0));
+}
+
+/// The same flywheel, whose spring is to be fitted.
+ModelDefinition with_free_spring(double frequency) {
+  ModelDefinition definition = sprung(frequency);
+  const double stiffness = frequency * frequency;
+  definition.free = {analytic::free_value("joint.joint.stiffness", 1.02 * stiffness, 0.5 * stiffness, 2.0 * stiffness)};
+  definition.structure.parameters = {{"joint.joint.stiffness", 0.5 * stiffness, 2.0 * stiffness}};
+  return definition;
+}
+
+/// The spring as a fit with so many substeps finds it.
+FittedValue fitted_spring(const ModelDefinition& definition, const std::vector<Trial>& trials, int substeps) {
+  const std::unique_ptr<CompiledModel> model = compiled(definition, substeps);
+  return fit({definition, *model, trials, {}, 1, 1}).values[0];
+}
+
+TEST(Substeps, KeepTheBiasOfAFittedValueSmallBesideItsInterval) {
+  const ModelDefinition definition = with_free_spring(6.0);
+  const std::vector<Trial> trials = {recorded(sprung(6.0))};
+  const std::vector<double> start = {definition.free[0].start};
+  const Substeps found = sufficient_substeps(definition, trials, start, 1);
+  EXPECT_TRUE(found.enough);
+  EXPECT_EQ(found.shift.address, "joint.joint.stiffness");
+  EXPECT_LE(found.shift.share, 0.1);
+  const FittedValue coarse = fitted_spring(definition, trials, 1), own = fitted_spring(definition, trials, found.count),
+                    exact = fitted_spring(definition, trials, 64);
+  const double half = 0.5 * (exact.upper_95 - exact.lower_95);
+  EXPECT_GT(std::abs(coarse.value - exact.value), 0.3 * half);
+  EXPECT_LT(std::abs(own.value - exact.value), 0.15 * half);
 }
 
 TEST(Substeps, AreTheSameForAnyNumberOfThreads) {

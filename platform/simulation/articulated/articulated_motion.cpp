@@ -1,5 +1,7 @@
 #include "simulation/articulated/articulated_motion.h"
 
+#include "foundation/number_text.h"
+
 #include <lacuna/error.h>
 
 #include <algorithm>
@@ -148,7 +150,7 @@ void ArticulatedMotion::check() const {
       const double position = motion.configuration[nth(link.position, i)];
       if (std::abs(velocity) < kFastest && std::abs(position) < kFarthest) continue;
       throw Error("body \"" + robot_->bodies[static_cast<std::size_t>(link.body)].name + "\" moves at " +
-                  std::to_string(velocity) + " (rad/s or m/s) at " + std::to_string(position) +
+                  number_text(velocity) + " (rad/s or m/s) at " + number_text(position) +
                   " (rad or m); the motion exploded: reduce engine.step, gains or stiffnesses");
     }
 }

@@ -1,5 +1,6 @@
 #include "simulation/ode/mechanism.h"
 
+#include "foundation/number_text.h"
 #include "simulation/ode/session.h"
 
 #include <algorithm>
@@ -177,8 +178,8 @@ void Mechanism::set_laws(std::span<const JointLoad> loads) {
     }
     rows.stop.set_position(position);
     if (!(std::abs(rows.force) <= kLargestForce) || !std::isfinite(rows.target))
-      throw Error("the force on " + simulation::name_coordinates(*robot_)[i].name + " is " +
-                  std::to_string(rows.force) + ", beyond anything that can be simulated");
+      throw Error("the force on " + simulation::name_coordinates(*robot_)[i].name + " is " + number_text(rows.force) +
+                  ", beyond anything that can be simulated");
     if (rows.force != 0.0) joints_.add_force(i, rows.force);
   }
 }

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <new>
 
 namespace lacuna::ode {
 namespace {
@@ -26,8 +28,26 @@ void complain(int /*number*/, const char* format, va_list arguments) {
   if (complaint_text[0] == '\0') write_message(complaint_text, format, arguments);
 }
 
+/// ODE itself writes to what it has not got.
+void* allocate(dsizeint size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr && size > 0) throw std::bad_alloc();
+  return memory;
+}
+
+void* reallocate(void* old, dsizeint /*old_size*/, dsizeint size) {
+  void* const memory = std::realloc(old, size);
+  if (memory == nullptr && size > 0) throw std::bad_alloc();
+  return memory;
+}
+
+void deallocate(void* memory, dsizeint /*size*/) { std::free(memory); }
+
 struct Library {
   Library() {
+    dSetAllocHandler(allocate);
+    dSetReallocHandler(reallocate);
+    dSetFreeHandler(deallocate);
     dInitODE2(dInitFlagManualThreadCleanup);
     dSetErrorHandler(fail);
     dSetDebugHandler(fail);

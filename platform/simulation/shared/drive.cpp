@@ -1,5 +1,7 @@
 #include "simulation/shared/drive.h"
 
+#include "foundation/number_text.h"
+
 #include <lacuna/error.h>
 
 #include <cmath>
@@ -43,11 +45,11 @@ void Drive::open_delays(const RobotSpec& robot) {
   for (std::size_t i = 0; i < delays_.size(); ++i) {
     const ActuatorSpec& actuator = robot.actuators[i];
     if (!(actuator.delay >= 0.0 && actuator.delay < kInfinity))
-      throw Error("actuator \"" + actuator.name + "\": its delay is " + std::to_string(actuator.delay) + " s");
+      throw Error("actuator \"" + actuator.name + "\": its delay is " + number_text(actuator.delay) + " s");
     delays_[i] = make_delay(actuator.delay, settings_);
     of_step_end_[i] = actuator.kind == ActuatorKind::motion;
     if (!lines_[i].reaches(delays_[i]))
-      throw Error("actuator \"" + actuator.name + "\": its delay of " + std::to_string(actuator.delay) +
+      throw Error("actuator \"" + actuator.name + "\": its delay of " + number_text(actuator.delay) +
                   " s is longer than its parameters' upper bounds allow");
   }
 }

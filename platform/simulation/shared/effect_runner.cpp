@@ -42,6 +42,7 @@ void EffectRunner::amend(RobotSpec& robot) {
   for (const std::size_t effect : schedule_.amending()) {
     enter(effect, "amend");
     schedule_.effects()[effect].effect->amend(robot, context(effect));
+    check();
     if (sizes[0] != robot.bodies.size() || sizes[1] != robot.joints.size() || sizes[2] != robot.actuators.size() ||
         sizes[3] != robot.sensors.size())
       throw Error("it added or removed elements of the robot, which an effect may not");
@@ -54,15 +55,23 @@ void EffectRunner::start(const StepView& view) {
   for (std::size_t effect = 0; effect < schedule_.effects().size(); ++effect) {
     enter(effect, "start");
     schedule_.effects()[effect].effect->start(view, context(effect), state(effect));
+    check();
   }
   leave();
 }
 
+void EffectRunner::add_loads_of(std::size_t effect, const StepView& view, double length, StepLoads& loads) {
+  const JointLoad* const joints = loads.joints.data();
+  const BodyLoad* const bodies = loads.bodies.data();
+  enter(effect, "add_loads");
+  schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
+  check();
+  if (loads.joints.data() != joints || loads.bodies.data() != bodies)
+    throw Error(std::string("it replaced the list of loads, to whose elements it may add") + kRepair);
+}
+
 void EffectRunner::add_loads(const StepView& view, double length, StepLoads& loads) {
-  for (const std::size_t effect : schedule_.loading()) {
-    enter(effect, "add_loads");
-    schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
-  }
+  for (const std::size_t effect : schedule_.loading()) add_loads_of(effect, view, length, loads);
   leave();
   if (!sound(loads)) throw_culprit(view, length, loads);
 }
@@ -74,8 +83,7 @@ void EffectRunner::throw_culprit(const StepView& view, double length, StepLoads&
     std::fill(loads.bodies.begin(), loads.bodies.end(), BodyLoad{});
     loads.contact = contact;
     loads.gravity = instance_.robot().gravity;
-    enter(effect, "add_loads");
-    schedule_.effects()[effect].effect->add_loads(view, context(effect, length), state(effect), loads);
+    add_loads_of(effect, view, length, loads);
     if (!sound(loads)) throw Error(std::string("it wrote a load that is not finite or has the wrong sign") + kRepair);
   }
   leave();
@@ -87,6 +95,7 @@ void EffectRunner::advance(const StepView& view, double length) {
   for (const std::size_t effect : schedule_.advancing()) {
     enter(effect, "advance");
     schedule_.effects()[effect].effect->advance(view, context(effect, length), state(effect));
+    check();
   }
   leave();
 }
@@ -96,6 +105,7 @@ double EffectRunner::command(std::size_t actuator, double value, const StepView&
   for (const auto& [effect, which] : schedule_.commands(actuator)) {
     enter(effect, "command");
     value = schedule_.effects()[effect].effect->command(value, which, view, context(effect), state(effect));
+    check();
     if (!std::isfinite(value)) throw Error(std::string("its command is not a number") + kRepair);
   }
   leave();
@@ -107,18 +117,31 @@ void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const S
   for (const auto& [effect, which] : schedule_.senses(sensor)) {
     enter(effect, "sense");
     schedule_.effects()[effect].effect->sense(channels, which, view, context(effect), state(effect));
+    check();
     if (!std::all_of(channels.begin(), channels.end(), [](double reading) { return std::isfinite(reading); }))
       throw Error(std::string("its reading is not a number") + kRepair);
   }
   leave();
 }
 
+void EffectRunner::end() const {
+  if (schedule_.effects().empty()) return;
+  const std::string changed = ProcessWatch::changed();
+  if (changed.empty()) return;
+  std::string names;
+  for (const PlacedEffect& placed : schedule_.effects())
+    names += (names.empty() ? "" : " or ") + to_string(origin_of(placed));
+  throw Error(names + " changed " + changed + ", which other code relies on; it was set back" + kRepair);
+}
+
 std::string EffectRunner::explain() {
   const std::size_t effect = running_;
   if (effect != kNone) {
-    leave();  // what fails next may not be an effect's fault
     const PlacedEffect& placed = schedule_.effects()[effect];
-    return "effect." + placed.id + ": " + describe_current_exception(origin_of(placed), hook_);
+    const std::string reason = describe_current_exception(origin_of(placed), hook_);  // may call the plugin once more
+    ProcessWatch::changed();
+    leave();  // what fails next may not be an effect's fault
+    return "effect." + placed.id + ": " + reason;
   }
   try {
     throw;

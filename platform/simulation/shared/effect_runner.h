@@ -1,6 +1,7 @@
 #pragma once
 
 #include "foundation/plugin_call.h"
+#include "foundation/process_watch.h"
 #include "simulation/shared/effect_schedule.h"
 #include "simulation/shared/model_instance.h"
 #include "simulation/shared/state_archive.h"
@@ -31,6 +32,11 @@ class EffectRunner {
   void save(StateWriter& writer) const { writer.put(states_); }
   void load(StateReader& reader) { reader.get(states_); }
 
+  /// Comes last. Throws `Error` where the effects changed the process: what is not looked at after each hook.
+  void end() const;
+
+  /// Whether what is thrown left a hook of an effect. Before `explain`.
+  bool runs_one() const { return running_ != kNone; }
   /// Only inside a `catch` block, once: a sentence about the exception, which names the effect if it
   /// left one of the hooks.
   std::string explain();
@@ -42,6 +48,8 @@ class EffectRunner {
     hook_ = hook;
     call_->enter(schedule_.on_page(effect), hook);
   }
+  /// After each hook, in a few instructions.
+  void check() const { throw_if_arithmetic_changed(hook_); }
   void leave() {
     running_ = kNone;
     call_->leave();
@@ -53,6 +61,7 @@ class EffectRunner {
     context.step = length;
     return context;
   }
+  void add_loads_of(std::size_t effect, const StepView& view, double length, StepLoads& loads);
   [[noreturn]] void throw_culprit(const StepView& view, double length, StepLoads& loads);
 
   const EffectSchedule& schedule_;

@@ -1,6 +1,7 @@
 #include "simulation/shared/engine_model.h"
 
 #include "foundation/address.h"
+#include "foundation/number_text.h"
 #include "foundation/plugin_call.h"
 #include "simulation/shared/effect_runner.h"
 #include "simulation/shared/engine_workspace.h"
@@ -34,7 +35,7 @@ void keep_larger(std::vector<double>& largest, std::span<const double> values) {
 
 void lengthen(Delay& longest, double seconds, const EngineSettings& settings) {
   if (!(seconds >= 0.0 && seconds < kInfinity))
-    throw Error("a delay may become " + std::to_string(seconds) + " s; give its parameter a finite upper bound");
+    throw Error("a delay may become " + number_text(seconds) + " s; give its parameter a finite upper bound");
   const Delay delay = make_delay(seconds, settings);
   if (shorter(longest, delay)) longest = delay;
 }

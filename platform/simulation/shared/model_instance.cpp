@@ -1,6 +1,8 @@
 #include "simulation/shared/model_instance.h"
 
 #include "foundation/address.h"
+#include "foundation/name_index.h"
+#include "foundation/number_text.h"
 #include "foundation/problem.h"
 #include "simulation/shared/joint_tree.h"
 
@@ -55,9 +57,9 @@ std::string bounds_complaint(const VariableParameter& parameter, const Place& pl
   if (!(parameter.lower <= parameter.upper))
     return "the parameter \"" + parameter.address + "\" has its lower bound above its upper bound";
   if (parameter.lower < place.lower || parameter.upper > place.upper)
-    return "the parameter \"" + parameter.address + "\" has bounds " + std::to_string(parameter.lower) + " to " +
-           std::to_string(parameter.upper) + ", beyond the " + std::to_string(place.lower) + " to " +
-           std::to_string(place.upper) + " that it may have";
+    return "the parameter \"" + parameter.address + "\" has bounds " + number_text(parameter.lower) + " to " +
+           number_text(parameter.upper) + ", beyond the " + number_text(place.lower) + " to " +
+           number_text(place.upper) + " that it may have";
   return {};
 }
 
@@ -67,6 +69,7 @@ class SlotFinder {
   explicit SlotFinder(const ModelStructure& structure) : structure_(structure) {
     add_robot_places(structure, places_);
     add_effect_places(structure, places_);
+    index_ = NameIndex(places_, [](const Place& place) { return std::string_view(place.address); });
   }
 
   /// Of one setup, none being that of tests without: what it sets, what belongs to it alone, and of the parameters of
@@ -95,9 +98,7 @@ class SlotFinder {
 
  private:
   const Place* find(const std::string& address) {
-    const auto place = std::find_if(places_.begin(), places_.end(),
-                                    [&](const Place& candidate) { return candidate.address == address; });
-    if (place != places_.end()) return &*place;
+    if (const std::optional<std::size_t> place = index_.find(address)) return &places_[*place];
     problems_.add({}, unknown_address(address, places_));
     return nullptr;
   }
@@ -110,7 +111,7 @@ class SlotFinder {
       problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" twice");
     if (!(value.value >= place->lower && value.value <= place->upper))
       problems_.add({}, "the setup \"" + setup.name + "\" gives \"" + value.address + "\" the value " +
-                            std::to_string(value.value) + ", which it may not have");
+                            number_text(value.value) + ", which it may not have");
     slots.push_back(place->slot);
     slots.back().constant = value.value;
   }
@@ -134,6 +135,7 @@ class SlotFinder {
 
   const ModelStructure& structure_;
   std::vector<Place> places_;
+  NameIndex index_;
   ProblemList problems_;
 };
 
@@ -172,8 +174,8 @@ double ModelInstance::checked_value(std::span<const double> parameters, int inde
   const VariableParameter& declared = slots_.parameters()[i];
   const double margin = kBoundTolerance * std::max({1.0, std::abs(declared.lower), std::abs(declared.upper)});
   if (parameters[i] >= declared.lower - margin && parameters[i] <= declared.upper + margin) return parameters[i];
-  throw Error("the parameter \"" + declared.address + "\" is " + std::to_string(parameters[i]) +
-              ", outside of its bounds " + std::to_string(declared.lower) + " to " + std::to_string(declared.upper));
+  throw Error("the parameter \"" + declared.address + "\" is " + number_text(parameters[i]) +
+              ", outside of its bounds " + number_text(declared.lower) + " to " + number_text(declared.upper));
 }
 
 void ModelInstance::set(std::span<const double> parameters, const ParameterSlots::Slots& slots) {

@@ -2,6 +2,7 @@
 
 #include "foundation/address.h"
 #include "foundation/link_angle.h"
+#include "foundation/number_text.h"
 #include "foundation/problem.h"
 #include "simulation/shared/joint_tree.h"
 #include "simulation/shared/sensor_bank.h"
@@ -28,7 +29,8 @@ bool positive_definite(const InertiaSpec& inertia) {
 
 std::string body_complaint(const BodySpec& body) {
   if (!(body.mass > 0.0) || body.mass > kLargest)
-    return "body \"" + body.name + "\": its mass is " + std::to_string(body.mass) + " kg, it must be positive";
+    return "body \"" + body.name + "\": its mass is " + number_text(body.mass) +
+           " kg, it must be positive and at most " + number_text(kLargest) + " kg";
   if (!positive_definite(body.inertia))
     return "body \"" + body.name + "\": its moments of inertia are not positive definite; check xx, yy, zz, xy, xz, yz";
   if (!body.com.allFinite() || !body.position.allFinite() || !body.orientation.coeffs().allFinite())
@@ -169,8 +171,8 @@ void check_values(const RobotSpec& robot, ProblemList& problems) {
     if (value.address.starts_with("body.")) continue;  // check_bodies has seen to them
     const bool inside = *value.value >= value.lower && *value.value <= value.upper;
     if (inside && (value.may_be_infinite || std::isfinite(*value.value))) continue;
-    problems.add({}, value.address + " is " + std::to_string(*value.value) + " " + value.unit + ", outside of " +
-                         std::to_string(value.lower) + " to " + std::to_string(value.upper));
+    problems.add({}, value.address + " is " + number_text(*value.value) + " " + value.unit + ", outside of " +
+                         number_text(value.lower) + " to " + number_text(value.upper));
   }
 }
 
@@ -196,14 +198,14 @@ void check_robot(const RobotSpec& robot) {
 void check_settings(const EngineSettings& settings) {
   ProblemList problems;
   if (!(settings.step > 0.0) || !std::isfinite(settings.step))
-    problems.add({}, "engine.step is " + std::to_string(settings.step) + " s, it must be positive");
+    problems.add({}, "engine.step is " + number_text(settings.step) + " s, it must be positive");
   if (settings.substeps < 1)
     problems.add({}, "engine.substeps is " + std::to_string(settings.substeps) + ", it must be at least 1");
   if (!(settings.control_period >= 0.0) || !std::isfinite(settings.control_period))
-    problems.add({}, "engine.control_period is " + std::to_string(settings.control_period) +
+    problems.add({}, "engine.control_period is " + number_text(settings.control_period) +
                          " s, it must be positive, or 0 for every step");
   if (!(settings.joint_erp >= 0.0 && settings.joint_erp <= 1.0))
-    problems.add({}, "engine.joint_erp is " + std::to_string(settings.joint_erp) + ", it must lie in 0 to 1");
+    problems.add({}, "engine.joint_erp is " + number_text(settings.joint_erp) + ", it must lie in 0 to 1");
   problems.throw_if_any();
 }
 

@@ -2,6 +2,8 @@
 
 #include "foundation/address.h"
 #include "foundation/interrupt.h"
+#include "foundation/number_text.h"
+#include "foundation/process_limits.h"
 #include "simulation/shared/sensor_imperfections.h"
 
 #include <lacuna/error.h>
@@ -15,7 +17,7 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  // integration steps
 
-std::string seconds(double time) { return std::to_string(time) + " s"; }
+std::string seconds(double time) { return number_text(time) + " s"; }
 
 void size_series(TimeSeries& series, const std::vector<Channel>& channels, std::span<const double> times) {
   if (series.channels != channels) series.channels = channels;
@@ -68,9 +70,14 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
   } catch (const EngineFailure& failure) {
     ws_.drop_motion();
     fail(failure.what());
+  } catch (const std::bad_alloc&) {
+    ws_.drop_motion();
+    if (!ws_.effects.runs_one()) throw Error(no_memory_sentence());  // which is no fault of the model
+    fail(ws_.effects.explain());
   } catch (...) {
     fail(ws_.effects.explain());
   }
+  ws_.effects.end();
 }
 
 void Run::check_arguments(std::span<const double> parameters) const {
@@ -194,7 +201,7 @@ void Run::take_command(std::size_t a, const StepView& view) {
     throw Error("actuator \"" + ws_.instance.robot().actuators[a].name + "\" imposes a motion and cannot be off");
   if (!std::isfinite(command) && !is_off)
     throw Error("the command of actuator \"" + ws_.instance.robot().actuators[a].name + "\" is " +
-                std::to_string(command));
+                number_text(command));
   ws_.commands[a] = command;
   if (step_ == 0 && ws_.drive.closed_loop()) ws_.last_commands[a] = command;
   const double rate = (command - ws_.last_commands[a]) / h_;

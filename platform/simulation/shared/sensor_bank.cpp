@@ -1,6 +1,7 @@
 #include "simulation/shared/sensor_bank.h"
 
 #include "foundation/address.h"
+#include "foundation/number_text.h"
 #include "simulation/shared/joint_tree.h"
 
 #include <lacuna/error.h>
@@ -46,10 +47,10 @@ void SensorBank::configure(const RobotSpec& robot, const EngineSettings& setting
   for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
     const SensorSpec& sensor = robot.sensors[i];
     if (!(sensor.delay >= 0.0 && sensor.delay < kInfinity))
-      throw Error("sensor \"" + sensor.name + "\": its delay is " + std::to_string(sensor.delay) + " s");
+      throw Error("sensor \"" + sensor.name + "\": its delay is " + number_text(sensor.delay) + " s");
     delays_[i] = make_delay(sensor.delay, settings);
     if (!lines_[first_channel_[i]].reaches(delays_[i]))
-      throw Error("sensor \"" + sensor.name + "\": its delay of " + std::to_string(sensor.delay) +
+      throw Error("sensor \"" + sensor.name + "\": its delay of " + number_text(sensor.delay) +
                   " s is longer than its parameters' upper bounds allow");
   }
 }

@@ -93,7 +93,9 @@ TEST(CompileErrors, ActuatorsOnJointsWithoutAnAxis) {
 TEST(CompileErrors, MassesAndInertias) {
   RobotSpec robot = pendulum();
   robot.bodies[0].mass = 0.0;
-  EXPECT_THAT(complaint(robot), HasSubstr("its mass is 0.000000 kg"));
+  EXPECT_THAT(complaint(robot), HasSubstr("its mass is 0 kg"));
+  robot.bodies[0].mass = 1e308;
+  EXPECT_THAT(complaint(robot), HasSubstr("its mass is 1e+308 kg, it must be positive and at most 1e+12 kg"));
   robot = pendulum();
   robot.bodies[0].inertia.xy = 0.5;
   EXPECT_THAT(complaint(robot), HasSubstr("not positive definite"));
