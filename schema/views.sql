@@ -124,13 +124,16 @@ JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id IN (SELECT max(id) FROM comparison GROUP BY revision);
 
 -- One row per diagnosis: its verdict with its probability, what it would add, and whether the time limit stopped it.
--- example: SELECT revision, verdict, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;
+-- example: SELECT revision, verdict, method, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;
 CREATE VIEW diagnoses AS
-SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.probability,
-       diagnosis.calibrated, diagnosis.chance, diagnosis.hypotheses,
+SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.method,
+       diagnosis.probability, diagnosis.calibrated,
+       iif(diagnosis.method = 'likelihood', diagnosis.chance, NULL) AS chance, diagnosis.hypotheses,
        iif(diagnosis.verdict = 'effect_found',
            (SELECT group_concat(value, ' + ') FROM json_each(best.effects)), NULL) AS answer,
-       diagnosis.base_times_floor, best.times_floor, diagnosis.document ->> '$.stopped.during' AS stopped,
+       iif(diagnosis.method = 'likelihood', diagnosis.base_times_floor, NULL) AS base_times_floor,
+       iif(diagnosis.method = 'likelihood', best.times_floor, NULL) AS times_floor,
+       diagnosis.base_fitted_times_floor, best.fitted_times_floor, diagnosis.document ->> '$.stopped.during' AS stopped,
        nullif(diagnosis.document ->> '$.next_test', '') AS next_test,
        diagnosis.document ->> '$.next_test_setup.name' AS next_test_setup,
        diagnosis.id >> 40 AS run, diagnosis.id
@@ -140,12 +143,14 @@ JOIN experiment ON experiment.id = revision.experiment
 LEFT JOIN candidate_model AS best ON best.diagnosis = diagnosis.id AND best.rank = 1;
 
 -- One row a candidate of the latest diagnosis of each revision, the likeliest first: how much better it predicts what was left out.
--- example: SELECT revision, rank, effects, gain, times_floor FROM effect_ranking ORDER BY revision, rank;
+-- example: SELECT revision, rank, effects, method, gain, times_floor FROM effect_ranking ORDER BY revision, rank;
 CREATE VIEW effect_ranking AS
 SELECT experiment.name AS experiment, revision.number AS revision, candidate_model.rank,
        (SELECT group_concat(value, ' + ') FROM json_each(candidate_model.effects)) AS effects,
-       candidate_model.gain, candidate_model.gain_lower, candidate_model.gain_upper, candidate_model.times_floor,
-       candidate_model.probability,
+       diagnosis.method, candidate_model.gain, candidate_model.gain_lower, candidate_model.gain_upper,
+       iif(diagnosis.method = 'likelihood', candidate_model.times_floor, NULL) AS times_floor,
+       candidate_model.fitted_times_floor,
+       iif(diagnosis.method = 'likelihood', candidate_model.probability, NULL) AS probability,
        (SELECT group_concat(value, ', ') FROM json_each(candidate_model.look_alikes)) AS look_alikes,
        diagnosis.id AS diagnosis
 FROM diagnosis

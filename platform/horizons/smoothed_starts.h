@@ -16,6 +16,7 @@ class SmoothedStarts {
   /// Throws `Error` where a trial has fewer than five readings of a coordinate.
   explicit SmoothedStarts(const StartStates& states, const std::vector<Trial>& trials);
 
+  const StartStates& states() const { return states_; }
   /// Valid where every coordinate is told.
   StartEstimate at(std::size_t trial, Eigen::Index sample) const;
 

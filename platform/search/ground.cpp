@@ -13,8 +13,8 @@ constexpr double kFineEnough = 0.05;  ///< nats that half the integration step m
 constexpr int kMostSubsteps = 64;
 constexpr double kBlocks = 16.0;  ///< of all data, at least
 
-std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing) {
-  return timing ? with_timing(definition.free) : definition.free;
+std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing, const TimingRange& timing_range) {
+  return timing ? with_timing(definition.free, timing_range) : definition.free;
 }
 
 /// Steps that the program has chosen for free runs over whole recordings are finer than predictions need.
@@ -26,10 +26,10 @@ Experiment with_coarse_steps(Experiment experiment) {
 }  // namespace
 
 ModelBench::ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
-                       bool timing, int threads)
+                       bool timing, int threads, const TimingRange& timing_range)
     : definition_(definition),
       predictor_(model, trials, threads, timing ? Timing::fitted : Timing::as_recorded),
-      space_(values_of(definition, timing)) {}
+      space_(values_of(definition, timing, timing_range)) {}
 
 Ground::Ground(const MissingTask& task)
     : task_(task),

@@ -2,6 +2,7 @@
 
 #include "config/experiment.h"
 #include "diagnosis/candidates/contender.h"
+#include "diagnosis/refit/timing.h"
 #include "horizons/linear_ladder.h"
 #include "loading/plugin_catalog.h"
 #include "search/unfinished_search.h"
@@ -36,7 +37,7 @@ struct MissingTask {
 class ModelBench {
  public:
   ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
-             bool timing, int threads);
+             bool timing, int threads, const TimingRange& timing_range = {});
 
   const ModelDefinition& definition() const { return definition_; }
   const TrialPredictor& predictor() const { return predictor_; }

@@ -2,6 +2,7 @@
 
 #include "diagnosis/rounds/selection.h"
 #include "fitting/parameter_space.h"
+#include "foundation/figure_text.h"
 
 #include <fmt/format.h>
 
@@ -150,10 +151,10 @@ std::vector<std::string> confirmation_notes(const Missing& missing) {
   std::vector<std::string> notes;
   for (const NotConfirmed& one : missing.not_confirmed)
     notes.push_back(fmt::format(
-        "{} lowers the error of what was fitted, but not of the held-out files (×{:.2g} of the model's with "
-        "it, ×{:.2g} without), and is left out: it stands for what is particular to the fitted files; fit to "
-        "more and more varied ones",
-        one.effect, one.with_it, one.without));
+        "{} lowers the error of what was fitted, but not of the held-out files ({} with it, {} without, against the "
+        "model's), and is left out: it stands for what is particular to the fitted files; fit to more and more varied "
+        "ones",
+        one.effect, error_change_text(one.with_it, 1.0), error_change_text(one.without, 1.0)));
   return notes;
 }
 

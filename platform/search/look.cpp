@@ -89,6 +89,8 @@ class Probed {
     }
     return true;
   }
+  /// Why the last simulation that failed did; empty: none did.
+  const std::string& failure() const { return problem_.last_reason(); }
   /// The same over what the model leaves.
   bool relative(const std::vector<double>& own, std::vector<Eigen::VectorXd>& rows) {
     if (!residuals(own, rows)) return false;
@@ -123,8 +125,9 @@ struct TriedProbe {
   std::vector<Eigen::VectorXd> response;
 };
 
-/// Fills the responses of a hypothesis's probes on a stage; those that cannot be simulated are left out.
-void respond(const Stage& stage, const Hypothesis& hypothesis, std::vector<TriedProbe>& probes) {
+/// Fills the responses of a hypothesis's probes on a stage; those that cannot be simulated are left out, and `failure`
+/// says why the last one is.
+void respond(const Stage& stage, const Hypothesis& hypothesis, std::vector<TriedProbe>& probes, std::string& failure) {
   if (probes.empty()) return;
   std::vector<std::size_t> all(stage.scales.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -137,6 +140,7 @@ void respond(const Stage& stage, const Hypothesis& hypothesis, std::vector<Tried
     for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(calm[k] - moved[k]);
   }
   std::erase_if(probes, [](const TriedProbe& probe) { return probe.response.empty(); });
+  if (!whole.failure().empty()) failure = whole.failure();
 }
 
 /// The least cost with a probe of any size beside the model.
@@ -180,9 +184,11 @@ std::vector<TriedProbe> most_promising(const Hypothesis& hypothesis, std::vector
   return kept;
 }
 
-/// A probe or two a hypothesis: those that promise most over the shorter rungs.
+/// A probe or two a hypothesis: those that promise most over the shorter rungs. `failures`: by hypothesis, why its last
+/// simulation that failed did.
 std::vector<std::vector<TriedProbe>> best_probes(const Stage& stage, const ModelBench& bench,
-                                                 const std::vector<Hypothesis>& hypotheses) {
+                                                 const std::vector<Hypothesis>& hypotheses,
+                                                 std::vector<std::string>& failures) {
   const Ground& ground = stage.ground;
   const std::map<std::string, double> scales = data_scales(ground.task().trials);
   LinearLadder linear = linearise(stage.ladder, bench.predictor(), bench.space(), stage.fit, ground.block());
@@ -195,7 +201,8 @@ std::vector<std::vector<TriedProbe>> best_probes(const Stage& stage, const Model
     };
     for (SizedProbe& sized : size_probes(hypotheses[h], simulate, kWantedOfProbe, scales))
       probes[h].push_back({std::move(sized), {}});
-    respond(stage, hypotheses[h], probes[h]);
+    failures[h] = few.failure();
+    respond(stage, hypotheses[h], probes[h], failures[h]);
   });
   for (std::size_t h = 0; h < probes.size(); ++h) probes[h] = most_promising(hypotheses[h], probes[h], linear);
   return probes;
@@ -269,17 +276,18 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
   LinearLadder linear = linearise(ladder, bench.predictor(), bench.space(), stage.fit, ground.block());
   look.cost = linear.best({}).cost;
   std::vector<std::vector<TriedProbe>> probes(look.hypotheses.size());
+  std::vector<std::string> failures(look.hypotheses.size());
   if (known) {
     for (std::size_t h = 0; h < probes.size(); ++h)
       if (const auto found = known->find(name_of(look.hypotheses[h])); found != known->end())
         for (const SizedProbe& sized : found->second) probes[h].push_back({sized, {}});
   } else {
     const Ladder shorter = first_rungs(ladder, std::min(kRungsForProbes, ladder.rungs.size()));
-    probes = best_probes(stage_of(ground, bench, stage.model, shorter), bench, look.hypotheses);
+    probes = best_probes(stage_of(ground, bench, stage.model, shorter), bench, look.hypotheses, failures);
   }
   parallel_for(probes.size(), task.threads, [&](std::size_t h, int) {
     throw_if_interrupted();
-    respond(stage, look.hypotheses[h], probes[h]);
+    respond(stage, look.hypotheses[h], probes[h], failures[h]);
   });
   std::vector<Single> singles;
   for (std::size_t h = 0; h < probes.size(); ++h) {
@@ -301,8 +309,7 @@ Look look_beside(const Ground& ground, const Contender& model, const HorizonFit&
         best->plainly = plainly;
     }
     if (!best) {
-      look.untestable.push_back(
-          {look.hypotheses[h].entry.effect, look.hypotheses[h].where(), "nothing in these trials shows it"});
+      look.untestable.push_back(without_probes(look.hypotheses[h], failures[h]));
       continue;
     }
     look.promises.push_back(*best);

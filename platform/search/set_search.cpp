@@ -1,5 +1,6 @@
 #include "search/set_search.h"
 
+#include "foundation/figure_text.h"
 #include "foundation/interrupt.h"
 #include "search/set_order.h"
 #include "search/set_starts.h"
@@ -65,7 +66,7 @@ class SetSearch {
   std::size_t many(std::size_t usual) const {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(breadth_ * static_cast<double>(usual))));
   }
-  static std::string ratio(double cost, double to) { return fmt::format("×{:.3f}", std::exp(cost - to)); }
+  static std::string change(double cost, double to) { return "error " + error_change_text(std::exp(cost - to), 1.0); }
 
   const FittedSet& fit(const StartedSet& set) {
     const std::string name = name_of_set(set.model.added);
@@ -73,7 +74,7 @@ class SetSearch {
     throw_if_interrupted();
     const FittedSet& fitted = sets_.fit(set.model, set.ways);
     if (fitted.few.errors.valid)
-      say(fmt::format("  {}: {}", name, ratio(fitted.few.errors.cost, sets_.base().few.errors.cost)));
+      say(fmt::format("  {}: {}", name, change(fitted.few.errors.cost, sets_.base().few.errors.cost)));
     return fitted;
   }
 
@@ -172,8 +173,8 @@ class SetSearch {
   void say_finished(const FittedSet& set) const {
     if (set.all.valid())
       say(fmt::format("    {} on all: {} fitted, {} where not fitted", name_of_set(set.model.added),
-                      ratio(set.all.fit.errors.cost, sets_.base().all.fit.errors.cost),
-                      ratio(set.all.cross.cost, sets_.base().all.cross.cost)));
+                      change(set.all.fit.errors.cost, sets_.base().all.fit.errors.cost),
+                      change(set.all.cross.cost, sets_.base().all.cross.cost)));
   }
 
   const Ground& ground_;

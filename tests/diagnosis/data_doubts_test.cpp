@@ -236,10 +236,22 @@ TEST(DataDoubts, NameNoiseLargerThanTheSignal) {
               AllOf(testing::SizeIs(3), testing::Each(AllOf(HasSubstr("angle scatters by"), HasSubstr("rad")))));
 }
 
-TEST(DataDoubts, NameOneShortTrial) {
+/// Little data makes no figure wrong: that is no fault.
+TEST(DataDoubts, NameOneShortTrialAsALimit) {
   RecordedPendulum rig;
   rig.trials = {recorded({}, "multi.csv", multisine, 2.0, 1)};
-  EXPECT_THAT(faults_of(rig), ElementsAre(HasSubstr("hold 2 s, 4 stretches")));
+  EXPECT_THAT(faults_of(rig), IsEmpty());
+  EXPECT_THAT(limits_among(doubts_of(rig)),
+              ElementsAre(AllOf(HasSubstr("hold 2 s, 4 stretches"), HasSubstr("Record 3.5 s at least"))));
+}
+
+/// What is let go and comes to its end in 0.64 s is not recorded longer, but again: six times make 3.84 s.
+TEST(DataDoubts, AskForMoreRecordingsOfAMotionThatEndsByItself) {
+  RecordedPendulum rig;
+  rig.trials = {recorded({}, "fall.csv", [](double) { return 0.0; }, 0.64, 1, {.angle = 1.0})};
+  EXPECT_THAT(faults_of(rig), IsEmpty());
+  EXPECT_THAT(limits_among(doubts_of(rig)),
+              ElementsAre(AllOf(HasSubstr("hold 0.64 s, 1 stretch of 0.5 s"), HasSubstr("record it 6 times or more"))));
 }
 
 TEST(DataDoubts, NoteThatNothingIsHeldOutOrThatThereIsOneFile) {

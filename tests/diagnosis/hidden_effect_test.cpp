@@ -203,7 +203,7 @@ TEST(PresentEffect, ThatIsNotQuiteOfTheRightFormIsNoReasonToAddAnother) {
       diagnosed({.inertia = 0.03, .damping = 0.01, .friction = 0.03, .backward = 0.001, .noise = 2e-3},
                 {"joint_offset_torque"}, {friction_in_model(0.03)});
   EXPECT_EQ(slight.verdict, Verdict::nothing_missing) << slight.base_times_floor;
-  EXPECT_LT(slight.p_by_chance, 0.01) << "and yet it is beyond chance";
+  EXPECT_LT(slight.p_by_chance.value(), 0.01) << "and yet it is beyond chance";
   EXPECT_THAT(slight.findings, testing::Contains(testing::HasSubstr("what coulomb_friction @ joint.hinge explains")));
 
   const Diagnosis strong =

@@ -50,8 +50,7 @@ TEST_P(OddRigs, TellTheirDryFriction) {
   EXPECT_EQ(name_of_set(answer.model.added), "coulomb_friction @ joint.hinge");
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, OddRigs, testing::ValuesIn(odd_rigs()),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Each, OddRigs, testing::ValuesIn(odd_rigs()), [](const auto& rig) { return rig.param.name; });
 
 /// Of a joint that never moves no prediction can be judged.
 TEST(OddRig, ThatNeverMovesTellsNothing) {

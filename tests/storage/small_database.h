@@ -104,6 +104,7 @@ inline DiagnosisRecord found_friction() {
   friction_candidate.values = {{"coulomb_friction", "joint.hinge", "torque", "N*m", 0.131, 0.126, 0.136}};
   return {.settings = "all effects",
           .verdict = "effect_found",
+          .method = "likelihood",
           .probability = 0.97,
           .chance = 0.0005,
           .hypotheses = 43,

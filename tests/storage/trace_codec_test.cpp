@@ -94,6 +94,8 @@ TEST(TraceCodec, PartsThatDoNotFitTogetherAreRefused) {
               HasSubstr("inconsistent"));
   for (const char* channels : {"", "[", "[1]", "[{}]", R"([{"name": "a", "unit": 1}])"})
     EXPECT_THAT(message(series, [&](EncodedTrace& trace) { trace.channels = channels; }), HasSubstr("channels"));
+  const std::string deep = std::string(80'000, '[') + std::string(80'000, ']');
+  EXPECT_THAT(message(series, [&](EncodedTrace& trace) { trace.channels = deep; }), HasSubstr("channels"));
 }
 
 }  // namespace

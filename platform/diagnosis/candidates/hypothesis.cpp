@@ -2,11 +2,13 @@
 
 #include "foundation/address.h"
 #include "foundation/guarded_call.h"
+#include "foundation/plugin_fault.h"
 
 #include <lacuna/error.h>
 #include <lacuna/physical_effect.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace lacuna {
@@ -96,9 +98,30 @@ std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::v
     if (listing.problem.empty())
       names.push_back(listing.name);
     else
-      untestable.push_back({listing.name, "", reason_of(listing)});
+      untestable.push_back({listing.name, "", reason_of(listing), true});
   }
   return names;
+}
+
+/// What a sentence says that a component did, without its file; nothing where it says nothing of it.
+std::optional<std::string> deed_of(const ComponentOrigin& origin, const std::string& sentence) {
+  const std::string name = to_string(origin) + ": ";
+  const std::size_t at = sentence.find(name);
+  if (at == std::string::npos) return std::nullopt;
+  const std::string deed = sentence.substr(at + name.size());
+  return deed.substr(0, deed.find_last_not_of(' ') + 1);
+}
+
+/// What the effect says of itself; nothing, and a reason, where it fails to.
+std::optional<EffectDescription> describe(const PluginCatalog& catalog, const std::string& name,
+                                          std::vector<Untestable>& untestable) {
+  const PhysicalEffect& effect = catalog.get<PhysicalEffect>(name);
+  try {
+    return guarded_call(catalog.origin<PhysicalEffect>(name), "describe", [&] { return effect.describe(); });
+  } catch (const ComponentError& error) {
+    untestable.push_back({name, "", error.reason(), true});
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -120,6 +143,19 @@ std::vector<double> Hypothesis::values(const std::vector<double>& of_base, const
   return all;
 }
 
+Untestable without_probes(const Hypothesis& hypothesis, const std::string& failure) {
+  Untestable result{hypothesis.entry.effect, hypothesis.where(), "nothing in these trials shows it"};
+  const std::vector<PlacedEffect>& effects = hypothesis.definition.structure.effects;
+  const auto own = std::find_if(effects.begin(), effects.end(),
+                                [&](const PlacedEffect& placed) { return placed.id == hypothesis.entry.id; });
+  if (own == effects.end()) return result;
+  if (const std::optional<std::string> deed = deed_of(origin_of(*own), failure)) {
+    result.reason = *deed;
+    result.failed = true;
+  }
+  return result;
+}
+
 Experiment with_effect(Experiment experiment, EffectEntry entry) {
   if (entry.id.empty()) entry.id = free_id(experiment.model.effects, entry.effect);
   experiment.model.effects.push_back(std::move(entry));
@@ -131,22 +167,27 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
                                         std::vector<Untestable>& untestable) {
   std::vector<Hypothesis> all;
   for (const std::string& name : effect_names(catalog, among, untestable)) {
-    const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
+    const std::optional<EffectDescription> description = describe(catalog, name, untestable);
+    if (!description) continue;
     std::vector<Untestable> reasons;
     const std::size_t before = all.size();
-    for (const ElementKind kind : description.placements)
+    for (const ElementKind kind : description->placements)
       for (const std::string& place : places(base.structure.robot, kind)) {
         if (is_there(base, name, place)) continue;
         EffectEntry entry;
         entry.effect = name;
         if (!place.empty()) entry.where = {place};
         try {
-          all.push_back(make(experiment, catalog, base, description, std::move(entry)));
+          all.push_back(make(experiment, catalog, base, *description, std::move(entry)));
         } catch (const Error& error) {
-          reasons.push_back({name, place, reason_of(error)});
+          const std::string reason = reason_of(error);
+          const std::string deed = deed_of(catalog.origin<PhysicalEffect>(name), reason).value_or(reason);
+          reasons.push_back({name, place, deed, blames_plugin(deed)});
         }
       }
-    if (all.size() == before && !reasons.empty()) untestable.push_back(reasons.front());
+    // Of several places one reason is enough, and a failure of the plugin is told even where others worked.
+    std::stable_partition(reasons.begin(), reasons.end(), [](const Untestable& one) { return one.failed; });
+    if (!reasons.empty() && (all.size() == before || reasons.front().failed)) untestable.push_back(reasons.front());
   }
   return all;
 }

@@ -33,11 +33,12 @@ bool is_length(const FreeValue& free);
 /// elsewhere.
 bool has_place(const Hypothesis& hypothesis);
 
-/// Why an effect cannot be tested here.
+/// Why an effect is not tested.
 struct Untestable {
   std::string effect;
   std::string where;  ///< empty: nowhere
   std::string reason;
+  bool failed = false;  ///< its plugin failed; else it has no place here, or nothing shows it
   bool operator==(const Untestable&) const = default;
 };
 
@@ -47,6 +48,10 @@ struct Untestable {
 std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const PluginCatalog& catalog,
                                         const ModelDefinition& base, const std::vector<std::string>& among,
                                         std::vector<Untestable>& untestable);
+
+/// For one whose probes all show nothing or fail. `failure`: why its last simulation that failed did; empty: none did.
+/// What the effect did wrong in a step is its plugin's failure.
+Untestable without_probes(const Hypothesis& hypothesis, const std::string& failure);
 
 /// The experiment with one effect more, under an id that is not taken.
 Experiment with_effect(Experiment experiment, EffectEntry entry);

@@ -120,25 +120,41 @@ std::vector<Look> look_at_all(const DoubtTask& task) {
   return looks;
 }
 
+/// What ends by itself, as a fall or a swing that is let go does, cannot be recorded longer, but again.
+Doubt too_little_doubt(double seconds, std::size_t trials, bool driven) {
+  const double least = kStretch * kFewestPerTrial;
+  const auto stretches = static_cast<std::size_t>(seconds / kStretch);
+  const double times = std::ceil(least / seconds * static_cast<double>(trials));
+  const std::string advice =
+      driven ? fmt::format("Record {} s at least, in one file or several; better ten times as much", least)
+             : fmt::format(
+                   "Nothing drives this motion: if it ends by itself, record it {:.0f} times or more, from other "
+                   "starts and at a higher rate; else record {} s at least",
+                   times, least);
+  return {
+      Severity::too_little,
+      fmt::format("the fit files hold {:.3g} s, {} of {} s, which limits what they can tell: so few agree by chance "
+                  "too often for models to be compared by likelihood. {}",
+                  seconds, stretches == 1 ? "1 stretch" : fmt::format("{} stretches", stretches), kStretch, advice)};
+}
+
 }  // namespace
 
 std::vector<Doubt> amount_doubts(const DoubtTask& task) {
   std::vector<Doubt> doubts;
   double seconds = 0.0;
   std::size_t fitted = 0;
+  bool driven = false;
   const Trial* only = nullptr;
   for (const Trial& trial : task.trials) {
     if (trial.held_out || trial.measured.times.size() == 0) continue;
     ++fitted;
     only = &trial;
+    driven = driven || command_range(trial) > 0.0;
     seconds += trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0);
   }
   if (fitted == 0) return doubts;
-  if (seconds < kStretch * kFewestPerTrial - 1e-9)
-    doubts.push_back({Severity::too_little,
-                      fmt::format("the fit files hold {:.3g} s, {:.0f} stretches of {} s: as many agree by chance too "
-                                  "often; record {} s at least, better ten times as much",
-                                  seconds, std::floor(seconds / kStretch), kStretch, kStretch * kFewestPerTrial)});
+  if (seconds < kStretch * kFewestPerTrial - 1e-9) doubts.push_back(too_little_doubt(seconds, fitted, driven));
   if (fitted == 1)
     doubts.push_back({Severity::note,
                       fmt::format("{} is the only file to fit to: models are judged on parts of it that they were not "

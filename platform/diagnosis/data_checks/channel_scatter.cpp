@@ -1,20 +1,22 @@
 #include "diagnosis/data_checks/channel_scatter.h"
 
+#include "measurement/line_departures.h"
+
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace lacuna {
 
 double scatter_of(const TimeSeries& series, Eigen::Index channel) {
-  constexpr double kPower = 6.0;  // 1² + 2² + 1²
+  const auto column = series.samples.col(channel);
+  const std::vector<double> values(column.begin(), column.end());
   double squares = 0.0, count = 0.0;
-  for (Eigen::Index i = 2; i < series.samples.rows(); ++i) {
-    const double second =
-        series.samples(i, channel) - 2.0 * series.samples(i - 1, channel) + series.samples(i - 2, channel);
-    if (!std::isfinite(second)) continue;
-    squares += second * second;
+  for (const double departure : line_departures(std::span(series.times.data(), values.size()), values)) {
+    squares += departure * departure;
     count += 1.0;
   }
-  return count == 0.0 ? 0.0 : std::sqrt(squares / (kPower * count));
+  return count == 0.0 ? 0.0 : std::sqrt(squares / count);
 }
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include "diagnosis/data_checks/channel_doubts.h"
 #include "diagnosis/data_checks/command_doubts.h"
 #include "diagnosis/data_checks/copy_doubts.h"
+#include "diagnosis/data_checks/reading_scale.h"
 #include "diagnosis/data_checks/trial_doubts.h"
 #include "diagnosis/data_checks/unit_doubts.h"
 #include "fitting/noise_floor.h"
@@ -28,10 +29,19 @@ std::vector<Doubt> motion_doubts(const DoubtTask& all) {
   const AccelerationTable table = acceleration_table(task, noise);
   // A wrong unit explains what else is to be seen.
   if (const std::optional<Doubt> unit = unit_doubt(task, table, noise)) return {*unit};
+  if (const std::optional<ReadingScale> scale = reading_scale(task))
+    return {{Severity::fault, to_string(*scale) + "; check counts per turn, gears and unit of the column"}};
   const CommandLags lags = command_lags(task, table);
   std::vector<Doubt> doubts = command_doubts(task, table, lags);
   for (Doubt& doubt : trial_doubts(table, lags)) doubts.push_back(std::move(doubt));
   return doubts;
+}
+
+std::vector<std::string> sentences_of(Severity severity, const std::vector<Doubt>& doubts) {
+  std::vector<std::string> sentences;
+  for (const Doubt& doubt : doubts)
+    if (doubt.severity == severity) sentences.push_back(doubt.sentence);
+  return sentences;
 }
 
 }  // namespace
@@ -51,10 +61,11 @@ std::vector<Doubt> data_doubts(const DoubtTask& task) {
 }
 
 std::vector<std::string> faults_among(const std::vector<Doubt>& doubts) {
-  std::vector<std::string> sentences;
-  for (const Doubt& doubt : doubts)
-    if (doubt.severity != Severity::note) sentences.push_back(doubt.sentence);
-  return sentences;
+  return sentences_of(Severity::fault, doubts);
+}
+
+std::vector<std::string> limits_among(const std::vector<Doubt>& doubts) {
+  return sentences_of(Severity::too_little, doubts);
 }
 
 bool too_little_for_likelihoods(const std::vector<Doubt>& doubts) {

@@ -1,5 +1,7 @@
 #include "diagnosis/findings/diagnosis.h"
 
+#include <algorithm>
+
 namespace lacuna {
 
 std::string_view to_string(Verdict verdict) {
@@ -21,5 +23,17 @@ std::string_view to_string(FigureUnit unit) {
   }
   return "";
 }
+
+std::string_view to_string(DiagnosisMethod method) {
+  return method == DiagnosisMethod::likelihood ? "likelihood" : "horizon";
+}
+
+std::optional<DiagnosisMethod> method_of(const Diagnosis& diagnosis) {
+  if (!diagnosis.horizons.empty()) return DiagnosisMethod::horizon;
+  if (!diagnosis.base.empty()) return DiagnosisMethod::likelihood;
+  return std::nullopt;
+}
+
+double gained(const std::optional<Gain>& gain) { return gain ? std::max(0.0, gain->value) : 0.0; }
 
 }  // namespace lacuna

@@ -24,6 +24,13 @@ namespace lacuna {
 enum class Verdict { nothing_missing, effect_found, not_in_library, cannot_tell };
 std::string_view to_string(Verdict verdict);
 
+/// What the verdict was read from, and with it the meaning of gains and of errors in multiples of the floor.
+enum class DiagnosisMethod {
+  likelihood,  ///< gains: log likelihood of what was left out, nats; errors: on what was left out
+  horizon      ///< gains: mean logarithm of the error where it was not fitted, nats; errors: on what was fitted
+};
+std::string_view to_string(DiagnosisMethod method);
+
 /// A parameter of a found effect, SI. NaN bounds: at a bound of its range, or not told by the data.
 struct FoundParameter {
   std::string name;
@@ -73,11 +80,12 @@ struct HorizonError {
 struct RankedModel {
   std::vector<FoundEffect> effects;
   std::vector<std::string> look_alikes;  ///< what these data do not tell from its last effect, "name @ where"
-  Gain gain;                             ///< of the mean log error where it was not fitted, over the base, nats
-  double probability = 0.0;              ///< among the ranking and the base; uncalibrated
+  Gain gain;                             ///< over the base, see `DiagnosisMethod`
+  std::optional<double> probability;     ///< among the ranking and the base; uncalibrated. Likelihoods alone tell it
   std::vector<ChannelError> errors;
-  double times_floor = 0.0;  ///< held-out RMS over the floor, over all channels
-  double segment = 0.0;      ///< s, of the segments that the errors are about
+  /// RMS over the floor, over all channels, see `DiagnosisMethod`. NaN: not told yet.
+  double times_floor = std::numeric_limits<double>::quiet_NaN();
+  double segment = 0.0;  ///< s, of the segments that the errors are about
   bool operator==(const RankedModel&) const = default;
 };
 
@@ -122,11 +130,13 @@ struct Diagnosis {
   /// The model's own free values, by address, fitted beside the answer under the estimated noise; empty where no
   /// verdict says that the model is right with it.
   std::vector<FoundParameter> values;
-  double p_by_chance = 1.0;   ///< how often noise alone reaches the first round's best score
-  double chance_95 = 0.0;     ///< nats, of the first round
-  double free_force_p = 1.0;  ///< whether a force of any form still explains more than noise, after the answer
-  Gain free_force_gain;       ///< of that force, over the answer
-  Gain answer_gain;           ///< of the answer over the model without any effect, in the noise of `free_force_gain`
+  // What is not there was not asked: by errors over horizons none of these is but the last.
+  std::optional<double> p_by_chance;   ///< how often noise alone reaches the first round's best score
+  std::optional<double> chance_95;     ///< nats, of the first round
+  std::optional<double> free_force_p;  ///< whether a force of any form still explains more than noise, after the answer
+  std::optional<Gain> free_force_gain;  ///< of that force, over the answer
+  /// Of the answer over the model without any effect, in the noise of `free_force_gain`.
+  std::optional<Gain> answer_gain;
   std::vector<ForceCurve> residual_force;  ///< that force, where it explains more than noise
   std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
   bool formulas_of_rest = false;         ///< for what the answer leaves, under its noise; else for what the model lacks
@@ -140,6 +150,12 @@ struct Diagnosis {
   std::optional<StoppedSearch> stopped;       ///< then no probability is stated, and `findings` says so first
   double seconds = 0.0;
 };
+
+/// Nothing where nothing was searched.
+std::optional<DiagnosisMethod> method_of(const Diagnosis& diagnosis);
+
+/// Nats; 0 where it is not known, or nothing.
+double gained(const std::optional<Gain>& gain);
 
 /// Whether the answer is to be added although something is left that the library does not have: it gains nearly all
 /// that a force of free form beside it would leave to be gained, or more than the formula does.

@@ -60,8 +60,8 @@ class TimedModel {
 
 }  // namespace
 
-std::vector<FreeValue> with_timing(std::vector<FreeValue> free) {
-  free.push_back({.address = "timing", .unit = "1", .lower = -kMostTiming, .upper = kMostTiming, .start = 0.0});
+std::vector<FreeValue> with_timing(std::vector<FreeValue> free, const TimingRange& range) {
+  free.push_back({.address = "timing", .unit = "1", .lower = range.earliest, .upper = range.latest, .start = 0.0});
   return free;
 }
 

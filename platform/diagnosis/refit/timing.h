@@ -13,8 +13,13 @@ namespace lacuna {
 inline constexpr double kMostTiming = 1.0;  ///< command intervals, later or earlier
 inline constexpr double kTimingVariance = kMostTiming * kMostTiming / 3.0;
 
+/// Command intervals by which commands may act earlier (negative) or later than recorded.
+struct TimingRange {
+  double earliest = -kMostTiming, latest = kMostTiming;
+};
+
 /// A model's free values, and how many command intervals later than recorded all commands act.
-std::vector<FreeValue> with_timing(std::vector<FreeValue> free);
+std::vector<FreeValue> with_timing(std::vector<FreeValue> free, const TimingRange& range = {});
 
 /// s: of all trials the longest `command_interval`; 0 where nothing is commanded.
 double longest_command_interval(const std::vector<Trial>& trials);

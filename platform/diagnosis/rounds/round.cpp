@@ -15,12 +15,14 @@
 namespace lacuna {
 namespace {
 
-std::vector<std::vector<Probe>> all_probes(const Round& round, int threads) {
+/// `failures`: by hypothesis, why its last simulation that failed did.
+std::vector<std::vector<Probe>> all_probes(const Round& round, int threads, std::vector<std::string>& failures) {
   const std::map<std::string, double> scales = data_scales(round.base.trials);
   std::vector<std::vector<Probe>> probes(round.hypotheses.size());
+  failures.assign(round.hypotheses.size(), {});
   parallel_for(probes.size(), threads, [&](std::size_t h, int) {
     throw_if_interrupted();
-    probes[h] = find_probes(round.hypotheses[h], round.base, round.bins, scales);
+    probes[h] = find_probes(round.hypotheses[h], round.base, round.bins, scales, failures[h]);
   });
   return probes;
 }
@@ -101,11 +103,10 @@ class Look {
     const RobotSpec& robot = model_.definition.structure.robot;
     round_.hypotheses =
         list_hypotheses(model_.experiment, task_.catalog, model_.definition, task_.among, round_.untestable);
-    probes_ = all_probes(round_, task_.threads);
+    std::vector<std::string> failures;
+    probes_ = all_probes(round_, task_.threads, failures);
     for (std::size_t h = 0; h < probes_.size(); ++h)
-      if (probes_[h].empty())
-        round_.untestable.push_back(
-            {round_.hypotheses[h].entry.effect, round_.hypotheses[h].where(), "nothing in these trials shows it"});
+      if (probes_[h].empty()) round_.untestable.push_back(without_probes(round_.hypotheses[h], failures[h]));
     const StartStates states(robot, bench_.predictor(), round_.base.noise);
     motions_ = joint_motions(round_.base, robot, model_.model->coordinates(), states, round_.forces);
     force_ = free_force(motions_, round_.forces);

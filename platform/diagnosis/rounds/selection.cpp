@@ -146,11 +146,11 @@ void weigh(Diagnosis& diagnosis) {
   for (const RankedModel& model : diagnosis.ranking) total += std::exp(model.gain.value - most);
   for (RankedModel& model : diagnosis.ranking) model.probability = std::exp(model.gain.value - most) / total;
   switch (diagnosis.verdict) {
-    case Verdict::nothing_missing: diagnosis.probability = std::sqrt(diagnosis.p_by_chance); break;
+    case Verdict::nothing_missing: diagnosis.probability = std::sqrt(diagnosis.p_by_chance.value_or(1.0)); break;
     case Verdict::effect_found:
       diagnosis.probability = std::min(1.0 - std::exp(-most) / total, above_zero(diagnosis.ranking.front().gain));
       break;
-    case Verdict::not_in_library: diagnosis.probability = 1.0 - diagnosis.free_force_p; break;
+    case Verdict::not_in_library: diagnosis.probability = 1.0 - diagnosis.free_force_p.value_or(1.0); break;
     case Verdict::cannot_tell: diagnosis.probability = std::numeric_limits<double>::quiet_NaN(); break;
   }
 }

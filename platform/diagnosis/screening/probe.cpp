@@ -31,6 +31,8 @@ class Bench {
   bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
     return problem_.residuals({space_.to_coordinates(hypothesis_.values(base_.values, own)), states_}, residuals);
   }
+  /// Why the last simulation that failed did; empty: none did.
+  const std::string& failure() const { return problem_.last_reason(); }
   /// Segments of the base that are simulated.
   const std::vector<std::size_t>& segments() const { return segments_; }
 
@@ -88,7 +90,7 @@ bool starts_at_base(const std::vector<Eigen::VectorXd>& calm, const std::vector<
 }  // namespace
 
 std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
-                               const std::map<std::string, double>& scales) {
+                               const std::map<std::string, double>& scales, std::string& failure) {
   const TrialPredictor predictor(*hypothesis.model, base.trials, 1);
   Bench few(hypothesis, predictor, base, segments_for_sizes(base));
   const OwnResiduals simulate = [&](const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
@@ -97,6 +99,7 @@ std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution&
   std::vector<Probe> probes;
   for (SizedProbe& sized : size_probes(hypothesis, simulate, {kEnough, kAimedAt, base.free_run}, scales))
     probes.push_back({std::move(sized.own), sized.one_sided, {}});
+  failure = few.failure();
   if (probes.empty()) return {};
   Bench bench(hypothesis, predictor, base, all_segments(base));
   std::vector<Eigen::VectorXd> calm, moved;
@@ -105,7 +108,10 @@ std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution&
     calm.clear();
     for (const LinearSegment& segment : base.linear) calm.push_back(segment.residual);
   } else {
-    if (!bench.residuals(hypothesis.neutral, calm)) return {};
+    if (!bench.residuals(hypothesis.neutral, calm)) {
+      failure = bench.failure();
+      return {};
+    }
     for (std::size_t k = 0; k < calm.size(); ++k) calm[k] = bins.means(k, calm[k]);
   }
   for (Probe& probe : probes) {
@@ -113,6 +119,7 @@ std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution&
     for (std::size_t k = 0; k < calm.size(); ++k) probe.response.emplace_back(calm[k] - bins.means(k, moved[k]));
   }
   std::erase_if(probes, [](const Probe& probe) { return probe.response.empty(); });
+  if (!bench.failure().empty()) failure = bench.failure();
   return probes;
 }
 

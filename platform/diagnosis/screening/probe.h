@@ -19,8 +19,9 @@ struct Probe {
 };
 
 /// Probes of a hypothesis around a base solution; a parameter that changes nothing by itself (it shapes the effect) is
-/// tried at a few values that `scales` suggest. Empty: nothing that the effect does here can be seen. Single-threaded.
+/// tried at a few values that `scales` suggest. Empty: nothing that the effect does here can be seen; `failure` says
+/// why the last simulation that failed did. Single-threaded.
 std::vector<Probe> find_probes(const Hypothesis& hypothesis, const BaseSolution& base, const RowBins& bins,
-                               const std::map<std::string, double>& scales);
+                               const std::map<std::string, double>& scales, std::string& failure);
 
 }  // namespace lacuna

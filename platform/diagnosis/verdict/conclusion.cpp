@@ -44,12 +44,13 @@ VerdictFigures figures_of_search(const Diagnosis& diagnosis, const SearchOutcome
   figures.has_answer = !outcome.answer.added.empty();
   figures.outdone = outcome.law_ahead.has_value();
   figures.law_ahead = with_range(outcome.law_ahead.value_or(0.0));
-  figures.answer_share =
-      share_with_range(std::max(0.0, diagnosis.answer_gain.value), std::max(0.0, diagnosis.free_force_gain.value));
+  figures.answer_share = share_with_range(gained(diagnosis.answer_gain), gained(diagnosis.free_force_gain));
   figures.structure_p = {last.free_force.p, last.free_force.p_low, last.free_force.p_high};
-  figures.structure_gain = lower_with_range(diagnosis.free_force_gain, std::max(0.0, best_further(last)));
-  figures.answer_gain = with_range(diagnosis.answer_gain.value);
-  figures.answer_lower = lower_with_range(diagnosis.answer_gain);
+  const Gain answer = diagnosis.answer_gain.value_or(Gain());
+  figures.structure_gain =
+      lower_with_range(diagnosis.free_force_gain.value_or(Gain()), std::max(0.0, best_further(last)));
+  figures.answer_gain = with_range(answer.value);
+  figures.answer_lower = lower_with_range(answer);
   figures.chance_p = {last.screening.p, last.screening.p_low, last.screening.p_high};
   return figures;
 }
@@ -61,20 +62,20 @@ std::string judge_form(Diagnosis& diagnosis, const SearchOutcome& outcome, Verdi
   const std::optional<PresentEffects> explained = outcome.present();
   if (!explained || !(explained->gain.lower_95 > 0.0)) return "";
   const PresentEffects& present = *explained;
-  const double gained =
-      std::max({0.0, diagnosis.answer_gain.value, diagnosis.free_force_gain.value, best_further(outcome.last)});
+  const double further =
+      std::max({gained(diagnosis.answer_gain), gained(diagnosis.free_force_gain), best_further(outcome.last)});
   figures.may_be_form = true;
-  figures.form_share = with_range(gained / present.gain.value);
+  figures.form_share = with_range(further / present.gain.value);
   figures.base_error = with_range(diagnosis.base_times_floor, kLastDigitsOfError);
   if (!is_form_only(figures)) return "";
   diagnosis.verdict = Verdict::nothing_missing;
   diagnosis.form_only = true;
-  const double share = gained / present.gain.value;
+  const double share = further / present.gain.value;
   diagnosis.probability = 1.0 - share;
   return fmt::format(
       "what is left to be gained, {:.1f} nats, is {:.2g} % of what {} explain{}: it more likely makes up for {} form, "
       "and the model is at the floor without it",
-      gained, 100.0 * share, fmt::join(present.names, " and "), present.names.size() == 1 ? "s" : "",
+      further, 100.0 * share, fmt::join(present.names, " and "), present.names.size() == 1 ? "s" : "",
       present.names.size() == 1 ? "its" : "their");
 }
 
@@ -119,8 +120,10 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
     diagnosis.ranking.front().segment = last.base.segment;
   }
   diagnosis.forces = random_forces(last);
-  diagnosis.free_force_p = last.free_force.p;
-  diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, outcome.seed);
+  if (last.free_force.freedom > 0) {  // else no force could be tested
+    diagnosis.free_force_p = last.free_force.p;
+    diagnosis.free_force_gain = gain(last.held_out, last.free_force.held_out, outcome.seed);
+  }
   measure_by(errors, last.base.segment, diagnosis);
   VerdictFigures figures = figures_of_search(diagnosis, outcome);
   diagnosis.verdict = verdict_of_search(figures);
@@ -130,7 +133,7 @@ void conclude(Diagnosis& diagnosis, const SearchOutcome& outcome) {
   figures.missed_motion = with_range(missed_motion(last.base, errors), kLastDigitsOfError);
   if (verdict_of(figures) != diagnosis.verdict) cannot_tell(diagnosis);
   diagnosis.at_threshold = at_thresholds(figures);
-  const bool structure_left = diagnosis.free_force_p < kFreeForceLevel;
+  const bool structure_left = last.free_force.p < kFreeForceLevel;
   if (diagnosis.verdict != Verdict::not_in_library && !(diagnosis.verdict == Verdict::effect_found && structure_left)) {
     diagnosis.residual_force.clear();
     diagnosis.formulas.clear();

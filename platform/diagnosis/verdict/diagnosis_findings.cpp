@@ -49,7 +49,7 @@ std::string soaked_up(const BaseValues& base, const Contender& contender, const 
 std::string what_is_left(const Diagnosis& diagnosis) {
   const double before = std::pow(diagnosis.base_times_floor, 2) - 1.0;
   const double after = std::pow(diagnosis.ranking.front().times_floor, 2) - 1.0;
-  if (diagnosis.free_force_p >= kFreeForceLevel || before <= 0.0)
+  if (diagnosis.free_force_p.value_or(1.0) >= kFreeForceLevel || before <= 0.0)
     return "what is left depends on no joint's position, velocity or command";
   return fmt::format("{:.1f} % of the squared error above the floor is left, and it has structure",
                      100.0 * std::clamp(after / before, 0.0, 1.0));
@@ -59,7 +59,7 @@ std::string what_is_left(const Diagnosis& diagnosis) {
 std::string what_was_not_taken(const Diagnosis& diagnosis, const Round& last) {
   if (last.rivals.empty() || last.screening.p > kFurtherLevel) return "";
   const Rival& best = last.rivals.front();
-  const double share = best.gain.value / diagnosis.answer_gain.value;
+  const double share = best.gain.value / diagnosis.answer_gain.value_or(Gain()).value;
   if (best.gain.value < kWorthSaying || share > kHardly) return "";
   return fmt::format(
       "{} beside it would gain {:.1f} nats more, {:.2g} % of what is explained: it more likely makes up for a form",
@@ -94,8 +94,7 @@ std::string off_time(const Round& last) {
 /// Of all that is to be gained, all told under one noise.
 double share_of_answer(const Diagnosis& diagnosis) {
   if (diagnosis.ranking.empty() || diagnosis.ranking.front().effects.empty()) return 0.0;
-  const double answer = std::max(0.0, diagnosis.answer_gain.value);
-  const double all = answer + std::max(0.0, diagnosis.free_force_gain.value);
+  const double answer = gained(diagnosis.answer_gain), all = answer + gained(diagnosis.free_force_gain);
   return all > 0.0 ? answer / all : 0.0;
 }
 
@@ -104,8 +103,9 @@ double share_of_answer(const Diagnosis& diagnosis) {
 bool answer_comes_first(const Diagnosis& diagnosis) {
   const bool is_most = share_of_answer(diagnosis) >= kAnswerIsMost;
   if (is_most || diagnosis.formulas.empty()) return is_most;
-  const Gain& answer = diagnosis.formulas_of_rest ? diagnosis.answer_gain : diagnosis.ranking.front().gain;
-  return share_of_answer(diagnosis) > 0.0 && answer.value > diagnosis.formulas.front().gain.value;
+  const double answer =
+      diagnosis.formulas_of_rest ? gained(diagnosis.answer_gain) : diagnosis.ranking.front().gain.value;
+  return share_of_answer(diagnosis) > 0.0 && answer > diagnosis.formulas.front().gain.value;
 }
 
 std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValues& base, const Contender& contender,
@@ -114,12 +114,12 @@ std::vector<std::string> findings_of(const Diagnosis& diagnosis, const BaseValue
   const bool tested = !last.forces.joints.empty();
   switch (diagnosis.verdict) {
     case Verdict::cannot_tell:
-      if (!contender.added.empty()) {
+      if (!contender.added.empty() && diagnosis.answer_gain) {
         findings.push_back(
             fmt::format("what the search ended with, {}, predicts what was left out by {:.1f} ± {:.1f} nats better "
                         "than the model alone, no more than chance might: more trials, or livelier ones, would tell",
-                        fmt::join(names_of(contender.added), " and "), diagnosis.answer_gain.value,
-                        1.96 * diagnosis.answer_gain.standard_error));
+                        fmt::join(names_of(contender.added), " and "), diagnosis.answer_gain->value,
+                        1.96 * diagnosis.answer_gain->standard_error));
         break;
       }
       if (last.screening.p > kFirstLevel) break;

@@ -29,8 +29,8 @@ double sureness(const Gain& gain) {
 
 void add_answer(const Diagnosis& diagnosis, bool steady, Evidence& evidence) {
   const RankedModel& answer = diagnosis.ranking.front();
-  evidence["log_gain"] = std::log10(std::max(1.0, diagnosis.answer_gain.value));
-  evidence["sureness"] = sureness(diagnosis.answer_gain);
+  evidence["log_gain"] = std::log10(std::max(1.0, gained(diagnosis.answer_gain)));
+  evidence["sureness"] = sureness(diagnosis.answer_gain.value_or(Gain()));
   evidence["log_lead"] = std::log10(1.0 + lead(diagnosis.ranking));
   evidence["further_effects"] = static_cast<double>(answer.effects.size()) - 1.0;
   evidence["look_alikes"] = static_cast<double>(answer.look_alikes.size());
@@ -42,8 +42,8 @@ void add_answer(const Diagnosis& diagnosis, bool steady, Evidence& evidence) {
 
 Evidence evidence_of(const Diagnosis& diagnosis, bool steady) {
   Evidence evidence;
-  evidence["surprise"] = -std::log10(std::max(kLeastP, diagnosis.p_by_chance));
-  evidence["structure"] = -std::log10(std::max(kLeastP, diagnosis.free_force_p));
+  evidence["surprise"] = -std::log10(std::max(kLeastP, diagnosis.p_by_chance.value_or(1.0)));
+  evidence["structure"] = -std::log10(std::max(kLeastP, diagnosis.free_force_p.value_or(1.0)));
   evidence["log_base_error"] = std::log10(std::clamp(diagnosis.base_times_floor, 0.1, 100.0));
   if (!diagnosis.ranking.empty() && !diagnosis.ranking.front().effects.empty()) add_answer(diagnosis, steady, evidence);
   std::erase_if(evidence, [](const auto& one) { return !std::isfinite(one.second); });

@@ -36,7 +36,7 @@ void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagno
   diagnosis.probability = std::numeric_limits<double>::quiet_NaN();
   diagnosis.calibrated = false;
   diagnosis.at_threshold.clear();
-  for (RankedModel& model : diagnosis.ranking) model.probability = std::numeric_limits<double>::quiet_NaN();
+  for (RankedModel& model : diagnosis.ranking) model.probability.reset();
   stop.next = what_to_do(kept_models);
   std::vector<std::string> sentences = {
       fmt::format("The search was {}, during: {}.", stopped_by_time_limit(), stop.during),

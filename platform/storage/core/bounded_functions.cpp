@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cstring>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -84,7 +85,7 @@ std::vector<std::string_view> characters(std::string_view text) {
 }
 
 template <bool Left, bool Right>
-void trim(sqlite3_context* context, int count, sqlite3_value** values) {
+void trim(sqlite3_context* context, int count, sqlite3_value** values) try {
   if (any_null(count, values)) return;
   std::string_view text = text_of(values[0]);
   const std::string_view taken = count > 1 ? text_of(values[1]) : std::string_view(" ");
@@ -104,6 +105,8 @@ void trim(sqlite3_context* context, int count, sqlite3_value** values) {
   if constexpr (Right)
     strip([&](std::string_view c) { return text.ends_with(c); }, [&](std::size_t n) { text.remove_suffix(n); });
   sqlite3_result_text64(context, text.empty() ? "" : text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+} catch (const std::exception&) {
+  sqlite3_result_error_nomem(context);
 }
 
 /// Whether a format repeats a character more than `most` times: `%.5c`, or `%.*c` with the number among the values.

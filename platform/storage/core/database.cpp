@@ -105,12 +105,13 @@ Database& Database::operator=(Database&& other) noexcept {
 }
 
 Database::~Database() {
-  if (!connection_ || !place_ || !lost_.empty() || is_in_place()) return;
-  roll_back();
+  if (!connection_ || !place_ || !lost_.empty()) return;
   try {
+    if (is_in_place()) return;
+    roll_back();
     check_in_place();
   } catch (const Error& lost) {
-    fmt::print(stderr, "{}\n", lost.what());
+    std::fprintf(stderr, "%s\n", lost.what());
   } catch (const std::exception&) {
     // SQLite keeps the log where it is, and whoever opens the file next looks at it.
   }

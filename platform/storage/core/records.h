@@ -254,8 +254,9 @@ struct CandidateValueRecord {
 struct CandidateRecord {
   std::vector<std::string> effects;      ///< such as "coulomb_friction @ joint.hinge"
   std::vector<std::string> look_alikes;  ///< of the last of them
-  double gain = kNotKnown, gain_lower = kNotKnown, gain_upper = kNotKnown;  ///< nats
-  double times_floor = kNotKnown;
+  double gain = kNotKnown, gain_lower = kNotKnown, gain_upper = kNotKnown;  ///< nats, of what: see the method
+  double times_floor = kNotKnown;                                           ///< on what was left out
+  double fitted_times_floor = kNotKnown;
   double probability = kNotKnown;
   std::vector<CandidateValueRecord> values;
 };
@@ -263,11 +264,13 @@ struct CandidateRecord {
 struct DiagnosisRecord {
   std::string settings;  ///< everything but the revision that its result follows from
   std::string verdict;
+  std::optional<std::string> method = {};  ///< `likelihood` or `horizon`; nothing where nothing was searched
   double probability = kNotKnown;
   bool calibrated = false;
   double chance = kNotKnown;  ///< how often noise alone reaches the best score
   std::int64_t hypotheses = 0;
-  double base_times_floor = kNotKnown;
+  double base_times_floor = kNotKnown;  ///< on what was left out
+  double base_fitted_times_floor = kNotKnown;
   std::string document;                     ///< JSON, the whole of it
   std::vector<CandidateRecord> candidates;  ///< by rank
 };

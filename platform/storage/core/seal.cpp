@@ -1,6 +1,7 @@
 #include "storage/core/seal.h"
 
 #include "foundation/interrupt.h"
+#include "foundation/json_depth.h"
 #include "storage/core/row_hash.h"
 #include "storage/core/run_rows.h"
 #include "storage/core/statement.h"
@@ -31,7 +32,9 @@ std::map<std::string, Seal> seals_of(const Database& database, RunId run) {
   Statement row(database, "SELECT part, columns, rows, sha256 FROM seal WHERE run = ?");
   row.with(run);
   while (row.step()) {
-    const nlohmann::json columns = nlohmann::json::parse(row.text(1), nullptr, false);
+    const std::string text = row.text(1);
+    const nlohmann::json columns =
+        nests_too_deep(text) ? nlohmann::json() : nlohmann::json::parse(text, nullptr, false);
     Seal& seal = seals[row.text(0)];
     seal.content = {row.integer(2), row.text(3)};
     if (columns.is_array() && std::all_of(columns.begin(), columns.end(), [](const auto& c) { return c.is_string(); }))

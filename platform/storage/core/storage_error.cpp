@@ -2,6 +2,7 @@
 
 #include "foundation/interrupt.h"
 #include "foundation/problem.h"
+#include "foundation/process_limits.h"
 
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
@@ -33,7 +34,7 @@ std::string sentence(int code, const std::string& message) {
     case SQLITE_AUTH: return "may not be accessed (" + message + "); check its permissions";
     case SQLITE_IOERR:
       return "cannot be read or written (" + message +
-             "); check the disk, its quota and its connection, then run again";
+             "); check the disk, its quota, its connection and the largest size of files (ulimit -f), then run again";
     case SQLITE_NOMEM: return "needs more memory than there is for it; free some, or ask for less at once";
     case SQLITE_TOOBIG: return "has a value that is too long to be read (" + message + ")";
     case SQLITE_CONSTRAINT:
@@ -59,6 +60,9 @@ void throw_storage_error(const std::filesystem::path& file, int extended_code, c
                 "the command has it)");
   if (code == SQLITE_INTERRUPT) throw Interrupted(file.string() + ": interrupted while it was read");
   if ((extended_code & 0xff) == SQLITE_NOTADB) throw_problem({file.string()}, sentence(extended_code, message));
+  if (code == SQLITE_CANTOPEN)
+    if (const std::string used_up = used_up_descriptors(); !used_up.empty())
+      throw Error(file.string() + ": cannot be opened: " + used_up);
   const std::string text = file.string() + ": " + sentence(extended_code, message);
   if (is_damage(extended_code)) throw DamagedDatabase(text);
   throw Error(text);

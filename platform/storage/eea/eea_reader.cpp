@@ -1,6 +1,7 @@
 #include "storage/core/names.h"
 #include "storage/core/number_blob.h"
 #include "storage/core/row_key.h"
+#include "storage/core/storage_error.h"
 #include "storage/eea/eea_names.h"
 #include "storage/eea/eea_run_record.h"
 #include "storage/eea/eea_store.h"
@@ -70,7 +71,11 @@ void add_trial_scores(const Database& database, RunId run, std::vector<ModelRow>
     while (model != models.end() && model->number < number) ++model;
     if (model == models.end()) break;
     if (model->number != number) continue;
-    const std::size_t trial = numbers.at(row.integer(1));
+    const auto known = numbers.find(row.integer(1));
+    if (known == numbers.end())
+      throw DamagedDatabase(database.file().string() + ": run " + std::to_string(run.value) + ": model " +
+                            std::to_string(number) + " has a score on a trial that the run has not");
+    const std::size_t trial = known->second;
     if (model->trial_scores.size() <= trial) model->trial_scores.resize(trial + 1, kNotKnown);
     model->trial_scores[trial] = row.real(2);
   }
@@ -91,7 +96,13 @@ void add_ensemble(const Database& database, std::int64_t pass, PassRow& into) {
   while (member.step()) into.ensemble.push_back({number_of(member.integer(0)), member.real(1), member.text(2), {}});
   Statement value(database, "SELECT rank, value FROM ensemble_value WHERE pass = ? ORDER BY rank, position");
   value.with(pass);
-  while (value.step()) into.ensemble.at(static_cast<std::size_t>(value.integer(0)) - 1).values.push_back(value.real(1));
+  while (value.step()) {
+    const auto rank = static_cast<std::size_t>(value.integer(0));
+    if (rank < 1 || rank > into.ensemble.size())
+      throw DamagedDatabase(database.file().string() + ": pass " + std::to_string(into.number) +
+                            " has values of a model that is not in its ensemble");
+    into.ensemble[rank - 1].values.push_back(value.real(1));
+  }
   Statement trial(database,
                   "SELECT target_trial.number FROM set_aside JOIN target_trial ON target_trial.trial = set_aside.trial"
                   " AND target_trial.run = set_aside.pass >> 40 WHERE pass = ? ORDER BY target_trial.number");

@@ -62,7 +62,7 @@ EeaStore::~EeaStore() {
   if (!to_end_) return;
   try {
     if (!is_taken_over()) end_run_unless_ended(database_, run_, RunEnding::failed);
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     // Whatever ended the run has been reported; a run without an ending reads as "not ended".
   }
 }

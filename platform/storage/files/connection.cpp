@@ -1,6 +1,7 @@
 #include "storage/files/connection.h"
 
 #include "foundation/interrupt.h"
+#include "storage/files/callback.h"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
@@ -8,6 +9,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,12 +34,14 @@ struct FunctionName {
 std::vector<FunctionName> added_functions(sqlite3* handle) {
   enum Column { kName, kBuiltIn, kArguments = 4 };
   const auto take = [](void* list, int, char** values, char**) {
-    if (std::string_view(values[kBuiltIn]) == "0")
-      static_cast<std::vector<FunctionName>*>(list)->push_back({values[kName], std::atoi(values[kArguments])});
-    return 0;
+    return called_back([&] {
+      if (std::string_view(values[kBuiltIn]) == "0")
+        static_cast<std::vector<FunctionName>*>(list)->push_back({values[kName], std::atoi(values[kArguments])});
+    });
   };
   std::vector<FunctionName> added;
-  sqlite3_exec(handle, "PRAGMA function_list", take, &added, nullptr);
+  const int result = sqlite3_exec(handle, "PRAGMA function_list", take, &added, nullptr);
+  if (result == SQLITE_NOMEM || result == SQLITE_ABORT) throw std::bad_alloc();
   return added;
 }
 

@@ -1,5 +1,6 @@
 #include "storage/files/content_watch.h"
 
+#include "storage/files/callback.h"
 #include "storage/files/foreign_log.h"
 #include "storage/files/log_content.h"
 
@@ -38,8 +39,7 @@ std::uint32_t size_from(sqlite3* handle, const char* sql) {
 /// That of the database as SQLite reads it; one without numbers where it has none, nothing where it cannot be read.
 std::optional<LogMark> mark_of_now(sqlite3* handle) {
   const auto take = [](void* text, int, char** values, char**) {
-    *static_cast<std::string*>(text) = values[0] == nullptr ? "" : values[0];
-    return 0;
+    return called_back([&] { *static_cast<std::string*>(text) = values[0] == nullptr ? "" : values[0]; });
   };
   std::string text;
   const int result = sqlite3_exec(handle, "SELECT sha256 FROM schema_text WHERE name = 'log'", take, &text, nullptr);
@@ -89,9 +89,11 @@ std::ptrdiff_t place_in(const std::vector<std::string>& chain, const Marks& mark
 }
 
 int checkpoint_if_own(void* watch, sqlite3* handle, const char* name, int frames) {
-  if (frames >= kFramesBeforeCheckpoint && static_cast<ContentWatch*>(watch)->is_own())
-    sqlite3_wal_checkpoint_v2(handle, name, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
-  return SQLITE_OK;
+  called_back([&] {
+    if (frames >= kFramesBeforeCheckpoint && static_cast<ContentWatch*>(watch)->is_own())
+      sqlite3_wal_checkpoint_v2(handle, name, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+  });
+  return SQLITE_OK;  // the commit is done, whatever becomes of the checkpoint
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "storage/files/foreign_log.h"
 
 #include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
 
 namespace lacuna {
@@ -23,11 +22,12 @@ LogLeft::LogLeft(const std::filesystem::path& database)
     : database_(database), was_there_(std::filesystem::exists(log_of(database))) {}
 
 LogLeft::~LogLeft() {
-  if (was_there_ || !is_empty_file(log_of(database_))) return;
+  if (was_there_) return;
   try {
+    if (!is_empty_file(log_of(database_))) return;
     open_connection(database_.string(), SQLITE_OPEN_READWRITE)
         ->exec("SELECT count(*) FROM sqlite_master");  // which opens the log
-  } catch (const SQLite::Exception&) {
+  } catch (const std::exception&) {
     // The files stay, and harm nobody.
   }
 }

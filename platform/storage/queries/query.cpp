@@ -4,6 +4,7 @@
 #include "foundation/problem.h"
 #include "storage/core/reading_only.h"
 #include "storage/core/storage_error.h"
+#include "storage/files/callback.h"
 #include "storage/traces/trace_samples.h"
 
 #include <fmt/format.h>
@@ -26,8 +27,7 @@ SourceLocation place_in(const std::string& sql, std::size_t offset) {
 std::vector<std::string> names_of_tables(sqlite3* handle) {
   std::vector<std::string> names;
   const auto take = [](void* list, int, char** values, char**) {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(values[0]);
-    return 0;
+    return called_back([&] { static_cast<std::vector<std::string>*>(list)->emplace_back(values[0]); });
   };
   sqlite3_exec(handle, "SELECT name FROM sqlite_master WHERE type IN ('view', 'table') ORDER BY name", take, &names,
                nullptr);

@@ -41,7 +41,7 @@ ResultStore::~ResultStore() {
   if (!run_ || ended_ || database_.in_transaction()) return;
   try {
     end_run_unless_ended(database_, *run_, RunEnding::failed);
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     // Whatever ended the run has been reported; a run without an ending reads as "not ended".
   }
 }

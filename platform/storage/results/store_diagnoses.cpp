@@ -19,21 +19,22 @@ void insert_candidates(const Database& database, DiagnosisId diagnosis,
                        const std::vector<CandidateRecord>& candidates) {
   Statement insert(database,
                    "INSERT INTO candidate_model (diagnosis, rank, effects, look_alikes, gain, gain_lower, gain_upper,"
-                   " times_floor, probability) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                   " times_floor, fitted_times_floor, probability) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   int rank = 0;
   for (const CandidateRecord& c : candidates) {
     insert.run_with(diagnosis, ++rank, sentences_text(c.effects), sentences_text(c.look_alikes), c.gain, c.gain_lower,
-                    c.gain_upper, c.times_floor, c.probability);
+                    c.gain_upper, c.times_floor, c.fitted_times_floor, c.probability);
     insert_values(database, diagnosis, rank, c.values);
   }
 }
 
 void insert_diagnosis(const Database& database, DiagnosisId id, RevisionId revision, const DiagnosisRecord& d) {
-  Statement(database,
-            "INSERT INTO diagnosis (id, revision, settings, verdict, probability, calibrated, chance, hypotheses,"
-            " base_times_floor, document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .run_with(id, revision, d.settings, d.verdict, d.probability, d.calibrated, d.chance, d.hypotheses,
-                d.base_times_floor, d.document);
+  Statement(
+      database,
+      "INSERT INTO diagnosis (id, revision, settings, verdict, method, probability, calibrated, chance, hypotheses,"
+      " base_times_floor, base_fitted_times_floor, document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .run_with(id, revision, d.settings, d.verdict, d.method, d.probability, d.calibrated, d.chance, d.hypotheses,
+                d.base_times_floor, d.base_fitted_times_floor, d.document);
   insert_candidates(database, id, d.candidates);
 }
 

@@ -2,6 +2,7 @@
 
 #include "foundation/digest.h"
 #include "foundation/problem.h"
+#include "storage/core/clock.h"
 #include "storage/core/json_text.h"
 #include "storage/core/statement.h"
 
@@ -9,6 +10,8 @@
 
 namespace lacuna {
 namespace {
+
+constexpr const char* kUntil = " (until ";  ///< behind the file of an earlier build of a plugin
 
 struct ExperimentRow {
   std::string name, file, text, overrides, digest, decided;
@@ -53,6 +56,15 @@ void check_stored_texts(const Database& database) {
   problems.throw_if_any();
 }
 
+void replace_plugin(Database& database, RunId run, const PluginFileRecord& before, const PluginFileRecord& now) {
+  Transaction transaction(database);
+  Statement(database, "UPDATE plugin_file SET file = ? WHERE run = ? AND file = ?")
+      .run_with(before.file + kUntil + utc_now() + ")", run, before.file);
+  Statement(database, "INSERT INTO plugin_file (run, file, sha256, build_id) VALUES (?, ?, ?, ?)")
+      .run_with(run, now.file, now.sha256, now.build_id);
+  transaction.commit();
+}
+
 StoredRun stored_run(const Database& database, RunId run) {
   Statement row(database,
                 "SELECT experiment.name, file, text, overrides, digest, decided, seed, threads FROM run"
@@ -69,7 +81,10 @@ StoredRun stored_run(const Database& database, RunId run) {
   stored.threads = row.number(7);
   Statement plugin(database, "SELECT file, sha256, build_id FROM plugin_file WHERE run = ? ORDER BY file");
   plugin.with(run);
-  while (plugin.step()) stored.plugins.push_back({plugin.text(0), plugin.text(1), plugin.text(2)});
+  while (plugin.step()) {
+    const bool earlier = plugin.text(0).find(kUntil) != std::string::npos;
+    (earlier ? stored.earlier_plugins : stored.plugins).push_back({plugin.text(0), plugin.text(1), plugin.text(2)});
+  }
   Statement robot(database, "SELECT file, sha256 FROM robot_file WHERE run = ? ORDER BY file");
   robot.with(run);
   while (robot.step()) stored.robots.push_back({robot.text(0), robot.text(1)});

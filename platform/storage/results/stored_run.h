@@ -17,13 +17,18 @@ struct StoredRun {
   ExperimentRecord experiment;
   std::uint64_t seed = 0;
   int threads = 1;
-  std::vector<PluginFileRecord> plugins;  ///< by file
-  std::vector<RobotFileRecord> robots;    ///< by file; none where an older version began the run
+  std::vector<PluginFileRecord> plugins;  ///< by file; those that it used last
+  /// Builds that it used before `replace_plugin`; behind each file stands until when.
+  std::vector<PluginFileRecord> earlier_plugins;
+  std::vector<RobotFileRecord> robots;  ///< by file; none where an older version began the run
 };
 
 /// Throws `BadInput` where the text of an experiment, or its file's name, is not the one whose digest was stored with
 /// it, for commands that show the whole database.
 void check_stored_texts(const Database& database);
+
+/// A run that is not done goes on with another build of a plugin; that of before stays recorded.
+void replace_plugin(Database& database, RunId run, const PluginFileRecord& before, const PluginFileRecord& now);
 
 /// Throws `Error` where the database has no such run, `BadInput` where the experiment's text is not the one whose
 /// digest was stored with it. That shows accidents; who forges a text can forge its digest.

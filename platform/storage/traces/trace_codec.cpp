@@ -3,6 +3,7 @@
 #include <lacuna/error.h>
 
 #include "foundation/digest.h"
+#include "foundation/json_depth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -57,13 +58,18 @@ Eigen::VectorXd decode_times(const std::vector<std::byte>& bytes, Eigen::Index c
   throw Error("a stored time series is inconsistent: its parts are not of one size; restore a copy of the database");
 }
 
+[[noreturn]] void throw_unreadable_channels() {
+  throw Error("a stored time series is damaged: its channels cannot be read; restore a copy of the database");
+}
+
 std::vector<Channel> decode_channels(const std::string& text) try {
   std::vector<Channel> channels;
+  if (nests_too_deep(text)) throw_unreadable_channels();
   for (const nlohmann::json& channel : nlohmann::json::parse(text))
     channels.push_back({channel.at("name").get<std::string>(), channel.at("unit").get<std::string>()});
   return channels;
 } catch (const nlohmann::json::exception&) {
-  throw Error("a stored time series is damaged: its channels cannot be read; restore a copy of the database");
+  throw_unreadable_channels();
 }
 
 /// A digest says that the bytes are those that were written, not who wrote them.

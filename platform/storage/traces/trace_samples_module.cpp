@@ -13,6 +13,7 @@ SQLITE_EXTENSION_INIT3
 
 #include <exception>
 #include <memory>
+#include <new>
 
 /// The callbacks of SQLite's interface for virtual tables; no exception may leave them.
 namespace lacuna {
@@ -90,7 +91,8 @@ int connect_table(sqlite3* handle, void*, int, const char* const*, sqlite3_vtab*
   const int result = sqlite3_declare_vtab(handle, kDeclaration);
   if (result != SQLITE_OK) return result;
   sqlite3_vtab_config(handle, SQLITE_VTAB_INNOCUOUS);  // it only reads, so views may use it
-  auto* made = new Table;                              // SQLite hands it back to `disconnect`
+  auto* made = new (std::nothrow) Table;               // SQLite hands it back to `disconnect`
+  if (made == nullptr) return SQLITE_NOMEM;
   made->handle = handle;
   *table = &made->base;
   return SQLITE_OK;
@@ -118,7 +120,9 @@ int choose_plan(sqlite3_vtab* table, sqlite3_index_info* plan) {
 }
 
 int open_cursor(sqlite3_vtab*, sqlite3_vtab_cursor** cursor) {
-  *cursor = &(new Cursor)->base;  // SQLite hands it back to `close_cursor`
+  auto* const made = new (std::nothrow) Cursor;  // SQLite hands it back to `close_cursor`
+  if (made == nullptr) return SQLITE_NOMEM;
+  *cursor = &made->base;
   return SQLITE_OK;
 }
 

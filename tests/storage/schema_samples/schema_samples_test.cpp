@@ -143,6 +143,28 @@ TEST_P(SchemaSample, IsReadWithoutBeingChanged) {
 INSTANTIATE_TEST_SUITE_P(Versions, SchemaSample, testing::ValuesIn(versions_with_sample()),
                          [](const auto& version) { return sample_name(version.param); });
 
+/// Version 16 wrote a chance of 1 and a probability of 0 where errors over horizons decided, and the fitted errors as
+/// those of what was left out.
+TEST(SchemaSamples, ViewsLeaveOutWhatAnOldDiagnosisByHorizonNeverComputed) {
+  const TestFolder folder;
+  const std::filesystem::path file = folder / "sample.db";
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(read_bytes(kSamples / "v16.sql"));
+  const Database migrated = Database::open(file);
+  EXPECT_EQ(first_text(migrated, "SELECT group_concat(method, ' ') FROM diagnoses"), "likelihood horizon");
+  EXPECT_EQ(first_text(migrated,
+                       "SELECT group_concat(quote(chance) || ' ' || quote(round(base_times_floor, 1)) || ' ' ||"
+                       " quote(round(times_floor, 2)), ', ') FROM diagnoses"),
+            "0.0005 4.9 3.18, NULL NULL NULL");
+  EXPECT_EQ(first_text(migrated,
+                       "SELECT group_concat(quote(round(base_fitted_times_floor, 1)) || ' ' ||"
+                       " quote(round(fitted_times_floor, 2)), ', ') FROM diagnoses"),
+            "NULL NULL, 19.7 1.09");
+  EXPECT_EQ(first_text(migrated,
+                       "SELECT count(probability) || count(times_floor) || count(fitted_times_floor)"
+                       " FROM effect_ranking WHERE method = 'horizon'"),
+            "002");
+}
+
 TEST(SchemaSamples, EveryEarlierVersionHasOne) {
   const std::vector<int> versions = versions_with_sample();
   for (int version = 1; version < schema_migrations().back().number; ++version) {
