@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace lacuna {
+
+/// Predictions of one length in one channel: what is averaged before the logarithm is taken.
+struct Cell {
+  std::size_t length = 0;  ///< which of the lengths, from 0
+  double weight = 0.0;     ///< of its cost; of all cells the weights sum to 1
+};
+
+/// What all models of a search have in common: cells, blocks of time, and which blocks are left out together.
+struct CellLayout {
+  std::vector<Cell> cells;
+  std::size_t lengths = 0;
+  std::vector<std::size_t> fold_of_block;  ///< by block of time
+  std::size_t folds = 0;
+
+  std::size_t blocks() const { return fold_of_block.size(); }
+};
+
+/// Products of a linearised model's whitened rows, summed by cell and block of time. A row holds the residual, then
+/// what a unit of each value adds to the prediction; both over the standard deviation that a right model leaves.
+class BlockProducts {
+ public:
+  BlockProducts() = default;
+  BlockProducts(const CellLayout& layout, Eigen::Index values)
+      : blocks_(layout.blocks()),
+        values_(values),
+        products_(layout.cells.size() * blocks_, Eigen::MatrixXd::Zero(values + 1, values + 1)),
+        samples_(layout.cells.size() * blocks_, 0.0) {}
+
+  Eigen::Index values() const { return values_; }
+  Eigen::MatrixXd& at(std::size_t cell, std::size_t block) { return products_[cell * blocks_ + block]; }
+  const Eigen::MatrixXd& at(std::size_t cell, std::size_t block) const { return products_[cell * blocks_ + block]; }
+  double& samples(std::size_t cell, std::size_t block) { return samples_[cell * blocks_ + block]; }
+  double samples(std::size_t cell, std::size_t block) const { return samples_[cell * blocks_ + block]; }
+
+ private:
+  std::size_t blocks_ = 0;
+  Eigen::Index values_ = 0;
+  std::vector<Eigen::MatrixXd> products_;
+  std::vector<double> samples_;  ///< readings
+};
+
+}  // namespace lacuna

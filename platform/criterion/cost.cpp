@@ -1,0 +1,178 @@
+#include "criterion/cost.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr int kRounds = 12;
+constexpr double kSettled = 1e-6;  ///< of the longest step
+
+/// Readings of a cell in all blocks.
+double samples_of(const CellLayout& layout, const BlockProducts& products, std::size_t cell) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < layout.blocks(); ++b) sum += products.samples(cell, b);
+  return sum;
+}
+
+double quadratic(const Eigen::MatrixXd& product, const Eigen::VectorXd& step) {
+  const Eigen::Index n = step.size();
+  return product(0, 0) - 2.0 * product.col(0).tail(n).dot(step) + step.dot(product.bottomRightCorner(n, n) * step);
+}
+
+/// Σ weight × products of all blocks but those of a fold.
+Eigen::MatrixXd weighted_sum(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& weights,
+                             std::size_t left_out) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(products.values() + 1, products.values() + 1);
+  for (std::size_t c = 0; c < layout.cells.size(); ++c)
+    for (std::size_t b = 0; b < layout.blocks(); ++b)
+      if (layout.fold_of_block[b] != left_out && weights(static_cast<Eigen::Index>(c)) > 0.0)
+        sum += weights(static_cast<Eigen::Index>(c)) * products.at(c, b);
+  return sum;
+}
+
+/// The shortest solution in the directions that the matrix, symmetric and scaled, tells.
+Eigen::VectorXd told_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  Eigen::VectorXd along = eigen.eigenvectors().transpose() * right;
+  for (Eigen::Index i = 0; i < along.size(); ++i)
+    along(i) = values(i) > kUntold * values.maxCoeff() ? along(i) / values(i) : 0.0;
+  return eigen.eigenvectors() * along;
+}
+
+/// Least squares within bounds by an active set; values that the data do not tell stay.
+Eigen::VectorXd bounded_step(const Eigen::MatrixXd& normal, const StepBounds& bounds, double damping) {
+  const Eigen::Index n = normal.rows() - 1;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
+  if (n == 0) return step;
+  const Eigen::VectorXd scale = normal.diagonal().tail(n).cwiseMax(1e-300).cwiseSqrt();
+  Eigen::MatrixXd matrix = normal.bottomRightCorner(n, n);
+  matrix = scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
+  matrix.diagonal().array() += damping;
+  const Eigen::VectorXd right = normal.col(0).tail(n).cwiseQuotient(scale);
+  const Eigen::VectorXd lower = bounds.lower.cwiseProduct(scale), upper = bounds.upper.cwiseProduct(scale);
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < n; ++i) moving.push_back(i);
+  while (!moving.empty()) {
+    const auto size = static_cast<Eigen::Index>(moving.size());
+    Eigen::VectorXd held = step;
+    for (const Eigen::Index i : moving) held(i) = 0.0;
+    const Eigen::VectorXd rest = right - matrix * held;
+    Eigen::MatrixXd part(size, size);
+    Eigen::VectorXd wanted(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      wanted(i) = rest(moving[static_cast<std::size_t>(i)]);
+      for (Eigen::Index j = 0; j < size; ++j)
+        part(i, j) = matrix(moving[static_cast<std::size_t>(i)], moving[static_cast<std::size_t>(j)]);
+    }
+    const Eigen::VectorXd found = told_solution(part, wanted);
+    std::vector<Eigen::Index> inside;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Eigen::Index j = moving[static_cast<std::size_t>(i)];
+      step(j) = std::clamp(found(i), lower(j), upper(j));
+      if (step(j) == found(i)) inside.push_back(j);
+    }
+    if (inside.size() == moving.size()) break;
+    moving = std::move(inside);
+  }
+  return step.cwiseQuotient(scale);
+}
+
+/// Of the whole data's normal equations, that every fold's others get: a value that they hardly tell does not run away.
+constexpr double kOfAll = 0.1;
+constexpr auto kNoFold = static_cast<std::size_t>(-1);
+
+}  // namespace
+
+Eigen::VectorXd square_weights(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& means) {
+  Eigen::VectorXd weights(means.size());
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    const double samples = samples_of(layout, products, c);
+    const auto i = static_cast<Eigen::Index>(c);
+    weights(i) = samples > 0.0 ? layout.cells[c].weight / (samples * std::max(1.0, means(i))) : 0.0;
+  }
+  return weights;
+}
+
+double cost_of_mean_square(double mean_square) {
+  return mean_square > 1.0 ? 0.5 * std::log(mean_square) : 0.5 * (mean_square - 1.0);
+}
+
+LinearCost cost_at(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& step) {
+  LinearCost result{step, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(layout.cells.size())), 0.0};
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    const double samples = samples_of(layout, products, c);
+    if (samples == 0.0) continue;
+    double squares = 0.0;
+    for (std::size_t b = 0; b < layout.blocks(); ++b) squares += quadratic(products.at(c, b), step);
+    const double mean = std::max(0.0, squares / samples);
+    result.mean_square(static_cast<Eigen::Index>(c)) = mean;
+    result.cost += layout.cells[c].weight * cost_of_mean_square(mean);
+  }
+  return result;
+}
+
+LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
+                      double damping) {
+  LinearCost best = cost_at(layout, products, Eigen::VectorXd::Zero(products.values()));
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::VectorXd weights = square_weights(layout, products, best.mean_square);
+    const Eigen::VectorXd step = bounded_step(weighted_sum(layout, products, weights, kNoFold), bounds, damping);
+    const LinearCost next = cost_at(layout, products, step);
+    if (!(next.cost < best.cost)) break;
+    const bool is_settled = (step - best.step).lpNorm<Eigen::Infinity>() <= kSettled * step.lpNorm<Eigen::Infinity>();
+    best = next;
+    if (is_settled) break;
+  }
+  return best;
+}
+
+CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
+                          const LinearCost& fit) {
+  const Eigen::VectorXd weights = square_weights(layout, products, fit.mean_square);
+  const Eigen::MatrixXd all = weighted_sum(layout, products, weights, kNoFold);
+  const Eigen::VectorXd of_all = bounded_step(all, bounds, 0.0);
+  std::vector<Eigen::VectorXd> steps;
+  for (std::size_t fold = 0; fold < layout.folds; ++fold)
+    steps.push_back(bounded_step(weighted_sum(layout, products, weights, fold) + kOfAll * all, bounds, 0.0) - of_all);
+  CrossFittedCost result;
+  result.by_length =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.lengths), static_cast<Eigen::Index>(layout.blocks()));
+  for (std::size_t c = 0; c < layout.cells.size(); ++c) {
+    const double samples = samples_of(layout, products, c);
+    if (samples == 0.0) continue;
+    Eigen::VectorXd squares(static_cast<Eigen::Index>(layout.blocks()));
+    for (std::size_t b = 0; b < layout.blocks(); ++b)
+      squares(static_cast<Eigen::Index>(b)) = quadratic(products.at(c, b), steps[layout.fold_of_block[b]]);
+    const double scale = std::max(1.0, squares.sum() / samples);
+    for (std::size_t b = 0; b < layout.blocks(); ++b) {
+      const auto i = static_cast<Eigen::Index>(b);
+      result.by_length(static_cast<Eigen::Index>(layout.cells[c].length), i) +=
+          0.5 * layout.cells[c].weight / samples *
+          (products.samples(c, b) * (std::log(scale) - 1.0) + squares(i) / scale);
+    }
+  }
+  result.cost = result.by_length.sum();
+  return result;
+}
+
+Eigen::MatrixXd information(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit) {
+  const Eigen::MatrixXd sum =
+      weighted_sum(layout, products, square_weights(layout, products, fit.mean_square), kNoFold);
+  return sum.bottomRightCorner(products.values(), products.values());
+}
+
+int told_values(const Eigen::MatrixXd& information) {
+  const Eigen::Index n = information.rows();
+  if (n == 0) return 0;
+  const Eigen::VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+  return static_cast<int>((eigenvalues.array() > kUntold * eigenvalues.maxCoeff()).count());
+}
+
+}  // namespace lacuna

@@ -1,0 +1,124 @@
+#include "criterion/decision.h"
+
+#include "criterion/evidence.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr double kPresent = 0.05;  ///< probability by chance below which something is there
+constexpr std::size_t kMostMembers = 3;
+constexpr double kWorthNaming = 0.05;  ///< nats: what lowers the error by less than a twentieth is not named
+
+class Decider {
+ public:
+  Decider(const std::vector<CandidateSet>& sets, std::uint64_t seed) : sets_(sets), seed_(seed) {
+    for (std::size_t i = 1; i < sets.size(); ++i) every_.push_back(i);
+  }
+
+  Decision decide() {
+    Decision decision;
+    if (every_.empty()) return decision;
+    const std::size_t top = best(every_, 0);
+    decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
+    decision.p = probability(every_, 0);
+    if (!passes(top, 0, decision.p)) return decision;
+    const std::size_t largest = grown(decision.whole_gain);
+    const std::vector<std::size_t> as_good = as_good_as(largest, decision.whole_gain);
+    decision.answer = smallest(as_good);
+    for (const std::size_t i : as_good)
+      if (i != decision.answer) decision.alike.push_back(i);
+    decision.gain = gain_of(sets_[decision.answer], sets_[0]);
+    return decision;
+  }
+
+ private:
+  std::vector<std::size_t> of_size(std::size_t members) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : every_)
+      if (sets_[i].members.size() == members) found.push_back(i);
+    return found;
+  }
+
+  std::size_t best(const std::vector<std::size_t>& among, std::size_t over) const {
+    return *std::max_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
+      return gain_of(sets_[a], sets_[over]).nats < gain_of(sets_[b], sets_[over]).nats;
+    });
+  }
+
+  double probability(const std::vector<std::size_t>& among, std::size_t over) const {
+    std::vector<Eigen::VectorXd> gains;
+    for (const std::size_t i : among) gains.push_back(sets_[over].cost.by_block() - sets_[i].cost.by_block());
+    return sign_probability(gains, seed_);
+  }
+
+  bool passes(std::size_t set, std::size_t over, double p) const {
+    return p < kPresent && gain_of(sets_[set], sets_[over]).is_told() &&
+           gain_elsewhere(sets_[set], sets_[over]).is_told() && largest_gain(sets_[set], sets_[over]) > kWorthNaming;
+  }
+
+  /// The largest set each of whose steps in size passes, from the best single effect on.
+  std::size_t grown(double whole_gain) const {
+    const std::vector<std::size_t> singles = of_size(1);
+    if (singles.empty()) return best(every_, 0);
+    std::size_t current = best(singles, 0);
+    for (std::size_t size = 2; size <= kMostMembers; ++size) {
+      const std::vector<std::size_t> sets = of_size(size);
+      if (sets.empty()) break;
+      const std::size_t top = best(sets, 0);
+      const bool adds = gain_of(sets_[top], sets_[current]).nats > sets_[top].share_to_add * whole_gain;
+      if (adds && passes(top, current, probability(sets, current)))
+        current = top;
+      else if (sets_[current].members.size() + 1 < size)
+        break;
+    }
+    return current;
+  }
+
+  std::vector<std::size_t> as_good_as(std::size_t set, double whole_gain) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : every_) {
+      if (sets_[i].members.size() > sets_[set].members.size()) continue;
+      const CostGain behind = gain_of(sets_[set], sets_[i]);
+      if (behind.nats <= std::max(sets_[set].share_to_add * whole_gain, behind.error)) found.push_back(i);
+    }
+    return found;
+  }
+
+  std::size_t smallest(const std::vector<std::size_t>& among) const {
+    return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
+      if (sets_[a].told != sets_[b].told) return sets_[a].told < sets_[b].told;
+      return sets_[a].cost.cost < sets_[b].cost.cost;
+    });
+  }
+
+  const std::vector<CandidateSet>& sets_;
+  const std::uint64_t seed_;
+  std::vector<std::size_t> every_;
+};
+
+}  // namespace
+
+CostGain gain_of(const CandidateSet& set, const CandidateSet& over) {
+  const Eigen::VectorXd by_block = over.cost.by_block() - set.cost.by_block();
+  return {by_block.sum(), standard_error(by_block)};
+}
+
+CostGain gain_elsewhere(const CandidateSet& set, const CandidateSet& over) {
+  Eigen::MatrixXd gains = over.cost.by_length - set.cost.by_length;
+  Eigen::Index most = 0;
+  gains.rowwise().sum().maxCoeff(&most);
+  gains.row(most).setZero();
+  const Eigen::VectorXd by_block = gains.colwise().sum();
+  return {by_block.sum(), standard_error(by_block)};
+}
+
+double largest_gain(const CandidateSet& set, const CandidateSet& over) {
+  const Eigen::VectorXd by_length = (over.cost.by_length - set.cost.by_length).rowwise().sum();
+  return static_cast<double>(by_length.size()) * by_length.maxCoeff();
+}
+
+Decision decide(const std::vector<CandidateSet>& sets, std::uint64_t seed) { return Decider(sets, seed).decide(); }
+
+}  // namespace lacuna

@@ -1,0 +1,318 @@
+#include "prediction/linear_prediction.h"
+
+#include "fitting/start_states.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+#include "prediction/start_by_readings.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kFirstStep = 1e-6;  ///< of a value's range
+constexpr double kWanted = 0.3;      ///< of the residual, that a difference changes predictions by
+constexpr double kTolerated = 10.0;  ///< a step whose change is off by less than this factor stays
+constexpr int kStepRounds = 4;
+constexpr double kFarSteps = 1e3;      ///< times the first step, from which on curvature is looked at
+constexpr double kLeastOfHalf = 0.35;  ///< of a step's change, that half of it makes where there is a derivative
+constexpr std::size_t kForSteps = 3;   ///< stretches of a length, by which steps are chosen
+constexpr double kStartStep = 0.3;     ///< standard deviations of a start
+
+Eigen::VectorXd unknown_of(const PredictedStretch& stretch) {
+  Eigen::VectorXd start(static_cast<Eigen::Index>(stretch.unknown.size()));
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    start(i) = component(stretch.start, stretch.unknown[static_cast<std::size_t>(i)]);
+  return start;
+}
+
+double root_mean_square(const std::vector<Eigen::VectorXd>& all) {
+  double sum = 0.0, count = 0.0;
+  for (const Eigen::VectorXd& one : all) sum += one.squaredNorm(), count += static_cast<double>(one.size());
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+/// P⁻¹ in coordinates that are one standard deviation each, with what they are divided by.
+struct StartPrior {
+  Eigen::VectorXd deviation;
+  Eigen::MatrixXd precision;  ///< of start over deviation
+};
+
+StartPrior prior_of(const Eigen::MatrixXd& covariance) {
+  StartPrior prior;
+  prior.deviation = covariance.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
+  const Eigen::VectorXd inverse = prior.deviation.cwiseInverse();
+  Eigen::MatrixXd correlation = inverse.asDiagonal() * covariance * inverse.asDiagonal();
+  correlation.diagonal().array() += 1e-9;
+  prior.precision = correlation.ldlt().solve(Eigen::MatrixXd::Identity(correlation.rows(), correlation.cols()));
+  return prior;
+}
+
+/// Adds the products of the rows of one channel of a stretch, the start moved to where each column is least.
+class ChannelWhitener {
+ public:
+  ChannelWhitener(const PredictionLadder& ladder, BlockProducts& products) : ladder_(ladder), products_(products) {}
+
+  void add(const PredictedStretch& stretch, const LinearStretch& linear) {
+    const StartPrior prior = prior_of(stretch.covariance);
+    for (std::size_t channel = 0; channel < ladder_.noise.size(); ++channel) add(stretch, linear, prior, channel);
+  }
+
+ private:
+  void add(const PredictedStretch& stretch, const LinearStretch& linear, const StartPrior& prior, std::size_t channel) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < stretch.channels.size(); ++i)
+      if (stretch.channels[i] == channel) rows.push_back(static_cast<Eigen::Index>(i));
+    if (rows.empty()) return;
+    const auto size = static_cast<Eigen::Index>(rows.size());
+    const Eigen::Index columns = linear.values.cols() + 1;
+    Eigen::MatrixXd own(size, columns), by_start(size, linear.start.cols());
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Eigen::Index row = rows[static_cast<std::size_t>(i)];
+      own(i, 0) = linear.residual(row);
+      own.row(i).tail(columns - 1) = linear.values.row(row);
+      by_start.row(i) = linear.start.row(row).cwiseProduct(prior.deviation.transpose());
+    }
+    const std::size_t cell = ladder_.cell(stretch.length, channel);
+    const std::size_t first_block = stretch.blocks[static_cast<std::size_t>(rows.front())];
+    if (by_start.cols() > 0) {
+      const Eigen::MatrixXd normal = prior.precision + by_start.transpose() * by_start;
+      const Eigen::MatrixXd moves = normal.ldlt().solve(by_start.transpose() * own);
+      own -= by_start * moves;
+      products_.at(cell, first_block) += moves.transpose() * prior.precision * moves;
+    }
+    Eigen::Index begin = 0;
+    while (begin < size) {
+      const std::size_t block = stretch.blocks[static_cast<std::size_t>(rows[static_cast<std::size_t>(begin)])];
+      Eigen::Index end = begin;
+      while (end < size && stretch.blocks[static_cast<std::size_t>(rows[static_cast<std::size_t>(end)])] == block)
+        ++end;
+      const auto part = own.middleRows(begin, end - begin);
+      products_.at(cell, block) += part.transpose() * part;
+      products_.samples(cell, block) += static_cast<double>(end - begin);
+      begin = end;
+    }
+  }
+
+  const PredictionLadder& ladder_;
+  BlockProducts& products_;
+};
+
+}  // namespace
+
+LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const TrialPredictor& predictor,
+                                     const ParameterSpace& space, const SmoothedStarts& starts, bool changes_readings)
+    : ladder_(ladder),
+      predictor_(predictor),
+      space_(space),
+      changed_readings_(changes_readings ? &starts.states() : nullptr),
+      warm_ups_(ladder.stretches.size()),
+      predictions_(static_cast<std::size_t>(predictor.workers())) {
+  for (Eigen::Index j = 0; j < space.size(); ++j)
+    steps_.push_back(kFirstStep * std::min(space.upper()(j) - space.lower()(j), 1e6));
+  first_steps_ = steps_;
+  is_steady_.assign(steps_.size(), 1);
+  for (std::size_t k = 0; k < ladder.stretches.size(); ++k) all_.push_back(k);
+  for (std::size_t h = 0; h < ladder.lengths.size(); ++h) {
+    std::vector<std::size_t> own;
+    for (const std::size_t k : all_)
+      if (ladder.stretches[k].length == h) own.push_back(k);
+    const std::size_t few = std::min(kForSteps, own.size());
+    for (std::size_t i = 0; i < few; ++i) few_.push_back(own[(2 * i + 1) * own.size() / (2 * few)]);
+  }
+  if (!predictor.model().has_memory()) return;
+  for (std::size_t k = 0; k < ladder.stretches.size(); ++k) {
+    const Stretch& stretch = ladder.stretches[k].stretch;
+    if (stretch.first == 0) continue;
+    const Eigen::VectorXd& times = predictor.trials()[stretch.trial].measured.times;
+    const double* before = std::lower_bound(times.data(), times.data() + stretch.first,
+                                            times(stretch.first) - kLongestMemory * (1.0 + 1e-9));
+    const Eigen::Index first = std::min<Eigen::Index>(before - times.data(), stretch.first - 1);
+    warm_ups_[k] = WarmUp{first, starts.at(stretch.trial, first).start};
+  }
+}
+
+void LadderPredictions::take_steps_of(const LadderPredictions& other) {
+  steps_ = other.steps_;
+  is_steady_ = other.is_steady_;
+  steps_are_taken_ = true;
+}
+
+PredictionPoint LadderPredictions::at_smoothed_starts(const Eigen::VectorXd& values) const {
+  PredictionPoint point{values, {}};
+  for (const PredictedStretch& stretch : ladder_.stretches) point.starts.push_back(unknown_of(stretch));
+  return point;
+}
+
+bool LadderPredictions::simulate(std::size_t k, const Eigen::VectorXd& values, const Eigen::VectorXd& start, int worker,
+                                 Eigen::VectorXd& residual) {
+  throw_if_interrupted();
+  const PredictedStretch& stretch = ladder_.stretches[k];
+  StartState state = stretch.start;
+  for (std::size_t i = 0; i < stretch.unknown.size(); ++i)
+    set_component(state, stretch.unknown[i], start(static_cast<Eigen::Index>(i)));
+  Prediction& prediction = predictions_[static_cast<std::size_t>(worker)];
+  const std::vector<double> of_model = space_.to_values(values);
+  const WarmUp* warm_up = warm_ups_[k] ? &*warm_ups_[k] : nullptr;
+  if (changed_readings_)
+    state = start_by_readings({*changed_readings_, predictor_, stretch.stretch, of_model, warm_up, worker}, state,
+                              prediction);
+  predictor_.predict(stretch.stretch, of_model, state, worker, prediction, warm_up);
+  if (!prediction.valid) return false;
+  const TimeSeries::Samples& measured = predictor_.trials()[stretch.stretch.trial].measured.samples;
+  residual.resize(static_cast<Eigen::Index>(stretch.rows.size()));
+  for (std::size_t i = 0; i < stretch.rows.size(); ++i)
+    residual(static_cast<Eigen::Index>(i)) = (measured(stretch.stretch.first + stretch.rows[i], stretch.columns[i]) -
+                                              prediction.samples(stretch.rows[i], stretch.columns[i])) /
+                                             ladder_.noise[stretch.channels[i]].deviation;
+  return residual.allFinite();
+}
+
+bool LadderPredictions::residuals_of(const Eigen::VectorXd& values, const std::vector<Eigen::VectorXd>& starts,
+                                     const std::vector<std::size_t>& which, std::vector<Eigen::VectorXd>& residuals) {
+  residuals.resize(which.size());
+  std::vector<char> is_valid(which.size(), 0);
+  parallel_for(which.size(), predictor_.workers(), [&](std::size_t i, int worker) {
+    is_valid[i] = simulate(which[i], values, starts[which[i]], worker, residuals[i]) ? 1 : 0;
+  });
+  simulations_ += which.size();
+  if (std::find(is_valid.begin(), is_valid.end(), 0) == is_valid.end()) return true;
+  for (const Prediction& prediction : predictions_)
+    if (!prediction.valid) failure_ = prediction.reason;
+  return false;
+}
+
+bool LadderPredictions::residuals(const PredictionPoint& point, std::vector<Eigen::VectorXd>& residuals) {
+  return residuals_of(point.values, point.starts, all_, residuals);
+}
+
+/// The way to go from a value that changes predictions by about the wanted share of the residuals, found on a few
+/// stretches. False: it has no derivative, since half the way changes predictions by much less than half.
+bool LadderPredictions::choose_step(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                    Eigen::Index j) {
+  std::vector<Eigen::VectorXd> here, moved;
+  for (const std::size_t k : few_) here.push_back(residuals[k]);
+  const double target = kWanted * std::max(1.0, root_mean_square(here));
+  const auto change_by = [&](double way) {
+    Eigen::VectorXd values = point.values;
+    values(j) += values(j) + way <= space_.upper()(j) ? way : -way;
+    if (!residuals_of(values, point.starts, few_, moved)) return -1.0;
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= here[i];
+    return root_mean_square(moved);
+  };
+  double& step = steps_[static_cast<std::size_t>(j)];
+  const double longest = space_.logarithmic(j) ? 0.1 : 0.01 * (space_.upper()(j) - space_.lower()(j));
+  double change = 0.0;
+  for (int round = 0; round < kStepRounds; ++round) {
+    change = change_by(step);
+    const double wanted = change < 0.0   ? 0.1 * step
+                          : change > 0.0 ? std::min(step * target / change, longest)
+                                         : std::min(1e4 * step, longest);
+    if (change >= 0.0 && wanted < kTolerated * step && wanted > step / kTolerated) break;
+    step = wanted;
+  }
+  if (step <= kFarSteps * first_steps_[static_cast<std::size_t>(j)]) return true;
+  return change_by(0.5 * step) > kLeastOfHalf * change_by(step);
+}
+
+void LadderPredictions::difference_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                          std::vector<LinearStretch>& stretches) {
+  std::vector<Eigen::VectorXd> moved;
+  for (Eigen::Index j = 0; j < space_.size(); ++j) {
+    char& is_steady = is_steady_[static_cast<std::size_t>(j)];
+    if (!steps_are_taken_) is_steady = choose_step(point, residuals, j) ? 1 : 0;
+    if (!is_steady) continue;
+    const double step = steps_[static_cast<std::size_t>(j)];
+    const double signed_step = point.values(j) + step <= space_.upper()(j) ? step : -step;
+    Eigen::VectorXd values = point.values;
+    values(j) += signed_step;
+    if (!residuals_of(values, point.starts, all_, moved)) continue;
+    for (std::size_t k = 0; k < moved.size(); ++k) stretches[k].values.col(j) = (residuals[k] - moved[k]) / signed_step;
+  }
+}
+
+void LadderPredictions::difference_starts(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                          std::vector<LinearStretch>& stretches) {
+  parallel_for(stretches.size(), predictor_.workers(), [&](std::size_t k, int worker) {
+    Eigen::VectorXd start = point.starts[k], moved;
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
+      const double step = kStartStep * std::sqrt(ladder_.stretches[k].covariance(i, i));
+      start(i) += step;
+      if (simulate(k, point.values, start, worker, moved)) stretches[k].start.col(i) = (residuals[k] - moved) / step;
+      start(i) = point.starts[k](i);
+    }
+  });
+  for (const LinearStretch& stretch : stretches) simulations_ += static_cast<std::uint64_t>(stretch.start.cols());
+}
+
+void LadderPredictions::put_residuals(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                      std::vector<LinearStretch>& stretches) const {
+  for (std::size_t k = 0; k < residuals.size(); ++k)
+    stretches[k].residual = residuals[k] + stretches[k].start * (point.starts[k] - unknown_of(ladder_.stretches[k]));
+}
+
+bool LadderPredictions::residuals_at(const PredictionPoint& point, std::vector<LinearStretch>& stretches) {
+  std::vector<Eigen::VectorXd> found;
+  if (!residuals(point, found)) return false;
+  for (std::size_t k = 0; k < found.size(); ++k) stretches[k].values.resize(found[k].size(), 0);
+  put_residuals(point, found, stretches);
+  return true;
+}
+
+std::optional<LinearPrediction> LadderPredictions::linearise(const PredictionPoint& point) {
+  std::vector<Eigen::VectorXd> residuals;
+  if (!residuals_of(point.values, point.starts, all_, residuals)) return std::nullopt;
+  LinearPrediction linear;
+  linear.stretches.resize(residuals.size());
+  linearise_starts(point, residuals, linear);
+  linearise_values(point, residuals, linear);
+  return linear;
+}
+
+void LadderPredictions::linearise_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                         LinearPrediction& linear) {
+  for (std::size_t k = 0; k < residuals.size(); ++k)
+    linear.stretches[k].values = Eigen::MatrixXd::Zero(residuals[k].size(), space_.size());
+  difference_values(point, residuals, linear.stretches);
+  put_residuals(point, residuals, linear.stretches);
+  linear.products = whitened_products(ladder_, linear.stretches);
+}
+
+void LadderPredictions::linearise_starts(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                         LinearPrediction& linear) {
+  for (std::size_t k = 0; k < residuals.size(); ++k)
+    linear.stretches[k].start = Eigen::MatrixXd::Zero(residuals[k].size(), point.starts[k].size());
+  difference_starts(point, residuals, linear.stretches);
+  if (linear.stretches.empty() || linear.stretches.front().values.rows() == 0) return;  // not taken by values yet
+  put_residuals(point, residuals, linear.stretches);
+  linear.products = whitened_products(ladder_, linear.stretches);
+}
+
+BlockProducts whitened_products(const PredictionLadder& ladder, const std::vector<LinearStretch>& stretches) {
+  BlockProducts products(ladder.layout, stretches.empty() ? 0 : stretches.front().values.cols());
+  ChannelWhitener whitener(ladder, products);
+  for (std::size_t k = 0; k < stretches.size(); ++k) whitener.add(ladder.stretches[k], stretches[k]);
+  return products;
+}
+
+std::vector<Eigen::VectorXd> moved_starts(const PredictionLadder& ladder, const LinearPrediction& linear,
+                                          const Eigen::VectorXd& step) {
+  std::vector<Eigen::VectorXd> starts;
+  for (std::size_t k = 0; k < linear.stretches.size(); ++k) {
+    const LinearStretch& stretch = linear.stretches[k];
+    Eigen::VectorXd& start = starts.emplace_back(unknown_of(ladder.stretches[k]));
+    if (start.size() == 0) continue;
+    const StartPrior prior = prior_of(ladder.stretches[k].covariance);
+    const Eigen::MatrixXd by_start = stretch.start * prior.deviation.asDiagonal();
+    const Eigen::MatrixXd normal = prior.precision + by_start.transpose() * by_start;
+    const Eigen::VectorXd left = stretch.residual - stretch.values * step;
+    start += prior.deviation.cwiseProduct(normal.ldlt().solve(by_start.transpose() * left));
+  }
+  return starts;
+}
+
+}  // namespace lacuna

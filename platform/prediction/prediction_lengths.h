@@ -1,0 +1,17 @@
+#pragma once
+
+#include "prediction/linear_prediction.h"
+
+#include <vector>
+
+namespace lacuna {
+
+inline constexpr std::size_t kDecidingLengths = 3;  ///< of all lengths, the shortest, which are asked first
+
+/// Lengths of prediction, s: five, geometric, from ten samples to where the start's uncertainty makes a quarter of the
+/// motion's power in one of the joints. `values`: of the model by which the share of the starts is computed. Empty
+/// where no length can be simulated.
+std::vector<double> prediction_lengths(const LadderSource& source, const ParameterSpace& space,
+                                       const std::vector<double>& values);
+
+}  // namespace lacuna

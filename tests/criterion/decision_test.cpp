@@ -1,0 +1,70 @@
+#include "criterion/decision.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace lacuna::decision_test {
+namespace {
+
+constexpr Eigen::Index kLengths = 3, kBlocks = 40;
+
+/// A set whose cost lies `gain` below that of the model as it is, evenly over lengths, with a scatter of its own.
+CandidateSet set_of(std::set<std::string> members, double gain, int told, std::uint64_t seed = 0) {
+  std::mt19937_64 bits(seed);
+  std::normal_distribution<double> normal(0.0, 0.02 / kBlocks);
+  CandidateSet set{std::move(members), told, {Eigen::MatrixXd(kLengths, kBlocks), 0.0}};
+  for (Eigen::Index i = 0; i < kLengths; ++i)
+    for (Eigen::Index j = 0; j < kBlocks; ++j)
+      set.cost.by_length(i, j) = (2.0 - gain) / (kLengths * kBlocks) + (seed == 0 ? 0.0 : normal(bits));
+  set.cost.cost = set.cost.by_length.sum();
+  return set;
+}
+
+TEST(Decision, NamesTheEffectThatGains) {
+  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.1, 1, 2)}, 1);
+  EXPECT_EQ(decision.answer, 1U);
+  EXPECT_TRUE(decision.alike.empty());
+  EXPECT_LT(decision.p, 0.01);
+}
+
+TEST(Decision, NamesNothingWhereNothingGains) {
+  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, -0.01, 1, 1), set_of({"b"}, 0.0, 1, 2)}, 1);
+  EXPECT_EQ(decision.answer, 0U);
+}
+
+TEST(Decision, TakesTheFewerValuesOfSetsThatAreAsGood) {
+  const Decision decision =
+      decide({set_of({}, 0.0, 0), set_of({"rich"}, 1.01, 3, 1), set_of({"simple"}, 1.0, 1, 2)}, 1);
+  EXPECT_EQ(decision.answer, 2U);
+  EXPECT_EQ(decision.alike, std::vector<std::size_t>{1U});
+}
+
+TEST(Decision, AddsASecondEffectThatEarnsItsShare) {
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.4, 1, 2),
+                                       set_of({"a", "b"}, 1.5, 2, 3), set_of({"a", "c"}, 1.02, 2, 4)};
+  EXPECT_EQ(decide(sets, 1).answer, 3U);
+  const std::vector<CandidateSet> little{sets[0], sets[1], sets[2], set_of({"a", "b"}, 1.03, 2, 3)};
+  EXPECT_EQ(decide(little, 1).answer, 1U);
+}
+
+TEST(Decision, NamesNothingThatLowersTheErrorByLessThanATwentieth) {
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.04, 1, 1)}, 1).answer, 0U);
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.07, 1, 1)}, 1).answer, 1U);
+}
+
+TEST(LargestGain, IsThatOfOneLength) {
+  CandidateSet one = set_of({"a"}, 0.0, 1);
+  one.cost.by_length.row(1).array() -= 0.2 / (kLengths * kBlocks);
+  EXPECT_NEAR(largest_gain(one, set_of({}, 0.0, 0)), 0.2, 1e-12);
+}
+
+TEST(Decision, BelievesNothingThatGainsAtOneLengthAlone) {
+  CandidateSet one = set_of({"a"}, 0.0, 1, 1);
+  one.cost.by_length.row(2).array() -= 1.0 / kBlocks;
+  EXPECT_GT(gain_of(one, set_of({}, 0.0, 0)).nats, 0.9);
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), one}, 1).answer, 0U);
+}
+
+}  // namespace
+}  // namespace lacuna::decision_test
