@@ -1,10 +1,14 @@
 #include "foundation/guarded_call.h"
 
+#include "foundation/plugin_fault.h"
+#include "foundation/process_limits.h"
+
 #include <cxxabi.h>
 
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <new>
 #include <typeinfo>
 
 namespace lacuna {
@@ -19,18 +23,40 @@ std::string type_name(const std::type_info* type) {
 }
 
 std::string fault(std::string_view what, const std::string& thrown) {
-  return std::string(what) + " threw " + thrown +
-         "; that is a fault of the plugin: repair it, or do without this component";
+  return std::string(what) + " threw " + thrown + std::string(kFaultOfPlugin);
+}
+
+/// What a plugin's exception says of itself, which is the plugin's code once more.
+std::string words_of(const std::exception& error) {
+  try {
+    const char* const words = error.what();
+    return words == nullptr ? "without a text" : words;
+  } catch (...) {
+    return "whose what() throws";
+  }
+}
+
+/// A plugin ends the thread that called it (`pthread_exit`), which goes on in no `catch`: without an end here the
+/// program would wait for that thread for ever, or end as if its work were done.
+[[noreturn]] void end_with_thread(std::string_view what) {
+  const char* const component = own_call_slot().component;
+  const PluginCall call(component, component_on_page(std::string(what) + " ended its thread (pthread_exit), which"));
+  std::abort();
 }
 
 /// Without the component.
 std::string reason_of_current_exception(std::string_view what) {
   try {
     throw;
+  } catch (const abi::__forced_unwind&) {
+    end_with_thread(what);
   } catch (const Error& error) {
-    return error.what();
+    return words_of(error);
+  } catch (const std::bad_alloc&) {
+    return std::string(what) + " ran out of memory: " + no_memory_sentence() +
+           "; if it is the plugin that takes it all, repair the plugin";
   } catch (const std::exception& error) {
-    return fault(what, type_name(&typeid(error)) + " (" + error.what() + ")");
+    return fault(what, type_name(&typeid(error)) + " (" + words_of(error) + ")");
   } catch (...) {
     return fault(what, "an object of type " + type_name(abi::__cxa_current_exception_type()));
   }
@@ -52,7 +78,15 @@ std::string describe_current_exception(const ComponentOrigin& origin, std::strin
 }
 
 void throw_component_error(const ComponentOrigin& origin, std::string_view what) {
-  throw ComponentError(origin, reason_of_current_exception(what));
+  try {
+    throw;
+  } catch (const abi::__forced_unwind&) {
+    end_with_thread(what);
+  } catch (const ProcessChanged& change) {
+    throw ComponentChangedProcess(origin, change);
+  } catch (...) {
+    throw ComponentError(origin, reason_of_current_exception(what));
+  }
 }
 
 std::string reason_of(const Error& error) {

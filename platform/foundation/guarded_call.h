@@ -3,10 +3,12 @@
 #include "foundation/interrupt.h"
 #include "foundation/plugin_call.h"
 #include "foundation/problem.h"
+#include "foundation/process_watch.h"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace lacuna {
@@ -41,6 +43,17 @@ class ComponentError : public Error {
   std::string reason_;
 };
 
+/// The same of a component whose call changed the process. `deed` as that of `ProcessChanged`.
+class ComponentChangedProcess : public ComponentError {
+ public:
+  ComponentChangedProcess(const ComponentOrigin& origin, const ProcessChanged& change)
+      : ComponentError(origin, change.what()), deed_(change.deed()) {}
+  const std::string& deed() const { return deed_; }
+
+ private:
+  std::string deed_;
+};
+
 /// As `ComponentError`, the exception that is being handled. Only inside a `catch` block.
 [[noreturn]] void throw_component_error(const ComponentOrigin& origin, std::string_view what);
 
@@ -49,13 +62,22 @@ class ComponentError : public Error {
 std::string reason_of(const Error& error);
 
 /// Calls into plugin code, and lets a parent process know (foundation/plugin_call.h); `what` is a literal. Whatever
-/// leaves it, foreign types included, becomes a `ComponentError` that names component, file and what to do. `BadInput`
-/// and `Interrupted` come from the host's own services and pass unchanged.
+/// leaves it, foreign types included, becomes a `ComponentError` that names component, file and what to do; so does
+/// what it changed of the process (foundation/process_watch.h). `BadInput` and `Interrupted` come from the host's own
+/// services and pass unchanged.
 template <class Call>
 decltype(auto) guarded_call(const ComponentOrigin& origin, const char* what, Call&& call) {
   const PluginCall active(on_page(origin), what);
+  CallAftermath aftermath(what);
   try {
-    return std::forward<Call>(call)();
+    if constexpr (std::is_void_v<std::invoke_result_t<Call>>) {
+      std::forward<Call>(call)();
+      aftermath.check();
+    } else {
+      decltype(auto) result = std::forward<Call>(call)();
+      aftermath.check();
+      return result;
+    }
   } catch (const BadInput&) {
     throw;
   } catch (const Interrupted&) {

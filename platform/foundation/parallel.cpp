@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -34,7 +35,10 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
 
   {
     std::vector<std::jthread> helpers;
-    for (int worker = 1; worker < workers; ++worker) helpers.emplace_back(serve, worker);
+    try {
+      for (int worker = 1; worker < workers; ++worker) helpers.emplace_back(serve, worker);
+    } catch (const std::system_error&) {  // memory or a limit is used up: fewer threads do the same
+    }
     if (workers > 0) serve(0);
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,5 +1,7 @@
 #include "foundation/plugin_call.h"
 
+#include "foundation/plugin_libraries.h"
+
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -78,10 +80,13 @@ std::vector<RefusedComponent>& refused_components() {
 }
 
 bool is_watched = false;  ///< whether another process learns how this one ended
+bool begins_once = false;
 
 void blame_this_thread() {
   CallSlot* nobody = nullptr;
   if (own_call_slot_or_null != nullptr) page().culprit.compare_exchange_strong(nobody, own_call_slot_or_null);
+  if (own_call_slot_or_null == nullptr || own_call_slot_or_null->component == nullptr)
+    PluginLibraries::blame_this_thread();
 }
 
 /// The signal is raised again with what it does by default, so that core files and exit status are what they would be.
@@ -146,7 +151,7 @@ std::vector<BusyThread> CallPage::busy() {
   for (const CallSlot& slot : page().slots) {
     if (!slot.taken) continue;
     const bool evaluates = slot.evaluations > 0;
-    if (evaluates || slot.component != nullptr) threads.push_back({&slot, evaluates, slot.ticks});
+    if (evaluates || slot.component != nullptr) threads.push_back({&slot, evaluates, slot.ticks, slot.calls});
   }
   return threads;
 }
@@ -159,6 +164,7 @@ void CallPage::prepare() {
   for (CallSlot& slot : page().slots) {
     slot.component = nullptr;
     slot.evaluations = 0;
+    slot.allowance = 0.0;
     slot.taken = &slot == own_call_slot_or_null;
   }
 }
@@ -169,7 +175,8 @@ double CallPage::evaluation_limit() { return page().evaluation_limit; }
 void CallPage::set_task(std::uint32_t task) { page().task = task; }
 std::uint32_t CallPage::task() { return page().task; }
 
-void CallPage::allow_new_beginning(bool allowed) { page().new_beginning = allowed; }
+void CallPage::allow_new_beginning(bool allowed) { page().new_beginning = allowed && !begins_once; }
+void CallPage::never_begin_anew() { begins_once = true; }
 bool CallPage::allows_new_beginning() { return page().new_beginning; }
 
 void CallPage::refuse(const RefusedComponent& component) { refused_components().push_back(component); }

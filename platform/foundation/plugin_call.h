@@ -16,6 +16,8 @@ struct alignas(64) CallSlot {
   std::atomic<bool> taken = false;
   std::atomic<std::uint32_t> evaluations = 0;  ///< under way in this thread, one inside the other
   std::atomic<std::uint32_t> ticks = 0;        ///< evaluations begun and ended; that of the thread alone writes it
+  std::atomic<std::uint32_t> calls = 0;        ///< begun; the same
+  std::atomic<double> allowance = 0.0;         ///< s, by which the present call may take longer than others
 };
 
 extern thread_local constinit CallSlot* own_call_slot_or_null;
@@ -43,6 +45,10 @@ class SlotBefore {
     slot_->call.store(call, std::memory_order_relaxed);
   }
   void restore() noexcept { set(component_, call_); }
+  void count() noexcept {
+    constexpr auto relaxed = std::memory_order_relaxed;
+    slot_->calls.store(slot_->calls.load(relaxed) + 1, relaxed);
+  }
 
  private:
   CallSlot* slot_;
@@ -53,7 +59,10 @@ class SlotBefore {
 /// While it lives, this thread calls plugins; what it did before is restored with its end.
 class PluginCall {
  public:
-  PluginCall(const char* component, const char* call) noexcept : before_(own_call_slot()) { enter(component, call); }
+  PluginCall(const char* component, const char* call) noexcept : before_(own_call_slot()) {
+    before_.count();
+    enter(component, call);
+  }
   ~PluginCall() { before_.restore(); }
   PluginCall(const PluginCall&) = delete;
   PluginCall& operator=(const PluginCall&) = delete;
@@ -82,6 +91,22 @@ class CallSequence {
 class HostCall : private PluginCall {
  public:
   HostCall() noexcept : PluginCall(nullptr, nullptr) {}
+};
+
+/// While it lives, calls of this thread may take longer by so many seconds than others, such as a test that a rig
+/// carries out.
+class CallAllowance {
+ public:
+  explicit CallAllowance(double seconds) noexcept : slot_(own_call_slot()), before_(slot_.allowance) {
+    slot_.allowance = before_ + seconds;
+  }
+  ~CallAllowance() { slot_.allowance = before_; }
+  CallAllowance(const CallAllowance&) = delete;
+  CallAllowance& operator=(const CallAllowance&) = delete;
+
+ private:
+  CallSlot& slot_;
+  double before_;
 };
 
 /// While it lives, this thread evaluates a model: what another process may end when it takes too long. One inside
@@ -115,6 +140,7 @@ struct BusyThread {
   const CallSlot* slot = nullptr;
   bool evaluates = false;
   std::uint32_t ticks = 0;
+  std::uint32_t calls = 0;
 };
 
 /// A component that is not to be used any more.
@@ -149,11 +175,14 @@ class CallPage {
   /// The work can be begun anew without a component that has ended it (`refused`), and goes on from where it was.
   static void allow_new_beginning(bool allowed);
   static bool allows_new_beginning();
+  /// From now on neither this process nor one that it forks begins anew: what it works on was handed to it once.
+  static void never_begin_anew();
   /// For processes that are forked later.
   static void refuse(const RefusedComponent& component);
   static std::optional<std::string> refusal_of(const std::string& component);
 
-  /// From now on a thread of this process that calls `exit`, aborts or crashes is remembered as the one. A signal that
+  /// From now on a thread of this process that calls `exit`, aborts or crashes is remembered as the one, and the plugin
+  /// library that it was in (foundation/plugin_libraries.h). A signal that
   /// something else has a handler for, such as a sanitizer, is left alone.
   static void watch_this_process();
   /// The same for `exit` alone, once more: what is registered later runs earlier, before the ends of plugins.

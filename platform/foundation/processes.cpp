@@ -1,5 +1,7 @@
 #include "foundation/processes.h"
 
+#include "foundation/plain_text.h"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,9 +11,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
@@ -37,9 +39,12 @@ std::vector<pid_t> all_processes() {
   return processes;
 }
 
+/// Empty where the process has ended meanwhile, which also happens between opening and reading.
 std::string content_of(pid_t process, const char* file) {
-  std::ifstream stream("/proc/" + std::to_string(process) + "/" + file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  const std::ifstream stream("/proc/" + std::to_string(process) + "/" + file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();  // notes a failure to read, and does not throw it
+  return content.str();
 }
 
 /// A process that has ended and was not waited for has no work left.
@@ -58,6 +63,10 @@ std::optional<Standing> standing_of(pid_t process) {
   if (!parent) return std::nullopt;
   const char state = status[end_of_name + 2];
   return Standing{*parent, state == 'Z' || state == 'X'};
+}
+
+bool has_variable(pid_t process, const std::string& variable) {
+  return ('\0' + content_of(process, "environ") + '\0').find('\0' + variable + '\0') != std::string::npos;
 }
 
 void wait_for_ended_children() {
@@ -91,22 +100,40 @@ std::vector<pid_t> descendants_of(pid_t process) {
 }
 
 std::vector<pid_t> processes_with(const std::string& variable) {
-  const std::string wanted = '\0' + variable + '\0';
   std::vector<pid_t> found;
   for (const pid_t process : all_processes())
-    if (process != getpid() && ('\0' + content_of(process, "environ") + '\0').find(wanted) != std::string::npos)
-      found.push_back(process);
+    if (process != getpid() && has_variable(process, variable)) found.push_back(process);
   return found;
+}
+
+std::vector<pid_t> processes_to_end() {
+  std::vector<pid_t> processes = descendants_of(getpid());
+  std::erase_if(processes, [](pid_t process) { return has_variable(process, kOutlives); });
+  return processes;
+}
+
+bool has_children() {
+  siginfo_t child{};
+  return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
+}
+
+std::string command_of(pid_t process) {
+  constexpr std::size_t kMost = 60;  // bytes
+  std::string words = content_of(process, "cmdline").substr(0, kMost);
+  words.erase(words.find_last_not_of('\0') + 1);
+  for (char& letter : words)
+    if (letter == '\0') letter = ' ';
+  return plain_text(words);
 }
 
 void end_descendants(double grace) {
   const auto patience =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace));
-  signalled(descendants_of(getpid()), SIGTERM);
+  signalled(processes_to_end(), SIGTERM);
   while (Clock::now() < patience + kLongestEnd) {
     wait_for_ended_children();
     const bool waited = Clock::now() >= patience;
-    if (signalled(descendants_of(getpid()), waited ? SIGKILL : 0).empty()) break;
+    if (signalled(processes_to_end(), waited ? SIGKILL : 0).empty()) break;
     std::this_thread::sleep_for(kPause);
   }
   wait_for_ended_children();

@@ -1,5 +1,6 @@
 #include "foundation/whole_file.h"
 
+#include "foundation/special_file.h"
 #include "foundation/this_machine.h"
 
 #include <lacuna/error.h>
@@ -12,7 +13,9 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -24,7 +27,10 @@ namespace fs = std::filesystem;
 constexpr mode_t kNewFile = 0666;  // without what the umask takes away
 constexpr mode_t kPermissions = 07777;
 
+constexpr const char* kNobodyReads = "it is a pipe that nobody reads; start its reader first, or name a file";
+
 [[noreturn]] void fail(const fs::path& file) {
+  if (errno == ENXIO) throw Error(file.string() + ": cannot be written: " + kNobodyReads);
   throw Error(file.string() + ": cannot be written: " + std::strerror(errno));
 }
 
@@ -57,13 +63,33 @@ bool is_written_directly(const fs::path& target) {
   return names_descriptor(target) || (fs::exists(target, none) && !fs::is_regular_file(target, none));
 }
 
+bool is_pipe(const fs::path& target) {
+  std::error_code none;
+  return fs::is_fifo(target, none);
+}
+
+int open_directly(const fs::path& target) {
+  return is_pipe(target) ? open_pipe_to_reader(target)
+                         : ::open(target.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
+}
+
+/// Whether somebody reads from a pipe. Its reader would see an end if the pipe were closed again before it is written
+/// to; so it stays open until the process ends.
+std::optional<std::string> why_not_writable_pipe(const fs::path& target) {
+  if (open_pipe_to_reader(target) >= 0) return std::nullopt;
+  return errno == ENXIO ? kNobodyReads : std::strerror(errno);
+}
+
 constexpr std::size_t kDigits = 8;  // behind the machine's
 constexpr std::chrono::hours kOld{1};
 
 /// Begins the names of this machine's drafts: on some network file systems no other one sees the locks on them.
 std::string kind_of_draft() { return ".lacuna-" + digits_of_this_machine(); }
-/// Of those that a library writes, on which this program holds no lock.
+/// Of those that a library writes, on which this program holds no lock. They have their process's number instead.
 std::string kind_of_librarys() { return kind_of_draft() + "-"; }
+std::string kind_of_own_librarys() {
+  return fmt::format("{}{}-{}-", kind_of_librarys(), digits_of_this_start(), ::getpid());
+}
 
 fs::path unused_name(const fs::path& folder, const std::string& kind) {
   std::random_device random;
@@ -79,13 +105,19 @@ bool is_old(const fs::path& draft) {
   return !gone && fs::file_time_type::clock::now() - changed > kOld;
 }
 
+/// Whether the process that a library's draft names has ended; false where it cannot be told.
+bool has_lost_process(const std::string& name) {
+  const std::string here = kind_of_librarys() + digits_of_this_start() + "-";
+  if (digits_of_this_start().empty() || !name.starts_with(here)) return false;
+  const int process = std::atoi(name.c_str() + here.size());
+  return process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
 /// Of this machine, whose process may have ended.
 bool may_be_stale(const fs::path& draft) {
-  const std::string name = draft.filename().string();
-  const auto is_of = [&](const std::string& kind) {
-    return name.starts_with(kind) && name.size() == kind.size() + kDigits;
-  };
-  return is_of(kind_of_draft()) || (is_of(kind_of_librarys()) && is_old(draft));
+  const std::string name = draft.filename().string(), kind = kind_of_draft();
+  if (name.starts_with(kind_of_librarys())) return has_lost_process(name) || is_old(draft);
+  return name.starts_with(kind) && name.size() == kind.size() + kDigits;
 }
 
 /// Removes the drafts of processes of this machine that were killed.
@@ -140,7 +172,7 @@ WholeFile::WholeFile(const fs::path& file, Link link)
   struct stat old {};
   const bool replaces = !direct_ && ::lstat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (replaces && ::access(target_.c_str(), W_OK) != 0) fail(file_);
-  const Draft draft = direct_ ? Draft{::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY), {}}
+  const Draft draft = direct_ ? Draft{open_directly(target_), {}}
                               : open_draft(folder_of(target_), replaces ? old.st_mode & kPermissions : kNewFile);
   if (draft.descriptor < 0) fail(file_);
   draft_ = draft.name;
@@ -183,7 +215,7 @@ void WholeFile::name_draft(const std::string& kind) {
 
 /// On some network file systems the lock of one descriptor keeps another one of the same process from the file.
 const fs::path& WholeFile::named_draft() {
-  name_draft(kind_of_librarys());
+  name_draft(kind_of_own_librarys());
   ::flock(buffer_->fd(), LOCK_UN);
   return draft_;
 }
@@ -226,6 +258,8 @@ std::optional<std::string> why_not_writable(const fs::path& file) {
   const bool is_new = ::lstat(target.c_str(), &old) != 0 && errno == ENOENT;
   if (is_new && !is_written_directly(target)) return why_not_writable_into(folder_of(target));
   if (::access(target.c_str(), W_OK) != 0) return std::strerror(errno);
+  if (S_ISBLK(old.st_mode)) return "it is a disk; name a file";
+  if (is_pipe(target)) return why_not_writable_pipe(target);
   return is_written_directly(target) ? std::nullopt : why_not_writable_into(folder_of(target));
 }
 

@@ -21,9 +21,10 @@ enum class Link {
 /// the complete draft, once it is on the disk, the file's name. Until then, and wherever something fails, the old file
 /// stays as it is, and the draft ends with the object. It has no name before `publish` (O_TMPFILE), so that a killed
 /// process leaves none; where that cannot be, or in the moment of `publish`, a hidden file `.lacuna-...` is left, which
-/// the next one of the same machine that writes into the folder removes; one that a library was writing, an hour later.
-/// Permissions of a file that is replaced stay. What a user named and is no regular file (/dev/stdout, a pipe) has
-/// nothing to be replaced and is written into directly.
+/// the next one of the same machine that writes into the folder removes: at once where its process has ended, or an
+/// hour later where that cannot be told (of a library's draft after the machine was started anew). Permissions of a
+/// file that is replaced stay. What a user named and is no regular file (/dev/stdout, a pipe) has nothing to be
+/// replaced and is written into directly.
 class WholeFile {
  public:
   /// Throws `Error` where nothing can be written there.

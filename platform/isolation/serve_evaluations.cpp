@@ -2,6 +2,7 @@
 
 #include "eea/local_evaluations.h"
 #include "foundation/plugin_call.h"
+#include "foundation/process_limits.h"
 #include "isolation/carried.h"
 
 #include <utility>
@@ -128,7 +129,7 @@ void serve_evaluations(const MessageChannel& channel, const EeaDefinition& defin
     try {
       if (!send(channel, AnswerKind::done, clerk.answer(from_bytes<Request>(*message)))) return;
     } catch (const std::exception& error) {
-      send_failure(channel, error.what());
+      send_failure(channel, failure_sentence(error));
     }
   }
 }

@@ -2,20 +2,26 @@
 
 #include "foundation/child_program.h"
 #include "foundation/plugin_call.h"
+#include "foundation/plugin_libraries.h"
 
 #include <lacuna/error.h>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
+#include <optional>
 
 namespace lacuna {
 namespace {
@@ -25,7 +31,8 @@ void become_silent() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  for (const int signal : {SIGALRM, SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) std::signal(signal, SIG_DFL);
+  CallPage::watch_this_process();
 }
 
 bool write_all(int pipe_end, const char* bytes, std::size_t count) {
@@ -39,18 +46,6 @@ bool write_all(int pipe_end, const char* bytes, std::size_t count) {
   return true;
 }
 
-/// False: the pipe ended before.
-bool read_all(int pipe_end, char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t got = read(pipe_end, bytes, count);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    bytes += got;
-    count -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
 /// An answer travels as its length and its bytes.
 bool send(int pipe_end, const std::string& answer) {
   const auto size = static_cast<std::uint32_t>(answer.size());
@@ -58,18 +53,12 @@ bool send(int pipe_end, const std::string& answer) {
          write_all(pipe_end, answer.data(), size);
 }
 
-bool receive(int pipe_end, std::string& answer) {
-  std::uint32_t size = 0;
-  if (!read_all(pipe_end, reinterpret_cast<char*>(&size), sizeof(size))) return false;
-  answer.resize(size);
-  return read_all(pipe_end, answer.data(), size);
-}
-
 [[noreturn]] void serve(int pipe_end, std::size_t first, std::size_t count,
-                        const std::function<std::string(std::size_t)>& work, unsigned seconds_each) {
+                        const std::function<std::string(std::size_t)>& work, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it ended before that
   become_silent();
   for (std::size_t index = first; index < count; ++index) {
-    alarm(seconds_each);
     std::string answer;
     try {
       answer = work(index);
@@ -80,36 +69,131 @@ bool receive(int pipe_end, std::string& answer) {
   _exit(0);
 }
 
-std::string cause_of_death(int status, unsigned seconds_each) {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    return "took longer than " + std::to_string(seconds_each) + " s";
-  return ChildEnding{status}.deed();
-}
+constexpr std::chrono::milliseconds kBetweenLooks{100};
+
+/// The child that does the work, as the parent sees it. It is ended when it lets the parent wait, whatever it does: a
+/// process can take an alarm back, and one that has stopped hears none.
+class WorkingChild {
+ public:
+  WorkingChild(pid_t process, int pipe_end, std::chrono::seconds limit)
+      : process_(process), pipe_(pipe_end), limit_(limit) {}
+
+  /// False: it has ended before its answer was complete, or was ended.
+  bool receive(std::string& answer) {
+    patience_ = limit_;
+    std::uint32_t size = 0;
+    if (!read_all(reinterpret_cast<char*>(&size), sizeof(size))) return false;
+    answer.resize(size);
+    return read_all(answer.data(), size);
+  }
+
+  /// What ended it, to be asked once, when no answer comes any more.
+  std::string cause_of_death() {
+    wait_for_end();
+    if (!cause_.empty()) return cause_;
+    return ChildEnding{*status_}.deed();
+  }
+
+  /// After its last answer there is nothing left that it could do.
+  void end() {
+    kill(process_, SIGKILL);
+    wait_for_end();
+  }
+
+ private:
+  bool read_all(char* bytes, std::size_t count) {
+    while (count > 0) {
+      if (!wait_for_bytes()) return false;
+      const ssize_t got = read(pipe_, bytes, count);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) return false;
+      bytes += got;
+      count -= static_cast<std::size_t>(got);
+    }
+    return true;
+  }
+
+  /// A process that the child began may hold the pipe open after the child's end. Time in which this process was
+  /// stopped does not count.
+  bool wait_for_bytes() {
+    for (;;) {
+      pollfd pipe{pipe_, POLLIN, 0};
+      const int ready = poll(&pipe, 1, static_cast<int>(kBetweenLooks.count()));
+      if (ready > 0) return true;
+      if (ready == 0) patience_ -= kBetweenLooks;
+      if (patience_ <= std::chrono::milliseconds(0))
+        return give_up("took longer than " + std::to_string(limit_.count()) + " s");
+      look();
+      if (status_ && poll(&pipe, 1, 0) <= 0) return false;
+    }
+  }
+
+  bool give_up(const std::string& cause) {
+    cause_ = cause;
+    kill(process_, SIGKILL);
+    return false;
+  }
+
+  /// Whether it has ended or stopped. A terminal stops it with its parent; it stops itself by SIGSTOP.
+  void look() {
+    int status = 0;
+    if (status_ || waitpid(process_, &status, WNOHANG | WUNTRACED) != process_) return;
+    if (!WIFSTOPPED(status))
+      status_ = status;
+    else if (WSTOPSIG(status) == SIGSTOP)
+      give_up("stopped the program by signal 19 (SIGSTOP)");
+    else
+      kill(process_, SIGCONT);
+  }
+
+  void wait_for_end() {
+    int status = 0;
+    while (!status_) {
+      const pid_t changed = waitpid(process_, &status, 0);
+      if (changed == process_ || (changed < 0 && errno != EINTR)) status_ = status;
+    }
+  }
+
+  pid_t process_;
+  int pipe_;
+  std::chrono::seconds limit_;
+  std::chrono::milliseconds patience_{0};
+  std::optional<int> status_;  ///< once it has ended
+  std::string cause_;          ///< why it was ended
+};
 
 }  // namespace
 
 std::vector<ChildAnswer> ask_in_child(std::size_t count, const std::function<std::string(std::size_t)>& work,
                                       unsigned seconds_each) {
   const HostCall call;  // the page is this process's and the child's
+  const CallAllowance own_limit(std::numeric_limits<double>::infinity());
   std::vector<ChildAnswer> answers(count);
   std::fflush(nullptr);
   std::size_t next = 0;
   while (next < count) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error(std::string("no pipe to a child process: ") + strerror(errno));
-    const pid_t child = fork();
-    if (child == 0) serve(ends[1], next, count, work, seconds_each);
+    const pid_t parent = getpid(), process = fork();
+    if (process == 0) serve(ends[1], next, count, work, parent);
+    const int why = errno;
     close(ends[1]);
-    while (child > 0 && next < count && receive(ends[0], answers[next].answer)) ++next;
-    close(ends[0]);
-    if (child < 0) throw Error(std::string("no child process can be started: ") + strerror(errno));
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    if (process < 0) {
+      close(ends[0]);
+      throw Error(std::string("no child process can be started: ") + strerror(why));
     }
+    WorkingChild child(process, ends[0], std::chrono::seconds(seconds_each));
+    while (next < count && child.receive(answers[next].answer)) ++next;
+    if (next == count)
+      child.end();
+    else
+      answers[next].death = child.cause_of_death();
+    close(ends[0]);
     if (next == count) break;
     const std::vector<ActiveCall> calls = CallPage::active();
-    answers[next] = {cause_of_death(status, seconds_each), calls.empty() ? "" : calls.front().call, ""};
+    answers[next] = {answers[next].death, calls.empty() ? "" : calls.front().call, PluginLibraries::culprit(), ""};
     CallPage::clear();
+    PluginLibraries::forget_culprit();
     ++next;
   }
   return answers;

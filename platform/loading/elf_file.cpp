@@ -47,9 +47,32 @@ std::uint64_t end_of_content(std::ifstream& stream, const Elf64_Ehdr& header, st
   return end;
 }
 
+/// Opening a named pipe waits for its writer, and opening a device may do anything.
+std::string kind_problem(const std::filesystem::path& file) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(file, failure);
+  const auto is = [](const char* what) {
+    return std::string("is ") + what + ", not a shared library; take it out of the plugin folder";
+  };
+  switch (status.type()) {
+    case std::filesystem::file_type::regular: return {};
+    case std::filesystem::file_type::fifo: return is("a named pipe");
+    case std::filesystem::file_type::socket: return is("a socket");
+    case std::filesystem::file_type::directory: return is("a folder");
+    case std::filesystem::file_type::character:
+    case std::filesystem::file_type::block: return is("a device");
+    case std::filesystem::file_type::not_found:
+      if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, failure)))
+        return "is a link to nothing; mend it, or take it out of the plugin folder";
+      return {};  // opening it tells
+    default: return "cannot be read (" + failure.message() + "); check its permissions";
+  }
+}
+
 }  // namespace
 
 std::string elf_problem(const std::filesystem::path& file) {
+  if (const std::string problem = kind_problem(file); !problem.empty()) return problem;
   std::ifstream stream(file, std::ios::binary);
   std::error_code failure;
   const std::uint64_t size = std::filesystem::file_size(file, failure);

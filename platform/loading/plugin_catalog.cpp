@@ -4,6 +4,7 @@
 #include "loading/child_process.h"
 #include "loading/component_kinds.h"
 #include "loading/conformance.h"
+#include "loading/effect_probe.h"
 
 #include <sys/stat.h>
 
@@ -24,6 +25,7 @@ struct PluginCatalog::Entry {
   void* (*create)() = nullptr;
   std::string duplicate_of;  // the sentence, if another file has the same component
   std::string refusal;       // the sentence, if it is unfit for use
+  std::string remark;        // a sentence about what it should not do
   std::mutex making;
   void* made = nullptr;
 
@@ -62,33 +64,62 @@ std::vector<std::filesystem::path> distinct_plugin_files(const std::vector<std::
 constexpr std::size_t kMostProblems = 3;  ///< of other plugins, told beside one that is missing
 constexpr const char* kRepair = "; that is a fault of the plugin: repair it, or take it out of the plugin folder";
 
-/// What a component says of itself that cannot be; empty: nothing.
+/// What a component says of itself that cannot be, and what its hooks do.
 template <class Interface>
-std::string problem_of(const Interface& component, const ComponentOrigin& origin) {
+EffectFindings findings_about(const Interface& component, const ComponentOrigin& origin) {
   if constexpr (std::is_same_v<Interface, PhysicalEffect>) {
     const EffectDescription description = guarded_call(origin, "describe", [&] { return component.describe(); });
     const EffectStages stages = guarded_call(origin, "stages", [&] { return component.stages(); });
-    return effect_problem(description, stages, component.overridden());
+    const std::string problem = effect_problem(description, stages, component.overridden());
+    if (!problem.empty()) return {problem, {}};
+    const PluginCall call(on_page(origin), "its hooks");
+    return try_effect(component, description);
   } else {
     guarded_call(origin, "summary", [&] { return component.summary(); });
-    return declaration_problem(guarded_call(origin, "parameters", [&] { return component.parameters(); }));
+    return {declaration_problem(guarded_call(origin, "parameters", [&] { return component.parameters(); })), {}};
   }
 }
 
-std::string problem_of(std::string_view kind, const void* component, const ComponentOrigin& origin) {
-  std::string problem;
+EffectFindings findings_about(std::string_view kind, const void* component, const ComponentOrigin& origin) {
+  EffectFindings findings;
   for_component_kind(kind, [&]<class Interface>(std::type_identity<Interface>) {
-    problem = problem_of(*static_cast<const Interface*>(component), origin);
+    findings = findings_about(*static_cast<const Interface*>(component), origin);
   });
-  return problem;
+  return findings;
+}
+
+/// Findings travel as one text.
+std::string packed(const EffectFindings& findings) { return findings.problem + '\0' + findings.remark; }
+
+EffectFindings unpacked(const std::string& answer) {
+  const std::size_t end = answer.find('\0');
+  return end == std::string::npos ? EffectFindings{} : EffectFindings{answer.substr(0, end), answer.substr(end + 1)};
 }
 
 std::string refusal_of(const ComponentOrigin& origin, const ChildAnswer& rehearsal) {
   if (!rehearsal.death.empty())
     return to_string(origin) + ": " + (rehearsal.call.empty() ? "its code" : rehearsal.call) + " " + rehearsal.death +
            kRepair;
-  return rehearsal.answer.empty() ? std::string() : to_string(origin) + ": " + rehearsal.answer + kRepair;
+  const std::string problem = unpacked(rehearsal.answer).problem;
+  return problem.empty() ? std::string() : to_string(origin) + ": " + problem + kRepair;
 }
+
+std::string remark_of(const ComponentOrigin& origin, const ChildAnswer& rehearsal) {
+  const std::string remark = unpacked(rehearsal.answer).remark;
+  return remark.empty() ? std::string() : to_string(origin) + ": " + remark;
+}
+
+/// While it lives, the command can begin anew without what ends the process: it has only looked at its plugins.
+class NothingDoneYet {
+ public:
+  NothingDoneYet() { CallPage::allow_new_beginning(true); }
+  ~NothingDoneYet() { CallPage::allow_new_beginning(before_); }
+  NothingDoneYet(const NothingDoneYet&) = delete;
+  NothingDoneYet& operator=(const NothingDoneYet&) = delete;
+
+ private:
+  bool before_ = CallPage::allows_new_beginning();
+};
 
 template <class Interface>
 std::string summary_of(const Interface& component) {
@@ -109,6 +140,8 @@ std::string summary_of(std::string_view kind, const void* component) {
 }  // namespace
 
 PluginCatalog::PluginCatalog(const std::vector<std::filesystem::path>& folders) : folders_(folders) {
+  const NothingDoneYet may_begin_anew;
+  ProcessWatch::begin();
   for (const PluginLoad& load : PluginLibrary::load_all(distinct_plugin_files(folders))) {
     if (load.library)
       add(*load.library);
@@ -137,15 +170,46 @@ void PluginCatalog::add(const PluginLibrary& library) {
   }
 }
 
-void PluginCatalog::refuse_unfit() {
-  const std::vector<ChildAnswer> rehearsals = ask_in_child(entries_.size(), [this](std::size_t index) {
-    const Entry& entry = *entries_[index];
-    return problem_of(entry.kind, entry.make(), entry.origin);
-  });
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const ComponentOrigin& origin = entries_[i]->origin;
-    entries_[i]->refusal = CallPage::refusal_of(to_string(origin)).value_or(refusal_of(origin, rehearsals[i]));
+/// In a child process.
+std::string PluginCatalog::rehearse(const Entry& entry) {
+  if (!entry.refusal.empty()) return {};
+  ProcessWatch::look_closely();
+  try {
+    return packed(findings_about(entry.kind, entry.make(), entry.origin));
+  } catch (const ComponentChangedProcess& change) {
+    return packed({change.deed(), {}});
+  } catch (const ProcessChanged& change) {
+    return packed({change.deed(), {}});
   }
+}
+
+void PluginCatalog::refuse_unfit() {
+  for (const auto& entry : entries_) entry->refusal = CallPage::refusal_of(to_string(entry->origin)).value_or("");
+  std::vector<Entry*> asked;
+  for (const auto& entry : entries_) asked.push_back(entry.get());
+  while (!asked.empty()) {
+    const std::vector<ChildAnswer> rehearsals =
+        ask_in_child(asked.size(), [&](std::size_t index) { return rehearse(*asked[index]); });
+    std::vector<Entry*> once_more;  // whose child was ended by a thread of another library
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (const std::string& library = rehearsals[i].library; !library.empty() && library != asked[i]->origin.file) {
+        refuse_library(library, rehearsals[i].death);
+        once_more.push_back(asked[i]);
+      }
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (std::find(once_more.begin(), once_more.end(), asked[i]) != once_more.end()) continue;
+      if (asked[i]->refusal.empty()) asked[i]->refusal = refusal_of(asked[i]->origin, rehearsals[i]);
+      asked[i]->remark = remark_of(asked[i]->origin, rehearsals[i]);
+    }
+    asked = std::move(once_more);
+  }
+}
+
+/// All components of a library that ended a process outside of their calls.
+void PluginCatalog::refuse_library(const std::string& file, const std::string& death) {
+  for (const auto& entry : entries_)
+    if (entry->origin.file == file)
+      entry->refusal = to_string(entry->origin) + ": the library's code " + death + " outside of all calls" + kRepair;
 }
 
 void PluginCatalog::find_duplicates() {
@@ -165,6 +229,12 @@ ComponentOrigin PluginCatalog::origin(std::string_view kind, const std::string& 
   for (const auto& entry : entries_)
     if (entry->kind == kind && entry->origin.name == name) return entry->origin;
   return {component_noun(kind), name, {}};
+}
+
+std::string PluginCatalog::remark_on_effect(const std::string& name) const {
+  for (const auto& entry : entries_)
+    if (entry->kind == ComponentKind<PhysicalEffect>::name && entry->origin.name == name) return entry->remark;
+  return {};
 }
 
 std::string PluginCatalog::missing(std::string_view kind, const std::string& name) const {
@@ -210,6 +280,7 @@ void* PluginCatalog::shared_component(const std::shared_ptr<Entry>& entry) {
 void* PluginCatalog::new_component(const std::shared_ptr<Entry>& entry) { return entry->make(); }
 
 std::vector<PluginListing> PluginCatalog::list() const {
+  const NothingDoneYet may_begin_anew;
   std::vector<PluginListing> listings;
   for (const auto& entry : entries_) {
     PluginListing& listing = listings.emplace_back();
@@ -218,6 +289,7 @@ std::vector<PluginListing> PluginCatalog::list() const {
     listing.file = entry->origin.file;
     listing.sha256 = entry->sha256;
     listing.build_id = entry->build_id;
+    listing.remark = entry->remark;
     listing.problem = entry->duplicate_of.empty() ? entry->refusal : entry->duplicate_of;
     if (!entry->refusal.empty()) continue;
     try {

@@ -22,6 +22,7 @@ struct PluginListing {
   std::string sha256;
   std::string build_id;
   std::string problem;  ///< why it cannot be used; empty: it can
+  std::string remark;   ///< a sentence about what it does and should not; empty: nothing
 };
 
 /// Every component of every plugin found on the search path, by kind and name. Components are
@@ -34,8 +35,9 @@ class PluginCatalog {
   /// good ones: they are kept as `problems()`, and asking for a component that is missing names them.
   ///
   /// Then each component is made and asked what it is in a child process, with a time limit: one that ends the child,
-  /// or takes too long, or says of itself what cannot be (loading/conformance.h), is refused with a sentence; the
-  /// others go on working.
+  /// or takes too long, or changes the process (foundation/process_watch.h), or says of itself what cannot be
+  /// (loading/conformance.h), is refused with a sentence; the others go on working. The hooks of an effect are tried as
+  /// well (loading/effect_probe.h).
   explicit PluginCatalog(const std::vector<std::filesystem::path>& folders);
 
   /// The component of that interface and name: `get<PhysicalEffect>("viscous_friction")`. Throws `Error` for a name
@@ -56,6 +58,9 @@ class PluginCatalog {
     return origin(ComponentKind<Interface>::name, name);
   }
 
+  /// What an effect does and should not, a sentence; empty: nothing is known.
+  std::string remark_on_effect(const std::string& name) const;
+
   /// Every component, by kind and name, with its summary.
   std::vector<PluginListing> list() const;
   /// Sentences about files that could not be used (broken, other version) and names that two plugins have.
@@ -66,6 +71,8 @@ class PluginCatalog {
 
   void add(const PluginLibrary& library);
   void refuse_unfit();
+  void refuse_library(const std::string& file, const std::string& death);
+  static std::string rehearse(const Entry& entry);
   void find_duplicates();
   ComponentOrigin origin(std::string_view kind, const std::string& name) const;
   const std::shared_ptr<Entry>& find(std::string_view kind, const std::string& name) const;

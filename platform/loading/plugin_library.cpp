@@ -1,8 +1,13 @@
 #include "loading/plugin_library.h"
 
 #include "foundation/digest.h"
+#include "foundation/guarded_call.h"
+#include "foundation/plugin_libraries.h"
+#include "foundation/process_state.h"
+#include "foundation/process_watch.h"
 #include "loading/child_process.h"
 #include "loading/elf_file.h"
+#include "loading/plugin_catalog.h"
 #include "loading/plugin_table.h"
 
 #include <lacuna/error.h>
@@ -11,6 +16,7 @@
 #include <boost/core/demangle.hpp>
 #include <boost/dll/shared_library.hpp>
 
+#include <memory>
 #include <string_view>
 
 namespace lacuna {
@@ -27,8 +33,19 @@ const shared_library& load_for_good(const std::filesystem::path& file) {
   return *handles->back();
 }
 
-const PluginTable* table_of(const shared_library& library) {
-  return library.has(kPluginSymbol) ? library.get<const PluginTable*()>(kPluginSymbol)() : nullptr;
+using TableFunction = const PluginTable*();
+
+/// Throws `Error` where the library has no such function, or that throws anything.
+const PluginTable* table_of(const shared_library& library, const std::filesystem::path& file) {
+  if (!library.has(kPluginSymbol))
+    throw Error(std::string("has no function ") + kPluginSymbol +
+                "; end one of its source files with LACUNA_PLUGIN(...), or take it out of the plugin folder");
+  TableFunction& function = library.get<TableFunction>(kPluginSymbol);
+  try {
+    return guarded_call({"plugin library", file.filename().string(), file}, kPluginSymbol, function);
+  } catch (const ComponentError& error) {
+    throw Error(error.reason());
+  }
 }
 
 /// The part of the loader's message that says something, its symbol names made readable.
@@ -50,23 +67,71 @@ std::string in_child(const std::filesystem::path& file, const std::string& endin
   return file.string() + ": " + ending + " when it was loaded; copy it or build it again, or take it out of the folder";
 }
 
-/// What happens to a file in the child process: everything that will happen to it in this one.
+/// As libraries are to leave the process; none: the first of them has not been loaded here.
+std::unique_ptr<const ProcessState>& state_before_loading() {
+  static auto* const state = new std::unique_ptr<const ProcessState>;
+  return *state;
+}
+
+void remember_state() {
+  state_before_loading() = nullptr;  // gives its copies of the streams back, which are to be no part of the next state
+  state_before_loading() = std::make_unique<const ProcessState>();
+}
+
+/// What the library changed that was loaded now, set back; empty: nothing.
+std::string sentence_of_changes() {
+  const std::vector<std::string> changes = state_before_loading()->set_back(ProcessState::Extent::complete);
+  if (changes.empty()) return {};
+  remember_state();  // what could not be set back is not the next one's
+  return "changes " + enumerated(changes) +
+         " when it is loaded, which other code relies on; take that out of its static objects and link options, or "
+         "take "
+         "it out of the plugin folder";
+}
+
+/// How a parent process names what a library does when it is loaded, before anything is known of its components.
+const char* file_on_page(const std::filesystem::path& file) { return component_on_page(file.string()); }
+constexpr const char* kLoading = "what it does when it is loaded";
+
+/// What happens to a file in the child process: everything that will happen to it in this one. What it changed of the
+/// process.
 std::string rehearse(const std::filesystem::path& file) {
-  const shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
-  return table_problem(table_of(library));
+  const PluginCall call(file_on_page(file), kLoading);
+  ProcessWatch::look_closely();
+  if (state_before_loading() == nullptr) remember_state();
+  std::string changes;
+  try {
+    const shared_library library(file, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
+    changes = sentence_of_changes();
+    table_problem(table_of(library, file));
+  } catch (...) {  // this process meets it again, and says what it was
+  }
+  return changes;
+}
+
+bool is_of_program(const std::filesystem::path& file) {
+  static const std::filesystem::path folder = installed_plugins();
+  return !folder.empty() && file.parent_path() == folder.lexically_normal();
 }
 
 }  // namespace
+
+void PluginLibrary::forget_process() {
+  ProcessWatch::forget();
+  state_before_loading() = nullptr;
+}
 
 PluginLibrary PluginLibrary::open(const std::filesystem::path& file) {
   PluginLibrary plugin;
   plugin.file_ = file;
   plugin.sha256_ = sha256_of_file(file);
+  const PluginCall call(file_on_page(file), kLoading);
   const shared_library& library = load_for_good(file);
-  if (!library.has(kPluginSymbol))
-    throw Error(std::string("has no function ") + kPluginSymbol +
-                "; end one of its source files with LACUNA_PLUGIN(...), or take it out of the plugin folder");
-  plugin.table_ = table_of(library);
+  const std::string changes = sentence_of_changes();
+  if (!changes.empty()) throw Error(changes);
+  plugin.table_ = table_of(library, file);
+  PluginLibraries::add(reinterpret_cast<const void*>(&library.get<TableFunction>(kPluginSymbol)), file.string(),
+                       is_of_program(file));
   const std::string problem = table_problem(plugin.table_);
   if (!problem.empty()) throw Error(problem);
   return plugin;
@@ -77,21 +142,27 @@ std::vector<PluginLoad> PluginLibrary::load_all(const std::vector<std::filesyste
   std::vector<std::size_t> complete;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string problem = elf_problem(files[i]);
-    if (problem.empty())
+    if (const auto refused = CallPage::refusal_of(files[i].string()))
+      loads[i].problem = *refused;
+    else if (problem.empty())
       complete.push_back(i);
     else
       loads[i].problem = files[i].string() + ": " + problem;
   }
+  state_before_loading() = nullptr;  // the child's is another one
   const std::vector<ChildAnswer> rehearsals =
       ask_in_child(complete.size(), [&](std::size_t index) { return rehearse(files[complete[index]]); });
+  remember_state();
   for (std::size_t index = 0; index < complete.size(); ++index) {
     const std::filesystem::path& file = files[complete[index]];
     PluginLoad& load = loads[complete[index]];
     try {
-      if (rehearsals[index].death.empty())
-        load.library = open(file);
-      else
+      if (!rehearsals[index].death.empty())
         load.problem = in_child(file, rehearsals[index].death);
+      else if (!rehearsals[index].answer.empty())
+        load.problem = file.string() + ": " + rehearsals[index].answer;
+      else
+        load.library = open(file);
     } catch (const boost::dll::fs::system_error& error) {
       load.problem = file.string() + ": " + loader_complaint(error.what());
     } catch (const Error& error) {

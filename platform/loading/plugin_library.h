@@ -19,6 +19,9 @@ class PluginLibrary {
   /// one would end ours), loads it with all symbols bound, and checks its table before any C++ of it
   /// is called. Throws `Error`: file, what is wrong, what to do.
   static PluginLibrary load(const std::filesystem::path& file);
+  /// In a program that carries out one command after another: as the process is now, libraries are to leave it. Before
+  /// a command, while no plugin is called.
+  static void forget_process();
   /// The same for many files with one child process for all of them; throws nothing of theirs.
   static std::vector<PluginLoad> load_all(const std::vector<std::filesystem::path>& files);
 

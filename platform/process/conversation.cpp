@@ -69,7 +69,7 @@ Trial Conversation::carry_out(const Test& test) {
 
 Trial Conversation::whole(const CommandSeries& commands) {
   lines_.send(series_message(heading_, hello_, commands), until_);
-  Samples samples = read_samples(lines_.receive(until_), hello_);
+  Samples samples = read_samples(lines_.receive(until_), hello_, heading_.id);
   check_extent(samples, heading_);
   for (Eigen::Index row = 0; row < samples.times.size(); ++row)
     order_.check_readings(samples.times[row],
@@ -115,7 +115,7 @@ Trial Conversation::period_by_period(Drive&& drive) {
 }
 
 Readings Conversation::next_readings(std::size_t period, double before) {
-  Readings readings = read_readings(lines_.receive(until_), hello_);
+  Readings readings = read_readings(lines_.receive(until_), hello_, heading_.id);
   const double due = static_cast<double>(period) * heading_.period;
   if (readings.time > before && std::abs(readings.time - due) <= kJitter * heading_.period) return readings;
   throw Error(fmt::format(

@@ -17,6 +17,10 @@ using Json = nlohmann::json;
 
 constexpr double kLimitTolerance = 1e-9;  // relative, of what units and decimal places do to a limit
 
+constexpr const char* kWithoutIds = "lacuna-process/1";
+constexpr const char* kAddIds =
+    R"(: let each of its answers to a test repeat the "id" of the test's message, and its hello name this protocol)";
+
 /// One of the objects in a list of the hello; its faults are the hello's.
 class Part {
  public:
@@ -164,7 +168,8 @@ Hello read_hello(const std::string& line) {
   JsonMessage message(line, "hello");
   const std::string protocol = message.text("protocol", "a text");
   if (!protocol.empty() && protocol != kProcessProtocol)
-    message.add_fault(fmt::format("it speaks {}, this program {}", quoted_text(protocol), kProcessProtocol));
+    message.add_fault(fmt::format("it speaks {}, this program {}{}", quoted_text(protocol), kProcessProtocol,
+                                  protocol == kWithoutIds ? kAddIds : ""));
   Hello hello;
   hello.name = message.text("name", "a text");
   read_modes(message, hello);

@@ -9,7 +9,7 @@
 namespace lacuna {
 
 /// The protocol, as messages name it.
-inline constexpr const char* kProcessProtocol = "lacuna-process/1";
+inline constexpr const char* kProcessProtocol = "lacuna-process/2";
 
 /// What no sensor of a robot reads more than, in any SI unit.
 inline constexpr double kLargestReading = 1e12;

@@ -1,5 +1,6 @@
 #include "process/json_message.h"
 
+#include "foundation/json_depth.h"
 #include "process/quoted_text.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,10 @@ bool has_too_large_number(const std::string& line) {
 }
 
 nlohmann::json parsed(const std::string& line) {
+  if (nests_too_deep(line))
+    throw Error(fmt::format("sends a line that nests arrays and objects more than {} levels deep, {}", kDeepestJson,
+                            quoted_text(line)) +
+                kOnlyMessages);
   nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (json.is_discarded() && has_no_number(line))
     throw Error("sends NaN or Infinity, " + quoted_text(line) +
@@ -47,7 +52,14 @@ nlohmann::json parsed(const std::string& line) {
 
 }  // namespace
 
-JsonMessage::JsonMessage(const std::string& line, const std::string& type) : type_(type), json_(parsed(line)) {
+JsonMessage::JsonMessage(const std::string& line, const std::string& type) : JsonMessage(line, type, std::nullopt) {}
+
+JsonMessage::JsonMessage(const std::string& line, const std::string& type, std::uint64_t id)
+    : JsonMessage(line, type, std::optional(id)) {}
+
+JsonMessage::JsonMessage(const std::string& line, const std::string& type, std::optional<std::uint64_t> id)
+    : type_(type), json_(parsed(line)) {
+  if (id) check_id(*id);
   const nlohmann::json* own = find("type");
   if (own == nullptr || !own->is_string()) throw Error("sends a message without \"type\", " + quoted_text(line));
   const std::string given = own->get<std::string>();
@@ -58,6 +70,17 @@ JsonMessage::JsonMessage(const std::string& line, const std::string& type) : typ
   }
   if (given != type)
     throw Error(fmt::format("sends a message of type {} where one of type \"{}\" is due", quoted_text(given), type));
+  if (id && find("id") == nullptr)
+    add_fault(R"("id" is missing, the number of the test; repeat the "id" of the test's message in each answer to it)");
+}
+
+void JsonMessage::check_id(std::uint64_t id) {
+  const nlohmann::json* given = find("id");
+  if (given == nullptr || *given == id) return;
+  throw Error(fmt::format(
+      "answers the test with \"id\" {} where an answer to that with {} is due; each test is answered once, before the "
+      "next one, and the answer repeats the test's \"id\"",
+      quoted_text(given->dump()), id));
 }
 
 const nlohmann::json* JsonMessage::find(const std::string& name) const {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ class RefusedTest : public Error {
   using Error::Error;
 };
 
-/// A message of the protocol "lacuna-process/1" (docs/reference/process-target.md) as it came: an object a line. Faults
+/// A message of the protocol "lacuna-process/2" (docs/reference/process-target.md) as it came: an object a line. Faults
 /// are collected while its members are read, so that all of them are told at once. What is thrown continues "the
 /// program ...".
 class JsonMessage {
@@ -25,6 +26,9 @@ class JsonMessage {
   /// Throws `Error` where the line is no JSON object or no message of this type, `RefusedTest` where it is one of
   /// type "error".
   JsonMessage(const std::string& line, const std::string& type);
+  /// The same for the answer to a test, whose `id` it must repeat: what it answers to another test, late or a second
+  /// time, is thrown as an `Error`, whatever its type. An error may come without.
+  JsonMessage(const std::string& line, const std::string& type, std::uint64_t id);
 
   /// A member; null where there is none.
   const nlohmann::json* find(const std::string& name) const;
@@ -39,6 +43,9 @@ class JsonMessage {
   void throw_if_faulty() const;
 
  private:
+  JsonMessage(const std::string& line, const std::string& type, std::optional<std::uint64_t> id);
+  void check_id(std::uint64_t id);
+
   std::string type_;
   nlohmann::json json_;
   std::vector<std::string> faults_;

@@ -115,8 +115,10 @@ void ProcessTarget::greet() {
 
 Trial ProcessTarget::try_test(const Test& test) {
   if (const std::string line = lines_->unasked(); !line.empty())
-    throw Error("sends a line that nobody asked for, " + quoted_text(line));
+    throw Error("sends a line that nobody asked for, " + quoted_text(line) +
+                "; each test is answered once, before the next one");
   TestHeading heading;
+  heading.id = ++sent_;
   heading.trial = number_;
   heading.seed = RandomStream(std::array<std::uint64_t, 2>{setting_.noise_seed, number_})() >> 11U;
   heading.duration = test.duration;

@@ -59,7 +59,8 @@ class ProcessTarget : public ExternalProgram {
   Hello hello_;
   std::unique_ptr<ChildLines> lines_;
   std::uint64_t number_ = 0;
-  bool was_fit_ = false;  ///< it has said what it is, and fitted the model
+  std::uint64_t sent_ = 0;  ///< tests, to all programs that were started
+  bool was_fit_ = false;    ///< it has said what it is, and fitted the model
 };
 
 }  // namespace lacuna

@@ -18,13 +18,10 @@ using Json = nlohmann::json;
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 Json heading_json(const TestHeading& heading, const char* mode) {
-  return {{"type", "test"},
-          {"mode", mode},
-          {"trial", heading.trial},
-          {"seed", heading.seed},
-          {"duration", heading.duration},
-          {"period", heading.period},
-          {"periods", heading.periods}};
+  return {{"type", "test"},           {"mode", mode},
+          {"id", heading.id},         {"trial", heading.trial},
+          {"seed", heading.seed},     {"duration", heading.duration},
+          {"period", heading.period}, {"periods", heading.periods}};
 }
 
 Json commands_json(const Hello& hello, std::span<const double> commands) {
@@ -127,8 +124,8 @@ std::string commands_message(const Hello& hello, std::span<const double> command
   return Json{{"type", "commands"}, {"commands", commands_json(hello, commands)}}.dump();
 }
 
-Readings read_readings(const std::string& line, const Hello& hello) {
-  JsonMessage message(line, "readings");
+Readings read_readings(const std::string& line, const Hello& hello, std::uint64_t id) {
+  JsonMessage message(line, "readings", id);
   Readings readings;
   readings.time = message.number("time", "a number, s");
   const std::string meaning = fmt::format("a list of {} numbers, one a sensor", hello.sensors.size());
@@ -142,8 +139,8 @@ Readings read_readings(const std::string& line, const Hello& hello) {
   return readings;
 }
 
-Samples read_samples(const std::string& line, const Hello& hello) {
-  JsonMessage message(line, "samples");
+Samples read_samples(const std::string& line, const Hello& hello, std::uint64_t id) {
+  JsonMessage message(line, "samples", id);
   Samples samples;
   const Json* times = message.need("times", "a list of numbers, s");
   const Json* rows = message.need("samples", "a list of rows, one a time");

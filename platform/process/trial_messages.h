@@ -14,6 +14,7 @@ namespace lacuna {
 
 /// What every test message says.
 struct TestHeading {
+  std::uint64_t id = 0;     ///< the how many-th test it is that this program is sent; its answers repeat it
   std::uint64_t trial = 0;  ///< its number
   std::uint64_t seed = 0;   ///< of whatever is random in a target that is simulated; below 2^53
   double duration = 0.0;    ///< s
@@ -51,8 +52,8 @@ std::string exchange_message(const TestHeading& heading);
 std::string commands_message(const Hello& hello, std::span<const double> commands);
 
 /// Both throw `Error` with all that is wrong with the message, which continues "the program ...", and
-/// `RefusedTest` where the target says that it cannot.
-Readings read_readings(const std::string& line, const Hello& hello);
-Samples read_samples(const std::string& line, const Hello& hello);
+/// `RefusedTest` where the target says that it cannot. `id`: of the test that is to be answered.
+Readings read_readings(const std::string& line, const Hello& hello, std::uint64_t id);
+Samples read_samples(const std::string& line, const Hello& hello, std::uint64_t id);
 
 }  // namespace lacuna

@@ -1,9 +1,5 @@
-#include "bad_plugins/bad_folder.h"
-#include "end_to_end/program.h"
+#include "bad_plugins/hostile_plugin.h"
 #include "support/sanitizers.h"
-#include "support/small_experiment.h"
-
-#include <gmock/gmock.h>
 
 #include <regex>
 #include <string>
@@ -18,32 +14,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::filesystem::path kRig = std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "tests" / "bad_plugins" / "rig";
-
-class HostilePlugin : public testing::Test {
- protected:
-  HostilePlugin() {
-    for (const char* file : {"rig.toml", "robot.toml", "spin.csv"}) program_.write(file, read_bytes(kRig / file));
-    program_.write("small.toml", small_experiment("0.2", "population = 4, keep = 2, generations = 2",
-                                                  "population = 4, keep = 2, generations = 2"));
-  }
-  /// What the hostile plugin does is told it by `order`.
-  Outcome lacuna(const std::string& order, const std::string& command) const {
-    return program_.shell("export HOSTILE='" + order + "'; lacuna " + command + " --plugin-path " +
-                          folder_.path().string());
-  }
-  static std::string compare(const std::string& effect) {
-    return "compare rig.toml --set 'model.effects=[{effect=\"" + effect + "\",where=\"joint.axle\"}]'";
-  }
-  auto names(const std::string& component, const std::string& what) const {
-    return AllOf(HasSubstr(component + " (" + (folder_.path() / "hostile.so").string() + "): " + what),
-                 HasSubstr("that is a fault of the plugin"));
-  }
-
-  BadFolder folder_{"hostile"};
-  Program program_;
-};
 
 TEST_F(HostilePlugin, ThatEndsTheProgramInAStepIsNamed) {
   ASSERT_EQ(lacuna("", "compare rig.toml").exit_code, 0);
@@ -90,7 +60,7 @@ TEST_F(HostilePlugin, ThatTakesAllMemoryOrThrowsIsNamed) {
   const Outcome hog = program_.shell("ulimit -v 2000000; export HOSTILE='add_loads hog'; lacuna " + compare("hostile") +
                                      " --plugin-path " + folder_.path().string());
   EXPECT_EQ(hog.exit_code, 1);
-  EXPECT_THAT(hog.errors, AllOf(HasSubstr("hostile.so"), HasSubstr("add_loads threw std::bad_alloc")));
+  EXPECT_THAT(hog.errors, AllOf(HasSubstr("hostile.so"), HasSubstr("add_loads ran out of memory")));
 }
 
 TEST_F(HostilePlugin, ThatEndsADiagnosisIsNamed) {
@@ -126,7 +96,7 @@ const std::vector<std::pair<std::string, std::string>> kDeeds = {
     {"thread", "add_loads ended the program by signal 6"},
     {"hang", "add_loads: an evaluation took longer than 1 s, the limit"},
     {"throw", "add_loads threw an object of type"},
-    {"hog", "add_loads threw std::bad_alloc"},
+    {"hog", "add_loads ran out of memory"},
 };
 
 /// Short where the limit is what ends the deed; others may need time for it on a slow machine.
@@ -169,10 +139,46 @@ TEST_F(HostileEffectInARun, EndsTheRunWhereItHasEndedThreeWorkers) {
   if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes";
   const Outcome outcome = run("add_loads segfault 50", "");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr("has ended 3 worker processes"),
-                                    HasSubstr("by signal 11"), HasSubstr("--resume goes on from here")));
+  EXPECT_THAT(outcome.errors,
+              AllOf(HasSubstr("effect \"hostile\""), HasSubstr("has ended 3 worker processes"),
+                    HasSubstr("by signal 11"), HasSubstr("--resume --accept-plugin hostile goes on from here")));
   const Outcome mended = run("", "--resume");
   EXPECT_EQ(mended.exit_code, 0) << mended.errors;
+}
+
+/// The plugin is built anew: another file, of which the run knew nothing.
+TEST_F(HostileEffectInARun, GoesOnWithTheMendedPluginByTheLineThatWasPrinted) {
+  if (LACUNA_WATCHED) GTEST_SKIP() << "a sanitizer makes exit codes of its own of crashes";
+  const std::filesystem::path plugin = folder_.path() / "hostile.so";
+  const Outcome broken = run("add_loads segfault 50", "");
+  ASSERT_EQ(broken.exit_code, 1);
+  program_.shell("printf rebuilt >>" + plugin.string());  // behind what the loader reads
+  const Outcome refused = run("", "--resume");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("was begun with another build of " + plugin.string()),
+                                    HasSubstr("--accept-plugin hostile: the rows so far stay those of the old one")));
+  std::smatch line;
+  ASSERT_TRUE(std::regex_search(broken.errors, line, std::regex("mended, (lacuna .*) goes on from here")));
+  const Outcome mended = program_.shell(line[1].str());
+  EXPECT_EQ(mended.exit_code, 0) << mended.errors;
+  EXPECT_THAT(mended.errors, HasSubstr("goes on with another build of " + plugin.string()));
+  EXPECT_EQ(program_.run({"verify", "small.db"}).exit_code, 0);
+  EXPECT_THAT(program_
+                  .run({"sql", "small.db", "--csv",
+                        "SELECT count(*), count(DISTINCT sha256), sum(file LIKE '%hostile.so (until 20%)') "
+                        "FROM plugin_file WHERE file LIKE '%hostile%'"})
+                  .output,
+              HasSubstr("\n2,2,1"));
+  EXPECT_THAT(program_.shell("lacuna reproduce small.db --quiet --plugin-path " + folder_.path().string()).errors,
+              HasSubstr("its rows come from both builds"));
+}
+
+TEST_F(HostileEffectInARun, AcceptsNoPluginThatTheExperimentDoesNotUse) {
+  run("add_loads segfault 50", "");
+  const Outcome slip = run("", "--resume --accept-plugin hostil");
+  EXPECT_EQ(slip.exit_code, 2);
+  EXPECT_THAT(slip.errors, AllOf(HasSubstr("--accept-plugin hostil: the experiment uses no plugin of that name"),
+                                 HasSubstr("did you mean \"hostile\"?")));
 }
 
 TEST_F(HostileEffectInARun, IsNamedWhereThereAreNoWorkers) {
@@ -180,7 +186,7 @@ TEST_F(HostileEffectInARun, IsNamedWhereThereAreNoWorkers) {
   for (const auto& [deed, what] : kDeeds) {
     program_.shell("rm -f small.db* once");
     const Outcome outcome =
-        run("add_loads " + deed + " 60'; export HOSTILE_ONCE='once", "--no-isolate" + limit_of(deed));
+        run("add_loads " + deed + " 60'; export HOSTILE_ONCE='once", "--no-isolate --threads 1" + limit_of(deed));
     if (outcome.exit_code != 0)
       EXPECT_THAT(outcome.errors, AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what))) << deed;
     else  // what is thrown ends no process
@@ -221,8 +227,17 @@ TEST_F(HostilePlugin, IsLeftOutOfADiagnosisThatGoesOn) {
     EXPECT_EQ(outcome.exit_code, 0) << deed << outcome.errors;
     EXPECT_THAT(outcome.errors,
                 AllOf(HasSubstr("effect \"hostile\""), HasSubstr(what), HasSubstr("begins again without it")));
-    EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("not testable: hostile"))) << deed;
+    EXPECT_THAT(outcome.output, AllOf(HasSubstr("coulomb_friction"), HasSubstr("plugin failed: hostile"))) << deed;
   }
+}
+
+TEST_F(HostilePlugin, ThatThrowsInADiagnosisIsToldAsFailedNotAsUntestable) {
+  program_.copy_first_steps();
+  const Outcome outcome =
+      lacuna("add_loads throw", "diagnose first-steps.toml --among hostile --among coulomb_friction --quiet");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("plugin failed: hostile @ "), HasSubstr("add_loads threw an object of"),
+                                    HasSubstr("that is a fault of the plugin"), Not(HasSubstr("not testable"))));
 }
 
 TEST_F(HostilePlugin, ThatHangsEndsWithTheFirstWish) {

@@ -9,6 +9,11 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class Load : public bad::Effect {
  public:
+  lacuna::EffectDescription describe() const override {
+    lacuna::EffectDescription description = bad::Effect::describe();
+    description.placements = {lacuna::ElementKind::joint};
+    return description;
+  }
   void add_loads(const lacuna::StepView& view, const lacuna::EffectContext& context, std::span<const double>,
                  lacuna::StepLoads& loads) const override {
     const int coordinate = view.first_coordinate[static_cast<std::size_t>(context.elements[0])];

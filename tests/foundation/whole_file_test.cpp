@@ -117,7 +117,7 @@ TEST_F(WholeFileTest, LeavesNoDraftWhenKilled) {
 TEST_F(WholeFileTest, RemovesDraftsOfTheKilledAndNoOthers) {
   const std::string own = [&] {  // what names of this machine's drafts begin with
     const std::string name = WholeFile(file_, Link::followed).named_draft().filename();
-    return name.substr(0, name.size() - 9);
+    return name.substr(0, std::string(".lacuna-").size() + 8);
   }();
   const auto hour_ago = fs::file_time_type::clock::now() - std::chrono::minutes(61);
   folder_.write(own + "01234567", "half of it");
@@ -132,6 +132,29 @@ TEST_F(WholeFileTest, RemovesDraftsOfTheKilledAndNoOthers) {
   EXPECT_THAT(names(), testing::UnorderedElementsAre("result.json", ".lacuna-settings", ".lacuna-0123456789abcdef",
                                                      own + "-89abcdef", own + "76543210"));
   ::close(writer);
+}
+
+/// What a library wrote when its process was killed.
+TEST_F(WholeFileTest, RemovesANamedDraftAsSoonAsItsProcessHasEnded) {
+  std::array<int, 2> ready{};
+  ASSERT_EQ(::pipe(ready.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    WholeFile whole(file_, Link::followed);
+    if (!whole.named_draft().empty() && ::write(ready[1], "x", 1) == 1) ::pause();
+    ::_exit(0);
+  }
+  char begun = 0;
+  ASSERT_EQ(::read(ready[0], &begun, 1), 1);
+  write_whole(file_, "new\n", Link::followed);
+  EXPECT_EQ(names().size(), 2U) << "the draft of a process that lives stays";
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  EXPECT_EQ(names().size(), 2U);
+  write_whole(file_, "newer\n", Link::followed);
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
 }
 
 /// As on a network file system, which takes flock for a lock of the whole file.

@@ -1,5 +1,6 @@
 #include "process/outside_trial.h"
 
+#include "process/json_message.h"
 #include "process/quoted_text.h"
 #include "process/trial_messages.h"
 
@@ -38,7 +39,7 @@ TEST(Limits, AreNotLeftByGoingToSIAndBack) {
   Hello hello;
   for (int limit = 1; limit <= 360; ++limit) {
     const std::string stated = std::to_string(limit);
-    std::string text = R"({"type": "hello", "protocol": "lacuna-process/1", "name": "servo", "modes": ["exchange"],)"
+    std::string text = R"({"type": "hello", "protocol": "lacuna-process/2", "name": "servo", "modes": ["exchange"],)"
                        R"("sensors": [], "actuators": [{"name": "servo", "unit": "deg", "lower": -)";
     text += stated;
     text += ", \"upper\": ";
@@ -63,10 +64,21 @@ TEST(PlainText, KeepsWhatCanBePrinted) {
 
 TEST(PlainText, IsWhatAHelloKeepsOfNames) {
   const Hello hello =
-      read_hello(R"({"type": "hello", "protocol": "lacuna-process/1", "name": "rig\u001b[2J", "modes": ["series"],)"
+      read_hello(R"({"type": "hello", "protocol": "lacuna-process/2", "name": "rig\u001b[2J", "modes": ["series"],)"
                  R"("sensors": [{"name": "ang\u0007le", "unit": "rad"}], "actuators": []})");
   EXPECT_EQ(hello.name, "rig.[2J");
   EXPECT_EQ(hello.sensors[0].name, "ang.le");
+}
+
+TEST(JsonMessage, ThatNestsTooDeepIsRefusedWithASentence) {
+  std::string line = R"({"type": "hello", "name": )";
+  line += std::string(80'000, '[') + std::string(80'000, ']') + "}";
+  try {
+    const JsonMessage message(line, "hello");
+    FAIL() << "was read";
+  } catch (const Error& wrong) {
+    EXPECT_THAT(wrong.what(), testing::HasSubstr("nests arrays and objects more than"));
+  }
 }
 
 }  // namespace

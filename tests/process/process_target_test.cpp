@@ -325,6 +325,37 @@ TEST_F(OutsideTarget, ALineThatNobodyAskedForFailsTheNextTrialAlone) {
   EXPECT_EQ(target.carry_out(series(0.2)).measured.times.size(), 11);
 }
 
+TEST_F(OutsideTarget, AnAnswerToAnEarlierTestIsNoDataOfTheNext) {
+  const auto second = [this](const std::string& fault) {
+    ProcessTarget& target = rig(fault);
+    try {
+      target.carry_out(series(0.2));
+    } catch (const Error& refused) {
+      EXPECT_THAT(refused.what(), HasSubstr("took too long")) << fault;
+    }
+    try {
+      target.carry_out(series(-0.2));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing failed");
+  };
+  const auto is_told =
+      AllOf(HasSubstr(kRig), HasSubstr("answers the test with \"id\" \"1\" where an answer to that with 2 is due"));
+  EXPECT_THAT(second("answers twice"), is_told);
+  EXPECT_THAT(second("refuses, and answers late"), is_told) << "of the same trial";
+  EXPECT_THAT(second("refuses late"), is_told) << "the second test was not refused";
+  const Trial afterwards = target_->carry_out(series(0.2));
+  EXPECT_NEAR(afterwards.measured.samples(10, 0), 100.0 * kDegree, 1e-12) << "half of 200 mN*m, in degrees";
+}
+
+TEST_F(OutsideTarget, ThatRepeatsNoIdIsToldToAddIt) {
+  EXPECT_THAT(complaint("repeats no id"), HasSubstr("\"id\" is missing, the number of the test; repeat the \"id\""));
+  EXPECT_THAT(complaint("is of before"),
+              AllOf(HasSubstr("it speaks \"lacuna-process/1\", this program lacuna-process/2"),
+                    HasSubstr("repeat the \"id\" of the test's message")));
+}
+
 TEST_F(OutsideTarget, MayWriteAnythingToStandardError) {
   EXPECT_EQ(rig("floods standard error").carry_out(series(0.2)).measured.times.size(), 11);
 }

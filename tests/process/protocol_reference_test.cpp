@@ -51,23 +51,23 @@ TEST(ProtocolReference, TestsAreSentAsItSays) {
   CommandSeries commands;
   commands.series.times = Eigen::Vector2d(0.0, 0.02);
   commands.series.samples = Eigen::Vector2d(0.25, -0.25);
-  const TestHeading third{.trial = 3, .seed = 4027, .duration = 0.04, .period = 0.02, .periods = 2};
+  const TestHeading third{.id = 1, .trial = 3, .seed = 4027, .duration = 0.04, .period = 0.02, .periods = 2};
   EXPECT_EQ(Json::parse(series_message(third, pendulum(), commands)), Json::parse(messages().at("series")));
-  const TestHeading fourth{.trial = 4, .seed = 911, .duration = 0.04, .period = 0.02, .periods = 2};
+  const TestHeading fourth{.id = 2, .trial = 4, .seed = 911, .duration = 0.04, .period = 0.02, .periods = 2};
   EXPECT_EQ(Json::parse(exchange_message(fourth)), Json::parse(messages().at("exchange")));
   EXPECT_EQ(Json::parse(commands_message(pendulum(), std::array{0.25})), Json::parse(messages().at("commands")));
 }
 
 TEST(ProtocolReference, AnswersAreReadAsItSays) {
-  const Samples samples = read_samples(messages().at("samples"), pendulum());
+  const Samples samples = read_samples(messages().at("samples"), pendulum(), 1);
   ASSERT_EQ(samples.times.size(), 5);
   EXPECT_NEAR(samples.values(2, 0), 0.5 * kDegree, kTolerance);
   EXPECT_TRUE(std::isnan(samples.values(4, 0)));
   EXPECT_TRUE(samples.start.contains("hinge"));
-  const Readings readings = read_readings(messages().at("readings"), pendulum());
+  const Readings readings = read_readings(messages().at("readings"), pendulum(), 2);
   EXPECT_NEAR(readings.sensors.at(0), 0.5 * kDegree, kTolerance);
   EXPECT_TRUE(readings.start.contains("hinge"));
-  EXPECT_THAT([] { read_samples(messages().at("error"), pendulum()); },
+  EXPECT_THAT([] { read_samples(messages().at("error"), pendulum(), 2); },
               testing::ThrowsMessage<RefusedTest>(testing::HasSubstr("the arm is not at rest")));
 }
 

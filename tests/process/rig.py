@@ -15,7 +15,7 @@ EXCHANGES = ("only exchange", "begins early", *WAVERS)
 
 HELLO = {
     "type": "hello",
-    "protocol": "lacuna-process/1",
+    "protocol": "lacuna-process/2",
     "name": "test rig",
     "modes": ["series"] * (FAULT not in EXCHANGES) + ["exchange"] * (FAULT != "only series"),
     "sensors": [{"name": "heat", "unit": "1"}, {"name": "angle", "unit": "deg", "noise": 0.1}],
@@ -81,6 +81,8 @@ def greet():
         hello.update(protocol="lacuna-process/9", modes=["often"])
         hello["sensors"] = [{"name": "angle", "unit": "furlong"}, {"name": "angle"}]
         hello["actuators"][0].update(lower=2, upper=1)
+    if FAULT == "is of before":
+        hello.update(protocol="lacuna-process/1")
     if FAULT == "wrong units":
         hello["sensors"][1]["unit"] = "m"
     if FAULT == "wrong names":
@@ -131,6 +133,15 @@ def fault_in_trial(test):
     if FAULT == "refuses":
         say({"type": "error", "message": "the arm is not at rest"})
         return True
+    if FAULT == "refuses, and answers late":
+        if test["id"] == 1:
+            say({"type": "error", "id": 1, "message": "took too long"})
+            return True
+        time.sleep(0.3)
+        say(dict(samples_of(test), id=1))
+    if FAULT == "refuses late" and test["id"] == 2:
+        say({"type": "error", "id": 1, "message": "took too long"})
+        return True
     if FAULT == "refuses in colour":
         say({"type": "error", "message": "\x1b[31mzu heiß\x1b[0m" + "!" * 1000})
         return True
@@ -148,7 +159,7 @@ def samples_of(test):
     commands = test["commands"]
     times = [k * test["period"] for k in range(test["periods"] + 1)]
     first = commands["samples"][0][0]
-    return {"type": "samples", "times": times, "samples": [[20.0, 0.5 * first] for _ in times]}
+    return {"type": "samples", "id": test["id"], "times": times, "samples": [[20.0, 0.5 * first] for _ in times]}
 
 
 def run_series(test):
@@ -180,6 +191,11 @@ def run_series(test):
         answer["start"] = KNOWN_START
     if FAULT == "measures late":
         answer.update(times=answer["times"][1:], samples=answer["samples"][1:], start=KNOWN_START)
+    if FAULT == "repeats no id":
+        del answer["id"]
+    if FAULT == "answers twice" and test["id"] == 2:
+        time.sleep(0.3)  # after the test was sent: the second answer to the first one comes late
+        say(dict(samples_of(test), id=1))
     say(answer)
     if FAULT == "talks on":
         say({"type": "by the way"})
@@ -191,7 +207,8 @@ def run_exchange(test):
     angle = 0.0
     for k in range(test["periods"] + 1):
         late = {"out of step": 0.8 * (k == 2), "begins early": -0.4}.get(FAULT, 0.4 * (-1) ** k * (FAULT in WAVERS))
-        readings = {"type": "readings", "time": (k + late) * test["period"], "sensors": [20.0, angle]}
+        readings = {"type": "readings", "id": test["id"], "sensors": [20.0, angle]}
+        readings["time"] = (k + late) * test["period"]
         if FAULT == "no heat":
             readings["sensors"][0] = None
         if FAULT == "absurd" and k == 1:

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace lacuna {
+
+/// Ends the sentence about a plugin that failed in one of its calls.
+inline constexpr std::string_view kFaultOfPlugin =
+    "; that is a fault of the plugin: repair it, or do without this component";
+
+/// Whether a sentence says that a plugin failed, rather than that it refused what it was asked for.
+inline bool blames_plugin(std::string_view reason) {
+  return reason.find("that is a fault of the plugin") != std::string_view::npos ||
+         reason.find("repair the plugin") != std::string_view::npos;
+}
+
+}  // namespace lacuna
