@@ -44,8 +44,9 @@ TEST(AdviceText, AnErrorOfTheFloorsSizeIsAtTheFloor) {
 
 TEST(AdviceText, WhatTheUncertainStartExplainsIsNoMissingEffect) {
   // √(1² + (2 · 0.6)²) mrad = 1.56 mrad is what a right model leaves 19 times in 20 after one start like this.
-  EXPECT_THAT(advice_on(fit_score(1.7e-3, 6e-4)), AllOf(HasSubstr("1.7 ×, which the uncertain start can explain"),
-                                                        Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
+  EXPECT_THAT(advice_on(fit_score(1.7e-3, 6e-4)),
+              AllOf(HasSubstr("1.7 ×, which the uncertain start can explain (a right model leaves up to 1.9 × "),
+                    Not(HasSubstr("missing")), Not(HasSubstr("lacuna diagnose"))));
 }
 
 TEST(AdviceText, WhatTheStartDoesNotExplainMayBeAnEffect) {
@@ -71,11 +72,34 @@ TEST(AdviceText, TheChannelWithTheMostUnexplainedErrorCounts) {
   EXPECT_THAT(advice_text(comparison, "lacuna diagnose rig.toml"), HasSubstr("above the floor (3.0 ×)"));
 }
 
-TEST(AdviceText, HeldOutTrialsAreNotSearchedForEffects) {
+/// A right fit of the fit trials, and a held-out trial with this error.
+Comparison with_held_out(double rmse) {
   Comparison comparison = comparison_of(fit_score(1e-3, 0.0));
-  comparison.pooled.push_back(fit_score(9e-3, 0.0));
+  comparison.pooled.push_back(fit_score(rmse, 0.0));
   comparison.pooled.back().held_out = true;
-  EXPECT_EQ(advice_text(comparison, "lacuna diagnose rig.toml"), "model is at the floor (1.0 ×)\n");
+  comparison.pooled.back().worst_trial = "held.csv";
+  comparison.pooled.back().worst_time = 5.22;
+  return comparison;
+}
+
+TEST(AdviceText, AModelIsNotAtTheFloorWhereHeldOutTrialsAreNot) {
+  EXPECT_THAT(advice_text(with_held_out(9e-3), "lacuna diagnose rig.toml"),
+              AllOf(HasSubstr("at the floor (1.0 ×) on the fit files, but not on the held-out files: angle 9.0 ×, most "
+                              "in held.csv at 5.22 s"),
+                    HasSubstr("→ move a held-out file to target.files, then lacuna diagnose rig.toml\n")));
+}
+
+TEST(AdviceText, SaysWhereTheStartExplainsTheErrorOfHeldOutTrials) {
+  Comparison comparison = with_held_out(9e-3);
+  comparison.pooled.back().from_start = 5e-3;
+  EXPECT_EQ(
+      advice_text(comparison, "lacuna diagnose rig.toml"),
+      "model is at the floor (1.0 ×) on the fit files; on the held-out files angle 9.0 ×, which the uncertain start "
+      "can explain (a right model leaves up to 12.1 × from such starts)\n");
+}
+
+TEST(AdviceText, HeldOutTrialsAtTheFloorAreNotWorthAWord) {
+  EXPECT_EQ(advice_text(with_held_out(1.1e-3), "lacuna diagnose rig.toml"), "model is at the floor (1.0 ×)\n");
 }
 
 TEST(AdviceText, ATrialThatCannotBeSimulatedIsNeverAtTheFloor) {

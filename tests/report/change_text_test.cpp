@@ -66,7 +66,7 @@ TEST(ChangeText, SetsErrorsOverEachLengthSideBySide) {
   };
   const RevisionErrors before = pooled(errors({trial("sine.csv", false, 1e-3, 2e-4)}), 1e-3);
   const RevisionErrors after = pooled(errors({trial("sine.csv", false, 1e-4, 5e-5)}), 1e-4);
-  EXPECT_THAT(change_text(before, after), testing::ContainsRegex(" over 0.5 s +200 µrad → +50.0 µrad +×0.25"));
+  EXPECT_THAT(change_text(before, after), testing::ContainsRegex(" over 0.5 s +200 µrad → +50.0 µrad +−75 %"));
 }
 
 TEST(ChangeText, NamesAFileThatCannotBeSimulatedAnyMore) {

@@ -52,6 +52,16 @@ FitResult as_written_fit() {
   return fit;
 }
 
+TEST(ComparisonText, ShowsTheFloorOfAFileWhereItIsAnotherOne) {
+  Comparison comparison = one_trial(0.0);
+  EXPECT_THAT(comparison_text({}, comparison, {}), Not(HasSubstr(" of 1.00 mrad")));
+  comparison.trials.push_back(comparison.trials.front());
+  comparison.trials.back().held_out = true;
+  comparison.trials.back().channels.front().floor = 5e-3;
+  comparison.trials.back().channels.front().times_floor = 0.4;
+  EXPECT_THAT(comparison_text({}, comparison, {}), HasSubstr("0.4 of 5.00 mrad"));
+}
+
 TEST(ComparisonText, NamesTheShareOfTheStartWhereItMatters) {
   EXPECT_THAT(comparison_text({}, one_trial(4e-4), {}), HasSubstr("floor 1.00 mrad · start 400 µrad · numerical"));
   EXPECT_THAT(comparison_text({}, one_trial(9e-5), {}), Not(HasSubstr("start 90")));
@@ -107,12 +117,20 @@ TEST(ComparisonCsv, QuotesNamesThatWouldBreakTheTable) {
   EXPECT_THAT(comparison_csv(comparison), HasSubstr("\n\"one, \"\"two\"\".csv\",0,"));
 }
 
-TEST(FailedChecksText, NamesEachFaultAndWhatItMeans) {
-  EXPECT_EQ(failed_checks_text({}), "");
-  EXPECT_EQ(failed_checks_text({"sine.csv: angle does not move", "steps.csv: angle does not move"}),
+TEST(DataChecksText, NamesEachFaultAndWhatItMeans) {
+  EXPECT_EQ(data_checks_text({}), "");
+  EXPECT_EQ(data_checks_text({{Severity::fault, "sine.csv: angle does not move"},
+                              {Severity::fault, "steps.csv: angle does not move"},
+                              {Severity::note, "nothing is held out"}}),
             "data check failed: sine.csv: angle does not move\n"
             "data check failed: steps.csv: angle does not move\n"
             "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n");
+}
+
+/// A fall takes as long as it takes: nothing about it is to be corrected.
+TEST(DataChecksText, NotesWhatLimitsTheDataAndAsksForNoCorrection) {
+  EXPECT_EQ(data_checks_text({{Severity::too_little, "the fit files hold 0.64 s"}}),
+            "note: the fit files hold 0.64 s\n");
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(HistoryText, ShowsErrorsOverEachLengthAndWhatTheyAreOfTheFirst) {
   const std::string text = history_text({rigid, friction}, 1);
   EXPECT_THAT(text, testing::ContainsRegex("rev +angle over +0.1 s +2 s"));
   EXPECT_THAT(text, testing::ContainsRegex("1 +fit +2.00 mrad +8.00 mrad"));
-  EXPECT_THAT(text, testing::ContainsRegex("2 +fit +1.00 mrad +×0.5 +1.00 mrad +×0.12"));
+  EXPECT_THAT(text, testing::ContainsRegex("2 +fit +1.00 mrad +−50 % +1.00 mrad +−88 %"));
   EXPECT_THAT(text, testing::ContainsRegex("1 +held out +3.00 mrad +9.00 mrad"));
   EXPECT_THAT(text, Not(testing::ContainsRegex("2 +held out")));
   EXPECT_THAT(history_json({rigid}, 0), HasSubstr("\"horizon_s\": 0.1"));

@@ -97,8 +97,8 @@ std::string drawn(const Figure& figure) {
 
 TEST(LearningCurves, AreDrawnOnLogarithmicAxes) {
   const LearningCurve curve = learning_curve("masses", {halving_run(1.0, 9), halving_run(4.0, 9)}, "body.*.mass");
-  EXPECT_THAT(drawn(error_by_trials({curve})), AllOf(HasSubstr("trials of the target"), HasSubstr("1e-02")));
-  EXPECT_THAT(drawn(error_by_steps({curve})), AllOf(HasSubstr("simulated steps"), HasSubstr("1e+03")));
+  EXPECT_THAT(drawn(error_by_trials({curve})), AllOf(HasSubstr("trials of the target"), HasSubstr(">0.01<")));
+  EXPECT_THAT(drawn(error_by_steps({curve})), AllOf(HasSubstr("simulated steps"), HasSubstr(">1000<")));
 }
 
 }  // namespace

@@ -199,6 +199,7 @@ TEST_F(PageServerTest, AnswersPagesWhileEndlessQueriesRun) {
       if (http_status(answer) == 503) {
         ++refused;
         EXPECT_THAT(Json::parse(answer->body).at("error"), HasSubstr("too many questions"));
+        EXPECT_TRUE(answer->has_header("Retry-After"));
       }
     });
   while (refused == 0 && ended < 24) std::this_thread::sleep_for(10ms);
@@ -231,6 +232,24 @@ TEST_F(PageServerTest, PreparesReplays) {
   const Answering server(options());
   EXPECT_EQ(server.ask("/replay", {{"run", 2}, {"trial", 3}}), Json::parse(R"({"replay": 23})"));
   EXPECT_TRUE(server.ask("/replay", {{"run", "x"}}).contains("error"));
+}
+
+TEST_F(PageServerTest, RefusesQuestionsThatNestTooDeepOrAreNoJson) {
+  const Answering server(options());
+  constexpr std::size_t kDeep = 80'000;
+  const std::string arrays = std::string(kDeep, '[') + std::string(kDeep, ']');
+  std::string objects;
+  for (std::size_t i = 0; i < kDeep; ++i) objects += R"({"a":)";
+  objects += "1" + std::string(kDeep, '}');
+  const std::string wrapped = R"({"sql": "SELECT 1", "values": )" + arrays + "}";
+  for (const char* path : {"/sql", "/show", "/state", "/replay"})
+    for (const std::string& question : {arrays, objects, wrapped, arrays.substr(0, kDeep), std::string("{")}) {
+      const httplib::Result answer =
+          server.client().Post(path, {{"X-Lacuna-Token", server.token()}}, question, "application/json");
+      EXPECT_EQ(http_status(answer), 400) << path << " " << question.substr(0, 40);
+      EXPECT_TRUE(answer && Json::parse(answer->body).contains("error"));
+    }
+  EXPECT_TRUE(server.ask("/sql", {{"sql", "SELECT 1"}}).contains("rows")) << "and goes on";
 }
 
 }  // namespace

@@ -74,7 +74,40 @@ TEST(WebServerTest, IsNotHeldUpBySilentClients) {
   const Clock::time_point begin = Clock::now();
   for (int i = 0; i < 10; ++i) EXPECT_EQ(status_of(echo.ask(kGet)), 200);
   EXPECT_LT(Clock::now() - begin, 2s);
-  EXPECT_EQ(silent.front().read_all(1s), "") << "the oldest made room";
+  const auto told = silent.front().read_all(1s);
+  EXPECT_EQ(status_of(told), 503) << "the oldest made room";
+  EXPECT_THAT(told.value_or(""), HasSubstr("\r\nRetry-After: 1\r\n"));
+}
+
+TEST(WebServerTest, AnswersEveryOneOfManyClientsAtOnce) {
+  constexpr int kClients = 500, kRounds = 4;
+  const Echo echo;
+  const Clock::time_point begin = Clock::now();
+  for (int round = 0; round < kRounds; ++round) {
+    std::deque<RawClient> clients;
+    for (int i = 0; i < kClients; ++i) clients.emplace_back(echo.port());
+    for (const RawClient& client : clients) client.send(kGet);
+    int answered = 0;
+    for (const RawClient& client : clients) {
+      const int status = status_of(client.read_all());
+      answered += status == 200 || status == 503 ? 1 : 0;
+    }
+    EXPECT_EQ(answered, kClients);
+  }
+  EXPECT_LT(Clock::now() - begin, 20s);
+}
+
+/// Those in front take their time, but not for ever.
+TEST(WebServerTest, LetsNewClientsWaitBehindManyThatHaveJustCome) {
+  const Echo echo({.connections = 4, .patience = 300ms});
+  std::deque<RawClient> first;
+  for (int i = 0; i < 4; ++i) first.emplace_back(echo.port());
+  const RawClient next(echo.port());
+  next.send(kGet);
+  std::this_thread::sleep_for(100ms);
+  for (const RawClient& client : first) client.send(kGet);
+  for (const RawClient& client : first) EXPECT_EQ(status_of(client.read_all()), 200);
+  EXPECT_EQ(status_of(next.read_all()), 200);
 }
 
 TEST(WebServerTest, EndsClientsThatSendTooSlowly) {

@@ -85,34 +85,62 @@ std::string name_of(const RankedModel& model) {
   return fmt::format("{}", fmt::join(names, " + "));
 }
 
-Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
-  Series gain{"held-out gain", Mark::bars, kBlue, {}, {}, {}};
-  Series interval{"95 % interval", Mark::line, kInk, {}, {}, {}};
-  Panel panel{"", {}, 1.0, {}};
-  for (const RankedModel& model : diagnosis.ranking) {
-    if (panel.y_names.size() == kMostRanked) break;
-    const auto row = static_cast<double>(panel.y_names.size());
-    panel.y_names.push_back(name_of(model));
-    gain.x.push_back(model.gain.value);
-    gain.y.push_back(row);
-    for (const double end : {model.gain.lower_95, model.gain.upper_95}) {
-      interval.x.push_back(end);
-      interval.y.push_back(row);
-    }
-    interval.x.push_back(std::nan(""));  // lifts the pen
-    interval.y.push_back(std::nan(""));
+/// A bar of the ranking: a candidate or the formula of a force.
+struct RankedRow {
+  std::string name;
+  Gain gain;
+  bool is_answer = false;
+};
+
+/// The candidates, and the formula of a force that was judged under the same noise: the answer first.
+std::vector<RankedRow> ranked_rows(const Diagnosis& diagnosis) {
+  const bool outside = diagnosis.verdict == Verdict::not_in_library;
+  const bool first = outside ? answer_comes_first(diagnosis) : diagnosis.verdict == Verdict::effect_found;
+  std::vector<RankedRow> rows;
+  for (const RankedModel& model : diagnosis.ranking)
+    if (rows.size() < kMostRanked) rows.push_back({name_of(model), model.gain, first && rows.empty()});
+  if (!outside || diagnosis.formulas.empty() || diagnosis.formulas_of_rest || !diagnosis.horizons.empty()) return rows;
+  const ForceFormula& formula = diagnosis.formulas.front();
+  const RankedRow row{fmt::format("force on joint.{}: {} {}", formula.joint, formula.text(), formula.unit),
+                      formula.gain, !first};
+  rows.insert(first ? rows.end() : rows.begin(), row);
+  return rows;
+}
+
+Series bars_of(const std::vector<RankedRow>& rows, bool answers) {
+  Series bars{answers ? "answer" : "other candidates", Mark::bars, answers ? kBlue : kGrey, {}, {}, {}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows[row].is_answer != answers) continue;
+    bars.x.push_back(rows[row].gain.value);
+    bars.y.push_back(static_cast<double>(row));
   }
-  const auto rows = static_cast<double>(panel.y_names.size());
-  gain.y2.assign(panel.y_names.size(), kBar);
-  panel.series = {gain, interval};
+  bars.y2.assign(bars.y.size(), kBar);
+  return bars;
+}
+
+Series intervals_of(const std::vector<RankedRow>& rows) {
+  Series interval{"95 % interval", Mark::line, kInk, {}, {}, {}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double y = static_cast<double>(row);
+    interval.x.insert(interval.x.end(), {rows[row].gain.lower_95, rows[row].gain.upper_95, std::nan("")});
+    interval.y.insert(interval.y.end(), {y, y, std::nan("")});  // the last lifts the pen
+  }
+  return interval;
+}
+
+Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
+  const std::vector<RankedRow> rows = ranked_rows(diagnosis);
+  Panel panel{"", {bars_of(rows, true), bars_of(rows, false), intervals_of(rows)}, 1.0, {}};
+  if (panel.series.front().x.empty()) panel.series[1].label = "held-out gain";  // no answer
+  for (const RankedRow& row : rows) panel.y_names.push_back(row.name);
   std::string label = "how much lower the mean log error is than the model's, where not fitted [nats; 0.69: half]";
-  if (diagnosis.horizons.empty()) {
-    label = "held-out log likelihood over the model [nats]";
-    panel.series.push_back(
-        {"chance, 95 %", Mark::path, kOrange, {diagnosis.chance_95, diagnosis.chance_95}, {-0.5, rows - 0.5}, {}});
+  if (diagnosis.horizons.empty()) label = "held-out log likelihood over the model [nats]";
+  if (const std::optional<double>& chance = diagnosis.chance_95) {
+    const double end = static_cast<double>(rows.size()) - 0.5;
+    panel.series.push_back({"chance, 95 %", Mark::path, kOrange, {*chance, *chance}, {-0.5, end}, {}});
   }
   Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)), label, {panel}};
-  figure.height = 200 + 44 * static_cast<int>(panel.y_names.size());
+  figure.height = 200 + 44 * static_cast<int>(rows.size());
   return figure;
 }
 
@@ -157,7 +185,7 @@ std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, co
     write_svg(figure, files.back());
   };
   if (!diagnosis.horizons.empty()) draw(horizons_figure(diagnosis, title), "errors-by-horizon.svg");
-  if (!diagnosis.ranking.empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");
+  if (!ranked_rows(diagnosis).empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");
   for (const std::string& joint : joints_of(diagnosis))
     draw(force_figure(diagnosis, joint, title), "residual-force-" + joint + ".svg");
   return files;

@@ -22,6 +22,9 @@ enum class Mark {
   level      ///< a horizontal line at `y[0]`
 };
 
+inline constexpr double kThin = 1.4;   ///< px, of lines
+inline constexpr double kBroad = 4.0;  ///< of one that is to be seen below another where the two coincide
+
 struct Series {
   std::string label;  ///< in the legend; empty: not listed
   Mark mark = Mark::line;
@@ -29,6 +32,7 @@ struct Series {
   std::vector<double> x;
   std::vector<double> y;   ///< NaN leaves a gap
   std::vector<double> y2;  ///< for bands, whiskers and borders
+  double width = kThin;    ///< px, of a line or path
 };
 
 /// One pair of axes. Panels of a figure stand below each other and share the x axis, unless they are maps or stand in

@@ -65,8 +65,8 @@ std::string plot_clause(const Series& series, const std::string& block) {
   const std::string title = series.label.empty() ? "notitle" : "title " + quoted(series.label);
   const std::string colour = "lc rgb " + quoted(series.colour.empty() ? kBlue : series.colour);
   switch (series.mark) {
-    case Mark::line: return fmt::format("{} using 1:2 with lines lw 1.4 {} {}", block, colour, title);
-    case Mark::path: return fmt::format("{} using 1:2 with lines lw 1.6 {} {}", block, colour, title);
+    case Mark::line:
+    case Mark::path: return fmt::format("{} using 1:2 with lines lw {:.2g} {} {}", block, series.width, colour, title);
     case Mark::whiskers:
       return fmt::format("{} using 1:2:(0):($3-$2) with vectors nohead lw 2 {} {}", block, colour, title);
     case Mark::borders:

@@ -43,7 +43,8 @@ void add_measured(const TimeSeries& measured, const std::string& channel, Panel&
                               kOrange,
                               listed(measured.times),
                               listed(measured.samples.col(static_cast<Eigen::Index>(c))),
-                              {}});
+                              {},
+                              kBroad});
 }
 
 Panel prediction_panel(const PredictionReport& report, std::size_t channel) {

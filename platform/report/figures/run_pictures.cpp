@@ -63,6 +63,10 @@ std::vector<ObjectiveRow> groups_of(const std::vector<PassRow>& passes) {
   return groups;
 }
 
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
+}
+
 std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
   std::vector<Panel> panels(1);
   panels[0].y_label = "error of the best model";
@@ -70,19 +74,16 @@ std::vector<Panel> error_panels(const std::vector<DrawnRun>& runs) {
   if (panels[0].series.empty()) return {};
   for (const ObjectiveRow& group : groups_of(runs.front().passes)) {
     Panel& panel = panels.emplace_back();
-    panel.y_label = group.name + " off by (" + group.unit + ")";
+    panel.y_label = with_unit(group.name + " off by", group.unit);
     const auto value = [&](const PassRow& pass) {
       for (const ObjectiveRow& row : pass.objective)
         if (row.name == group.name) return row.value;
       return kNotKnown;
     };
     add_by_pass(panel.series, by_pass(runs, value), "", kOrange);
+    if (panel.series.empty()) panels.pop_back();
   }
   return panels;
-}
-
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() || unit == "1" ? name : name + " (" + unit + ")";
 }
 
 /// Distances of the tests that models chose, by the pass that chose them.
@@ -128,8 +129,9 @@ Panel parameter_panel(const std::vector<DrawnRun>& runs, const std::vector<std::
   const EeaRunRecord& record = runs.front().record;
   const bool errors = truths_differ(runs, which);
   Panel panel;
-  panel.y_label = record.free[which.front()].address.substr(record.free[which.front()].address.rfind('.') + 1) +
-                  (errors ? ", found minus hidden" : "") + " (" + record.free[which.front()].unit + ")";
+  const FreeValueRecord& first = record.free[which.front()];
+  panel.y_label = with_unit(first.address.substr(first.address.rfind('.') + 1) + (errors ? ", found minus hidden" : ""),
+                            first.unit);
   Series truth{.label = "truth", .mark = Mark::points, .colour = kOrange, .x = {}, .y = {}, .y2 = {}};
   Series found{.label = "models of the last pass", .mark = Mark::points, .colour = kBlue, .x = {}, .y = {}, .y2 = {}};
   const std::string bars = runs.size() > 1 ? "standard deviation between runs" : "";
@@ -188,6 +190,7 @@ std::vector<Panel> path_panels(const DrawnRun& run) {
     Panel& panel = panels.emplace_back();
     panel.y_label = fmt::format("y (m), trial {}", path.trial);
     panel.series = {path_series(path.target, "target", kOrange), path_series(path.model, "model", kBlue)};
+    panel.series.front().width = kBroad;
   }
   return panels;
 }

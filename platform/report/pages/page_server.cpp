@@ -1,5 +1,6 @@
 #include "report/pages/page_server.h"
 
+#include "foundation/json_depth.h"
 #include "report/pages/page_access.h"
 #include "report/pages/page_answers.h"
 #include "report/pages/page_json.h"
@@ -68,8 +69,12 @@ bool is_cacheable(const std::string& sql) { return sql.find("page_replay") == st
 /// Questions are JSON, and answers too, whatever goes wrong.
 template <typename Answer>
 WebAnswer answer_to(const std::string& question, const Answer& answer) {
+  if (nests_too_deep(question))
+    return trouble(400, fmt::format("the question nests arrays and objects more than {} levels deep", kDeepestJson));
   try {
     return {200, "application/json", answer(PageJson::parse(question))};
+  } catch (const PageJson::exception& error) {
+    return trouble(400, std::string("the question cannot be read: ") + error.what());
   } catch (const std::exception& error) {
     return trouble(200, error.what());
   }

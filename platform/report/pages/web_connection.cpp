@@ -57,8 +57,9 @@ std::string head_of(const WebAnswer& answer) {
   return fmt::format(
       "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\nCache-Control: no-store\r\n"
       "X-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\nCross-Origin-Resource-Policy: same-origin\r\n"
-      "Referrer-Policy: no-referrer\r\n\r\n",
-      answer.status, std::string_view(reason.data(), reason.size()), answer.type, answer.text->size());
+      "Referrer-Policy: no-referrer\r\n{}\r\n",
+      answer.status, std::string_view(reason.data(), reason.size()), answer.type, answer.text->size(),
+      answer.status == 503 ? "Retry-After: 1\r\n" : "");
 }
 
 WebAnswer sentence(int status, const std::string& text) {
@@ -80,12 +81,16 @@ std::optional<WebAnswer> answer_to(error_code fault) {
 /// One connection: reads a request, waits for the answer, writes it, ends.
 class WebConnection : public std::enable_shared_from_this<WebConnection> {
  public:
-  enum class State { reading, waiting, writing, closed };
+  using Clock = std::chrono::steady_clock;
+  enum class State { reading, waiting, writing, leaving, closed };
 
   WebConnection(WebConnections& all, WebSocket socket);
   void read();
   void close();
+  /// To make room for another one: a client that has no answer yet is told so.
+  void dismiss();
   State state() const { return state_; }
+  Clock::time_point since() const { return since_; }
 
   // For other threads.
   void answer_later(WebAnswer answer);
@@ -98,6 +103,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   void answer(WebAnswer answer);
   void write();
   void drain();
+  void enter(State state);
 
   WebConnections& all_;
   Stream stream_;
@@ -107,22 +113,26 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   std::string head_;
   std::size_t drained_ = 0;
   State state_ = State::reading;
+  Clock::time_point since_ = Clock::now();  ///< that it is in this state
   std::atomic<bool> gone_ = false;
 };
 
 void WebConnections::add(WebSocket socket) {
-  if (open_.size() >= limits_.connections && !make_room()) return;  // closes the new one
   const auto connection = std::make_shared<WebConnection>(*this, std::move(socket));
   open_.push_back(connection);
   connection->read();
 }
 
-bool WebConnections::make_room() {
-  for (const auto state : {WebConnection::State::reading, WebConnection::State::writing}) {
-    const auto found = std::find_if(open_.begin(), open_.end(), [&](const auto& one) { return one->state() == state; });
+bool WebConnections::make_room(std::chrono::milliseconds patience) {
+  using State = WebConnection::State;
+  const WebConnection::Clock::time_point latest = WebConnection::Clock::now() - patience;
+  for (const State state : {State::leaving, State::reading, State::writing}) {
+    const auto found = std::find_if(open_.begin(), open_.end(), [&](const auto& one) {
+      return one->state() == state && (state == State::leaving || one->since() <= latest);
+    });
     if (found == open_.end()) continue;
     const std::shared_ptr<WebConnection> oldest = *found;
-    oldest->close();
+    oldest->dismiss();
     return true;
   }
   return false;
@@ -151,12 +161,18 @@ void WebConnection::read() {
 void WebConnection::refuse(error_code fault) {
   std::optional<WebAnswer> told = answer_to(fault);
   if (!told) return close();
-  state_ = State::waiting;
+  enter(State::waiting);
   answer(std::move(*told));
 }
 
+void WebConnection::enter(State state) {
+  if (state_ == State::writing) all_.bytes_under_way_ -= answer_.text->size();
+  state_ = state;
+  since_ = Clock::now();
+}
+
 void WebConnection::handle_request() {
-  state_ = State::waiting;
+  enter(State::waiting);
   stream_.expires_never();
   watch();
   WebRequest request = request_of(parser_->release());
@@ -190,7 +206,7 @@ void WebConnection::answer(WebAnswer answer) {
   if (all_.bytes_under_way_ > 0 && all_.bytes_under_way_ + answer_.text->size() > kMostUnderWay)
     answer_ = sentence(503, "too many answers are being read; ask again later");
   all_.bytes_under_way_ += answer_.text->size();
-  state_ = State::writing;
+  enter(State::writing);
   write();
 }
 
@@ -201,6 +217,8 @@ void WebConnection::write() {
   const std::array<boost::asio::const_buffer, 2> all = {boost::asio::buffer(head_), boost::asio::buffer(text)};
   boost::asio::async_write(stream_, all, [self = shared_from_this()](error_code fault, std::size_t) {
     if (fault || self->state_ != State::writing) return self->close();
+    self->enter(State::leaving);
+    self->answer_.text.reset();
     self->stream_.socket().shutdown(tcp::socket::shutdown_send, fault);
     self->stream_.expires_after(kLongestFarewell);
     self->drain();
@@ -219,10 +237,22 @@ void WebConnection::drain() {
                           });
 }
 
+/// What its socket takes at once; unread bytes would take it away again.
+void WebConnection::dismiss() {
+  if (state_ == State::reading) {
+    const WebAnswer busy = sentence(503, "too many clients are connected; ask again later");
+    const std::string told = head_of(busy) + *busy.text;
+    const int socket = stream_.socket().native_handle();
+    std::array<char, 4096> unread{};
+    for (int more = 16; more > 0 && ::recv(socket, unread.data(), unread.size(), MSG_DONTWAIT) > 0;) --more;
+    ::send(socket, told.data(), told.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  }
+  close();
+}
+
 void WebConnection::close() {
   if (state_ == State::closed) return;
-  if (state_ == State::writing) all_.bytes_under_way_ -= answer_.text->size();
-  state_ = State::closed;
+  enter(State::closed);
   gone_ = true;
   stream_.close();
   all_.remove(*this);

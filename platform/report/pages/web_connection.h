@@ -19,11 +19,13 @@ class WebConnections {
   using Handler = std::function<void(WebRequest, WebReply)>;
   WebConnections(const Handler& handle, const WebLimits& limits) : handle_(handle), limits_(limits) {}
 
-  /// Begins to read; another connection may have to make room for it.
+  /// Begins to read.
   void add(WebSocket socket);
-  /// Closes the oldest connection whose request has not arrived or, where there is none, whose answer is being taken
-  /// slowly. False: all wait for their answers.
-  bool make_room();
+  /// Whether one more may be added, after one that the limits do not protect has made room.
+  bool has_room() { return open_.size() < limits_.connections || make_room(limits_.patience); }
+  /// Closes the oldest connection that was answered, or whose request has not arrived, or whose answer is being taken
+  /// slowly, for `patience` at least. False: all are protected, or wait for their answers.
+  bool make_room(std::chrono::milliseconds patience);
 
  private:
   friend class WebConnection;

@@ -18,6 +18,7 @@ using boost::system::error_code;
 using Acceptor = boost::asio::basic_socket_acceptor<tcp, boost::asio::io_context::executor_type>;
 
 constexpr auto kPauseAfterFault = std::chrono::milliseconds(50);  ///< no descriptors left, as a rule
+constexpr auto kPauseWhileFull = std::chrono::milliseconds(5);
 
 error_code listen(Acceptor& acceptor, const tcp::endpoint& at) {
   error_code fault;
@@ -63,17 +64,20 @@ struct WebServer::Impl {
   }
 
   void accept() {
+    if (!connections.has_room()) return accept_later(kPauseWhileFull);  // who comes now waits in the system's queue
     acceptor.async_accept([this](error_code fault, WebSocket socket) {
       if (fault == boost::asio::error::operation_aborted) return;
-      if (fault) return accept_later();
+      if (fault) {
+        connections.make_room({});
+        return accept_later(kPauseAfterFault);
+      }
       connections.add(std::move(socket));
       accept();
     });
   }
 
-  void accept_later() {
-    connections.make_room();
-    pause.expires_after(kPauseAfterFault);
+  void accept_later(std::chrono::milliseconds after) {
+    pause.expires_after(after);
     pause.async_wait([this](error_code fault) {
       if (!fault) accept();
     });

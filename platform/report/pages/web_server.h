@@ -40,7 +40,8 @@ class WebReply {
 };
 
 struct WebLimits {
-  std::size_t connections = 128;
+  std::size_t connections = 128;              ///< open at once; more of them wait until they are accepted
+  std::chrono::milliseconds patience{250};    ///< while others wait, for a request, and for taking an answer
   std::chrono::milliseconds request{10'000};  ///< from the beginning of a connection until its request is complete
 };
 
@@ -55,8 +56,9 @@ struct WebServerOptions {
 
 /// An HTTP server that no client can keep from answering others. One thread serves all connections without waiting for
 /// any of them. A request has to arrive whole within some seconds and some kilobytes of header and a megabyte of body,
-/// chunked or not. Where too many connections are open, the oldest that has not sent its request makes room. A
-/// connection ends with its answer.
+/// chunked or not. Where too many connections are open, new ones wait their turn. So that they need not wait for a
+/// client that does nothing, the oldest that has not sent its request makes room and is told to ask again later (503).
+/// A connection ends with its answer.
 class WebServer {
  public:
   /// Takes the port; throws `Error` where it is taken.

@@ -15,20 +15,25 @@ namespace {
 /// An error this close to the floor leaves nothing to find.
 constexpr double kAtTheFloor = 1.2;
 
-/// Fit trials that were scored in a channel.
-double scored_trials(const Comparison& comparison, const std::string& channel) {
+/// Trials that were scored in a channel, of those that a score is of.
+double scored_trials(const Comparison& comparison, const PooledScore& pooled) {
   double count = 0.0;
   for (const TrialComparison& trial : comparison.trials)
     for (const ChannelScore& score : trial.channels)
-      if (!trial.held_out && trial.valid && score.channel == channel && score.samples > 0) count += 1.0;
+      if (trial.held_out == pooled.held_out && trial.valid && score.channel == pooled.channel && score.samples > 0)
+        count += 1.0;
   return count;
 }
 
-/// The error in multiples of what a right model may leave. A start error is one draw a trial: 1 + 1/√n standard errors
-/// is, within 3 %, what the RMS of n such draws stays below 19 times in 20 (√(χ²/n)).
+/// What a right model may leave. A start error is one draw a trial: 1 + 1/√n standard errors is, within 3 %, what the
+/// RMS of n such draws stays below 19 times in 20 (√(χ²/n)).
+double explained(const Comparison& comparison, const PooledScore& score) {
+  const double trials = std::max(scored_trials(comparison, score), 1.0);
+  return std::hypot(score.floor, (1.0 + 1.0 / std::sqrt(trials)) * score.from_start);
+}
+
 double times_explained(const Comparison& comparison, const PooledScore& score) {
-  const double trials = std::max(scored_trials(comparison, score.channel), 1.0);
-  return score.rmse / std::hypot(score.floor, (1.0 + 1.0 / std::sqrt(trials)) * score.from_start);
+  return score.rmse / explained(comparison, score);
 }
 
 std::string failed_text(const Comparison& comparison) {
@@ -50,14 +55,40 @@ const PooledScore* without_floor(const Comparison& comparison) {
   return nullptr;
 }
 
-/// The channel of the fit trials that is the furthest above what is explained.
-const PooledScore* furthest(const Comparison& comparison) {
+/// The channel of the fit trials, or of the held-out ones, that is the furthest above what is explained.
+const PooledScore* furthest(const Comparison& comparison, bool held_out) {
   const PooledScore* worst = nullptr;
   for (const PooledScore& score : comparison.pooled)
-    if (!score.held_out &&
+    if (score.held_out == held_out &&
         (worst == nullptr || times_explained(comparison, score) > times_explained(comparison, *worst)))
       worst = &score;
   return worst;
+}
+
+/// Why an error that its start explains may be a right model's.
+std::string by_the_start(const Comparison& comparison, const PooledScore& score) {
+  return fmt::format("which the uncertain start can explain (a right model leaves up to {} × from such starts)",
+                     times_floor_text(kAtTheFloor * explained(comparison, score) / score.floor));
+}
+
+/// That the fit trials' error is where a right model's may be, and why.
+std::string at_the_floor(const Comparison& comparison, const PooledScore& score) {
+  const std::string times = times_floor_text(score.times_floor);
+  if (score.times_floor <= kAtTheFloor) return fmt::format("model is at the floor ({} ×)", times);
+  return fmt::format("model is at the floor as far as can be told: {} ×, {}", times, by_the_start(comparison, score));
+}
+
+/// What the held-out trials say against a model that is at the floor of the fit trials.
+std::string held_out_text(const Comparison& comparison, const std::string& diagnose) {
+  const PooledScore* worst = furthest(comparison, true);
+  if (worst == nullptr || !(worst->times_floor > kAtTheFloor)) return "";
+  if (times_explained(comparison, *worst) <= kAtTheFloor)
+    return fmt::format(" on the fit files; on the held-out files {} {} ×, {}", worst->channel,
+                       times_floor_text(worst->times_floor), by_the_start(comparison, *worst));
+  return fmt::format(
+      " on the fit files, but not on the held-out files: {} {} ×, most in {} at {:.2f} s. Either its motion shows what "
+      "the fit files do not, or its recording differs → move a held-out file to target.files, then {}",
+      worst->channel, times_floor_text(worst->times_floor), worst->worst_trial, worst->worst_time, diagnose);
 }
 
 }  // namespace
@@ -66,14 +97,11 @@ std::string advice_text(const Comparison& comparison, const std::string& diagnos
   if (std::string failed = failed_text(comparison); !failed.empty()) return failed;
   if (const PooledScore* score = without_floor(comparison); score != nullptr)
     return fmt::format("the floor of {} is not known: {}\n", score->channel, score->floor_origin);
-  const PooledScore* worst = furthest(comparison);
+  const PooledScore* worst = furthest(comparison, false);
   if (worst == nullptr) return "no fit trial was scored, so nothing tells whether an effect is missing\n";
-  const std::string times = times_floor_text(worst->times_floor);
-  if (worst->times_floor <= kAtTheFloor) return fmt::format("model is at the floor ({} ×)\n", times);
-  if (times_explained(comparison, *worst) <= kAtTheFloor)
-    return fmt::format("model is at the floor as far as can be told: {} ×, which the uncertain start can explain\n",
-                       times);
-  return fmt::format("model is above the floor ({} ×) → {}\n", times, diagnose);
+  if (worst->times_floor <= kAtTheFloor || times_explained(comparison, *worst) <= kAtTheFloor)
+    return at_the_floor(comparison, *worst) + held_out_text(comparison, diagnose) + "\n";
+  return fmt::format("model is above the floor ({} ×) → {}\n", times_floor_text(worst->times_floor), diagnose);
 }
 
 }  // namespace lacuna

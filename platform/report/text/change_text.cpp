@@ -1,5 +1,6 @@
 #include "report/text/change_text.h"
 
+#include "foundation/figure_text.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
 #include "report/text/error_text.h"
@@ -38,17 +39,21 @@ std::vector<std::string> horizon_row(const RevisionErrors& before, const Revisio
   const double then = restarted_error(before.comparison, channel.channel, horizon, false);
   const double now = restarted_error(after.comparison, channel.channel, horizon, false);
   if (!std::isfinite(then) || !std::isfinite(now)) return {};
-  return {fmt::format(" over {:g} s", horizon), format_quantity(then, channel.unit) + " →",
-          format_quantity(now, channel.unit), error_ratio_text(now, then), ""};
+  return {fmt::format(" over {:g} s", horizon),
+          format_quantity(then, channel.unit) + " →",
+          format_quantity(now, channel.unit),
+          "",
+          "",
+          error_change_text(now, then)};
 }
 
 std::string error_rows(const RevisionErrors& before, const RevisionErrors& after) {
-  std::vector<std::vector<std::string>> rows = {{"fit files", "RMSE", "", "× floor", ""}};
+  std::vector<std::vector<std::string>> rows = {{"fit files", "RMSE", "", "× floor", "", "change"}};
   for (const PooledScore& now : after.comparison.pooled) {
     const PooledScore* then = fit_score(before.comparison, now.channel);
     if (now.held_out || !then) continue;
     rows.push_back({now.channel, error_text(*then) + " →", error_text(now), times_floor_text(then->times_floor) + " →",
-                    times_floor_text(now.times_floor)});
+                    times_floor_text(now.times_floor), error_change_text(now.rmse, then->rmse)});
     for (const double horizon : horizons_of(after.comparison, false))
       if (std::vector<std::string> row = horizon_row(before, after, now, horizon); !row.empty())
         rows.push_back(std::move(row));

@@ -1,5 +1,6 @@
 #include "report/text/comparison_text.h"
 
+#include "diagnosis/data_checks/data_doubts.h"
 #include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"
@@ -34,13 +35,23 @@ std::string heading_line(const ComparisonHeading& heading, const Comparison& com
   return line + (heading.reused ? " (known)\n" : fmt::format(", {:.1f} s\n", heading.fit_seconds));
 }
 
-std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelScore& score) {
+/// Of a file whose floor is so many times another one than that of all fit files, it is shown.
+constexpr double kAnotherFloor = 1.5;
+
+/// The file's own floor in words, where it is another one than `floor`.
+std::string own_floor(const ChannelScore& score, double floor) {
+  const double times = score.floor / floor;
+  if (!(times > kAnotherFloor || times < 1.0 / kAnotherFloor)) return "";
+  return fmt::format(" of {}", quantity(score.floor, score.unit));
+}
+
+std::vector<std::string> trial_row(const TrialComparison& trial, const ChannelScore& score, double floor) {
   const std::string kind = trial.held_out ? " held out" : " fit";
   if (!trial.valid) return {kind, trial.trial, "invalid", "-", "-", "-"};
   return {kind,
           trial.trial,
           quantity(score.rmse, score.unit),
-          times_floor_text(score.times_floor),
+          times_floor_text(score.times_floor) + own_floor(score, floor),
           quantity(score.max_error, score.unit),
           std::isfinite(score.max_error_time) ? fmt::format("{:.2f} s", score.max_error_time) : "-"};
 }
@@ -82,7 +93,8 @@ std::string as_written_line(const Comparison& comparison, const PooledScore& poo
 std::string channel_block(const ComparisonHeading& heading, const Comparison& comparison, const PooledScore& pooled) {
   std::vector<std::vector<std::string>> rows = {{pooled.channel, "", "RMSE", "× floor", "worst", "at"}};
   for (const TrialComparison& trial : comparison.trials)
-    if (const ChannelScore* score = score_of(trial, pooled.channel)) rows.push_back(trial_row(trial, *score));
+    if (const ChannelScore* score = score_of(trial, pooled.channel))
+      rows.push_back(trial_row(trial, *score, pooled.floor));
   std::string text =
       text_table(rows, 2) + floor_line(comparison, pooled) + horizons_line(comparison, pooled.channel, pooled.unit);
   if (heading.refitted) text += as_written_line(comparison, pooled);
@@ -126,11 +138,12 @@ std::string fit_text(const FitResult& fit) {
   return text;
 }
 
-std::string failed_checks_text(const std::vector<std::string>& faults) {
+std::string data_checks_text(const std::vector<Doubt>& doubts) {
   std::string text;
-  for (const std::string& fault : faults) text += "data check failed: " + fault + "\n";
+  for (const std::string& fault : faults_among(doubts)) text += "data check failed: " + fault + "\n";
   if (!text.empty())
     text += "the fitted values may be wrong, and so may what lacuna diagnose says: correct the data first\n";
+  for (const std::string& limit : limits_among(doubts)) text += "note: " + limit + "\n";
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "report/text/diagnosis_text.h"
 
+#include "foundation/figure_text.h"
 #include "foundation/shell_word.h"
 #include "foundation/unit.h"
 #include "report/text/interval_text.h"
@@ -28,13 +29,10 @@ std::string gain_text(const Gain& gain) {
   return fmt::format("{:+.0f} ± {:.0f}", gain.value, 1.96 * gain.standard_error);
 }
 
-/// "×0.13", an error over another one.
-std::string ratio_text(double ratio) { return std::isfinite(ratio) ? fmt::format("×{:.3g}", ratio) : "–"; }
-
-/// By what the mean error where it was not fitted is smaller, in proportion, from one end of the interval to the other.
+/// By how much the mean error where it was not fitted differs, from one end of the interval to the other.
 std::string smaller_text(const Gain& gain) {
-  return fmt::format("{} [{:.2g}, {:.2g}]", ratio_text(std::exp(-gain.value)), std::exp(-gain.upper_95),
-                     std::exp(-gain.lower_95));
+  const auto change = [](double nats) { return error_change_text(std::exp(-nats), 1.0); };
+  return fmt::format("{} [{}, {}]", change(gain.value), change(gain.upper_95), change(gain.lower_95));
 }
 
 /// "12.1 → 0.9 mrad".
@@ -46,16 +44,16 @@ std::string change_text(double before, double after, const std::string& unit) {
 /// Errors by horizon: of the model as it is and with the answer, fitted and held out. One that helps at some horizons
 /// alone is shown, too, though it is no verdict.
 std::string horizons_text(const Diagnosis& diagnosis) {
-  const bool is_doubted = diagnosis.verdict == Verdict::cannot_tell && diagnosis.answer_gain.value > 0.0;
+  const bool is_doubted = diagnosis.verdict == Verdict::cannot_tell && gained(diagnosis.answer_gain) > 0.0;
   const bool has_answer = diagnosis.verdict == Verdict::effect_found || is_doubted;
   std::vector<std::vector<std::string>> rows = {{"error of predictions", "fit", "", "held out", "", "floor"}};
   for (const HorizonError& one : diagnosis.horizons) {
     const std::string what = fmt::format("{} over {}", one.channel, format_quantity(one.horizon, "s", 2));
     const std::string floor = format_quantity(one.floor, one.unit, 2);
     if (has_answer)
-      rows.push_back({what, change_text(one.base, one.answer, one.unit), ratio_text(one.answer / one.base),
+      rows.push_back({what, change_text(one.base, one.answer, one.unit), error_change_text(one.answer, one.base),
                       change_text(one.base_held_out, one.answer_held_out, one.unit),
-                      ratio_text(one.answer_held_out / one.base_held_out), floor});
+                      error_change_text(one.answer_held_out, one.base_held_out), floor});
     else
       rows.push_back({what, format_quantity(one.base, one.unit, 3), "",
                       std::isfinite(one.base_held_out) ? format_quantity(one.base_held_out, one.unit, 3) : "–", "",
@@ -93,8 +91,9 @@ std::vector<std::string> row_by_horizon(std::size_t rank, const RankedModel& mod
 
 /// Errors over segments of another length than the answer's, `segment` s, are no measure beside its own.
 std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, double segment) {
-  const std::string error = model.segment == segment ? fmt::format("{:.2f} × floor", model.times_floor)
-                                                     : "over " + format_quantity(model.segment, "s");
+  std::string error = "over " + format_quantity(model.segment, "s");
+  if (model.segment == segment)
+    error = std::isfinite(model.times_floor) ? fmt::format("{:.2f} × floor", model.times_floor) : "–";
   return {std::to_string(rank), names_text(model), gain_text(model.gain) + " nats", error};
 }
 
@@ -118,7 +117,8 @@ std::string noise_text(const Diagnosis& diagnosis) {
   for (const RandomForce& force : diagnosis.forces)
     parts.push_back(fmt::format("random force on {} {} over {:.3g} ms", force.joint,
                                 format_quantity(force.deviation, force.unit), 1e3 * force.duration));
-  return fmt::format("noise: {}\n", fmt::join(parts, ", "));
+  return fmt::format("noise of what is compared (means of readings where there are many): {}\n",
+                     fmt::join(parts, ", "));
 }
 
 std::string formula_text(const Diagnosis& diagnosis) {
@@ -136,14 +136,15 @@ std::string answers_text(const Diagnosis& diagnosis) {
   return formula_text(diagnosis) + "what the library comes to beside it:\n" + ranking_text(diagnosis);
 }
 
-/// Each reason with the effects that it keeps out.
+/// Each reason with the effects that it keeps out: first what plugins failed in.
 std::string untestable_text(const Diagnosis& diagnosis) {
-  std::map<std::string, std::vector<std::string>> by_reason;
+  std::map<std::pair<bool, std::string>, std::vector<std::string>> by_reason;
   for (const Untestable& one : diagnosis.untestable)
-    by_reason[one.reason].push_back(one.where.empty() ? one.effect : one.effect + " @ " + one.where);
+    by_reason[{!one.failed, one.reason}].push_back(one.where.empty() ? one.effect : one.effect + " @ " + one.where);
   std::string text;
-  for (const auto& [reason, effects] : by_reason)
-    text += fmt::format("not testable: {} ({})\n", fmt::join(effects, ", "), reason);
+  for (const auto& [key, effects] : by_reason)
+    text += fmt::format("{}: {} ({})\n", key.first ? "not testable" : "plugin failed", fmt::join(effects, ", "),
+                        key.second);
   return text;
 }
 
@@ -163,14 +164,15 @@ std::string thresholds_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// What the likelihoods of earlier versions told.
+/// What likelihoods tell.
 std::string chance_text(const Diagnosis& diagnosis) {
-  std::string text =
-      fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
-                  diagnosis.hypotheses, diagnosis.chance_95, diagnosis.p_by_chance, diagnosis.base_times_floor);
-  if (!diagnosis.stopped)
-    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(diagnosis.free_force_gain),
-                        diagnosis.free_force_p);
+  std::string text;
+  if (diagnosis.chance_95 && diagnosis.p_by_chance)
+    text = fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
+                       diagnosis.hypotheses, *diagnosis.chance_95, *diagnosis.p_by_chance, diagnosis.base_times_floor);
+  if (diagnosis.free_force_gain && diagnosis.free_force_p)
+    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(*diagnosis.free_force_gain),
+                        *diagnosis.free_force_p);
   return text + noise_text(diagnosis);
 }
 
@@ -182,6 +184,22 @@ std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, 
     text +=
         fmt::format("→ lacuna trial {} --test {} --setup {} --csv=next.csv{}\n", shell_word(file),
                     shell_word(diagnosis.next_test), shell_word(setup_to_type(*diagnosis.next_test_setup)), options);
+  return text;
+}
+
+/// The commands that add what was found.
+std::string add_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
+  std::string text;
+  const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
+  if (outside && !most && !diagnosis.formulas.empty())
+    text +=
+        fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
+  if (diagnosis.verdict == Verdict::effect_found && diagnosis.ranking.front().effects.size() > 1)
+    return text + fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
+  if (diagnosis.verdict == Verdict::effect_found || (outside && most))
+    for (const FoundEffect& effect : diagnosis.ranking.front().effects)
+      text += fmt::format("→ lacuna add {} {}{}{}\n", shell_word(file), shell_word(effect.effect),
+                          effect.where == "world" ? "" : " --where " + shell_word(effect.where), options);
   return text;
 }
 
@@ -200,11 +218,12 @@ std::string threshold_text(const AtThreshold& near) {
 std::string verdict_text(const Diagnosis& diagnosis) {
   if (diagnosis.stopped) return fmt::format("{} · preliminary", to_string(diagnosis.verdict));
   if (std::isnan(diagnosis.probability)) return std::string(to_string(diagnosis.verdict));
-  return fmt::format("{} · P {:.2f} ({})", to_string(diagnosis.verdict), diagnosis.probability,
+  return fmt::format("{} · P {} ({})", to_string(diagnosis.verdict), probability_text(diagnosis.probability),
                      diagnosis.calibrated ? "calibrated on simulated rigs" : "uncalibrated");
 }
 
-std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options,
+                           const std::string& correction) {
   if (diagnosis.base.empty())  // nothing was searched
     return diagnosis.stopped
                ? fmt::format("verdict {}\n{}\n", verdict_text(diagnosis), fmt::join(diagnosis.findings, "\n"))
@@ -220,17 +239,9 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);
   text += next_test_text(diagnosis, file, options);
-  const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
-  if (outside && !most && !diagnosis.formulas.empty())
-    text +=
-        fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
-  if (diagnosis.verdict == Verdict::effect_found && diagnosis.ranking.front().effects.size() > 1)
-    return text + fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
-  if (diagnosis.verdict == Verdict::effect_found || (outside && most))
-    for (const FoundEffect& effect : diagnosis.ranking.front().effects)
-      text += fmt::format("→ lacuna add {} {}{}{}\n", shell_word(file), shell_word(effect.effect),
-                          effect.where == "world" ? "" : " --where " + shell_word(effect.where), options);
-  return text;
+  return text + (correction.empty() ? add_text(diagnosis, file, options)
+                                    : fmt::format("→ first correct the readings, {}, then lacuna diagnose {}{}\n",
+                                                  correction, shell_word(file), options));
 }
 
 }  // namespace lacuna

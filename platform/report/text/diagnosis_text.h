@@ -14,7 +14,9 @@ std::string verdict_text(const Diagnosis& diagnosis);
 std::string threshold_text(const AtThreshold& near);
 
 /// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
-/// command to go on with; `options`: what to type behind it, as in " --db rig.db".
-std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options = "");
+/// command to go on with; `options`: what to type behind it, as in " --db rig.db". `correction`: what a data check says
+/// to write into the file before anything is added; empty: nothing.
+std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options = "",
+                           const std::string& correction = "");
 
 }  // namespace lacuna

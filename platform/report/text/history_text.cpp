@@ -1,6 +1,7 @@
 #include "report/text/history_text.h"
 
 #include "foundation/counted.h"
+#include "foundation/figure_text.h"
 #include "foundation/unit.h"
 #include "report/text/history_rows.h"
 #include "report/text/horizon_text.h"
@@ -69,8 +70,8 @@ double error_over(const HistoryRow& row, double horizon, bool held_out) {
   return kNotKnown;
 }
 
-/// By revision, errors of predictions over each length, and what they are of the first revision's; empty where none is
-/// stored.
+/// By revision, errors of predictions over each length, and how they differ from the first revision's; empty where none
+/// is stored.
 std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string& channel) {
   const HistoryRow* first = nullptr;
   for (const HistoryRow& row : rows)
@@ -86,8 +87,8 @@ std::string horizon_table(const std::vector<HistoryRow>& rows, const std::string
       for (const HorizonRow& then : first->horizons) {
         const double error = error_over(row, then.horizon, held_out);
         is_known = is_known || std::isfinite(error);
-        const std::string ratio = error_ratio_text(error, error_over(*first, then.horizon, held_out));
-        cells.insert(cells.end(), {error_quantity(error, row.unit), &row == first ? "" : ratio});
+        const std::string change = error_change_text(error, error_over(*first, then.horizon, held_out));
+        cells.insert(cells.end(), {error_quantity(error, row.unit), &row == first ? "" : change});
       }
       if (is_known) table.push_back(cells);
     }

@@ -1,7 +1,5 @@
 #include "report/text/horizon_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -37,10 +35,6 @@ double restarted_error(const Comparison& comparison, const std::string& channel,
     }
   }
   return std::sqrt(squares / count);
-}
-
-std::string error_ratio_text(double now, double then) {
-  return std::isfinite(now) && then > 0.0 && std::isfinite(then) ? fmt::format("×{:.2g}", now / then) : "";
 }
 
 }  // namespace lacuna

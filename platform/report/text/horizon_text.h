@@ -18,7 +18,4 @@ std::vector<double> horizons_of(const Comparison& comparison, bool automatic = t
 /// number where none was scored.
 double restarted_error(const Comparison& comparison, const std::string& channel, double horizon, bool held_out);
 
-/// "×0.07"; empty where either is not known.
-std::string error_ratio_text(double now, double then);
-
 }  // namespace lacuna

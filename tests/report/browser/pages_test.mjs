@@ -80,6 +80,28 @@ function whatIsCut() {
   return found;
 }
 
+/** Controls that a finger does not reach: out of sight, or over another one. */
+function outOfReach() {
+  const { clientWidth } = document.documentElement;
+  const controls = [...document.querySelectorAll('main input, main select, main button, header button, header input')]
+    .map((node) => ({ node, box: node.getBoundingClientRect() }))
+    .filter(({ node, box }) => box.width > 0 && box.height > 0 && !node.closest('.tabulator'));
+  const name = ({ node, box }) =>
+    `${node.tagName} ${node.getAttribute('aria-label') ?? node.textContent.slice(0, 20)} at ${Math.round(box.left)} to ${Math.round(box.right)}`;
+  const hidden = controls.filter(({ box }) => box.left < 0 || box.right > clientWidth + 1);
+  const over = controls.filter((one, i) =>
+    controls.some(({ node, box }, j) => {
+      const [wide, high] = [
+        Math.min(one.box.right, box.right) - Math.max(one.box.left, box.left),
+        Math.min(one.box.bottom, box.bottom) - Math.max(one.box.top, box.top),
+      ];
+      const fixed = (of) => of.closest('header') !== null; // the page scrolls below it
+      return j < i && wide > 1 && high > 1 && fixed(node) === fixed(one.node);
+    }),
+  );
+  return [...hidden.map((one) => `out of sight: ${name(one)}`), ...over.map((one) => `over another: ${name(one)}`)];
+}
+
 describe('the setup of a trial', () => {
   it('stands above its curves and in the table of errors', async () => {
     const recording = (file, set) => `[[target.recording]]\nfile = "data/servo_pendulum/${file}.csv"\n${set}\n`;
@@ -318,7 +340,7 @@ function pagesOf(way, open) {
       await page.keyboard.press('Escape');
       await page.locator('input[type=range]').focus();
       await moves('Shift+ArrowRight');
-      await page.keyboard.press('5');
+      await page.keyboard.press('6');
       await page.waitForFunction(() => document.title.startsWith('Runs'));
       await go(page, rig, '#/replay');
       await page.waitForSelector('.stage canvas');
@@ -450,10 +472,11 @@ function pagesOf(way, open) {
     it('is led by keys and fits a phone, the dark and paper', async () => {
       await go(page, rig, '#/compare');
       for (const [key, title] of [
-        ['2', 'Diagnose'],
-        ['3', 'History'],
-        ['7', 'SQL'],
-        ['1', 'Compare'],
+        ['3', 'Diagnose'],
+        ['4', 'History'],
+        ['8', 'SQL'],
+        ['1', 'Overview'],
+        ['2', 'Compare'],
       ]) {
         await page.keyboard.press(key);
         await page.waitForFunction((wanted) => document.title.startsWith(wanted), title);
@@ -463,16 +486,18 @@ function pagesOf(way, open) {
       await page.waitForFunction(() => document.querySelectorAll('.found a').length >= 1);
       await page.keyboard.press('Enter');
       await page.waitForFunction(() => /compare\?experiment=first-steps&revision=2/.test(location.hash));
-      await page.keyboard.press('7');
+      await page.keyboard.press('8');
       await page.waitForFunction(() => document.title.startsWith('SQL'));
       await page.setViewportSize({ width: 390, height: 844 });
       for (const [base, hash] of [
-        ...['compare', 'diagnose', 'history', 'replay', 'sql'].map((one) => [rig, `#/${one}`]),
-        ...['run', 'runs', 'replay', 'sql'].map((one) => [walk, `#/${one}`]),
+        ...['overview', 'compare', 'diagnose', 'replay', 'sql'].map((one) => [rig, `#/${one}`]),
+        ...['damped-flap', 'first-steps'].map((one) => [rig, `#/history?experiment=${one}`]),
+        ...['overview', 'run', 'runs', 'replay', 'sql'].map((one) => [walk, `#/${one}`]),
       ]) {
         await go(page, base, hash);
         await page.waitForTimeout(300);
         assert.deepEqual(await page.evaluate(whatIsCut), [], `${hash} on a phone`);
+        assert.deepEqual(await page.evaluate(outOfReach), [], `${hash} on a phone`);
       }
       await page.emulateMedia({ colorScheme: 'dark' });
       await page.waitForFunction(() => getComputedStyle(document.body).backgroundColor === 'rgb(20, 23, 26)');
@@ -572,7 +597,7 @@ describe('a report', () => {
     await page.waitForFunction(() =>
       /longer than 10 s/.test(document.querySelector('[role=alert]')?.textContent ?? ''),
     );
-    await page.keyboard.press('1');
+    await page.keyboard.press('2');
     await page.waitForSelector('.trial-curves canvas');
     noFaults(page);
     await page.close();
@@ -645,6 +670,34 @@ describe('what pages compute', () => {
     assert.equal(unitOf(table('rad', 'rad'), 0), 'rad');
     assert.equal(unitOf(table('rad', 'm'), 0), '1');
     assert.equal(unitOf(table('rad', 'm'), 2), 'nats');
+  });
+
+  it('probabilities and changes of an error, as the terminal has them', async () => {
+    const { errorChange, probabilityText } = await pageModule('kit/format.ts');
+    assert.deepEqual([0.896, 0.29, 0.9972, 1, 0.004].map(probabilityText), ['0.89', '0.29', '0.99', '0.99', '< 0.01']);
+    assert.equal(errorChange(0.9, 12.1), '−92.6 %');
+    assert.equal(errorChange(66, 100), '−34 %');
+    assert.equal(errorChange(0.57, 100), '−99.43 %');
+    assert.equal(errorChange(14, 10), '+40 %');
+    assert.equal(errorChange(1, 1), '0.0 %');
+    assert.equal(errorChange(null, 1), '–');
+  });
+
+  it('nothing that a diagnosis by horizon never asked, whatever version made it', async () => {
+    const { firstIsAnswer, readDocument, timesFloor } = await pageModule('pages/diagnose_data.ts');
+    const first = { gain: 2, gain_standard_error: 0.1, gain_ci95: [1.8, 2.2], effects: [{ effect: 'drag', where: 'world' }] };
+    for (const document of [
+      { verdict: 'not_in_library', horizons: [{}], ranking: [first] },
+      { verdict: 'not_in_library', method: 'horizon', horizons: [{}], ranking: [first] },
+    ]) {
+      const read = readDocument(JSON.stringify(document));
+      assert.equal(read.method, 'horizon');
+      assert.equal(read.answer_gain.value, null);
+      assert.equal(firstIsAnswer(read), false);
+    }
+    assert.equal(timesFloor({ fitted_ratio_to_floor: 1.5 }), 1.5);
+    assert.equal(timesFloor({ ratio_to_floor: 2.5 }), 2.5);
+    assert.equal(timesFloor({}), null);
   });
 
   it('which answer of a diagnosis comes first, as the terminal has it', async () => {
@@ -826,7 +879,7 @@ describe('hostile names', () => {
       walk = await started('hostile-walk.db');
     for (const base of [url('hostile.html'), server.address, url('hostile-walk.html'), walk.address]) {
       const page = await newPage(browser);
-      for (const one of ['compare', 'diagnose', 'history', 'run', 'runs', 'replay', 'sql']) {
+      for (const one of ['overview', 'compare', 'diagnose', 'history', 'run', 'runs', 'replay', 'sql']) {
         await go(page, base, `#/${one}`);
         await page.waitForTimeout(100);
         assert.equal(await page.evaluate(() => window.bad), undefined, one);

@@ -26,7 +26,8 @@ const browser = await startBrowser();
 const page = await newPage(browser, { viewport: { width: 1180, height: 760 } });
 const url = (name) => pathToFileURL(at(`${name}.html`)).href;
 const pictures = [
-  ['compare', 'rig', '#/compare?experiment=damped-flap&revision=1&finding=0', 640],
+  ['overview', 'rig', '#/overview', 640],
+  ['compare', 'rig', '#/compare?experiment=damped-flap&revision=1&finding=0', 760],
   ['diagnose', 'rig', '#/diagnose', 760],
   ['history', 'rig', '#/history?experiment=first-steps', 700],
   ['run', 'walk', '#/run?run=2', 760],

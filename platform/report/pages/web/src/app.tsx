@@ -9,7 +9,7 @@ import { Guard } from './ui/guard';
 import { Empty } from './ui/parts';
 import { useTheme } from './ui/theme';
 
-/** 1 to 7 open pages, / goes to the page's search field or, where it has none, to that of all pages. */
+/** 1 to 8 open pages, / goes to the page's search field or, where it has none, to that of all pages. */
 function useKeys(): void {
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
@@ -43,14 +43,10 @@ export function App({ source }: { source: Source }) {
 function Frame({ source, trouble }: { source: Source; trouble: string | null }) {
   const route = useRoute();
   const [theme, changeTheme] = useTheme();
-  const first = useRows<{ has_runs: number; has_comparisons: number }>(
-    'SELECT EXISTS (SELECT * FROM eea_run) AS has_runs, EXISTS (SELECT * FROM comparison) AS has_comparisons',
-  );
   useKeys();
-  const start = first.value?.[0] && !first.value[0].has_comparisons && first.value[0].has_runs ? 'run' : 'compare';
+  const start = pages[0].name;
   const unknown = route.page !== '' && !pages.some((one) => one.name === route.page);
-  const wanted = route.page || (first.value || first.error ? start : '');
-  const page = pages.find((one) => one.name === wanted) ?? null;
+  const page = pages.find((one) => one.name === (route.page || start)) ?? null;
   useEffect(() => {
     if (page) document.title = `${page.title} · Lacuna`;
   }, [page]);

@@ -1,5 +1,6 @@
 // The palette of Okabe and Ito, which colour-blind people tell apart; style.css has the same for light and dark.
-export type Colour = 'measured' | 'predicted' | 'residual' | 'floor' | 'held' | 'truth' | 'other' | 'second';
+/** `broad`: what was measured, as a broad line below a thin one. */
+export type Colour = 'measured' | 'broad' | 'predicted' | 'residual' | 'floor' | 'held' | 'truth' | 'other' | 'second';
 
 /** As the page's style has it now, for what is drawn on a canvas. */
 export const colourNow = (name: string) =>

@@ -67,6 +67,21 @@ export function quantity(value: number | null | undefined, unit: string, digits 
 
 export const plain = (value: number | null | undefined, digits = 3) => quantity(value, '1', digits);
 
+/** Two digits, rounded down, and at most 0.99 (foundation/figure_text.cpp). */
+export function probabilityText(value: number): string {
+  const shown = Math.min(0.99, Math.floor(100 * value + 1e-9) / 100);
+  return shown < 0.01 ? '< 0.01' : shown.toFixed(2);
+}
+
+/** By how much an error differs from an earlier one, "−87 %" (foundation/figure_text.cpp). */
+export function errorChange(now: number | null | undefined, then: number | null | undefined): string {
+  if (!Number.isFinite(now) || !Number.isFinite(then) || !(then! > 0)) return '–';
+  const ratio = Math.max(now! / then!, 1e-4);
+  const percent = Math.abs(100 * (ratio - 1));
+  const size = `${percent.toFixed(ratio < 0.01 ? 2 : ratio < 0.1 || percent < 10 ? 1 : 0)} %`;
+  return size === '0.0 %' ? size : (ratio < 1 ? '−' : '+') + size;
+}
+
 /** "13.6 ×"; of the noise floor. */
 export const times = (value: number | null | undefined) =>
   value === null || value === undefined ? '—' : `${value < 10 ? value.toFixed(2) : digitsOf(value, 3)} ×`;

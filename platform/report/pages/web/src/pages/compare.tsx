@@ -1,8 +1,9 @@
 import { useMemo, useState } from 'preact/hooks';
-import { useLoaded, useRows } from '../data/use';
+import { useLoaded, useRows, type Loaded } from '../data/use';
 import { savePng } from '../kit/download';
 import { quantity, times } from '../kit/format';
-import { choose, notHere } from '../kit/route';
+import { choose, linkTo, notHere } from '../kit/route';
+import { shellWord } from '../kit/shell';
 import { Empty, Select, Show } from '../ui/parts';
 import { ErrorTable } from '../ui/error_table';
 import { TrialCurvesPanel } from '../ui/trial_curves';
@@ -15,9 +16,12 @@ import {
   regimesOf,
   setupText,
   type Finding,
+  type RegimeRow,
   type Score,
   type TrialSetup,
+  type Where,
 } from './compare_data';
+import { chosenPlace, placeOf, stretchToShow, type Place } from './compare_place';
 
 interface Props {
   choices: Record<string, string>;
@@ -58,11 +62,30 @@ function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string
   const scores = ofExperiment.filter((one) => one.revision === revision);
   const trials = unique(scores.map((one) => one.trial));
   const worst = worstOf(scores);
-  const trial = trials.includes(choices.trial) ? choices.trial : (worst?.trial ?? trials[0]);
+  const fitted = (scores.find((one) => !one.held_out) ?? scores[0]).comparison;
+  const where = useLoaded(
+    (source) => loadWhere(source, experiment, revision, fitted),
+    ['where', experiment, revision, fitted],
+  );
+  const findings = useMemo(() => (where.value ? pointed(where.value) : []), [where.value]);
+  const regimes = useMemo(() => (where.value ? regimesOf(where.value) : []), [where.value]);
+  const asked = choices.finding ?? '';
+  const finding =
+    (/^\d+$/.test(asked) ? findings[Number(asked)] : undefined) ?? regimes.find((one) => one.key === asked);
+  const chosen = trials.includes(choices.trial) ? choices.trial : undefined;
+  const place = chosenPlace(
+    { ...choices, trial: chosen! },
+    finding ? placeOf(finding, scores, chosen) : chosen ? { ...kWholeTrial, trial: chosen } : null,
+  );
+  const trial = place.trial ?? worst?.trial ?? trials[0];
+  const isFindingKnown = where.value !== undefined || where.error !== null;
+  const channels = unique(scores.filter((one) => one.trial === trial).map((one) => one.channel));
   const missing = [
     notHere('experiment', choices.experiment, experiments),
     notHere('revision', choices.revision, revisions),
     notHere('trial', choices.trial, trials),
+    notHere('channel', choices.channel, channels),
+    isFindingKnown && asked !== '' && !finding ? notHere('finding', asked, []) : null,
   ].filter((one) => one !== null);
   return (
     <>
@@ -72,19 +95,19 @@ function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string
             label="Experiment"
             value={experiment}
             options={experiments.map((one) => ({ value: one, label: one }))}
-            change={(value) => choose({ experiment: value, revision: null, trial: null })}
+            change={(value) => choose({ experiment: value, revision: null, trial: null, ...kNoPlace })}
           />
         )}
         <Select
           label="Revision"
           value={String(revision)}
           options={revisions.map((one) => ({ value: String(one), label: String(one) }))}
-          change={(value) => choose({ revision: value })}
+          change={(value) => choose({ revision: value, ...kNoPlace })}
         />
         <Select
           label="Trial"
           value={trial}
-          change={(value) => choose({ trial: value })}
+          change={(value) => choose({ trial: value, channel: null, t: null })}
           options={trials.map((one) => ({
             value: one,
             label: scores.some((s) => s.trial === one && s.held_out) ? `${one} (held out)` : one,
@@ -97,10 +120,26 @@ function Chosen({ all, choices }: { all: Score[]; choices: Record<string, string
         </p>
       )}
       <Summary worst={worst} />
-      <Trial scores={scores} trial={trial} finding={choices.finding ?? ''} />
+      {isFindingKnown || asked === '' || chosen ? (
+        <Trial
+          scores={scores}
+          trial={trial}
+          place={place}
+          where={where}
+          findings={findings}
+          regimes={regimes}
+          chosen={finding}
+          choose={(key) => choose({ finding: key, trial: null, channel: null, t: null })}
+        />
+      ) : (
+        <p class="empty loading">loading …</p>
+      )}
     </>
   );
 }
+
+const kNoPlace = { finding: null, channel: null, t: null };
+const kWholeTrial: Place = { trial: null, channel: null, from: null, to: null };
 
 /** Farthest above the noise floor; null where no floor is known. */
 const worstOf = (scores: Score[]) =>
@@ -112,11 +151,26 @@ function Summary({ worst }: { worst: Score | null }) {
   return (
     <p class="lead">
       {atFloor ? 'The model is at the noise floor in every trial: ' : 'The model is farthest off in '}
-      <strong>{atFloor ? `at most ${times(worst.times_floor)}` : `${worst.channel} of ${worst.trial}`}</strong>
+      <strong>
+        {atFloor ? (
+          `at most ${times(worst.times_floor)}`
+        ) : (
+          <a href={linkTo('compare', linkOf(worst))}>{`${worst.channel} of ${worst.trial}`}</a>
+        )}
+      </strong>
       {atFloor ? ' the floor.' : `: RMSE ${quantity(worst.rmse, worst.unit)}, ${times(worst.times_floor)} the floor.`}
     </p>
   );
 }
+
+/** Where the largest error of a score is. */
+const linkOf = ({ experiment, revision, trial, channel, max_error_time }: Score) => ({
+  experiment,
+  revision,
+  trial,
+  channel,
+  t: max_error_time === null ? null : Number(max_error_time.toPrecision(6)),
+});
 
 function NoFinding({ analysed }: { analysed: boolean }) {
   return (
@@ -132,23 +186,25 @@ function NoFinding({ analysed }: { analysed: boolean }) {
   );
 }
 
-function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; finding: string }) {
+interface TrialProps {
+  scores: Score[];
+  trial: string;
+  place: Place;
+  where: Loaded<Where>;
+  findings: Finding[];
+  regimes: RegimeRow[];
+  chosen: Finding | undefined;
+  /** A finding's number, a regime's key, or none. */
+  choose: (key: string | number | null) => void;
+}
+
+function Trial({ scores, trial, place, where, findings, regimes, chosen, choose: point }: TrialProps) {
   const own = scores.filter((one) => one.trial === trial);
-  const comparison = own[0].comparison;
+  const { comparison, experiment, revision } = own[0];
   const known = useRows<TrialSetup>(kSetups);
   const setups = known.value ?? [];
   const setup = setupText(setups, comparison, trial);
   const curves = useLoaded((source) => loadCurves(source, comparison, trial, own), ['curves', comparison, trial]);
-  const { experiment, revision } = own[0];
-  const fitted = scores.find((one) => !one.held_out)?.comparison ?? comparison;
-  const where = useLoaded(
-    (source) => loadWhere(source, experiment, revision, fitted),
-    ['where', experiment, revision, fitted],
-  );
-  const findings = useMemo(() => (where.value ? pointed(where.value) : []), [where.value]);
-  const regimes = useMemo(() => (where.value ? regimesOf(where.value) : []), [where.value]);
-  const chosen: Finding | undefined =
-    findings[finding === '' ? -1 : Number(finding)] ?? regimes.find((one) => one.key === finding);
   const lit = useMemo(() => chosen?.stretches?.find((one) => one.trial === trial)?.spans ?? [], [chosen, trial]);
   const [error, setError] = useState<string | null>(null);
   const keep = () => {
@@ -165,7 +221,16 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
               value === null ? (
                 <Empty>The samples of this trial are not in {`the ${comparison ? 'report' : 'database'}`}.</Empty>
               ) : (
-                <TrialCurvesPanel key={`${comparison} ${trial}`} curves={value} title={trial} setup={setup} lit={lit} keep={keep} />
+                <TrialCurvesPanel
+                  key={`${comparison} ${trial}`}
+                  curves={value}
+                  title={trial}
+                  setup={setup}
+                  lit={lit}
+                  channel={place.channel}
+                  stretch={stretchToShow(place, value.times[0], value.times[value.times.length - 1])}
+                  keep={keep}
+                />
               )
             }
           </Show>
@@ -179,33 +244,56 @@ function Trial({ scores, trial, finding }: { scores: Score[]; trial: string; fin
           <ol class="findings">
             {findings.map((one, i) => (
               <li key={i} class={one === chosen ? 'chosen' : ''}>
-                {one.stretches ? (
-                  <button
-                    class="quiet finding"
-                    aria-pressed={one === chosen}
-                    onClick={() => choose({ finding: one === chosen ? null : i })}
-                  >
-                    <FindingText finding={one} />
-                  </button>
-                ) : (
-                  <p class="finding">
-                    <FindingText finding={one} />
-                  </p>
-                )}
+                <button
+                  class="quiet finding"
+                  aria-pressed={one === chosen}
+                  onClick={() => point(one === chosen ? null : i)}
+                >
+                  <FindingText finding={one} />
+                </button>
               </li>
             ))}
           </ol>
-          {chosen && lit.length === 0 && (
-            <p class="note">None of its samples are in {trial}; those of other trials are.</p>
+          {chosen?.stretches && lit.length === 0 && (
+            <p class="note">
+              None of its samples are in {trial}.{' '}
+              <button class="link" onClick={() => choose({ trial: null, channel: null, t: null })}>
+                Show the trial that has most of them.
+              </button>
+            </p>
           )}
-          {findings.some((one) => one.stretches) && (
-            <p class="note">A click lights up the samples that a finding speaks of.</p>
+          {findings.length > 0 && (
+            <p class="note">
+              A click shows the trial, channel and time that a finding is about and lights up its samples.
+            </p>
           )}
         </aside>
       </div>
-      <ErrorTable scores={scores} setups={setups} trial={trial} choose={(name) => choose({ trial: name })} />
-      <RegimeTable regimes={regimes} chosen={finding} choose={(key) => choose({ finding: key })} />
+      <ErrorTable
+        scores={scores}
+        setups={setups}
+        trial={trial}
+        choose={(name) => choose({ trial: name, channel: null, t: null })}
+        linkOf={(score) => linkTo('compare', linkOf(score))}
+      />
+      <RegimeTable regimes={regimes} chosen={chosen} choose={point} />
+      <Simulate experiment={experiment} />
     </>
+  );
+}
+
+/** How the model is simulated on another test. */
+function Simulate({ experiment }: { experiment: string }) {
+  const file = useRows<{ file: string }>(
+    `SELECT file FROM experiment_text JOIN experiment ON experiment.id = experiment_text.experiment
+     WHERE experiment.name = ? ORDER BY experiment_text.id DESC LIMIT 1`,
+    [experiment],
+  ).value?.[0]?.file;
+  return (
+    <p class="note">
+      Simulate the fitted model on another test:{' '}
+      <code>{`lacuna predict ${shellWord((file ?? 'FILE').replace(/^.*\//, ''))} --fitted --test TEST --csv=prediction.csv`}</code>
+    </p>
   );
 }
 

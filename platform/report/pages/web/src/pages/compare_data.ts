@@ -49,17 +49,24 @@ export interface ChannelCurves {
   floor: number | null;
 }
 
+/** A command; its samples have times of their own. */
+export interface CommandCurves {
+  name: string;
+  unit: string;
+  series: Series;
+}
+
 export interface TrialCurves {
   times: Float64Array;
   channels: ChannelCurves[];
-  commands: ChannelCurves[];
+  commands: { times: Float64Array; channels: CommandCurves[] } | null;
 }
 
 const kTraces = `SELECT trace.kind, trace.id FROM trace
   JOIN trial ON trial.id = trace.trial
   JOIN comparison_score AS score ON score.trial = trial.id AND score.comparison = ?1
   WHERE trial.name = ?2 AND (trace.comparison = ?1 OR trace.comparison IS NULL AND trace.model IS NULL)
-    AND trace.kind IN ('measured', 'predicted', 'commands')
+    AND trace.kind IN ('measured', 'predicted', 'commands') AND trace.sample_count > 0
   GROUP BY trace.id ORDER BY trace.id`;
 
 /** By kind; "measured", "predicted" and "commands" where they are known. */
@@ -81,7 +88,7 @@ function channelCurves(
   };
 }
 
-/** Measured beside predicted, with commands that were sampled alike. */
+/** Measured beside predicted, with the commands. */
 export function curvesOf(
   traces: Map<string, Trace>,
   floorOf: (channel: string) => number | null = () => null,
@@ -90,14 +97,18 @@ export function curvesOf(
     predicted = traces.get('predicted'),
     commands = traces.get('commands');
   if (!measured) return null;
-  const alike = commands && commands.times.length === measured.times.length ? commands.channels : [];
   return {
     times: measured.times,
     channels: measured.channels.map((channel, c) => {
       const p = predicted?.channels.findIndex((one) => one.name === channel.name) ?? -1;
       return channelCurves(channel, measured.values[c], p >= 0 ? predicted!.values[p] : null, floorOf(channel.name));
     }),
-    commands: alike.map((channel, c) => channelCurves(channel, commands!.values[c], null, null)),
+    commands: commands
+      ? {
+          times: commands.times,
+          channels: commands.channels.map((channel, c) => ({ ...channel, series: new Series(commands.values[c]) })),
+        }
+      : null,
   };
 }
 
@@ -153,6 +164,7 @@ export function pointed({ findings, where }: Where): Finding[] {
       .filter(
         (one) =>
           one.share_of_error > 0.05 &&
+          !(one.times_floor <= 1) &&
           one.share_of_samples < 0.99 &&
           one.stretches &&
           !findings.some((finding) => finding.sentence.endsWith(one.sentence)),

@@ -1,6 +1,6 @@
 import { useRows } from '../data/use';
 import { saveCsv } from '../kit/download';
-import { plain, quantity, times } from '../kit/format';
+import { plain, probabilityText, quantity, times } from '../kit/format';
 import { valueText } from '../kit/interval';
 import { choose, linkTo } from '../kit/route';
 import { Figure } from '../ui/figure';
@@ -9,10 +9,13 @@ import { ForceMap } from '../ui/force_map';
 import { Breakable, Empty, Select, Show } from '../ui/parts';
 import {
   effectName,
+  errorChange,
+  errorChangeText,
   firstIsAnswer,
   gainText,
   modelName,
   readDocument,
+  timesFloor,
   verdictSentence,
   type DiagnosisDocument,
   type DiagnosisRow,
@@ -46,9 +49,16 @@ export function DiagnosePage({ choices }: { choices: Record<string, string> }) {
 function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string, string> }) {
   const row = all.find((one) => String(one.id) === choices.diagnosis) ?? all[all.length - 1];
   const document = readDocument(row.document);
-  const label = (one: DiagnosisRow) => {
+  const names = all.map((one) => {
     const { verdict } = readDocument(one.document);
     return `${one.experiment} · revision ${one.revision} · ${verdict.replace(/_/g, ' ')}`;
+  });
+  // Several of one revision are told apart by their order.
+  const label = (i: number) => {
+    const alike = names.map((one, at) => ({ one, at })).filter(({ one }) => one === names[i]);
+    return alike.length > 1
+      ? `${names[i]} · ${alike.findIndex(({ at }) => at === i) + 1} of ${alike.length}`
+      : names[i];
   };
   return (
     <>
@@ -56,7 +66,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
         <Select
           label="Diagnosis"
           value={String(row.id)}
-          options={all.map((one) => ({ value: String(one.id), label: label(one) }))}
+          options={all.map((one, i) => ({ value: String(one.id), label: label(i) }))}
           change={(value) => choose({ diagnosis: value, feature: null })}
         />
         <a href={linkTo('compare', { experiment: row.experiment, revision: row.revision })}>compare</a>
@@ -66,7 +76,7 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
         {document.stopped && <span class="muted">preliminary: the time limit stopped the search</span>}
         {document.probability !== null && (
           <span class="muted">
-            probability {plain(document.probability, 2)} (
+            probability {probabilityText(document.probability)} (
             {document.calibrated ? 'calibrated on rigs with known answers' : 'uncalibrated'})
           </span>
         )}
@@ -75,19 +85,24 @@ function Chosen({ all, choices }: { all: DiagnosisRow[]; choices: Record<string,
       {document.ranking.length > 0 && <Ranking document={document} />}
       <Force document={document} />
       <Features row={row} chosen={choices.feature} />
-      <Rest document={document} />
+      <Rest document={document} row={row} />
     </>
   );
 }
 
+/** Whether candidates are ranked by errors over horizons, and not by likelihoods. */
+const byHorizon = (document: DiagnosisDocument) => document.horizons.length > 0;
+const measureOf = (document: DiagnosisDocument) => (byHorizon(document) ? 'change of error / %' : 'gain / nats');
+
 /** What the library comes to, and the force of another form where that was judged under the same noise. */
 function rowsOf(document: DiagnosisDocument): ForestRow[] {
   const first = firstIsAnswer(document);
+  const shown = (gain: number | null) => (byHorizon(document) ? errorChange(gain) : gain);
   const rows = document.ranking.map((one, i) => ({
     name: modelName(one),
-    value: one.gain,
-    lower: one.gain_ci95[0],
-    upper: one.gain_ci95[1],
+    value: shown(one.gain),
+    lower: shown(one.gain_ci95[0]),
+    upper: shown(one.gain_ci95[1]),
     chosen: first && i === 0,
   }));
   if (document.verdict !== 'not_in_library' || document.formulas_of_rest) return rows;
@@ -103,8 +118,8 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
 
 /** What the gains are, below their picture. */
 function gainNote(document: DiagnosisDocument): string {
-  if (document.horizons.length > 0)
-    return 'How much lower the mean logarithm of the error over all horizons is than that of the model alone, where it was not fitted, with 95 % intervals; 0.69 is half the error.';
+  if (byHorizon(document))
+    return 'Change of the error, in the geometric mean over all horizons, beside that of the model alone, where it was not fitted, with 95 % intervals.';
   const first =
     document.verdict === 'not_in_library' && !firstIsAnswer(document) && !document.formulas_of_rest
       ? 'First: the formula below. '
@@ -118,15 +133,16 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
     <div class="two">
       <Forest
         title="How much better each predicts what was left out"
-        label="gain / nats"
-        chance={document.horizons.length > 0 ? null : document.chance_95}
+        label={measureOf(document)}
+        linear={byHorizon(document)}
+        chance={byHorizon(document) ? null : document.chance_95}
         rows={rowsOf(document)}
         note={gainNote(document)}
       />
       <Figure
         title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was left out, in multiples of the noise floor; the model alone: ${times(document.base.ratio_to_floor)}. A value without an interval is at a bound of its range, or not told by these data.`}
+        note={`Error on what was ${document.method === 'horizon' ? 'fitted' : 'left out'}, in multiples of the noise floor; the model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or not told by these data.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -135,7 +151,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
                 <th scope="col" />
                 <th scope="col">effect and parameters</th>
                 <th scope="col" class="number">
-                  gain / nats
+                  {byHorizon(document) ? 'change of error' : 'gain / nats'}
                 </th>
                 <th scope="col" class="number">
                   error
@@ -144,7 +160,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
             </thead>
             <tbody>
               {document.ranking.map((one, i) => (
-                <Candidate key={i} rank={i + 1} model={one} length={document.ranking[0]?.segment_s ?? null} />
+                <Candidate key={i} rank={i + 1} model={one} inPercent={byHorizon(document)} length={document.ranking[0]?.segment_s ?? null} />
               ))}
             </tbody>
           </table>
@@ -162,7 +178,7 @@ function saveCandidates(ranking: Ranked[]): void {
       model.gain,
       model.gain_ci95[0],
       model.gain_ci95[1],
-      model.ratio_to_floor,
+      timesFloor(model),
       model.segment_s,
     ];
     const values = model.effects.flatMap((effect) =>
@@ -202,10 +218,11 @@ const kNoInterval = 'at its bound, or not told';
 interface CandidateProps {
   rank: number;
   model: Ranked;
+  inPercent: boolean; // its gain
   length: number | null; // s, of the answer's segments; errors over others are no measure beside its own
 }
 
-function Candidate({ rank, model, length }: CandidateProps) {
+function Candidate({ rank, model, inPercent, length }: CandidateProps) {
   return (
     <tr>
       <td class="muted">{rank}</td>
@@ -222,9 +239,13 @@ function Candidate({ rank, model, length }: CandidateProps) {
         ))}
         {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
       </td>
-      <td class="number">{gainText({ value: model.gain, standard_error: model.gain_standard_error })}</td>
       <td class="number">
-        {(model.segment_s ?? null) === length ? times(model.ratio_to_floor) : `over ${quantity(model.segment_s, 's')}`}
+        {inPercent
+          ? errorChangeText(model)
+          : gainText({ value: model.gain, standard_error: model.gain_standard_error })}
+      </td>
+      <td class="number">
+        {(model.segment_s ?? null) === length ? times(timesFloor(model)) : `over ${quantity(model.segment_s, 's')}`}
       </td>
     </tr>
   );
@@ -299,7 +320,26 @@ const saveFormulas = (document: DiagnosisDocument) =>
     'formulas',
   );
 
-function Rest({ document }: { document: DiagnosisDocument }) {
+interface Compared {
+  trial: string;
+  channel: string;
+}
+
+/** Where a sentence leads: to the trial and the channel that it names. */
+function linkOf(sentence: string, row: DiagnosisRow, compared: Compared[]): string | null {
+  const named = (names: string[]) =>
+    names.filter((one) => sentence.includes(one)).sort((a, b) => b.length - a.length)[0] ?? null;
+  const trial = named(compared.map((one) => one.trial));
+  if (trial === null) return null;
+  const channel = named(compared.filter((one) => one.trial === trial).map((one) => one.channel));
+  return linkTo('compare', { experiment: row.experiment, revision: row.revision, trial, channel });
+}
+
+function Rest({ document, row }: { document: DiagnosisDocument; row: DiagnosisRow }) {
+  const compared = useRows<Compared>(
+    'SELECT trial, channel FROM latest_comparison WHERE experiment = ? AND revision = ?',
+    [row.experiment, row.revision],
+  );
   return (
     <div class="two">
       <section>
@@ -307,9 +347,14 @@ function Rest({ document }: { document: DiagnosisDocument }) {
           <>
             <h2>Findings</h2>
             <ul>
-              {document.findings.map((one) => (
-                <li key={one}>{one}</li>
-              ))}
+              {document.findings.map((one) => {
+                const link = linkOf(one, row, compared.value ?? []);
+                return (
+                  <li key={one}>
+                    {one} {link && <a href={link}>curves</a>}
+                  </li>
+                );
+              })}
             </ul>
           </>
         )}
@@ -328,12 +373,13 @@ function Rest({ document }: { document: DiagnosisDocument }) {
       </section>
       {document.not_testable.length > 0 && (
         <section>
-          <h2>Not testable on these data</h2>
+          <h2>Effects that were not tested</h2>
           <ul class="muted">
             {document.not_testable.map((one) => (
               <li key={one.effect + one.where}>
                 {one.effect}
-                {one.where ? ` @ ${one.where}` : ''}: {one.reason}
+                {one.where ? ` @ ${one.where}` : ''}: {one.failed && 'its plugin failed: '}
+                {one.reason}
               </li>
             ))}
           </ul>

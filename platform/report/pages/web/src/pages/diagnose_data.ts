@@ -16,11 +16,15 @@ export interface Gain {
   ci95: [number | null, number | null];
 }
 
-export interface Ranked {
+/** In multiples of the noise floor: on what was left out, or, where errors over horizons decided, on what was fitted. */
+export interface RatioToFloor {
+  ratio_to_floor?: number | null;
+  fitted_ratio_to_floor?: number | null;
+}
+
+export interface Ranked extends RatioToFloor {
   effects: Effect[];
   class: string[];
-  cv_rmse: Record<string, number>;
-  ratio_to_floor: number | null;
   segment_s: number | null;
   gain: number | null;
   gain_standard_error: number | null;
@@ -60,7 +64,9 @@ export interface DiagnosisDocument {
   stopped?: { during: string; not_examined: string[]; next: string };
   units: Record<string, string>;
   noise_floor: Record<string, number>;
-  base: { cv_rmse: Record<string, number>; ratio_to_floor: number | null };
+  /** What decided; none where nothing was searched. */
+  method?: 'likelihood' | 'horizon';
+  base: RatioToFloor;
   /** Where errors over horizons decided; `gain` is then how much lower the mean log error is. None in documents of before. */
   horizons: HorizonError[];
   ranking: Ranked[];
@@ -84,7 +90,7 @@ export interface DiagnosisDocument {
   next_test_worth: string;
   /** None in documents of before, and where no recording has a setup. */
   next_test_setup?: { name: string } | null;
-  not_testable: { effect: string; where: string; reason: string }[];
+  not_testable: { effect: string; where: string; reason: string; failed?: boolean }[];
 }
 
 export interface DiagnosisRow {
@@ -115,6 +121,18 @@ export function firstIsAnswer(document: DiagnosisDocument): boolean {
   return share > 0 && (answer ?? 0) > (document.formulas[0].gain.value ?? 0);
 }
 
+/** What a lower mean logarithm of the error is: its change in per cent, as in −91.3. */
+export const errorChange = (gain: number | null) => (gain === null ? null : 100 * Math.expm1(-gain));
+
+/** "−91.3 % [−93.7, −88.0]", as the terminal has it. */
+export function errorChangeText({ gain, gain_ci95: [lower, upper] }: Pick<Ranked, 'gain' | 'gain_ci95'>): string {
+  const number = (one: number | null) => {
+    const text = (errorChange(one) ?? 0).toFixed(1);
+    return one === null ? '—' : `${Number(text) > 0 ? '+' : ''}${text.replace('-', '−')}`;
+  };
+  return gain === null ? '—' : `${number(gain)} % [${number(upper)}, ${number(lower)}]`;
+}
+
 /** "+7397 ± 2858". */
 /** As the terminal has it: with 1.96 standard errors. */
 export function gainText({ value, standard_error }: Pick<Gain, 'value' | 'standard_error'>): string {
@@ -125,6 +143,8 @@ export function gainText({ value, standard_error }: Pick<Gain, 'value' | 'standa
   const number = (one: number) => one.toFixed(digits).replace('-', '−');
   return `${sign}${number(value)}${half === null ? '' : ` ± ${number(half)}`}`;
 }
+
+export const timesFloor = (one: RatioToFloor) => one.ratio_to_floor ?? one.fitted_ratio_to_floor ?? null;
 
 export const effectName = (effect: Effect) => `${effect.effect} @ ${effect.where}`;
 export const modelName = (model: Ranked) => model.effects.map(effectName).join(' + ');
@@ -152,7 +172,7 @@ export function readDocument(text: string): DiagnosisDocument {
     calibrated: false,
     units: {},
     noise_floor: {},
-    base: { cv_rmse: {}, ratio_to_floor: null },
+    base: {},
     horizons: [],
     ranking: [],
     p_by_chance: null,
@@ -170,7 +190,8 @@ export function readDocument(text: string): DiagnosisDocument {
   };
   const known = JSON.parse(text) as Partial<DiagnosisDocument>;
   const first = known.ranking?.[0];
-  if (first)
+  if (known.method === undefined && known.horizons?.length) known.method = 'horizon'; // of another version, too
+  if (first && known.method === undefined)
     empty.answer_gain = { value: first.gain, standard_error: first.gain_standard_error, ci95: first.gain_ci95 };
   return { ...empty, ...known };
 }

@@ -1,5 +1,5 @@
 import { saveCsv } from '../kit/download';
-import { quantity, times } from '../kit/format';
+import { errorChange, quantity } from '../kit/format';
 import { Figure } from '../ui/figure';
 import type { HorizonError } from './diagnose_data';
 
@@ -52,7 +52,7 @@ export function Horizons({ errors }: { errors: HorizonError[] }) {
 
 function change(base: number | null, answer: number | null, unit: string): string {
   if (base === null || answer === null) return '–';
-  return `${quantity(base, unit)} → ${quantity(answer, unit)} (${times(answer / base)})`;
+  return `${quantity(base, unit)} → ${quantity(answer, unit)} (${errorChange(answer, base)})`;
 }
 
 const saveErrors = (errors: HorizonError[]) =>

@@ -211,40 +211,23 @@ function Table({
     <Figure
       title="Revisions"
       downloads={[{ label: 'CSV', run: () => saveRevisions(revisions, errors) }]}
-      note="What each has that its parent had not. Choose two to see them side by side."
+      note="What each has that its parent had not; the number leads to its curves. Choose two, a and b, to see them side by side."
     >
       <div class="scrolls">
         <table class="grid">
           <thead>
             <tr>
-              <th>revision</th>
-              <th>parent</th>
-              <th>change</th>
-              <th>error</th>
               <th>a</th>
               <th>b</th>
-              <th />
+              <th>revision</th>
+              <th>change</th>
+              <th>error</th>
+              <th>parent</th>
             </tr>
           </thead>
           <tbody>
             {revisions.map((one) => (
               <tr key={one.number}>
-                <th scope="row">{one.number}</th>
-                <td class="muted">{one.parent ?? ''}</td>
-                <td class="wraps">
-                  <strong>
-                    <Breakable>{one.change}</Breakable>
-                  </strong>
-                  <span class="small">
-                    {one.effects ?? 'no effects'} · {one.free_values} free values
-                  </span>
-                </td>
-                <td class="wraps">
-                  {errors
-                    .filter((row) => row.revision === one.number)
-                    .map((row) => `${row.channel} ${times(row.times_floor)}`)
-                    .join(', ') || '—'}
-                </td>
                 <td>
                   <input
                     type="radio"
@@ -263,9 +246,26 @@ function Table({
                     onChange={() => choose({ b: one.number })}
                   />
                 </td>
-                <td>
-                  <a href={linkTo('compare', { experiment, revision: one.number })}>curves</a>
+                <th scope="row">
+                  <a href={linkTo('compare', { experiment, revision: one.number })} title="Its curves">
+                    {one.number}
+                  </a>
+                </th>
+                <td class="wraps">
+                  <strong>
+                    <Breakable>{one.change}</Breakable>
+                  </strong>
+                  <span class="small">
+                    {one.effects ?? 'no effects'} · {one.free_values} free values
+                  </span>
                 </td>
+                <td class="wraps">
+                  {errors
+                    .filter((row) => row.revision === one.number)
+                    .map((row) => `${row.channel} ${times(row.times_floor)}`)
+                    .join(', ') || '—'}
+                </td>
+                <td class="muted">{one.parent ?? ''}</td>
               </tr>
             ))}
           </tbody>

@@ -2,6 +2,7 @@ import type { ComponentType } from 'preact';
 import { ComparePage } from './compare';
 import { DiagnosePage } from './diagnose';
 import { HistoryPage } from './history';
+import { OverviewPage } from './overview';
 import { ReplayPage } from './replay';
 import { RunPage } from './run';
 import { RunsPage } from './runs';
@@ -14,8 +15,9 @@ export interface PageEntry {
   Page: ComponentType<{ choices: Record<string, string> }>;
 }
 
-/** In the order of their keys, 1 to 7. */
+/** In the order of their keys, 1 to 8; the first is where a reader begins. */
 export const pages: PageEntry[] = [
+  { name: 'overview', title: 'Overview', sentence: 'How experiments stand, and what to do next', Page: OverviewPage },
   { name: 'compare', title: 'Compare', sentence: 'Measured and predicted, and where they part', Page: ComparePage },
   { name: 'diagnose', title: 'Diagnose', sentence: 'What the model lacks', Page: DiagnosePage },
   { name: 'history', title: 'History', sentence: 'Error by revision', Page: HistoryPage },

@@ -7,6 +7,7 @@ import { kindOf, kRuns, passAxis, type PassRow, type Run } from './run_data';
 import { Ensemble, Foretold, Spread } from './run_models';
 import { useProgress, type Standing } from './run_progress';
 import { State } from './run_state';
+import { useScoreUnit } from './score_unit';
 import { Best } from './run_values';
 
 /** One run of the algorithm; live while it runs. */
@@ -96,14 +97,15 @@ const number = (value: number | null) => value ?? NaN;
 
 function ErrorByPass({ run }: { run: Run }) {
   const rows = useRows<PassRow>('SELECT * FROM error_by_pass WHERE run = ? ORDER BY pass', [run.run]);
+  const { unit, channels } = useScoreUnit(run);
   return (
     <Show of={rows}>
       {(all) => (
         <Chart
           title="Error of the best model"
           x={passAxis}
-          y={{ label: run.metric.replace(/_/g, ' '), unit: '1', log: true }}
-          note="Over all trials so far, so that a new trial may raise it."
+          y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
+          note={`Over all trials so far, so that a new trial may raise it.${channels ? ` Measured: ${channels}.` : ''}`}
           series={[
             {
               name: 'best model',

@@ -8,6 +8,7 @@ import { DataTable } from '../ui/data_table';
 import { Figure } from '../ui/figure';
 import { Show } from '../ui/parts';
 import { passAxis, type Run } from './run_data';
+import { useScoreUnit } from './score_unit';
 
 interface ForetoldRow {
   trial: number;
@@ -24,6 +25,7 @@ export function Foretold({ run }: { run: Run }) {
      FROM foretold WHERE run = ? AND surprise IS NOT NULL ORDER BY trial`,
     [run.run],
   );
+  const { unit } = useScoreUnit(run);
   return (
     <Show of={rows}>
       {(all) => {
@@ -33,7 +35,7 @@ export function Foretold({ run }: { run: Run }) {
           <Chart
             title="Trials foretold"
             x={{ label: 'target trial', unit: '1', whole: true }}
-            y={{ label: run.metric.replace(/_/g, ' '), unit: '1', log: true }}
+            y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
             note="Error of the best model so far on a trial that was new to it, and on the trials before."
             series={[
               {
@@ -79,6 +81,7 @@ export function Spread({ run }: { run: Run }) {
      FROM own GROUP BY pass ORDER BY pass`,
     [run.run],
   );
+  const { unit } = useScoreUnit(run);
   return (
     <Show of={rows}>
       {(all) =>
@@ -86,7 +89,7 @@ export function Spread({ run }: { run: Run }) {
           <Chart
             title="Spread of the models"
             x={passAxis}
-            y={{ label: 'error', unit: '1', log: true }}
+            y={{ label: run.metric.replace(/_/g, ' '), unit, log: true }}
             note="Of all models of a pass that were scored to the end: the best, the best tenth and the median."
             series={[
               {
@@ -135,18 +138,19 @@ export function Ensemble({ run, pass }: { run: Run; pass: string | undefined }) 
     'SELECT pass, rank, model, structure, score, address, value, unit FROM ensembles WHERE run = ? ORDER BY pass, rank, position',
     [run.run],
   );
+  const { unit } = useScoreUnit(run);
   return (
     <Show of={rows}>
       {(all) => {
         const passes = [...new Set(all.map((one) => one.pass))];
         const chosen = passes.includes(Number(pass)) ? Number(pass) : passes[passes.length - 1];
-        return <EnsembleTable pass={chosen} values={all.filter((one) => one.pass === chosen)} />;
+        return <EnsembleTable pass={chosen} values={all.filter((one) => one.pass === chosen)} errorUnit={unit} />;
       }}
     </Show>
   );
 }
 
-function EnsembleTable({ pass, values }: { pass: number; values: EnsembleValue[] }) {
+function EnsembleTable({ pass, values, errorUnit }: { pass: number; values: EnsembleValue[]; errorUnit: string }) {
   const { table, formats } = useMemo(() => {
     const units = new Map(values.flatMap((one) => (one.address === null ? [] : [[one.address, one.unit ?? '']])));
     const ranks = [...new Set(values.map((one) => one.rank))];
@@ -159,11 +163,12 @@ function EnsembleTable({ pass, values }: { pass: number; values: EnsembleValue[]
     return {
       table: { columns: ['rank', 'model', 'structure', 'error', ...units.keys()], rows, cut: false },
       formats: {
-        error: (cell: Cell) => plain(cell as number | null, 4),
+        error: (cell: Cell) =>
+          errorUnit === '1' ? plain(cell as number | null, 4) : quantity(cell as number | null, errorUnit),
         ...Object.fromEntries([...units].map(inUnit)),
       },
     };
-  }, [values]);
+  }, [values, errorUnit]);
   if (table.rows.length < 2) return null;
   return (
     <Figure
@@ -171,7 +176,7 @@ function EnsembleTable({ pass, values }: { pass: number; values: EnsembleValue[]
       note="The best of each structure and restart first. What they say of a test: lacuna predict FILE --test ..."
       downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, table.rows, `models of pass ${pass}`) }]}
     >
-      <DataTable table={table} formats={formats} />
+      <DataTable key={errorUnit} table={table} formats={formats} />
     </Figure>
   );
 }

@@ -1,8 +1,9 @@
 import { useContext, useEffect, useRef, useState } from 'preact/hooks';
 import { SharedContext, useRows } from '../data/use';
-import { count, duration, plain } from '../kit/format';
+import { count, duration, quantity } from '../kit/format';
 import { secondsLeft, type Run } from './run_data';
 import type { Standing } from './run_progress';
+import { useScoreUnit } from './score_unit';
 
 /** Evaluations per second, between what was seen last and now. */
 function useRate(run: Run): number | null {
@@ -49,13 +50,14 @@ function speedOf(run: Run, standing: Standing, live: boolean, rate: number | nul
 export function State({ run, standing }: { run: Run; standing: Standing }) {
   const { source } = useContext(SharedContext);
   const rate = useRate(run);
+  const { unit } = useScoreUnit(run);
   const stopped = useRows<{ pass: number; stopped: string }>(
     'SELECT number AS pass, stopped FROM pass WHERE run = ? AND stopped IS NOT NULL',
     [run.run],
   ).value?.[0];
   const facts: [string, string][] = [
     ['passes', `${run.passes_done} of ${run.passes}`],
-    ['best error', plain(run.best_score, 4)],
+    ['best error', quantity(run.best_score, unit, 4)],
     ['models', count(run.models)],
     ['tests', count(run.tests)],
     ['target trials', count(run.trials)],

@@ -90,6 +90,8 @@ function Values({
   spread: Map<string, Spread[]> | undefined;
 }) {
   const spreadAt = (address: string) => spread?.get(address)?.find((one) => one.pass === pass);
+  const isKnown = values.some((one) => one.truth !== null);
+  const isSpread = values.some((one) => spreadAt(one.address) !== undefined);
   const keep = () =>
     saveCsv(
       ['address', 'unit', 'value', 'truth', 'spread_lower', 'spread_upper', 'lower', 'upper'],
@@ -110,7 +112,7 @@ function Values({
     <Figure
       title={`Values of the best model of pass ${pass}`}
       downloads={[{ label: 'CSV', run: keep }]}
-      note={spread && spread.size > 0 ? 'Spread: where 80 % of the models of the last generation lie.' : undefined}
+      note={isSpread ? 'Spread: where 80 % of the models of the last generation lie.' : undefined}
     >
       <div class="scrolls">
         <table class="grid">
@@ -118,9 +120,9 @@ function Values({
             <tr>
               <th>address</th>
               <th class="number">value</th>
-              <th class="number">truth</th>
-              <th class="number">off by</th>
-              <th class="number">spread</th>
+              {isKnown && <th class="number">truth</th>}
+              {isKnown && <th class="number">off by</th>}
+              {isSpread && <th class="number">spread</th>}
               <th class="number">bounds</th>
             </tr>
           </thead>
@@ -133,11 +135,13 @@ function Values({
                     <Breakable>{one.address}</Breakable>
                   </th>
                   <td class="number">{quantity(one.value, one.unit)}</td>
-                  <td class="number">{quantity(one.truth, one.unit)}</td>
-                  <td class="number">
-                    {one.truth === null || one.value === null ? '—' : quantity(one.value - one.truth, one.unit)}
-                  </td>
-                  <td class="number">{own ? range(own.lower, own.upper, one.unit) : '—'}</td>
+                  {isKnown && <td class="number">{quantity(one.truth, one.unit)}</td>}
+                  {isKnown && (
+                    <td class="number">
+                      {one.truth === null || one.value === null ? '—' : quantity(one.value - one.truth, one.unit)}
+                    </td>
+                  )}
+                  {isSpread && <td class="number">{own ? range(own.lower, own.upper, one.unit) : '—'}</td>}
                   <td class="number muted">{range(one.lower, one.upper, one.unit)}</td>
                 </tr>
               );

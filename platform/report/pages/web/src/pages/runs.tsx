@@ -210,7 +210,11 @@ function Bands({ title, label, unit, log, experiments, rows }: BandsProps) {
       x={{ label: 'pass', unit: '1', whole: true }}
       y={{ label, unit, log, include: log ? [] : [0] }}
       series={series}
-      note="Bands: 95 % intervals of the means over the runs that the filter shows."
+      note={
+        series.some((one) => one.kind === 'band')
+          ? 'Bands: 95 % intervals of the means over the runs that the filter shows.'
+          : undefined
+      }
     />
   );
 }
@@ -228,7 +232,7 @@ function Commands() {
           title="Commands that wrote to this database"
           downloads={[{ label: 'CSV', run: () => saveCsv(table.columns, table.rows, 'commands') }]}
         >
-          {table.rows.length === 0 ? <Empty>None.</Empty> : <DataTable table={table} />}
+          {table.rows.length === 0 ? <Empty>None.</Empty> : <DataTable table={table} wide="command" />}
         </Figure>
       )}
     </Show>

@@ -6,6 +6,8 @@ const kUnits: Record<string, string> = {
   duration: 's',
   seconds: 's',
   max_error_time: 's',
+  times_floor: '× floor',
+  base_times_floor: '× floor',
   gain: 'nats',
   gain_lower: 'nats',
   gain_upper: 'nats',

@@ -4,7 +4,7 @@ import { saveCsv, saveSvg } from '../kit/download';
 import { logTickTexts, prefixFor, quantity, tickTexts, unitText } from '../kit/format';
 import { linearTicks, logTicks } from '../kit/ticks';
 import { Figure } from './figure';
-import { roomForNames, TickName } from './tick_names';
+import { nameLines, roomForNames, TickName } from './tick_names';
 
 export interface ChartSeries {
   name: string;
@@ -48,6 +48,8 @@ export interface ChartProps {
   chosen?: { series: number; index: number };
 }
 
+const kTitle = 30; // px, from the left of a picture to the end of its title and what keeps it apart from numbers
+const kLetter = 6.6;
 const kMargin = { left: 62, right: 14, top: 8, bottom: 40 };
 
 interface Scale {
@@ -57,6 +59,9 @@ interface Scale {
   place: (value: number) => number;
 }
 
+const kTickHeight = 14; // px of a number
+const kTickWidth = 44;
+const kNearest = 1e-307; // to 0, of a logarithmic axis
 const kFarthest = 1e300; // a scale of 2e308 would overflow
 
 /** Values that no scale holds are gaps. */
@@ -78,9 +83,12 @@ function scaleOf(values: number[], axis: Axis, from: number, to: number): Scale 
   if (low > high) [low, high] = axis.log ? [0.1, 1] : [0, 1];
   if (axis.log) {
     if (high / low < 1.5) [low, high] = [low / 1.5, high * 1.5];
-    [low, high] = [low / (high / low) ** 0.04, high * (high / low) ** 0.04];
-    const place = (value: number) => from + ((to - from) * Math.log(value / low)) / Math.log(high / low);
-    return { low, high, ticks: logTicks(low, high), place };
+    const margin = Math.exp(0.04 * (Math.log(high) - Math.log(low)));
+    [low, high] = [Math.max(low / margin, kNearest), Math.min(high * margin, 1 / kNearest)];
+    const length = Math.log(high) - Math.log(low);
+    const place = (value: number) => from + ((to - from) * (Math.log(value) - Math.log(low))) / length;
+    const room = from > to ? kTickHeight : kTickWidth;
+    return { low, high, ticks: logTicks(low, high, room / Math.max(Math.abs(to - from), 1)), place };
   }
   if (high - low < 1e-12 * Math.max(Math.abs(low), Math.abs(high), 1e-300)) [low, high] = [low - 0.5, high + 0.5];
   const margin = axis.whole ? 0.3 : 0.04 * (high - low);
@@ -111,6 +119,12 @@ const path = (x: number[], y: number[]) => {
   }
   return text;
 };
+
+/** Whether there is anything to see of it. */
+const hasData = (one: ChartSeries) =>
+  one.kind === 'band'
+    ? one.x.some((_, i) => Number.isFinite(one.lower?.[i]) && Number.isFinite(one.upper?.[i]))
+    : one.y.some((y, i) => Number.isFinite(y) && Number.isFinite(one.x[i]));
 
 const bandPath = (x: number[], lower: number[], upper: number[]) => {
   const known = x.map((_, i) => i).filter((i) => Number.isFinite(lower[i]) && Number.isFinite(upper[i]));
@@ -163,37 +177,44 @@ const axisTitle = (axis: Axis, symbol: string) => {
 
 /** A small picture of lines, points and bands, drawn as SVG. */
 export function Chart(props: ChartProps) {
-  const { title, levels = [], height = 240 } = props;
+  const { title, height = 240 } = props;
+  const levels = (props.levels ?? []).filter((one) => Number.isFinite(one.at));
   const series = useMemo(() => withoutFarValues(props.series), [props.series]);
   const [box, width] = useWidth();
   const picture = useRef<SVGSVGElement>(null);
   const [near, setNear] = useState<{ series: number; index: number } | null>(null);
   const wide = Math.max(width, 200);
+  const prefix = (axis: Axis, scale: Scale) =>
+    prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
+  // Names turn by the room that they have, and how high the picture is follows; its left side follows the numbers there.
   const { turn, room } = roomForNames(props.x.names, wide - kMargin.left - kMargin.right);
   const bottom = kMargin.bottom + room;
-  const scales = useMemo(() => {
-    const x = scaleOf(
-      series.flatMap((one) => one.x),
-      props.x,
-      kMargin.left,
-      wide - kMargin.right,
-    );
+  const y = useMemo(() => {
     const values = series.flatMap((one) => [
       ...(one.kind === 'band' ? [] : one.y),
       ...(one.lower ?? []),
       ...(one.upper ?? []),
     ]);
-    const y = scaleOf([...values, ...levels.map((one) => one.at)], props.y, height - bottom, kMargin.top);
-    return { x, y };
-  }, [series, props.x, props.y, wide, height, bottom]);
-  const { x, y } = scales;
-  const prefix = (axis: Axis, scale: Scale) =>
-    prefixFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), axis.unit);
-  const px = prefix(props.x, x),
-    py = prefix(props.y, y);
-
+    return scaleOf([...values, ...levels.map((one) => one.at)], props.y, height - bottom, kMargin.top);
+  }, [series, props.y, height, bottom]);
+  const py = prefix(props.y, y);
   const yTexts = (props.y.log ? logTickTexts : tickTexts)(y.ticks, py.factor);
-  const xTexts = props.x.names ? x.ticks.map((tick) => props.x.names![tick] ?? '') : tickTexts(x.ticks, px.factor);
+  const left = Math.max(kMargin.left, kTitle + kLetter * Math.max(0, ...yTexts.map((one) => one.length)));
+  const x = useMemo(
+    () =>
+      scaleOf(
+        series.flatMap((one) => one.x),
+        props.x,
+        left,
+        wide - kMargin.right,
+      ),
+    [series, props.x, wide, left],
+  );
+  const px = prefix(props.x, x);
+  const xTexts = props.x.names
+    ? x.ticks.map((tick) => props.x.names![tick] ?? '')
+    : (props.x.log ? logTickTexts : tickTexts)(x.ticks, px.factor);
+  const xLines = props.x.names ? nameLines(xTexts) : xTexts.map((one) => [one]);
   // The end of a band or whisker: what a logarithmic axis does not reach lies below the picture.
   const end = (value: number) => (props.y.log && value <= 0 ? height - bottom : y.place(value));
 
@@ -232,7 +253,7 @@ export function Chart(props: ChartProps) {
     <Figure title={title} note={props.note} downloads={downloads}>
       <div class="legend">
         {series
-          .filter((one) => one.name !== '' && !one.unlisted)
+          .filter((one) => one.name !== '' && !one.unlisted && hasData(one))
           .map((one) => (
             <span key={one.name} class={`key ink-${one.colour} ${one.kind} ${one.dashed ? 'dashed' : ''}`}>
               <i />
@@ -266,24 +287,31 @@ export function Chart(props: ChartProps) {
           >
             <g class="grid">
               {y.ticks.map((tick) => (
-                <line key={tick} x1={kMargin.left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />
+                <line key={tick} x1={left} x2={wide - kMargin.right} y1={y.place(tick)} y2={y.place(tick)} />
               ))}
             </g>
             <g class="ticks">
               {y.ticks.map((tick, i) => (
-                <text key={tick} x={kMargin.left - 6} y={y.place(tick) + 4} text-anchor="end">
+                <text key={tick} x={left - 6} y={y.place(tick) + 4} text-anchor="end">
                   {yTexts[i]}
                 </text>
               ))}
               {x.ticks.map((tick, i) => (
-                <TickName key={tick} name={xTexts[i]} x={x.place(tick)} y={height - bottom + 16} turn={turn} />
+                <TickName
+                  key={tick}
+                  name={xTexts[i]}
+                  lines={xLines[i]}
+                  x={x.place(tick)}
+                  y={height - bottom + 16}
+                  turn={turn}
+                />
               ))}
               {x.ticks.map((tick) => (
                 <line key={tick} x1={x.place(tick)} x2={x.place(tick)} y1={height - bottom} y2={height - bottom + 4} />
               ))}
             </g>
-            <line class="axis" x1={kMargin.left} x2={wide - kMargin.right} y1={height - bottom} y2={height - bottom} />
-            <text class="axis-title" x={(kMargin.left + wide - kMargin.right) / 2} y={height - 6} text-anchor="middle">
+            <line class="axis" x1={left} x2={wide - kMargin.right} y1={height - bottom} y2={height - bottom} />
+            <text class="axis-title" x={(left + wide - kMargin.right) / 2} y={height - 6} text-anchor="middle">
               {axisTitle(props.x, px.symbol)}
             </text>
             <text
@@ -297,7 +325,7 @@ export function Chart(props: ChartProps) {
               <line
                 key={one.name}
                 class={`line dashed ink-${one.colour}`}
-                x1={kMargin.left}
+                x1={left}
                 x2={wide - kMargin.right}
                 y1={y.place(one.at)}
                 y2={y.place(one.at)}

@@ -13,6 +13,8 @@ export interface Line {
   series: Series;
   width?: number;
   dashed?: boolean;
+  /** What stays as it is until the next sample. */
+  stepped?: boolean;
 }
 
 export interface CurvesProps {
@@ -136,6 +138,7 @@ function options(props: CurvesProps, width: number, now: () => CurvesProps): uPl
         width: line.width ?? 1,
         points: { show: false },
         ...(line.dashed ? { dash: [6, 4] } : {}),
+        ...(line.stepped ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
       })),
     ],
     hooks: {

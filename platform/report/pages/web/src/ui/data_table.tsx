@@ -19,6 +19,8 @@ interface Props {
   table: Table;
   /** How a column's cells are written; every digit where it is not said. */
   formats?: Record<string, (cell: Cell) => string>;
+  /** A column that is as wide as its text. */
+  wide?: string;
   /** What a click on a row does, or Enter where a row has the focus. */
   pick?: (row: number) => void;
   /** Rows that are shown; all where there is none. */
@@ -42,7 +44,7 @@ const compare = (a: unknown, b: unknown) => {
   return cellText(a) < cellText(b) ? -1 : 1;
 };
 
-function columnsOf({ table, formats }: Props): ColumnDefinition[] {
+function columnsOf({ table, formats, wide }: Props): ColumnDefinition[] {
   const canRest = !matchMedia('(hover: none)').matches;
   return table.columns.map((name, i) => {
     const numeric = table.rows.some((row) => typeof row[i] === 'number');
@@ -53,7 +55,7 @@ function columnsOf({ table, formats }: Props): ColumnDefinition[] {
       headerHozAlign: numeric ? 'right' : 'left',
       sorter: compare,
       // Where no pointer can rest on a cell it is as wide as its text, and the table scrolls.
-      ...(canRest ? { maxInitialWidth: 360 } : {}),
+      ...(canRest && name !== wide ? { maxInitialWidth: 360 } : {}),
       titleFormatter: () => textNode(name),
       formatter: (cell: CellComponent) => textNode((formats?.[name] ?? cellText)(cell.getValue() as Cell)),
     };

@@ -8,6 +8,8 @@ interface Props {
   setups: TrialSetup[];
   trial: string;
   choose: (trial: string) => void;
+  /** Leads to the largest error of a score. */
+  linkOf: (score: Score) => string;
 }
 
 /** How strongly a cell is shaded: nothing at the floor, all at 30 floors. */
@@ -17,12 +19,11 @@ const shade = (timesFloor: number | null) => {
 };
 
 /** Error by trial and channel, in multiples of the noise floor. */
-export function ErrorTable({ scores, setups, trial, choose }: Props) {
+export function ErrorTable({ scores, setups, trial, choose, linkOf }: Props) {
   const trials = [...new Set(scores.map((one) => one.trial))];
   const channels = [...new Map(scores.map((one) => [one.channel, one.unit])).keys()];
   const at = (name: string, channel: string) => scores.find((one) => one.trial === name && one.channel === channel);
-  const setupOf = (name: string) =>
-    setupText(setups, scores.find((one) => one.trial === name)!.comparison, name);
+  const setupOf = (name: string) => setupText(setups, scores.find((one) => one.trial === name)!.comparison, name);
   const columns = [
     'trial',
     'held_out',
@@ -75,7 +76,10 @@ export function ErrorTable({ scores, setups, trial, choose }: Props) {
                     <td key={channel} class={`number shade-${shade(score.times_floor)}`}>
                       <span class="big">{times(score.times_floor)}</span> {quantity(score.rmse, score.unit)}
                       <span class="small">
-                        {quantity(score.max_error, score.unit)} at {quantity(score.max_error_time, 's')}
+                        {quantity(score.max_error, score.unit)} at{' '}
+                        <a href={linkOf(score)} title={`${channel} of ${name} at its largest error`}>
+                          {quantity(score.max_error_time, 's')}
+                        </a>
                       </span>
                     </td>
                   );

@@ -42,6 +42,8 @@ function grouped(curves: ForceCurve[]): [string, ForceCurve[]][] {
 /** Position is over the velocity that it is the integral of. */
 const positionUnit = (curve: ForceCurve) => curve.unit.replace(/\/s$/, '');
 
+const withUnit = (label: string, unit: string) => (unitText(unit) ? `${label} / ${unitText(unit)}` : label);
+
 const keep = (curves: ForceCurve[], title: string) =>
   saveCsv(
     ['joint', 'of', 'at', 'unit', 'position', 'position_unit', 'force', 'standard_error', 'force_unit'],
@@ -146,17 +148,16 @@ function Heat({ title, curves }: { title: string; curves: ForceCurve[] }) {
                   </text>
                 ),
             )}
-            <text
-              class="axis-title"
-              x={(left + wide) / 2}
-              y={rows.length * cell + 36}
-              text-anchor="middle"
-            >{`${rows[0].of} / ${unitText(rows[0].unit)}`}</text>
+            <text class="axis-title" x={(left + wide) / 2} y={rows.length * cell + 36} text-anchor="middle">
+              {withUnit(rows[0].of, rows[0].unit)}
+            </text>
             <text
               class="axis-title"
               text-anchor="middle"
               transform={`translate(12 ${(rows.length * cell) / 2}) rotate(-90)`}
-            >{`position / ${unitText(positionUnit(rows[0]))}`}</text>
+            >
+              {withUnit('position', positionUnit(rows[0]))}
+            </text>
           </svg>
         )}
       </div>

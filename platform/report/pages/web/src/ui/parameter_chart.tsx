@@ -38,7 +38,7 @@ function csvOf({ rows, spread }: Props) {
   };
 }
 
-/** Values on their way to the truth: faint those of earlier passes, strong the chosen one's. */
+/** Values on their way to the truth, where one is known: faint those of earlier passes, strong the chosen one's. */
 export function ParameterChart(props: Props) {
   const { rows, pass, spread } = props;
   const addresses = [...new Set(rows.map((one) => one.address))];
@@ -83,12 +83,12 @@ export function ParameterChart(props: Props) {
   ];
   return (
     <Chart
-      title={`Parameters towards the truth: ${kind}`}
+      title={`${truth.length > 0 ? 'Parameters towards the truth' : 'Parameters by pass'}: ${kind}`}
       height={280}
       x={{ label: '', unit: '1', whole: true, names: shortNames(addresses) }}
       y={{ label: kind, unit: rows[0].unit, include: rows.flatMap((one) => [one.lower, one.upper]) }}
       note="Small: the best models of earlier passes, in their order from left to right."
-      series={series.filter((one) => one.y.some(Number.isFinite))}
+      series={series}
       csv={csvOf(props)}
     />
   );

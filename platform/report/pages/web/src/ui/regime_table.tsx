@@ -1,11 +1,11 @@
 import { saveCsv } from '../kit/download';
 import { plain, times } from '../kit/format';
-import type { RegimeRow } from '../pages/compare_data';
+import type { Finding, RegimeRow } from '../pages/compare_data';
 import { Figure } from './figure';
 
 interface Props {
   regimes: RegimeRow[];
-  chosen: string;
+  chosen: Finding | undefined;
   choose: (key: string | null) => void;
 }
 
@@ -25,7 +25,7 @@ export function RegimeTable({ regimes, chosen, choose }: Props) {
     <Figure
       title="Error by regime"
       downloads={[{ label: 'CSV', run: keep }]}
-      note="On the fit trials. A click lights up the samples of a regime."
+      note="On the fit trials. A click shows the trial that has most of a regime and lights up its samples."
     >
       <div class="scrolls">
         <table class="grid regimes">
@@ -46,10 +46,10 @@ export function RegimeTable({ regimes, chosen, choose }: Props) {
           </thead>
           <tbody>
             {regimes.map((one) => (
-              <tr key={one.key} class={one.key === chosen ? 'chosen' : ''}>
+              <tr key={one.key} class={one === chosen ? 'chosen' : ''}>
                 <th scope="row">
                   {one.stretches ? (
-                    <button class="link" onClick={() => choose(one.key === chosen ? null : one.key)}>
+                    <button class="link" onClick={() => choose(one === chosen ? null : one.key)}>
                       {one.sentence}
                     </button>
                   ) : (

@@ -1,9 +1,10 @@
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { sampleAt } from '../kit/decimate';
 import { quantity } from '../kit/format';
 import type { Moment } from '../kit/moment';
 import { View } from '../kit/view';
 import type { ChannelCurves, TrialCurves } from '../pages/compare_data';
+import { CommandPanels } from './command_curves';
 import { Curves, type Line } from './curves';
 
 interface Props {
@@ -12,6 +13,9 @@ interface Props {
   /** What was different on the rig. */
   setup?: string | null;
   lit: [number, number][];
+  /** A channel to bring into sight, and the stretch of time to show at first. */
+  channel?: string | null;
+  stretch?: [number, number];
   keep: () => void;
   /** A moment that moves, and how to move it: for the replay, which has the arrow keys to itself. */
   moment?: Moment;
@@ -52,11 +56,13 @@ function Readout({ channel, times, time }: { channel: ChannelCurves; times: Floa
     series ? quantity(series.values[i], channel.unit, 4) : '—';
   return (
     <>
-      {quantity(times[i], 's', 4)}: measured {value(channel.measured)}, predicted {value(channel.predicted)}, residual{' '}
-      {value(channel.residual)}
+      {quantity(times[i], 's', 4)}: measured {value(channel.measured)}
+      {channel.predicted && `, predicted ${value(channel.predicted)}, residual ${value(channel.residual)}`}
     </>
   );
 }
+
+const kBroad = 4; // px
 
 /** One channel: measured and predicted, and below them their difference with the noise floor. */
 function Channel({
@@ -76,8 +82,13 @@ function Channel({
 }) {
   const both = useMemo(
     (): Line[] => [
-      { name: 'measured', colour: 'measured', series: channel.measured },
-      ...(channel.predicted ? [{ name: 'predicted', colour: 'predicted' as const, series: channel.predicted }] : []),
+      // Broad, below the other: it is seen where the two coincide, too.
+      channel.predicted
+        ? { name: 'measured', colour: 'broad', series: channel.measured, width: kBroad }
+        : { name: 'measured', colour: 'measured', series: channel.measured },
+      ...(channel.predicted
+        ? [{ name: 'predicted', colour: 'predicted' as const, series: channel.predicted, width: 1.5 }]
+        : []),
     ],
     [channel],
   );
@@ -94,8 +105,13 @@ function Channel({
     moment: props.moment,
     go: props.go,
   };
+  const box = useRef<HTMLDivElement>(null);
+  const isChosen = props.channel === channel.name && props.curves.channels.length > 1;
+  useEffect(() => {
+    if (isChosen) box.current!.scrollIntoView({ block: 'nearest' });
+  }, [isChosen]);
   return (
-    <div class="channel">
+    <div class={`channel ${isChosen ? 'chosen' : ''}`} ref={box}>
       <div class="channel-head">
         <strong>{channel.name}</strong>
         <span class="readout">
@@ -119,7 +135,15 @@ function Channel({
 
 export function TrialCurvesPanel(props: Props) {
   const { times, channels, commands } = props.curves;
-  const view = useMemo(() => new View(times[0], times[times.length - 1]), [times]);
+  const [first, last] = [times[0], times[times.length - 1]];
+  const view = useMemo(() => new View(first, last, ...(props.stretch ?? [first, last])), [times]);
+  const [from, to] = props.stretch ?? [first, last];
+  const isFirst = useRef(true);
+  useEffect(() => {
+    if (!isFirst.current) view.set(from, to);
+    isFirst.current = false;
+  }, [from, to]);
+  const hasPrediction = channels.some((one) => one.predicted);
   const [time, setTime] = useState<number | null>(null);
   useKeys(view, !props.moment);
   return (
@@ -127,19 +151,23 @@ export function TrialCurvesPanel(props: Props) {
       <figcaption>
         <span class="figure-title">{props.title}</span>
         <span class="legend">
-          <span class="key ink-measured">
+          <span class={`key ${hasPrediction ? 'ink-broad broad' : 'ink-measured'}`}>
             <i />
             measured
           </span>
-          <span class="key ink-predicted">
-            <i />
-            predicted
-          </span>
-          <span class="key ink-residual">
-            <i />
-            residual
-          </span>
-          {channels.some((one) => one.floor) && (
+          {hasPrediction && (
+            <span class="key ink-predicted">
+              <i />
+              predicted
+            </span>
+          )}
+          {channels.some((one) => one.residual) && (
+            <span class="key ink-residual">
+              <i />
+              residual
+            </span>
+          )}
+          {channels.some((one) => one.floor && one.residual) && (
             <span class="key swatch-floor">
               <i />± noise floor
             </span>
@@ -175,53 +203,24 @@ export function TrialCurvesPanel(props: Props) {
         <Channel
           key={channel.name}
           channel={channel}
-          last={i === channels.length - 1 && commands.length === 0}
+          last={i === channels.length - 1 && commands === null}
           props={props}
           view={view}
           time={time}
           hover={setTime}
         />
       ))}
-      {commands.map((command, i) => (
-        <CommandCurve key={command.name} command={command} last={i === commands.length - 1} props={props} view={view} />
-      ))}
+      {commands && (
+        <CommandPanels
+          commands={commands}
+          view={view}
+          common={{ lit: props.lit, moment: props.moment, go: props.go }}
+        />
+      )}
       <p class="note keys">
         Drag to zoom (with fingers: to pan, two zoom), shift and drag to pan, ctrl and wheel to zoom, double click for
         everything; keys ← → + − 0.
       </p>
     </figure>
-  );
-}
-
-function CommandCurve({
-  command,
-  last,
-  props,
-  view,
-}: {
-  command: ChannelCurves;
-  last: boolean;
-  props: Props;
-  view: View;
-}) {
-  const lines = useMemo((): Line[] => [{ name: 'command', colour: 'other', series: command.measured }], [command]);
-  return (
-    <div class="channel">
-      <div class="channel-head">
-        <strong>{command.name}</strong> <span class="muted">command</span>
-      </div>
-      <Curves
-        times={props.curves.times}
-        view={view}
-        unit={command.unit}
-        label={command.name}
-        lines={lines}
-        height={last ? 112 : 80}
-        lit={props.lit}
-        moment={props.moment}
-        go={props.go}
-        withTime={last}
-      />
-    </div>
   );
 }

@@ -1,0 +1,173 @@
+import { objects, type Source } from '../data/source';
+import { times } from '../kit/format';
+import { shellWord } from '../kit/shell';
+import { firstIsAnswer, readDocument, type DiagnosisDocument } from './diagnose_data';
+import { kRuns, type Run } from './run_data';
+
+export interface RevisionRow {
+  experiment: string;
+  number: number;
+  change: string;
+}
+
+export interface ErrorRow {
+  experiment: string;
+  revision: number;
+  channel: string;
+  unit: string;
+  fit_rmse: number | null;
+  held_out_rmse: number | null;
+  times_floor: number | null;
+}
+
+/** What a database has of an experiment. */
+export interface Overview {
+  name: string;
+  /** To type in a command. */
+  file: string;
+  revisions: RevisionRow[];
+  errors: ErrorRow[];
+  /** The newest one. */
+  diagnosis: { id: number; revision: number; document: DiagnosisDocument } | null;
+  runs: Run[];
+}
+
+const kExperiments = `SELECT experiment.name, max(run.number) AS last_run,
+    (SELECT file FROM experiment_text WHERE experiment_text.experiment = experiment.id ORDER BY id DESC LIMIT 1) AS file
+  FROM experiment LEFT JOIN experiment_text ON experiment_text.experiment = experiment.id
+  LEFT JOIN run ON run.experiment_text = experiment_text.id
+  GROUP BY experiment.id ORDER BY last_run DESC, experiment.id DESC`;
+const kDiagnoses = `SELECT max(diagnosis.id) AS id, experiment.name AS experiment, revision.number AS revision, document
+  FROM diagnosis JOIN revision ON revision.id = diagnosis.revision JOIN experiment ON experiment.id = revision.experiment
+  GROUP BY experiment.id`;
+
+/** All experiments, those that a command worked on last first. */
+export async function loadOverview(source: Source): Promise<Overview[]> {
+  const rows = async <Row>(sql: string) => objects<Row>(await source.query(sql));
+  const [experiments, revisions, errors, diagnoses, runs] = await Promise.all([
+    rows<{ name: string; file: string | null }>(kExperiments),
+    rows<RevisionRow>('SELECT experiment, number, change FROM revisions ORDER BY experiment, number'),
+    rows<ErrorRow>('SELECT * FROM error_by_revision ORDER BY experiment, revision, channel'),
+    rows<{ id: number; experiment: string; revision: number; document: string }>(kDiagnoses),
+    rows<Run>(kRuns),
+  ]);
+  return experiments.map(({ name, file }) => {
+    const own = <Row extends { experiment: string }>(all: Row[]) => all.filter((one) => one.experiment === name);
+    const [diagnosis] = own(diagnoses);
+    return {
+      name,
+      file: (file ?? 'FILE').replace(/^.*\//, ''),
+      revisions: own(revisions),
+      errors: own(errors),
+      diagnosis: diagnosis ? { ...diagnosis, document: readDocument(diagnosis.document) } : null,
+      runs: own(runs),
+    };
+  });
+}
+
+export interface Step {
+  sentence: string;
+  command?: string;
+}
+
+const kAtTheFloor = 1.2; // as report/text/advice_text.cpp has it
+
+/** Where nothing is missing on the fit files, the channel whose held-out error is farthest above the floor; else null. */
+export function heldOutAbove(errors: ErrorRow[]): ErrorRow | null {
+  // `times_floor` is that of the held-out files where there are some.
+  const above = errors.filter((one) => one.held_out_rmse !== null && (one.times_floor ?? 0) > kAtTheFloor);
+  return above.length === 0 ? null : above.reduce((a, b) => (b.times_floor! > a.times_floor! ? b : a));
+}
+
+const heldOutStep = (one: ErrorRow, file: string): Step => ({
+  sentence: `Nothing is missing on the fit files, but the held-out error of ${one.channel} is ${times(one.times_floor)} the noise floor: its start may be uncertain, its motion may show what the fit files do not, or its recording differs. The last line of compare says which can be.`,
+  command: `lacuna compare ${file}`,
+});
+
+function stepAfterDiagnosis(document: DiagnosisDocument, errors: ErrorRow[], file: string): Step {
+  const answer = document.ranking[0]?.effects ?? [];
+  if (document.stopped)
+    return {
+      sentence: 'The time limit stopped the search. The same command goes on with it.',
+      command: `lacuna diagnose ${file}`,
+    };
+  const heldOut = heldOutAbove(errors);
+  if (document.verdict === 'nothing_missing')
+    return heldOut ? heldOutStep(heldOut, file) : { sentence: 'Nothing to add: the loop ends here.' };
+  const misread = document.findings.find((one) => one.includes('; check counts per turn'));
+  if (misread) return { sentence: `Correct the readings first: ${misread}.`, command: `lacuna check ${file}` };
+  if (firstIsAnswer(document) && answer.length > 0)
+    return {
+      sentence: answer.length > 1 ? 'Add the effects that were found.' : 'Add the effect that was found.',
+      command:
+        answer.length > 1
+          ? `lacuna add ${file} --answer`
+          : `lacuna add ${file} ${shellWord(answer[0].effect)}${answer[0].where === 'world' ? '' : ` --where ${shellWord(answer[0].where)}`}`,
+    };
+  if (document.verdict === 'not_in_library' && document.formulas.length > 0)
+    return {
+      sentence: 'Make an effect of the formula that was found.',
+      command: `lacuna plugins new effect NAME --formula ${shellWord(document.formulas[0].text)}`,
+    };
+  if (document.next_test !== '') {
+    const setup = document.next_test_setup ? ` --setup ${shellWord(document.next_test_setup.name || 'none')}` : '';
+    return {
+      sentence: 'Another test would tell more.',
+      command: `lacuna trial ${file} --test ${shellWord(document.next_test)}${setup} --csv=next.csv`,
+    };
+  }
+  return { sentence: document.findings[0] ?? 'The page Compare shows where the model fails.' };
+}
+
+/** The channel that is farthest above its floor; null where a floor is not known. */
+export function farthest(errors: ErrorRow[]): ErrorRow | null {
+  if (errors.length === 0 || errors.some((one) => one.times_floor === null)) return null;
+  return errors.reduce((a, b) => (b.times_floor! > a.times_floor! ? b : a));
+}
+
+function stepOfModel({ revisions, errors, diagnosis, file }: Overview): Step {
+  const newest = revisions[revisions.length - 1].number;
+  const word = shellWord(file);
+  const own = errors.filter((one) => one.revision === newest);
+  if (diagnosis?.revision === newest) return stepAfterDiagnosis(diagnosis.document, own, word);
+  if (own.length === 0)
+    return { sentence: `Revision ${newest} was not compared with the trials yet.`, command: `lacuna compare ${word}` };
+  const worst = farthest(own);
+  if (worst === null)
+    return {
+      sentence:
+        'The noise floor is not known, so nothing tells whether an effect is missing: declare the noise of the sensors.',
+    };
+  if (worst.times_floor! <= kAtTheFloor)
+    return {
+      sentence: `The model is at the noise floor (${times(worst.times_floor)}): no error is left that an effect could explain.`,
+    };
+  return {
+    sentence: `The error of ${worst.channel} is ${times(worst.times_floor)} the noise floor: something is missing.`,
+    command: `lacuna diagnose ${word}`,
+  };
+}
+
+function stepOfRuns({ runs, file }: Overview): Step {
+  const word = shellWord(file);
+  const open = runs.find((one) => one.ending !== 'done');
+  if (open)
+    return {
+      sentence: `Run ${open.run} has ${open.passes_done} of ${open.passes} passes. If no process is at work on it, this goes on with it.`,
+      command: `lacuna run ${word} --resume`,
+    };
+  return {
+    sentence: 'Ask the models of the newest run what a test would show.',
+    command: `lacuna predict ${word} --test TEST`,
+  };
+}
+
+/** What to do next, and why. */
+export function nextStep(overview: Overview): Step {
+  if (overview.revisions.length > 0) return stepOfModel(overview);
+  if (overview.runs.length > 0) return stepOfRuns(overview);
+  return {
+    sentence: 'No result of it is stored yet.',
+    command: `lacuna compare ${shellWord(overview.file)}`,
+  };
+}
