@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace lacuna {
@@ -40,12 +41,23 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+/// A value that may be left out, as of --json, is not taken from the next word.
+std::string advice_on_value(const Place& place, const std::string& word) {
+  const auto found = std::find(place.rest.begin(), place.rest.end(), word);
+  if (found == place.rest.end() || found == place.rest.begin()) return "";
+  const std::string& before = *(found - 1);
+  const bool is_option = before.starts_with("--") && before.find('=') == std::string::npos;
+  const CLI::Option* option = is_option ? place.command->get_option_no_throw(before) : nullptr;
+  if (option == nullptr || !option->get_option_text().starts_with("[=")) return "";
+  return fmt::format("; if it belongs to {0}, write {0}={1}", before, word);
+}
+
 /// Words that neither the program nor a command took.
 std::string complaint_of_extras(const Place& place, const std::vector<std::string>& extras) {
   for (const std::string& word : extras)
     if (word.starts_with('-'))
       return "there is no option " + option_part(word) + did_you_mean(option_part(word), option_names(*place.command));
-  return "one argument too many: " + extras.front();
+  return "one argument too many: " + extras.front() + advice_on_value(place, extras.front());
 }
 
 /// All that are missing, where CLI11 names the first alone.

@@ -1,5 +1,6 @@
 #include "tasks/task_folder.h"
 
+#include "foundation/json_depth.h"
 #include "foundation/problem.h"
 #include "foundation/whole_file.h"
 #include "storage/core/backup.h"
@@ -163,8 +164,8 @@ fs::file_time_type TaskFolder::now() const {
 TaskStatus TaskFolder::status(std::size_t number, fs::file_time_type now) const {
   TaskStatus status;
   const auto sign_file = sign(number);
-  const auto json =
-      fs::exists(sign_file) ? nlohmann::json::parse(bytes_of(sign_file), nullptr, false) : nlohmann::json();
+  const std::string content = fs::exists(sign_file) ? bytes_of(sign_file) : "";
+  const auto json = nests_too_deep(content) ? nlohmann::json() : nlohmann::json::parse(content, nullptr, false);
   const auto text = [&](const char* key) {
     const auto value = json.is_object() ? json.find(key) : json.end();
     return value != json.end() && value->is_string() ? value->get<std::string>() : std::string();

@@ -1,6 +1,7 @@
 #include "tasks/task_plan.h"
 
 #include "foundation/digest.h"
+#include "foundation/json_depth.h"
 #include "foundation/problem.h"
 
 #include <fmt/format.h>
@@ -106,7 +107,7 @@ std::string text_of_plan(const TaskPlan& plan) {
 }
 
 TaskPlan read_plan(const std::string& text, const std::filesystem::path& file) try {
-  TaskPlan plan = plan_of(Json::parse(text));
+  TaskPlan plan = plan_of(Json::parse(shallow_json(text)));
   check_tasks(plan);
   return plan;
 } catch (const Json::exception&) {

@@ -2,6 +2,7 @@
 
 #include "config/robot_reader.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,6 +60,12 @@ TEST(CheckSummary, SaysWhatAnExperimentHas) {
             "          servo, commanded: column i_A in A × 50 mN*m/A, 20.0 mN*m to 20.0 mN*m\n"
             "driven    servo: a servo on the recorded goal, closed loop\n"
             "note      sine.csv:3: a gap\n");
+}
+
+TEST(CheckSummary, TellsTheRateOfASensorThatIsReadLessOften) {
+  Trial joined = trial("drive.csv", false);
+  joined.measured.samples.col(0) << 0.0, std::nan(""), std::nan(""), std::nan(""), 1.0;
+  EXPECT_THAT(check_summary({}, {}, {joined}, {}), testing::HasSubstr("drive.csv: 5 samples, 2.00 s, angle 0.5 Hz\n"));
 }
 
 TEST(CheckSummary, SaysWhatAnExperimentHasNot) {

@@ -207,6 +207,58 @@ TEST(RunSupervised, AnEvaluationThatTakesTooLongIsEndedAndNamed) {
                     HasSubstr("--evaluation-limit"), HasSubstr("is kept")));
 }
 
+int describe_without_end(int, char**) {
+  const PluginCall call(component_on_page("effect \"endless\""), "describe");
+  hang();
+  return 0;
+}
+
+TEST(RunSupervised, ACallThatOnlyTellsAndTakesTooLongIsEndedAndNamed) {
+  const Supervisor supervisor(describe_without_end);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(),
+              AllOf(HasSubstr("effect \"endless\": describe took longer than 10 s, the limit"), HasSubstr("is kept")));
+}
+
+int many_calls(int, char**) {
+  for (int i = 0; i < 120; ++i) {  // longer than the limit, but one after the other
+    const PluginCall call(component_on_page("effect \"busy\""), "describe");
+    std::this_thread::sleep_for(kAWhile / 2);
+  }
+  return 42;
+}
+
+TEST(RunSupervised, ManyCallsOfOneKindAreNotOneThatTakesLong) {
+  const Supervisor supervisor(many_calls);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 42);
+  EXPECT_THAT(supervisor.errors(), IsEmpty());
+}
+
+int stop_in_each_call(int, char**) {
+  for (;;) {
+    const PluginCall call(component_on_page("effect \"lazy\""), "sense");
+    std::raise(SIGSTOP);
+  }
+}
+
+TEST(RunSupervised, ACallThatStopsTheProcessAgainIsEndedAndNamed) {
+  const Supervisor supervisor(stop_in_each_call);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), HasSubstr("effect \"lazy\": sense stopped the program by signal 19 (SIGSTOP)"));
+}
+
+int never_end(int, char**) {
+  CallPage::close(0);
+  hang();
+  return 0;
+}
+
+TEST(RunSupervised, AnEndThatDoesNotComeIsForced) {
+  const Supervisor supervisor(never_end);
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("did not end for 10 s"), HasSubstr("which is complete")));
+}
+
 int call_that_heeds_nothing(int, char**) {
   watch_for_interrupts();
   const PluginCall call(component_on_page("search \"deaf\""), "ask");
@@ -275,6 +327,50 @@ TEST(RunSupervised, WhatALostChildHasLeftRunningIsEnded) {
   const pid_t left = supervisor.worker();
   EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 1);
   EXPECT_NE(kill(left, 0), 0) << "the supervisor has waited for it";
+}
+
+/// A process of another session, without anything that it inherited.
+int leave_a_helper(int, char**) {
+  const pid_t helper = fork();
+  if (helper == 0) {
+    setsid();
+    execl("/usr/bin/env", "env", "-i", "/bin/sleep", "1000", static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  EXPECT_EQ(write(Supervisor::said(), &helper, sizeof(helper)), static_cast<ssize_t>(sizeof(helper)));
+  std::this_thread::sleep_for(kAWhile);  // until it is what it is to be
+  return 0;
+}
+
+TEST(RunSupervised, WhatGoodWorkHasLeftRunningIsEndedAndNamed) {
+  const Supervisor supervisor(leave_a_helper);
+  const pid_t helper = supervisor.worker();
+  EXPECT_EQ(WEXITSTATUS(supervisor.wait()), 0) << "the work is done all the same";
+  EXPECT_NE(kill(helper, 0), 0) << "it is gone";
+  EXPECT_THAT(supervisor.errors(), AllOf(HasSubstr("ended what this command had left running"),
+                                         HasSubstr("\"/bin/sleep 1000\" (process " + std::to_string(helper))));
+}
+
+TEST(RunSupervised, ChildrenThatWereThereBeforeTheWorkAreNotItsOwn) {
+  std::array<int, 2> told{};
+  ASSERT_EQ(pipe2(told.data(), O_CLOEXEC), 0);
+  const pid_t shell = fork();
+  if (shell == 0) {
+    const pid_t other = fork();
+    if (other == 0) {
+      execl("/bin/sleep", "sleep", "1000", static_cast<char*>(nullptr));
+      _exit(1);
+    }
+    EXPECT_EQ(write(told[1], &other, sizeof(other)), static_cast<ssize_t>(sizeof(other)));
+    _exit(run_supervised(0, nullptr, [](int, char**) { return 0; }));
+  }
+  pid_t other = 0;
+  ASSERT_EQ(read(told[0], &other, sizeof(other)), static_cast<ssize_t>(sizeof(other)));
+  int status = 0;
+  waitpid(shell, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(kill(other, SIGKILL), 0) << "it goes on";
+  for (const int end : told) close(end);
 }
 
 TEST(RunSupervised, AHangUpEndsBothBySignal) {

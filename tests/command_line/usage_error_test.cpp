@@ -15,10 +15,11 @@ std::string answer_to(std::vector<std::string> words) {
   cases->require_subcommand(1);
   cases->add_subcommand("plan");
   CLI::App* run = cases->add_subcommand("run");
-  std::string set, database;
+  std::string set, database, json;
   int jobs = 1;
   run->add_option("--set", set)->required();
   run->add_option("--db", database)->required();
+  run->add_flag("--json{}", json, "Results")->option_text("[=FILE]");
   run->add_option("--jobs", jobs)->check(whole_number(1, 64));
   words.insert(words.begin(), "bench");
   std::vector<char*> arguments;
@@ -52,6 +53,12 @@ TEST(UsageSentence, OfAMisspeltOptionBeforeAnyCommandNamesTheOptionAlone) {
   EXPECT_EQ(answer_to({"--hlep"}), "bench: there is no option --hlep (did you mean \"--help\"?); see bench --help");
   EXPECT_EQ(answer_to({"cases", "--hlep"}),
             "bench cases: there is no option --hlep (did you mean \"--help\"?); see bench cases --help");
+}
+
+TEST(UsageSentence, SaysHowAValueThatMayBeLeftOutIsWritten) {
+  EXPECT_EQ(answer_to({"cases", "run", "--set", "a", "--db", "b", "--json", "x.json"}),
+            "bench cases run: one argument too many: x.json; if it belongs to --json, write --json=x.json; see bench "
+            "cases run --help");
 }
 
 TEST(UsageSentence, SaysWhatANumberMayBe) {

@@ -202,5 +202,31 @@ TEST_F(HostileNames, DevicesAndPipesAreWrittenInto) {
   EXPECT_EQ(program_.shell("lacuna plugins list --json=/dev/full").exit_code, 1);
 }
 
+/// Each line would wait for ever where it opened the pipe or read the device.
+TEST_F(HostileNames, PipesAndDevicesThatHaveNoEndAreRefusedWithTheReason) {
+  program_.copy_first_steps();
+  program_.shell("mkfifo pipe");
+  const auto refused = [&](const std::string& command) {
+    const Outcome outcome = program_.shell("timeout -k 1 30 lacuna " + command + " </dev/null");
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    return outcome.errors;
+  };
+  EXPECT_THAT(refused("check pipe"), HasSubstr("pipe: is a pipe, not a regular file"));
+  EXPECT_THAT(refused("check /dev/zero"), HasSubstr("/dev/zero: is a device, not a regular file"));
+  EXPECT_THAT(refused("check first-steps.toml --set 'target.files=[\"pipe\"]'"),
+              HasSubstr("pipe is a pipe, not a regular file"));
+  EXPECT_THAT(refused("new draft.toml --from pipe"), HasSubstr("is a pipe, not a file"));
+  EXPECT_THAT(refused("new draft.toml --from /dev/zero"), HasSubstr("is a device, not a file"));
+  EXPECT_THAT(refused("compare first-steps.toml --json=pipe"), HasSubstr("pipe: cannot be written: it is a pipe that"));
+  EXPECT_THAT(refused("compare first-steps.toml --db pipe"), HasSubstr("pipe: is a pipe"));
+}
+
+TEST_F(HostileNames, ARecordingMayComeThroughAPipeOfTheShell) {
+  program_.copy_first_steps();
+  const Outcome drafted =
+      program_.shell("cat data/servo_pendulum/sine.csv | lacuna new draft.toml --from /dev/stdin 2>&1; echo code $?");
+  EXPECT_THAT(drafted.output, testing::AnyOf(HasSubstr("code 0"), testing::Not(HasSubstr("is a pipe"))));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ class PredictCommand : public testing::Test {
   }
   const Program program_;
 
+  Outcome with_words(const std::vector<std::string>& words) const { return program_.run(words); }
+
  private:
   Outcome with(std::vector<std::string> words, const std::vector<std::string>& more) const {
     words.insert(words.end(), more.begin(), more.end());
@@ -44,7 +47,6 @@ class PredictCommand : public testing::Test {
 };
 
 TEST_F(PredictCommand, TellsABandThatTrialsNewToTheModelsSupport) {
-  expect_bad(predict(kLine), "no such database");
   ASSERT_EQ(run().exit_code, 0);
   const Outcome told = predict(kLine, {"--csv=band.csv", "--out", "band.svg", "--json=band.json"});
   ASSERT_EQ(told.exit_code, 0) << told.errors;
@@ -92,8 +94,12 @@ TEST_F(PredictCommand, AsksTheNewestRunOrTheOneThatIsNamed) {
   EXPECT_THAT(newest.output, HasSubstr("--set experiment.passes=4"));
   EXPECT_THAT(predict(kLine, {"--run", "1"}).output, HasSubstr("run 1, pass 1"));
   expect_bad(predict(kLine, {"--run", "3"}), "has no run 3");
-  expect_bad(predict(kLine, {"--set", "experiment.name='other'", "--db", "simulated-pendulum.db"}),
-             "has no run of other with a pass that has ended");
+  EXPECT_THAT(predict(kLine, {"--set", "experiment.name='other'", "--db", "simulated-pendulum.db"}).output,
+              HasSubstr("other · revision 1 · model with its values as written"))
+      << "the runs are of another experiment";
+  expect_bad(predict(kLine, {"--run", "1", "--fitted"}), "give one of them");
+  expect_bad(with_words({"predict", "smoke/simulated-pendulum.toml"}), "say which test");
+  EXPECT_THAT(predict(kLine, {"--fitted"}).output, HasSubstr("fitted model, 1 free value")) << "to the run's trials";
 }
 
 TEST_F(PredictCommand, PredictsInTheSetupThatIsAskedFor) {
@@ -131,6 +137,81 @@ TEST_F(PredictCommand, RefusesWhatItCannotPredict) {
       "c.executescript(\"DELETE FROM ensemble_value; DELETE FROM ensemble_model\")'";
   ASSERT_EQ(program_.shell(kForget).exit_code, 0) << "a database as an older version left it";
   expect_bad(predict(kLine), "did not keep the models of its passes");
+}
+
+/// Cells of the rows that begin with `name`, or of all; numbers alone.
+std::vector<std::vector<double>> rows_of(const std::string& csv, const std::string& name = "") {
+  std::vector<std::vector<double>> rows;
+  for (const std::string& line : lines_of(csv)) {
+    if (!line.starts_with(name) || (name.empty() && line.starts_with("time"))) continue;
+    std::vector<double>& cells = rows.emplace_back();
+    std::istringstream words(line.substr(name.empty() ? 0 : name.size() + 1));
+    for (std::string cell; std::getline(words, cell, ',');) cells.push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+TEST_F(PredictCommand, SimulatesTheFittedModelOnTheFitTrialsWhereThereIsNoRun) {
+  const Outcome told =
+      program_.run({"predict", "first-steps.toml", "--csv=model.csv", "--json=model.json", "--out", "model.svg"});
+  ASSERT_EQ(told.exit_code, 0) << told.errors;
+  EXPECT_THAT(told.output, HasSubstr("first-steps · revision 1 · fitted model, 3 free values · 2 fit trials"));
+  EXPECT_THAT(told.output, HasSubstr("This is one model, so there is no spread and no band"));
+  EXPECT_THAT(told.output, HasSubstr("1 held-out trial is left out"));
+  EXPECT_THAT(program_.run({"sql", "first-steps.db", "--csv", "SELECT count(*) FROM holdout_looks"}).output,
+              HasSubstr("\n0"))
+      << "nothing was looked at";
+  EXPECT_THAT(lines_of(program_.read("model.csv")).front(),
+              testing::StrEq("trial,t [s],angle predicted [rad],angle measured [rad]"));
+  EXPECT_THAT(program_.read("model.svg"), HasSubstr("steps.csv: angle [rad]"));
+  EXPECT_THAT(program_.read("model.csv"), testing::Not(HasSubstr("chirp.csv")));
+  const nlohmann::json json = nlohmann::json::parse(program_.read("model.json"));
+  EXPECT_EQ(json["models"], 1);
+  EXPECT_EQ(json["predictions"].size(), 2U);
+
+  ASSERT_EQ(program_.run({"compare", "first-steps.toml", "--out", "compared", "--quiet"}).exit_code, 0);
+  const auto compared = rows_of(program_.read("compared/sine.csv-predictions.csv")),
+             predicted = rows_of(program_.read("model.csv"), "sine.csv");
+  ASSERT_EQ(compared.size(), predicted.size());
+  constexpr double kPrinted = 1e-8;  // nine digits
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    EXPECT_EQ(compared[i][0], predicted[i][0]) << "s";
+    EXPECT_NEAR(compared[i][2], predicted[i][1], kPrinted) << "predicted at " << compared[i][0] << " s";
+    EXPECT_NEAR(compared[i][1], predicted[i][2], kPrinted) << "measured";
+  }
+}
+
+TEST_F(PredictCommand, SimulatesOneModelOnATestThatIsGiven) {
+  program_.write("rest.csv", "t [s],motor [N*m]\n0,0\n2,0\n");
+  const Outcome told = predict("rest.csv", {"--csv=rest-model.csv"});
+  ASSERT_EQ(told.exit_code, 0) << told.errors;
+  EXPECT_THAT(told.output, HasSubstr("simulated-pendulum · revision 1 · model with its values as written · rest.csv"));
+  const std::vector<std::string> lines = lines_of(program_.read("rest-model.csv"));
+  EXPECT_EQ(lines.front(), "test,t [s],angle predicted [rad]");
+  EXPECT_EQ(lines.size(), 1002U) << "a row each 2 ms of 2 s, and the header";
+  for (const std::vector<double>& row : rows_of(program_.read("rest-model.csv"), "rest.csv"))
+    EXPECT_NEAR(row[1], 0.0, 1e-12) << "it hangs at rest, and no torque acts";
+
+  const Outcome fitted = program_.run({"predict", "first-steps.toml", "--test", kLine, "--out", "line.svg"});
+  ASSERT_EQ(fitted.exit_code, 0) << fitted.errors;
+  EXPECT_THAT(fitted.output, HasSubstr("fitted model, 3 free values · triangle motor"));
+  EXPECT_THAT(program_.read("line.svg"), HasSubstr("triangle motor 0.3 N*m 0.5 Hz 4 s"));
+  const Outcome one = program_.run({"predict", "first-steps.toml", "--test", "steps.csv"});
+  EXPECT_THAT(one.output, HasSubstr("steps.csv"));
+  EXPECT_THAT(one.output, testing::Not(HasSubstr("sine.csv")));
+}
+
+TEST_F(PredictCommand, SaysWhatOneModelCannotPredict) {
+  const auto of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"predict"};
+    words.insert(words.end(), more.begin(), more.end());
+    return program_.run(words);
+  };
+  expect_bad(of({"smoke/simulated-pendulum.toml"}), "has no fit trial to simulate. Say which test: --test");
+  expect_bad(of({"first-steps.toml", "--test", "chirp.csv"}), "this trial is held out");
+  expect_bad(of({"first-steps.toml", "--test", "sine.csv", "--duration", "1 s"}), "has its own setup and duration");
+  expect_bad(of({"first-steps.toml", "--test", "17"}), "is the number of a test of a run");
+  expect_bad(of({"first-steps.toml", "--test", "triangle engine 0.3 N*m 0.5 Hz 4 s"}), "no actuator \"engine\"");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 namespace lacuna {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
@@ -230,7 +231,8 @@ TEST_F(Run, NamesEveryProblemOfItsSections) {
 TEST_F(Run, WithoutAModelThatCanBeScoredKeepsTheReasons) {
   const Outcome outcome = program_.run({"run", "small.toml", "--set", "model.free={\"body.torso.inertia.xy\"=[5,6]}"});
   EXPECT_EQ(outcome.exit_code, kFailed);
-  EXPECT_THAT(outcome.errors, HasSubstr("can be scored; the view invalid_evaluations says why"));
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("can be scored; the last one: trial 0, "),
+                                    HasSubstr("; the view invalid_evaluations says why")));
   EXPECT_THAT(outcome.output, Not(HasSubstr("lacuna plot")));
   const Outcome reasons = program_.run({"sql", "small.db", "SELECT DISTINCT reason FROM invalid_evaluations", "--csv"});
   EXPECT_THAT(reasons.output, HasSubstr("trial 0, "));

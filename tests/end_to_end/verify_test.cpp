@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 namespace lacuna {
 namespace {
 
@@ -61,6 +63,39 @@ TEST(Verify, RefusesAnEmptyFileAsABackupDoes) {
     EXPECT_THAT(refused.errors, HasSubstr("cut.db: is empty"));
   }
   EXPECT_FALSE(std::filesystem::exists(program.folder() / "copy.db"));
+}
+
+/// Of a run that was killed nothing is sealed: what speaks for it are its checkpoint, and what follows from it.
+TEST(Verify, FindsWhatAResumeWouldFind) {
+  const Program program;
+  program.write("small.toml", kSmallRun);
+  const std::vector<std::string> begin = {"run", "small.toml", "--threads", "1"};
+  const auto ready = [&] {
+    return !program.shell("sqlite3 -readonly small.db 'SELECT 1 FROM model LIMIT 1' 2>/dev/null").output.empty();
+  };
+  ASSERT_EQ(program.run_and_signal(begin, ready, SIGKILL).exit_code, 128 + SIGKILL);
+  ASSERT_EQ(program.run({"backup", "small.db", "killed.db"}).exit_code, 0);
+  const std::string empty = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";  // SHA-256 of nothing
+  for (const std::string& damage :
+       {std::string("UPDATE checkpoint SET state = zeroblob(length(state))"),
+        "UPDATE checkpoint SET state = x'', digest = '" + empty + "'",
+        std::string("UPDATE trial_condition SET sensor_noise = '[0.125]'"),
+        std::string("UPDATE trial_condition SET initial = 'nothing'"),
+        std::string("DELETE FROM model_score WHERE model = (SELECT max(id) FROM model);"
+                    "DELETE FROM model WHERE id = (SELECT max(id) FROM model)"),
+        std::string("DELETE FROM test_score; DELETE FROM test"), std::string("DELETE FROM target_trial")}) {
+    ASSERT_EQ(program
+                  .shell("cp killed.db damaged.db && sqlite3 damaged.db \"PRAGMA ignore_check_constraints = 1; " +
+                         damage + "\"")
+                  .exit_code,
+              0);
+    const Outcome verified = program.run({"verify", "damaged.db"});
+    EXPECT_EQ(verified.exit_code, 1) << damage;
+    EXPECT_THAT(verified.output, HasSubstr("run 1: ")) << damage;
+    EXPECT_EQ(program.run({"run", "small.toml", "--resume", "--db", "damaged.db"}).exit_code, 1) << damage;
+  }
+  EXPECT_EQ(program.run({"verify", "killed.db"}).exit_code, 0);
+  EXPECT_EQ(program.run({"run", "small.toml", "--resume", "--db", "killed.db"}).exit_code, 0);
 }
 
 }  // namespace

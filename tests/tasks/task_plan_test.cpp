@@ -86,5 +86,10 @@ TEST_F(TaskPlanTest, RefusesWhatIsNoPlanOrWasEdited) {
   EXPECT_THAT(complaint(text_of_plan(plan_)), HasSubstr("task 1 was changed after planning"));
 }
 
+TEST_F(TaskPlanTest, RefusesWhatNestsTooDeep) {
+  EXPECT_THAT(complaint(R"({"format": )" + std::string(80'000, '[') + std::string(80'000, ']') + "}"),
+              HasSubstr("nests arrays and objects"));
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include "app/terminal/options.h"
 #include "app/workspace/check_summary.h"
 #include "app/workspace/rig.h"
+#include "app/workspace/scale_note.h"
 #include "config/file_references.h"
 #include "diagnosis/rounds/cut_trials.h"
 #include "evaluation/trial_predictor.h"
@@ -14,6 +15,8 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -40,6 +43,14 @@ std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   return problems;
 }
 
+/// What plugins of the model's effects do and should not.
+void note_remarks(Rig& rig) {
+  const std::vector<EffectEntry>& effects = rig.experiment.model.effects;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (const std::string remark = rig.catalog->remark_on_effect(effects[i].effect); !remark.empty())
+      rig.notes.push_back({rig.experiment.where(fmt::format("model.effects[{}].effect", i)), remark});
+}
+
 void check(const CheckOptions& options) {
   if (!options.reference.empty()) {
     std::fputs(file_reference(options.reference).c_str(), stdout);
@@ -49,7 +60,10 @@ void check(const CheckOptions& options) {
   const bool recorded = rig.experiment.target.kind == "recorded";
   if (recorded)
     if (std::vector<Problem> found = obstacles(options, rig); !found.empty()) throw BadInput(std::move(found));
+  if (recorded)
+    if (std::optional<ReadingNote> scale = scale_note(rig)) rig.notes.push_back(std::move(*scale));
   if (!rig.left_out.empty()) rig.notes.push_back({rig.experiment.where("target.version"), rig.left_out});
+  note_remarks(rig);
   const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
   const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
   fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);

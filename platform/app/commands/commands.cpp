@@ -5,18 +5,26 @@
 #include "app/terminal/plain_streams.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/usage_error.h"
+#include "foundation/end_without_memory.h"
 #include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
+#include "foundation/plugin_call.h"
 #include "foundation/problem.h"
+#include "foundation/process_limits.h"
 #include "kernels/kernels.h"
+#include "loading/plugin_library.h"
 
 #include <CLI/CLI.hpp>
+
+#include <execinfo.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace lacuna {
@@ -26,15 +34,33 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 75;
 
+int say(const char* sentence, int code) {
+  std::fprintf(stderr, "%s\n", sentence);
+  return code;
+}
+
+int say_no_memory() {
+  tell_no_memory();
+  return kFailed;
+}
+
+/// Where nothing may be thrown any more.
+[[noreturn]] void end_without_memory() {
+  say_no_memory();
+  CallPage::close(kFailed);
+  _exit(kFailed);
+}
+
+/// The C library loads what it unwinds with when it first does: where memory is used up by then, it ends the process.
+void load_unwinder() {
+  void* frame = nullptr;
+  backtrace(&frame, 1);
+}
+
 /// Whether what was printed has arrived.
 bool output_has_arrived() {
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good() &&
          exact_output().flush().good();
-}
-
-int say(const char* sentence, int code) {
-  std::fprintf(stderr, "%s\n", sentence);
-  return code;
 }
 
 int end_of_output() {
@@ -58,7 +84,7 @@ class HelpFormatter : public CLI::Formatter {
 
 }  // namespace
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv) try {
   CLI::App program("Finds what a robot model is missing.", "lacuna");
   program.require_subcommand(1);
   program.formatter(std::make_shared<HelpFormatter>());
@@ -94,12 +120,16 @@ int run_program(int argc, char** argv) {
   add_serve_command(program);
   add_help_command(program);
 
+  load_unwinder();
+  set_end_without_memory(&end_without_memory);
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit is a failed write, which says so
   set_command_line(argc, argv);
+  PluginLibrary::forget_process();
   forget_command_files();
   watch_for_interrupts();
   begin_evaluation_limit();
   try {
+    prepare_limits();
     dense_kernels();  // complains of LACUNA_KERNELS before any work is done
     program.parse(argc, argv);
     return end_of_output();
@@ -112,12 +142,16 @@ int run_program(int argc, char** argv) {
     return complain(error, kBadInput);
   } catch (const Interrupted& error) {
     return complain(error, kInterrupted);
+  } catch (const std::bad_alloc&) {
+    return say_no_memory();
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string what = plain_text(error.path1().string()) + ": " + error.code().message();
     return complain(Error(what + "; check the name and the permissions"), kFailed);
   } catch (const std::exception& error) {
-    return complain(error, kFailed);
+    return complain(Error(failure_sentence(error)), kFailed);
   }
+} catch (const std::bad_alloc&) {  // while that was said
+  return say_no_memory();
 }
 
 }  // namespace lacuna

@@ -48,7 +48,7 @@ void run_compare(const CompareOptions& options) {
     fmt::print("{}", comparison_text(heading, compared.result, fitted.result));
     if (compared.result.cross_check) fmt::print("{}", cross_check_text(*compared.result.cross_check));
     fmt::print("{}", fit_text(fitted.result));
-    fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
+    fmt::print("{}", data_checks_text(bench.doubts(fitted.result)));
     fmt::print("{}", where_text(where));
     fmt::print("{}", advice_text(compared.result, command_to_type("diagnose", options)));
   }

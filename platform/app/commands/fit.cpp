@@ -31,7 +31,7 @@ void run_fit(const CommonOptions& options) {
     fmt::print("{} · revision {} · {} · {}\n", bench.rig().experiment.name, bench.revision().number,
                counted(bench.rig().count(false), "fit trial"), time_of(fitted));
     fmt::print("{}", fit_text(fitted.result));
-    fmt::print("{}", failed_checks_text(bench.faults(fitted.result)));
+    fmt::print("{}", data_checks_text(bench.doubts(fitted.result)));
     if (!fitted.result.stopped) fmt::print("→ {}\n", command_to_type("compare", options));
   }
   if (options.json) write_output(*options.json, fit_json(bench.rig().experiment.name, fitted.result));

@@ -37,6 +37,7 @@ Json listing_json(const PluginListing& listing) {
   Json json = {{"kind", listing.kind},          {"name", listing.name},     {"summary", listing.summary},
                {"file", listing.file.string()}, {"sha256", listing.sha256}, {"build", listing.build_id}};
   if (!listing.problem.empty()) json["problem"] = listing.problem;
+  if (!listing.remark.empty()) json["remark"] = listing.remark;
   return json;
 }
 
@@ -83,6 +84,8 @@ void list_plugins(const PluginsOptions& options) {
   print_listings(listings, options.verbose);
   std::fflush(stdout);
   for (const std::string& problem : catalog.problems()) std::fprintf(stderr, "%s\n", problem.c_str());
+  for (const PluginListing& listing : listings)
+    if (!listing.remark.empty()) std::fprintf(stderr, "%s\n", listing.remark.c_str());
 }
 
 void show_plugin(const PluginsOptions& options) {

@@ -2,6 +2,7 @@
 #include "app/runs/stored_bench.h"
 #include "app/runs/stored_ensembles.h"
 #include "app/terminal/output.h"
+#include "app/workspace/one_model.h"
 #include "app/workspace/test_reading.h"
 #include "config/experiment_reader.h"
 #include "evaluation/step_count.h"
@@ -9,7 +10,9 @@
 #include "evaluation/test_space.h"
 #include "foundation/parallel.h"
 #include "foundation/shell_word.h"
+#include "report/figures/model_prediction_picture.h"
 #include "report/figures/prediction_picture.h"
+#include "report/json/model_prediction_data.h"
 #include "report/json/prediction_data.h"
 #include "report/text/prediction_text.h"
 
@@ -30,6 +33,7 @@ constexpr int kMostSupported = static_cast<int>(kFewestHeldOut);  // passes that
 
 struct PredictOptions : CommonOptions {
   AskedTest asked;
+  bool fitted = false;
   std::optional<std::int64_t> run;
   std::optional<std::string> csv;
   std::optional<std::string> picture;
@@ -61,6 +65,17 @@ EeaRunListing run_to_ask(const Database& database, const PredictOptions& options
   if (runs.empty())
     throw_problem(file, fmt::format("has no run of {} with a pass that has ended; {} makes one", experiment, again));
   return runs.back();
+}
+
+/// Whether some models of a run are to be asked: one that is named, or any that the database has of the experiment.
+bool asks_a_run(const PredictOptions& options, const std::filesystem::path& database, const std::string& experiment) {
+  if (options.run || options.fitted) return options.run.has_value();
+  std::error_code ignored;
+  if (!std::filesystem::exists(database, ignored)) return false;
+  refuse_empty(database);
+  const std::vector<EeaRunListing> runs = eea_runs(Database::open_read_only(database));
+  return std::any_of(runs.begin(), runs.end(),
+                     [&](const EeaRunListing& run) { return run.experiment == experiment && run.passes_done > 0; });
 }
 
 /// "test 17" and "17" are numbers of tests.
@@ -236,15 +251,46 @@ void check_overrides(const std::vector<std::string>& overrides) {
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
+/// Those that say how the experiment is called and how long a run of it is.
+std::vector<std::string> of_experiment(std::vector<std::string> overrides) {
+  std::erase_if(overrides, [](const std::string& one) { return !one.starts_with("experiment."); });
+  return overrides;
+}
+
+/// Without a run there is the experiment's own model, which a fit knows.
+void predict_without_run(const PredictOptions& options, const std::filesystem::path& database) {
+  if (test_number(options.asked.test))
+    throw_problem({database.string()}, fmt::format("--test {}: is the number of a test of a run, and the database has "
+                                                   "no run of this experiment with a pass that has ended; {} makes one",
+                                                   options.asked.test, command_to_type("run", options)));
+  Workbench bench(options);
+  const ModelPrediction prediction = predict_by_one_model(bench, options.asked);
+  bench.ledger().done();
+  if (!takes_standard_output(options.csv) && !takes_standard_output(options.json)) {
+    fmt::print("{}", model_prediction_text(prediction));
+    if (!options.quiet) fmt::print("→ several models, and a band: {}\n", command_to_type("run", options));
+  }
+  if (options.json) write_output(*options.json, model_prediction_json(prediction));
+  if (options.csv) write_output(*options.csv, model_prediction_csv(prediction));
+  if (options.picture) write_output(*options.picture, svg_of(model_prediction_figure(prediction)));
+}
+
 void predict(const PredictOptions& options) {
   check_output(options.json, options.csv);
   check_output(options.picture);
-  check_overrides(options.overrides);
-  const Experiment experiment = read_experiment(options.experiment, options.overrides);
+  if (options.run && options.fitted)
+    throw_problem({}, "--run asks the models of a run, --fitted the fitted model: give one of them");
+  const Experiment experiment = read_experiment(options.experiment, of_experiment(options.overrides));
   const CommonOptions& given = options;
   CommonOptions common = given;
   common.database = database_of(options, experiment);
   note_database(common.database);
+  if (!asks_a_run(options, common.database, experiment.name)) return predict_without_run(options, common.database);
+  check_overrides(options.overrides);
+  if (options.asked.test.empty())
+    throw_problem({},
+                  "say which test the models of the run are to predict: --test \"triangle ACTUATOR ...\"; --fitted "
+                  "simulates the fitted model on the trials instead");
   Database database = Database::open_read_only(common.database);
   const EeaRunListing listing = run_to_ask(database, options, experiment.name);
   const StoredBench stored = open_stored(database, listing, common);
@@ -271,15 +317,20 @@ void predict(const PredictOptions& options) {
 void add_predict_command(CLI::App& program) {
   auto options = std::make_shared<PredictOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command =
-      program.add_subcommand("predict", "Predict a test by the models of a run, and how far they agree");
+      program.add_subcommand("predict",
+                             "Predict a test by the models of a run, and how far they agree; without a run, by the "
+                             "experiment's fitted model");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_test_options(*command, options->asked,
-                   "The test, required: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, "
-                   "or the number of a test of the run");
+                   "The test: a line such as \"triangle motor 0.3 N*m 0.1 Hz 20 s\", a CSV file of commands, the "
+                   "number of a test of the run, or without a run the name of a fit trial (default: all of them)");
+  command->get_option("--test")->required(false);
+  command->add_flag("--fitted", options->fitted, "By the experiment's fitted model, also where there are runs");
   command->add_option("--run", options->run, "The run (default: the newest of the experiment)")->option_text("N");
-  add_result_option(*command, "csv", options->csv, "Mean and band as CSV, to standard output or FILE");
-  command->add_option("--out", options->picture, "Picture of mean and band (SVG)")->option_text("FILE");
+  add_result_option(*command, "csv", options->csv,
+                    "Mean and band, or the prediction of the one model, as CSV, to standard output or FILE");
+  command->add_option("--out", options->picture, "Picture of the prediction (SVG)")->option_text("FILE");
   command->callback([options] { predict(*options); });
 }
 

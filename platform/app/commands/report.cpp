@@ -3,6 +3,8 @@
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "foundation/plain_text.h"
+#include "foundation/problem.h"
+#include "foundation/shell_word.h"
 #include "report/pages/pages.h"
 #include "storage/files/log_left.h"
 #include "storage/pages/page_database.h"
@@ -10,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <memory>
 
@@ -28,8 +31,17 @@ struct ReportOptions {
 constexpr double kMegabyte = 1e6;
 constexpr std::size_t kReplayBytes = 12'000'000;
 
+/// Megabytes of a page are nothing to be read there.
+void refuse_terminal(const ReportOptions& options) {
+  if (!options.out.empty() || isatty(STDOUT_FILENO) == 0) return;
+  const std::string page = shell_word(options.database.stem().string() + ".html");
+  throw_problem({}, "the page is for a browser, and standard output is a terminal; name a file: " + command_line() +
+                        " --out " + page);
+}
+
 void make_report(const ReportOptions& options) {
   require_pages();
+  refuse_terminal(options);
   check_output(options.out);
   refuse_empty(options.database);
   const LogLeft log(options.database);
@@ -53,7 +65,10 @@ void add_report_command(CLI::App& program) {
   auto options = std::make_shared<ReportOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("report", "Write a database as a page that any browser opens");
   add_database_argument(*command, options->database);
-  command->add_option("--out", options->out, "The page, one HTML file (default: standard output)")->option_text("FILE");
+  command
+      ->add_option("--out", options->out,
+                   "The page, one HTML file (default: standard output, where that is no terminal)")
+      ->option_text("FILE");
   command->add_option("--most-megabytes", options->megabytes, "Of a larger database a selection (default: 50)")
       ->option_text("MB")
       ->check(CLI::Range(1.0, 2000.0));

@@ -32,8 +32,16 @@ void add_run_command(CLI::App& program) {
           "--no-isolate", [options] { options->isolate = false; },
           "Simulate models in this process, whatever the plugins")
       ->excludes(isolate);
-  command->add_flag("--resume", options->resume,
-                    "Go on with this experiment's runs that were not done, or begin where there is none");
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume,
+                        "Go on with this experiment's runs that were not done, or begin where there is none");
+  command
+      ->add_option(
+          "--accept-plugin", options->accepted_plugins,
+          "With --resume: go on with another build of this plugin (NAME.so), which is recorded; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME")
+      ->needs(resume);
   add_slurm_options(*command, *slurm);
   command->callback([options, slurm] {
     if (!slurm->wanted && !slurm->sbatch.empty()) throw_problem({}, "--sbatch needs --executor slurm");

@@ -4,6 +4,7 @@
 #include "app/terminal/scratch_folder.h"
 #include "command_line/whole_number.h"
 #include "foundation/interrupt.h"
+#include "foundation/processes.h"
 #include "report/pages/page_server.h"
 #include "report/pages/pages.h"
 #include "storage/files/log_left.h"
@@ -47,7 +48,7 @@ std::string page_to_open(const std::string& address, const ScratchFolder& scratc
 void open_browser(const std::string& page) {
   const pid_t child = fork();
   if (child == 0) {
-    if (fork() == 0) execlp("xdg-open", "xdg-open", page.c_str(), static_cast<char*>(nullptr));
+    if (fork() == 0) execlp("env", "env", kOutlives, "xdg-open", page.c_str(), static_cast<char*>(nullptr));
     _exit(0);
   }
   if (child > 0) waitpid(child, nullptr, 0);

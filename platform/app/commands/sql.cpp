@@ -1,4 +1,5 @@
 #include "app/commands/commands.h"
+#include "app/terminal/mistaken_file.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
@@ -54,7 +55,9 @@ void query(const SqlOptions& options) {
 void add_sql_command(CLI::App& program) {
   auto options = std::make_shared<SqlOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("sql", "Query a database, read-only");
-  command->add_option("database", options->database, "Database file; not needed for --views")->option_text("FILE");
+  command->add_option("database", options->database, "Database file; not needed for --views")
+      ->option_text("FILE")
+      ->each(refuse_experiment_as_database);
   command->add_option("sql", options->sql, "One or more statements; try \"SELECT * FROM error_by_revision\"")
       ->option_text("STATEMENT");
   command->add_flag("--views", options->views, "List the views, each with an example");

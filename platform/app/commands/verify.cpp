@@ -1,7 +1,9 @@
 #include "app/commands/commands.h"
+#include "app/runs/run_faults.h"
 #include "app/terminal/options.h"
 #include "app/terminal/progress_line.h"
 #include "foundation/counted.h"
+#include "foundation/interrupt.h"
 #include "foundation/plain_text.h"
 #include "storage/files/log_left.h"
 #include "storage/queries/verification.h"
@@ -13,7 +15,9 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace lacuna {
 namespace {
@@ -39,13 +43,26 @@ void print(const Verification& found) {
     fmt::print("not covered, ended by a version that stored no hashes: {}\n", numbers(found.seals.ended_unsealed));
 }
 
+/// And what `lacuna run --resume`, `replay` and `reproduce` would find.
+Verification verified(Database& database, const std::function<void(double)>& progress) {
+  Verification found = verify(database, progress);
+  try {
+    for (std::string& fault : faults_of_runs(database)) found.damage.push_back(std::move(fault));
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& unreadable) {  // which runs there are
+    found.damage.emplace_back(unreadable.what());
+  }
+  return found;
+}
+
 void verify_database(const VerifyOptions& options) {
   refuse_empty(options.database);
   const LogLeft log(options.database);
-  const Database database = Database::open_read_only(options.database);
+  Database database = Database::open_read_only(options.database);
   const Verification found = [&] {
     ProgressLine line(options.quiet);
-    return verify(database, [&](double part) { line.show({.what = "hashes of runs", .fraction = part}); });
+    return verified(database, [&](double part) { line.show({.what = "hashes of runs", .fraction = part}); });
   }();
   if (!options.quiet) print(found);
   const std::string name = plain_text(options.database.string());

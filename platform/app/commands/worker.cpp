@@ -5,6 +5,7 @@
 #include "app/terminal/supervised.h"
 #include "foundation/memory_limit.h"
 #include "foundation/plugin_call.h"
+#include "foundation/process_limits.h"
 #include "isolation/serve_evaluations.h"
 
 #include <fcntl.h>
@@ -43,7 +44,7 @@ std::unique_ptr<const EeaBench> open_bench(const MessageChannel& channel) try {
   limit(task);
   return std::make_unique<const EeaBench>(open_worker_bench(task));
 } catch (const std::exception& error) {
-  send_failure(channel, error.what());
+  send_failure(channel, failure_sentence(error));
   return nullptr;
 }
 
@@ -72,6 +73,7 @@ bool is_worker(int argc, char** argv) {
 }
 
 int supervise_worker(int argc, char** argv) {
+  CallPage::never_begin_anew();  // its task was sent once
   ignore_wishes();
   return run_supervised(argc, argv, run_worker, tell_host);
 }

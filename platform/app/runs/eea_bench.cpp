@@ -101,7 +101,7 @@ Rig with_substeps(Rig rig) {
       needs_none         ? std::vector<Trial>()
       : takes_tests(rig) ? imagined_trials(EeaDefinition(rig.experiment, *rig.catalog, rig.definition, true))
                          : rig.fit_trials();
-  settle_substeps(rig, trials, 0);
+  settle_substeps(rig, trials, 0, takes_tests(rig) ? TrialsFor::motion : TrialsFor::fit);
   return rig;
 }
 

@@ -4,6 +4,7 @@
 #include "app/runs/store_journal.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "foundation/process_limits.h"
 #include "isolation/remote_evaluations.h"
 #include "storage/core/run_claim.h"
 #include "storage/core/storage_error.h"
@@ -57,7 +58,7 @@ int most_side_by_side(const EeaBench& bench) {
 void fail(ReplicateEnd& end, const std::exception& error) {
   end.ending = RunEnding::failed;
   end.damaged = end.damaged || dynamic_cast<const DamagedDatabase*>(&error) != nullptr;
-  if (end.problem.empty()) end.problem = error.what();
+  if (end.problem.empty()) end.problem = failure_sentence(error);
 }
 
 /// What was committed stays, whatever cannot be written any more.

@@ -6,6 +6,7 @@
 #include "config/result_setting.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "storage/results/result_store.h"
 #include "storage/results/stored_run.h"
@@ -29,6 +30,36 @@ std::string given(const std::vector<std::string>& overrides) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+bool is_accepted(const ChangedPlugin& changed, const RunOptions& options) {
+  const std::vector<std::string>& names = options.accepted_plugins;
+  return std::find(names.begin(), names.end(), plugin_name(changed.now)) != names.end();
+}
+
+/// A name that is no plugin's may be a slip.
+void check_accepted(const RunOptions& options, const EeaBench& bench) {
+  std::vector<std::string> used;
+  for (const PluginFileRecord& file : plugins_of_run(bench.rig().experiment, *bench.rig().catalog))
+    used.push_back(plugin_name(file));
+  ProblemList problems;
+  for (const std::string& name : options.accepted_plugins)
+    if (std::find(used.begin(), used.end(), name) == used.end())
+      problems.add({}, fmt::format("--accept-plugin {}: the experiment uses no plugin of that name{}; it uses {}", name,
+                                   did_you_mean(name, used), fmt::join(used, ", ")));
+  problems.throw_if_any();
+}
+
+/// How a run goes on with the builds that there are now.
+std::string how_to_accept(const std::vector<ChangedPlugin>& changed) {
+  std::vector<std::string> options;
+  for (const ChangedPlugin& plugin : changed)
+    options.push_back("--accept-plugin " + shell_word(plugin_name(plugin.now)));
+  return fmt::format(
+      ", or take the new build{} with {}: the rows so far stay those of the old one, and no single build reproduces "
+      "the "
+      "run",
+      changed.size() == 1 ? "" : "s", fmt::join(options, " "));
+}
+
 /// In what the run was begun with something else than there is now; empty: it can go on. How a target's program is run
 /// is none of it: a limit that was too short may be raised, a rig that has moved may have another port.
 std::string difference(const StoredRun& stored, const RunOptions& options, const EeaBench& bench) {
@@ -40,7 +71,9 @@ std::string difference(const StoredRun& stored, const RunOptions& options, const
     if (stored.experiment.overrides != file.overrides) other.push_back(given(stored.experiment.overrides));
   }
   if (options.seed && *options.seed != stored.seed) other.push_back(fmt::format("--seed {}", stored.seed));
-  for (std::string& changed : changed_files(stored, file, *bench.rig().catalog)) other.push_back(std::move(changed));
+  for (std::string& changed : changed_robots(stored, file)) other.push_back(std::move(changed));
+  for (const ChangedPlugin& changed : changed_plugins(stored, file, *bench.rig().catalog))
+    if (!is_accepted(changed, options)) other.push_back(to_string(changed));
   return fmt::format("{}", fmt::join(other, ", with "));
 }
 
@@ -59,8 +92,12 @@ bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
               const std::vector<ForeignClaim>& silent, Clock::time_point deadline, RunPlan& plan) {
   const StoredRun stored = stored_run(database, run.run);
   const std::string other = difference(stored, options, bench);
+  const std::vector<ChangedPlugin> changed = changed_plugins(stored, bench.rig().experiment, *bench.rig().catalog);
   if (!other.empty()) {
-    plan.left.push_back(fmt::format("run {} was begun with {}; give the same to go on with it", run.run.value, other));
+    std::vector<ChangedPlugin> rebuilt = changed;
+    std::erase_if(rebuilt, [&](const ChangedPlugin& plugin) { return is_accepted(plugin, options); });
+    plan.left.push_back(fmt::format("run {} was begun with {}; give the same to go on with it{}", run.run.value, other,
+                                    rebuilt.empty() ? "" : how_to_accept(rebuilt)));
     return false;
   }
   RunClaim claim = claim_by(deadline, database, run.run, silent);
@@ -72,6 +109,7 @@ bool consider(const EeaRunListing& run, const RunOptions& options, const EeaBenc
   if (is_done(database, run.run)) return false;  // meanwhile
   plan.replicates.push_back({run.run, run.replicate, stored.seed});
   plan.claims.push_back(std::move(claim));
+  for (const ChangedPlugin& plugin : changed) plan.rebuilt.emplace_back(run.run, plugin);
   return true;
 }
 
@@ -152,6 +190,7 @@ RunPlan begin_runs(const RunOptions& options, const EeaBench& bench, Database& d
 }
 
 RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Database& database) {
+  check_accepted(options, bench);
   RunPlan plan;
   plan.threads = options.threads > 0 ? options.threads : default_threads();
   const std::string& name = bench.rig().experiment.name;
@@ -175,6 +214,7 @@ RunPlan unfinished_runs(const RunOptions& options, const EeaBench& bench, Databa
   ResultStore store(database);
   plan.experiment = store.find_experiment(name).value();
   for (const PlannedReplicate& replicate : plan.replicates) store.continue_run(replicate.run);
+  for (const auto& [run, plugin] : plan.rebuilt) replace_plugin(database, run, plugin.before, plugin.now);
   Replicates(bench, database, plan.experiment).enter(plan.replicates);
   transaction.commit();
   store.hand_over();

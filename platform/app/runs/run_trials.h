@@ -15,6 +15,19 @@ struct RunTrial {
   Trial trial;    ///< with a start that can be simulated from
 };
 
+/// The same as it is stored, whatever the experiment says.
+struct KeptTrial {
+  TargetTrialRow row;
+  Genome genome;
+  Trial trial;
+};
+
+/// All trials of the run, by number. Throws `Error` where one is not what its digest says, and `DamagedDatabase` where
+/// rows contradict each other.
+std::vector<KeptTrial> stored_trials(const EeaStore& store);
+
+RunTrial run_trial(const EeaDefinition& definition, KeptTrial stored);
+
 /// As a test whose outcome nobody knows: where it has a controller, that answers to the model, whatever commands the
 /// target received.
 ScoredTrial as_foretold(const RunTrial& trial);

@@ -6,7 +6,10 @@
 #include "app/terminal/output.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
+#include "app/workspace/run_inputs.h"
+#include "app/workspace/used_plugins.h"
 #include "foundation/interrupt.h"
+#include "foundation/plugin_fault.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "report/text/run_text.h"
@@ -83,6 +86,22 @@ void judge(const std::vector<ReplicateEnd>& ends, const std::string& command) {
     throw Interrupted((time_limit_was_reached() ? stopped_by_time_limit() : "interrupted") + "; " + again);
 }
 
+/// What the command line lacks to go on: with the next build of a plugin that ended the run, too.
+std::string options_to_go_on(const std::vector<ReplicateEnd>& ends, const RunOptions& options, const EeaBench& bench) {
+  if (!options.task.empty()) return "";
+  std::string more = options.resume ? "" : " --resume";
+  const std::string failures = failures_of(ends);
+  if (!blames_plugin(failures)) return more;
+  const std::vector<std::string>& accepted = options.accepted_plugins;
+  for (const PluginFileRecord& plugin : plugins_of_run(bench.rig().experiment, *bench.rig().catalog)) {
+    const std::string name = plugin_name(plugin);
+    if (failures.find(plugin.file) != std::string::npos &&
+        std::find(accepted.begin(), accepted.end(), name) == accepted.end())
+      more += " --accept-plugin " + shell_word(name);
+  }
+  return more;
+}
+
 /// The command that draws what was found.
 const char* drawing_command(const std::vector<ReplicateEnd>& ends, const EeaBench& bench) {
   const bool done =
@@ -140,6 +159,12 @@ void carry_out_run(const RunOptions& options) {
   if (!options.quiet)
     for (const std::string& reason : not_done(options, bench.rig().experiment, plan, goes_on))
       fmt::print(stderr, "{}\n", reason);
+  for (const auto& [run, plugin] : plan.rebuilt)
+    fmt::print(
+        stderr,
+        "run {} goes on with another build of {}; its rows so far are of the build with SHA-256 {:.12}…: no single "
+        "build reproduces the run\n",
+        run.value, plugin.now.file, plugin.before.sha256);
   if (plan.finished) return say_finished(options, bench.rig().experiment.name, *plan.finished, file.string());
   RunLines lines(options.json, goes_on);  // a refused run leaves the file of an earlier one
   lines.begin(bench.rig().experiment.name, plan.threads, plan.replicates);
@@ -156,7 +181,7 @@ void carry_out_run(const RunOptions& options) {
     print_ends(ends, plan.experiment, database);
     if (options.task.empty()) print_next(ends, database, bench);
   }
-  judge(ends, command_line() + (options.resume || !options.task.empty() ? "" : " --resume"));
+  judge(ends, command_line() + options_to_go_on(ends, options, bench));
   lines.throw_if_failed();
 }
 

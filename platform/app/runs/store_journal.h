@@ -1,10 +1,13 @@
 #pragma once
 
+#include "app/runs/run_trials.h"
 #include "eea/eea_definition.h"
 #include "eea/eea_journal.h"
 #include "storage/eea/eea_store.h"
 
 #include <chrono>
+#include <optional>
+#include <vector>
 
 namespace lacuna {
 
@@ -28,6 +31,17 @@ class StoreJournal : public EeaJournal {
   EeaStore& store_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/// What a run's last checkpoint leaves as it is stored, without what its experiment and plugins make of the trials;
+/// the models of its pass are in the state.
+struct StoredState {
+  EeaState state;
+  std::vector<KeptTrial> trials;
+};
+
+/// Nothing where there is none. Throws `Error` where it cannot be read, and where rows of the run do not follow from
+/// it.
+std::optional<StoredState> read_checkpoint(const EeaStore& store);
 
 /// The state that a run's last checkpoint leaves, with its trials and the models of its pass; nothing where it has
 /// none.

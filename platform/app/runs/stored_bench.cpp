@@ -81,6 +81,10 @@ StoredBench open_stored(const Database& database, const EeaRunListing& run, Comm
   stored.bench = open_bench(options, stored.run.experiment.text, catalog, program);
   for (const std::string& changed : changed_files(stored.run, stored.bench->rig().experiment, *catalog))
     stored.doubts.push_back(fmt::format("run {} was begun with {}; digits may differ", run.run.value, changed));
+  for (const PluginFileRecord& earlier : stored.run.earlier_plugins)
+    stored.doubts.push_back(
+        fmt::format("run {} went on with another build of a plugin: {}; its rows come from both builds", run.run.value,
+                    earlier.file));
   return stored;
 }
 

@@ -1,12 +1,17 @@
 #include "app/terminal/child_watch.h"
 
+#include "app/terminal/busy_clocks.h"
+
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <unordered_map>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace lacuna {
@@ -18,6 +23,8 @@ constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1
 constexpr long kBetweenLooks = 100'000'000;            // ns
 constexpr std::chrono::milliseconds kPatience{1'700};  // after a wish to end
 constexpr std::chrono::seconds kNoLook{1};             // this process was stopped, and the child may have been, too
+constexpr std::chrono::seconds kLastActs{10};          // destructors and exit handlers, once the work is done
+constexpr int kMostStops = 1;                          // by one component's calls
 
 /// Whether a signal was sent by a process, and not by the terminal, which sends it to the child as well.
 bool is_for_this_process_alone(const siginfo_t& signal) { return signal.si_code <= 0; }
@@ -34,7 +41,9 @@ struct Change {
   bool stopped = false;
 };
 
-Change change_of(pid_t child) {
+/// `may_stop`: whether this process stops with a child that the signal has stopped; else that goes on.
+template <class MayStop>
+Change change_of(pid_t child, MayStop&& may_stop) {
   Change change;
   for (;;) {
     int status = 0;
@@ -47,40 +56,21 @@ Change change_of(pid_t child) {
       change.ended = status;
       return change;
     }
-    stop_with(child);
+    if (may_stop(WSTOPSIG(status)))
+      stop_with(child);
+    else
+      kill(child, SIGCONT);
     change.stopped = true;
   }
 }
 
-/// How long each thread has been in the same evaluation without beginning or ending another one.
-class EvaluationClocks {
- public:
-  /// An evaluation that takes longer than `limit` s.
-  const CallSlot* overdue(double limit) {
-    const Clock::time_point now = Clock::now();
-    const CallSlot* found = nullptr;
-    std::unordered_map<const CallSlot*, Look> looks;
-    for (const BusyThread& thread : CallPage::busy()) {
-      if (!thread.evaluates) continue;
-      const auto before = looks_.find(thread.slot);
-      const bool same = before != looks_.end() && before->second.ticks == thread.ticks;
-      const Look look{thread.ticks, same ? before->second.since : now};
-      if (std::chrono::duration<double>(now - look.since).count() > limit) found = thread.slot;
-      looks.emplace(thread.slot, look);
-    }
-    looks_ = std::move(looks);
-    return found;
-  }
-  /// Time in which nothing could be evaluated does not count.
-  void restart() { looks_.clear(); }
-
- private:
-  struct Look {
-    std::uint32_t ticks = 0;
-    Clock::time_point since;
-  };
-  std::unordered_map<const CallSlot*, Look> looks_;
-};
+/// Whether a debugger holds a process, in which nothing takes too long.
+bool is_traced(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("TracerPid:")) return line.find_first_of("123456789") != std::string::npos;
+  return false;
+}
 
 /// What the child is in that does not end: a plugin's call first of all.
 std::optional<ActiveCall> held_by() {
@@ -100,10 +90,11 @@ class Watch {
   WatchedEnd to_end() {
     for (;;) {
       const Clock::time_point now = Clock::now();
-      if (now - looked_ > kNoLook) clocks_.restart();
+      was_away_ = now - looked_ > kNoLook;
+      if (was_away_) restart_clocks();
       looked_ = now;
-      const Change change = change_of(child_);
-      if (change.stopped) clocks_.restart();
+      const Change change = change_of(child_, [this](int signal) { return is_stop_of_user(signal); });
+      if (change.stopped && end_.reason == EndedFor::nothing) restart_clocks();
       if (change.ended) {
         end_.status = *change.ended;
         return end_;
@@ -114,6 +105,20 @@ class Watch {
   }
 
  private:
+  void restart_clocks() {
+    clocks_.restart();
+    calls_.restart();
+  }
+
+  /// Who stops the child from outside means this process too; one that a plugin's call has stopped goes on, and is
+  /// ended where that stops it again.
+  bool is_stop_of_user(int signal) {
+    const std::vector<ActiveCall> calls = CallPage::active();
+    if (signal != SIGSTOP || calls.empty()) return true;
+    if (!was_away_ && ++stops_[calls.front().component] > kMostStops) end_child(EndedFor::stopped, calls.front());
+    return false;
+  }
+
   void take_signal() {
     siginfo_t signal{};
     const timespec pause{0, kBetweenLooks};
@@ -127,17 +132,30 @@ class Watch {
   }
 
   void judge() {
+    if (CallPage::is_closed()) return judge_end();
+    if (const auto slow = calls_.overdue()) return end_child(EndedFor::slow_call, slow->call, slow->limit);
     const double limit = CallPage::evaluation_limit();
     if (limit > 0.0)
-      if (const CallSlot* slot = clocks_.overdue(limit)) return end_child(EndedFor::overdue, CallPage::call_of(*slot));
+      if (const CallSlot* slot = clocks_.overdue(limit))
+        return end_child(EndedFor::overdue, CallPage::call_of(*slot), limit);
     if (!asked_ || Clock::now() - *asked_ < kPatience) return;
     if (const std::optional<ActiveCall> held = held_by()) end_child(EndedFor::unheeding, *held);
   }
 
-  void end_child(EndedFor reason, ActiveCall call) {
+  void judge_end() {
+    if (!closed_) closed_ = Clock::now();
+    if (Clock::now() - *closed_ < kLastActs) return;
+    end_.reason = EndedFor::lingering;
+    end_.limit = std::chrono::duration<double>(kLastActs).count();
+    kill(child_, SIGKILL);
+  }
+
+  void end_child(EndedFor reason, ActiveCall call, double limit = 0.0) {
     if (CallPage::is_closed()) return;  // its work is done
+    if (limit > 0.0 && is_traced(child_)) return restart_clocks();
     end_.reason = reason;
     end_.call = std::move(call);
+    end_.limit = limit;
     kill(child_, SIGKILL);
   }
 
@@ -145,7 +163,11 @@ class Watch {
   const sigset_t& signals_;
   WatchedEnd end_;
   EvaluationClocks clocks_;
+  CallClocks calls_;
+  std::map<std::string, int> stops_;  // by component
+  bool was_away_ = false;             // this process was stopped as well
   std::optional<Clock::time_point> asked_;
+  std::optional<Clock::time_point> closed_;  // since when its work is done
   Clock::time_point looked_ = Clock::now();
 };
 

@@ -1,5 +1,6 @@
 #include "app/terminal/options.h"
 
+#include "app/terminal/mistaken_file.h"
 #include "app/terminal/output.h"
 #include "app/terminal/time_limit.h"
 #include "command_line/whole_number.h"
@@ -53,7 +54,11 @@ void add_result_option(CLI::App& command, const std::string& name, std::optional
 }
 
 void add_database_argument(CLI::App& command, std::filesystem::path& database) {
-  command.add_option("database", database, "Database file")->required()->option_text("DB")->each(note_database);
+  command.add_option("database", database, "Database file")
+      ->required()
+      ->option_text("DB")
+      ->each(refuse_experiment_as_database)
+      ->each(note_database);
 }
 
 void refuse_empty(const std::filesystem::path& database) {
@@ -64,7 +69,11 @@ void refuse_empty(const std::filesystem::path& database) {
 }
 
 void add_databases_argument(CLI::App& command, std::vector<std::filesystem::path>& databases) {
-  command.add_option("databases", databases, "Database files")->required()->option_text("DB...")->each(note_database);
+  command.add_option("databases", databases, "Database files")
+      ->required()
+      ->option_text("DB...")
+      ->each(refuse_experiment_as_database)
+      ->each(note_database);
 }
 
 void add_plugin_path_option(CLI::App& command, CommonOptions& options) {
@@ -77,7 +86,10 @@ void add_plugin_path_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_experiment_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("experiment", options.experiment, "Experiment file (TOML)")->required()->option_text("FILE");
+  command.add_option("experiment", options.experiment, "Experiment file (TOML)")
+      ->required()
+      ->option_text("FILE")
+      ->each(refuse_database_as_experiment);
   command
       .add_option("--set", options.overrides, "Override a key of the file: --set engine.step=0.0005; may be repeated")
       ->allow_extra_args(false)

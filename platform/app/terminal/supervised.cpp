@@ -1,9 +1,12 @@
 #include "app/terminal/supervised.h"
 
 #include "app/terminal/child_watch.h"
+#include "app/terminal/left_running.h"
 #include "foundation/child_program.h"
 #include "foundation/memory_limit.h"
 #include "foundation/plugin_call.h"
+#include "foundation/plugin_libraries.h"
+#include "foundation/process_limits.h"
 #include "foundation/processes.h"
 
 #include <lacuna/error.h>
@@ -50,6 +53,12 @@ constexpr const char* kDatabaseIsSafe = "; what was committed to the database is
 constexpr const char* kKilledByOthers =
     "; another program ended it, as the system does where memory is used up (`dmesg` names it then)";
 
+/// Why it was killed, as far as one can tell.
+std::string killer() {
+  const std::string used_up = used_up_processor_time();
+  return used_up.empty() ? kKilledByOthers : "; " + used_up;
+}
+
 bool was_killed(const WatchedEnd& end) { return WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGKILL; }
 
 std::string name_of(const ActiveCall& call) { return call.component + ": " + call.call; }
@@ -76,7 +85,7 @@ ChildLoss by_unheeding(const ActiveCall& call) {
 /// By which a user, or a closed pipe, ended the child; 0: it ended otherwise.
 int signal_of_others(const WatchedEnd& end) {
   const int signal = WIFSIGNALED(end.status) ? WTERMSIG(end.status) : 0;
-  return signal == SIGPIPE || is_wish(signal) ? signal : 0;
+  return signal == SIGPIPE || signal == SIGXCPU || is_wish(signal) ? signal : 0;
 }
 
 ChildLoss by_signal_of_others(int signal) {
@@ -84,15 +93,52 @@ ChildLoss by_signal_of_others(int signal) {
   return {"", deed, fmt::format("lacuna: {}{}", deed, kDatabaseIsSafe), false, true};
 }
 
+ChildLoss by_slow_call(const ActiveCall& call, double limit) {
+  const std::string deed = fmt::format("{} took longer than {:g} s, the limit", name_of(call), limit);
+  return {call.component, deed,
+          fmt::format("{}, and was ended; repair the plugin, do without this component, or, where it needs that long, "
+                      "raise the limit with --evaluation-limit{}",
+                      deed, kDatabaseIsSafe),
+          true};
+}
+
+ChildLoss by_stopped(const ActiveCall& call) {
+  const std::string deed = fmt::format("{} stopped the program by signal 19 (SIGSTOP)", name_of(call));
+  return {call.component, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe), true};
+}
+
+constexpr const char* kOutsideOfCalls = "outside of all calls, as in a thread that it started or a destructor";
+
+/// A component's name ends in its file.
+bool is_of(const std::string& library, const ActiveCall& call) {
+  return call.component.find("(" + library + ")") != std::string::npos;
+}
+
+/// "; plugins loaded from elsewhere than the program: a.so, b.so"; empty: there are none.
+std::string suspects() {
+  const std::vector<std::string> files = PluginLibraries::of_others();
+  return files.empty() ? "" : fmt::format("; plugins that did not come with the program: {}", fmt::join(files, ", "));
+}
+
+ChildLoss by_library(const WatchedEnd& end, const std::string& file) {
+  const std::string deed = fmt::format("{}: its code {} {}", file, ChildEnding{end.status}.deed(), kOutsideOfCalls);
+  return {file, deed, fmt::format("{}{}{}", deed, kPluginsFault, kDatabaseIsSafe), true};
+}
+
 ChildLoss by_nobody(const WatchedEnd& end) {
   const std::string deed =
       fmt::format("the process {} before its work was done, in no call of a plugin", ChildEnding{end.status}.phrase());
+  if (was_killed(end)) return {"", deed, fmt::format("lacuna: {}{}{}", deed, killer(), kDatabaseIsSafe)};
+  const std::string others = suspects();
+  const std::string memory = crash_for_want_of_memory();
+  const char* const whose = others.empty()
+                                ? "that is a fault of the program or of a library: please report the command"
+                                : "that is a fault of the program, of a library, or of a thread that a plugin "
+                                  "started: do without these plugins, or please report the command";
   return {"", deed,
-          fmt::format("lacuna: {}{}{}", deed,
-                      was_killed(end) ? kKilledByOthers
-                                      : "; that is a fault of the program, of a library, or of a thread that a plugin "
-                                        "started: please report the command",
-                      kDatabaseIsSafe)};
+          fmt::format("lacuna: {}{}; {}{}{}", deed, others, memory,
+                      memory.empty() ? "" : "; where that does not help, ", whose) +
+              kDatabaseIsSafe};
 }
 
 ChildLoss by_plugins(const WatchedEnd& end, const std::vector<ActiveCall>& calls) {
@@ -105,14 +151,20 @@ ChildLoss by_plugins(const WatchedEnd& end, const std::vector<ActiveCall>& calls
   for (const ActiveCall& call : calls) names.push_back(name_of(call));
   const std::string deed = fmt::format("{}: the program {} during {}", fmt::join(names, ", "), ending.phrase(),
                                        calls.size() == 1 ? "this call" : "one of these calls");
-  return {"", deed, fmt::format("{}{}{}", deed, was_killed(end) ? kKilledByOthers : kPluginsFault, kDatabaseIsSafe)};
+  return {"", deed, fmt::format("{}{}{}", deed, was_killed(end) ? killer() : kPluginsFault, kDatabaseIsSafe)};
 }
 
 ChildLoss loss_of(const WatchedEnd& end) {
   if (end.reason == EndedFor::overdue) return by_overdue(*end.call);
+  if (end.reason == EndedFor::slow_call) return by_slow_call(*end.call, end.limit);
+  if (end.reason == EndedFor::stopped) return by_stopped(*end.call);
   if (end.reason == EndedFor::unheeding) return by_unheeding(*end.call);
   if (const int signal = signal_of_others(end)) return by_signal_of_others(signal);
-  const std::vector<ActiveCall> calls = CallPage::active();
+  std::vector<ActiveCall> calls = CallPage::active();
+  if (const std::string library = PluginLibraries::culprit(); !library.empty()) {
+    std::erase_if(calls, [&](const ActiveCall& call) { return !is_of(library, call); });
+    if (calls.empty()) return by_library(end, library);
+  }
   return calls.empty() ? by_nobody(end) : by_plugins(end, calls);
 }
 
@@ -126,14 +178,17 @@ bool begins_anew(const WatchedEnd& end, const ChildLoss& loss) {
 }
 
 /// After its work was done, a plugin's last acts may still end it another way.
-int exit_code_of(int status) {
-  if (WIFSIGNALED(status)) {
-    fmt::print(stderr,
-               "lacuna: the process {} after its work was done, which is complete; a plugin's destructors do that\n",
-               ChildEnding{status}.phrase());
-    return kEndedBadly;
-  }
-  return std::max(WEXITSTATUS(status), CallPage::exit_code());
+int exit_code_of(const WatchedEnd& end) {
+  const bool was_signalled = WIFSIGNALED(end.status);
+  if (!was_signalled && WEXITSTATUS(end.status) == CallPage::exit_code()) return CallPage::exit_code();
+  const std::string library = PluginLibraries::culprit();
+  const std::string who = library.empty() ? "a destructor or an exit handler of a plugin" : library;
+  const std::string what = end.reason == EndedFor::lingering
+                               ? fmt::format("did not end for {:g} s, and was ended,", end.limit)
+                               : ChildEnding{end.status}.phrase();
+  tell(fmt::format("lacuna: the process {} after its work was done, which is complete; {} did that{}", what, who,
+                   library.empty() ? suspects() : ""));
+  return was_signalled ? kEndedBadly : std::max(WEXITSTATUS(end.status), CallPage::exit_code());
 }
 
 /// Memory that a child shares with its supervisor. The size is written last.
@@ -190,18 +245,23 @@ void print_loss(const ChildLoss& loss) {
 int run_supervised(int argc, char** argv, int (*work)(int, char**), void (*report)(const ChildLoss&)) {
   std::signal(SIGCHLD, SIG_DFL);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const LeftRunning left_running;
   const sigset_t signals = awaited_signals();
   sigset_t mask;
   sigprocmask(SIG_BLOCK, &signals, &mask);
   for (;;) {
     CallPage::prepare();
+    PluginLibraries::prepare();
     prepare_left_page();
     const pid_t parent = getpid(), child = fork();
     if (child <= 0) sigprocmask(SIG_SETMASK, &mask, nullptr);
     if (child < 0) return work(argc, argv);  // rather without a supervisor than not at all
     if (child == 0) return do_work(argc, argv, work, parent);
     const WatchedEnd end = watch_child(child, signals);
-    if (CallPage::is_closed()) return exit_code_of(end.status);
+    if (CallPage::is_closed()) {
+      left_running.end();
+      return exit_code_of(end);
+    }
     end_descendants(kGrace);
     ChildLoss loss = loss_of(end);
     loss.left = left_by_child();

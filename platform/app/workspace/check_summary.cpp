@@ -45,9 +45,25 @@ std::string free_lines(const std::vector<FreeValue>& values) {
   return text.empty() ? summary_line("free", "none") : text;
 }
 
+constexpr double kSameRate = 0.7;  ///< a few readings may be missing
+
 double duration_of(const Trial& trial) {
   const Eigen::VectorXd& times = trial.measured.times;
   return times.size() > 1 ? times[times.size() - 1] - times[0] : 0.0;
+}
+
+/// Readings of each sensor per second; `all`: samples of any of them, which is the rate where one device wrote all.
+std::string rates_of(const Trial& trial, double all) {
+  std::string own;
+  bool differ = false;
+  const TimeSeries& series = trial.measured;
+  for (std::size_t c = 0; c < series.channels.size(); ++c) {
+    const auto column = series.samples.col(static_cast<Eigen::Index>(c)).array();
+    const double rate = (static_cast<double>(column.isFinite().count()) - 1.0) / duration_of(trial);
+    differ = differ || rate < kSameRate * all;
+    own += fmt::format("{}{} {:.4g} Hz", own.empty() ? "" : ", ", series.channels[c].name, rate);
+  }
+  return differ ? own : fmt::format("{:.4g} Hz", all);
 }
 
 std::string trial_line(const Trial& trial) {
@@ -55,8 +71,7 @@ std::string trial_line(const Trial& trial) {
   const double duration = duration_of(trial);
   std::string text = fmt::format("{}{}: {}, {}", trial.name, trial.held_out ? " (held out)" : "",
                                  counted(samples, "sample"), format_quantity(duration, "s"));
-  if (duration > 0.0) text += fmt::format(", {:.4g} Hz", static_cast<double>(samples - 1) / duration);
-  return text;
+  return duration > 0.0 ? text + ", " + rates_of(trial, static_cast<double>(samples - 1) / duration) : text;
 }
 
 std::string trial_lines(const std::vector<Trial>& trials) {

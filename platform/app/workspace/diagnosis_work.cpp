@@ -3,6 +3,7 @@
 #include "app/terminal/output.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/time_limit.h"
+#include "app/workspace/scale_note.h"
 #include "app/workspace/workbench.h"
 #include "diagnosis/candidates/among.h"
 #include "diagnosis/rounds/cut_trials.h"
@@ -88,6 +89,13 @@ Found find_diagnosis(const DiagnoseOptions& options, Workbench& bench) try {
   return {std::move(nothing)};
 }
 
+/// An effect that stands for readings of a wrong scale is not what to add.
+std::string correction_before_adding(const Rig& rig, const Diagnosis& diagnosis) {
+  if (diagnosis.verdict != Verdict::effect_found && diagnosis.verdict != Verdict::not_in_library) return "";
+  const std::string lines = scale_correction(rig);
+  return lines.empty() ? "" : "under [target.sensors]: " + lines;
+}
+
 }  // namespace
 
 void carry_out_diagnosis(DiagnoseOptions options) {
@@ -100,7 +108,9 @@ void carry_out_diagnosis(DiagnoseOptions options) {
   const auto [diagnosis, known] = find_diagnosis(options, bench);
   CallPage::allow_new_beginning(false);
   if (!takes_standard_output(options.json) && options.task.empty())  // what a task found is read from its plan
-    fmt::print("{}{}", diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options)),
+    fmt::print("{}{}",
+               diagnosis_text(diagnosis, options.experiment.string(), options_to_type(options),
+                              correction_before_adding(bench.rig(), diagnosis)),
                known ? "(from the database)\n" : "");
   if (options.json) write_output(*options.json, diagnosis_json(diagnosis));
   if (!options.out.empty()) {

@@ -19,9 +19,16 @@ std::string steps_of(int count, double step) {
   return count == 1 ? "one step in each of " + each : fmt::format("{} steps in each of {}", count, each);
 }
 
+std::string shift_of(const Substeps& found) {
+  if (found.shift.address.empty()) return "";
+  return fmt::format("; it moves {} by {:.2g} of half its 95 % interval, no free value by more", found.shift.address,
+                     found.shift.share);
+}
+
 std::string error_of(const Substeps& found) {
   if (!std::isfinite(found.share)) return "the model cannot be simulated at its start values";
-  return fmt::format("the error in a free run is {:.2g} of what noise and start leave open", found.share);
+  return fmt::format("the error in a free run is {:.2g} of what noise and start leave open", found.share) +
+         shift_of(found);
 }
 
 std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
@@ -31,7 +38,7 @@ std::string sentence_of(const EngineSettings& engine, const Substeps& found) {
 
 }  // namespace
 
-std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads) {
+std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int threads, TrialsFor trials_for) {
   EngineSettings& engine = rig.definition.engine;
   if (substeps_decided(rig.experiment)) return {};
   if (engine.engine == "ode") {
@@ -41,7 +48,9 @@ std::string settle_substeps(Rig& rig, const std::vector<Trial>& trials, int thre
   }
   if (trials.empty()) return {};
   const std::vector<double> values = rig.definition.start_values();
-  const Substeps found = sufficient_substeps(rig.definition, trials, values, threads > 0 ? threads : default_threads());
+  if (engine.substeps > 0 && engine.substeps < kFarMore) return {};
+  const Substeps found = sufficient_substeps(rig.definition, trials, values, threads > 0 ? threads : default_threads(),
+                                             trials_for, rig.experiment.fit);
   if (rig.experiment.engine.substeps == 0) {
     decide_substeps(rig.experiment, found.count);
     engine.substeps = found.count;

@@ -136,6 +136,8 @@ ComparisonId Ledger::keep(const StoredRevision& revision, const Rig& rig, const 
   const ComparisonId id = store_.record_comparison(revision.id, record);
   for (std::size_t i = 0; i < comparison.trials.size(); ++i) {
     store_.record_trace(ids[i], TraceKind::measured, trials[i].measured, TracePrecision::float64);
+    if (const TimeSeries& commands = trials[i].commands.series; !commands.channels.empty())
+      store_.record_trace(ids[i], TraceKind::commands, commands, TracePrecision::float64);
     store_.record_trace(ids[i], TraceKind::predicted, predicted_series(trials[i], comparison.trials[i]),
                         TracePrecision::float32, id);
   }

@@ -63,6 +63,11 @@ std::string unit_or_blank(const GuessedColumn& column, const std::string& si_uni
 
 std::string sensor_line(const RigDraft& draft, const MatchedColumn& match) {
   const auto& [channel, column] = match;
+  if (column.of_voltage && !column.unit.empty())
+    return with_comment(
+        fmt::format("{} = {{ column = {}, unit = {}, gain = {} }}", toml_key(channel.name), toml_text(column.name),
+                    toml_text(column.unit), blank(fmt::format("{}/{}", channel.unit, column.unit))),
+        "guessed: " + column.reason + "; the gain is the sensor's");
   const bool known = has_dimension(column.unit, channel.unit);
   const NoiseText noise = known ? noise_of(draft, channel.name, channel.unit, column.unit) : NoiseText{};
   const std::string line = fmt::format("{} = {{ column = {}, unit = {}{} }}", toml_key(channel.name),
@@ -80,12 +85,16 @@ std::string command_text(const MatchedColumn& match) {
   std::string comment = "guessed: " + column.reason;
   if (column.unit.empty()) {
     line += blank("") + " }";
-    comment += fmt::format("; unit {}, or another with a gain such as \"2.5 {}/V\"", wanted, wanted);
+    comment += wanted == "V" ? std::string("; unit V or mV")
+                             : fmt::format("; unit {}, or another with a gain such as \"2.5 {}/V\"", wanted, wanted);
   } else if (has_dimension(column.unit, wanted)) {
     line += toml_text(column.unit) + " }";
   } else {
     line += fmt::format("{}, gain = {} }}", toml_text(column.unit), blank(wanted + "/" + column.unit));
     comment += fmt::format("; the gain turns {} into {}", column.unit, wanted);
+    if (has_dimension(column.unit, "A")) comment += ": the motor's constant, seen at the joint";
+    if (has_dimension(column.unit, "V"))
+      comment += ", as a drive that controls the current does; for a motor at this voltage make its kind \"voltage\"";
   }
   return with_comment(line, comment);
 }
@@ -203,6 +212,14 @@ std::string motor_text(const GuessedJoint& joint) {
   } else if (joint.actuator == ActuatorKind::velocity_servo) {
     text += with_comment("kind = \"velocity_servo\"", "guessed: the command is a velocity");
     text += with_comment("kd = " + blank(force + "*s/" + position_unit(joint)), "gain of the servo");
+  } else if (joint.actuator == ActuatorKind::voltage) {
+    text += with_comment("kind = \"voltage\"",
+                         fmt::format("guessed: the voltage of a motor; if a drive makes a {0} of it, kind = \"force\" "
+                                     "here and a gain in {1}/V in the experiment",
+                                     joint.slides ? "force" : "torque", force));
+    text += fmt::format("\n[actuator.{}.motor]\n", joint.motor());
+    text += with_comment("torque_constant = " + blank(force + "/A"), "at the joint");
+    text += with_comment("resistance = " + blank("Ohm"), "of the winding and its driver");
   } else {
     text += with_comment("kind = \"force\"", "the command is a " + std::string(joint.slides ? "force" : "torque"));
   }

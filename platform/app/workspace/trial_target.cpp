@@ -48,6 +48,7 @@ Trial TrialTarget::carry_out(const Test& test, std::uint64_t seed, std::uint64_t
   }
   const std::unique_ptr<ProcessTarget> program = outside_target(experiment_, model_, noise, notes_to_user);
   if (program) program->begin_trial(number);
+  const CallAllowance lasts(test.duration);
   return guarded_call(origin_, "carrying a test out", [&] {
     return system_->carry_out(test, {.simulator = simulator.get(), .program = program.get()});
   });

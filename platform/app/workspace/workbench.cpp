@@ -90,9 +90,9 @@ void Workbench::enter(const Fitted& fitted, const Comparison& comparison, TextRe
   }
 }
 
-std::vector<std::string> Workbench::faults(const FitResult& fit) const {
+std::vector<Doubt> Workbench::doubts(const FitResult& fit) const {
   const std::vector<double> values = fit.parameters();
-  return faults_among(data_doubts({rig_.definition, *rig_.model, rig_.trials, values}));
+  return data_doubts({rig_.definition, *rig_.model, rig_.trials, values});
 }
 
 WhereItFails Workbench::where_it_fails(const FitResult& fit, const Comparison& comparison) const {

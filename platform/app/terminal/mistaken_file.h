@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace lacuna {
+
+/// Throws `BadInput` with the line to type where a database was named in place of an experiment file.
+void refuse_database_as_experiment(const std::string& file);
+
+/// The same for an experiment file in place of its database.
+void refuse_experiment_as_database(const std::string& file);
+
+}  // namespace lacuna
