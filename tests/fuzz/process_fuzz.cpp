@@ -14,7 +14,7 @@ namespace {
 using lacuna::fuzz::is_done;
 using lacuna::fuzz::require;
 
-const lacuna::TestHeading kHeading{.trial = 1, .seed = 3, .duration = 0.2, .period = 0.1, .periods = 2};
+const lacuna::TestHeading kHeading{.id = 1, .trial = 1, .seed = 3, .duration = 0.2, .period = 0.1, .periods = 2};
 
 lacuna::Hello small_hello() {
   lacuna::Hello hello{.name = "rig", .takes_series = true, .exchanges = true};
@@ -48,7 +48,7 @@ lacuna::CommandSeries lowest_commands(const lacuna::TestSpace& space) {
 }
 
 void read_of_exchange(const std::string& line, const lacuna::Hello& hello, const lacuna::TestSpace& space) {
-  const lacuna::Readings readings = lacuna::read_readings(line, hello);
+  const lacuna::Readings readings = lacuna::read_readings(line, hello, kHeading.id);
   require(std::isfinite(readings.time), "readings have a time");
   require(readings.sensors.size() == hello.sensors.size(), "there is a reading a sensor");
   lacuna::ChannelOrder(hello, space).check_readings(readings.time, readings.sensors);
@@ -56,7 +56,7 @@ void read_of_exchange(const std::string& line, const lacuna::Hello& hello, const
 }
 
 void read_of_series(const std::string& line, const lacuna::Hello& hello, const lacuna::TestSpace& space) {
-  lacuna::Samples samples = lacuna::read_samples(line, hello);
+  lacuna::Samples samples = lacuna::read_samples(line, hello, kHeading.id);
   require(samples.values.rows() == samples.times.size(), "there is a row a time");
   lacuna::check_extent(samples, kHeading);
   lacuna::TimeSeries measured = lacuna::ChannelOrder(hello, space).measured(samples.times, samples.values);
