@@ -13,15 +13,17 @@
 #include <iostream>
 #include <thread>
 
-/// The forty fixed cases of the benchmark: a method that gets worse fails here. The least count is one less than
-/// the method reaches, since processors differ in last digits; raise it with the method.
+/// Every third of the forty fixed cases of the benchmark: a method that gets worse fails here. The least count is one
+/// less than the method reaches, since processors differ in last digits; raise it with the method. All forty:
+/// `lacuna-benchmark hidden-effects run --set fixed`.
 namespace hidden_effects {
 namespace {
 
-constexpr int kLeastRight = 24;         ///< of those with a hidden effect that the base does not absorb
+constexpr std::size_t kEvery = 3;       ///< case is asked
+constexpr int kLeastRight = 9;          ///< of those with a hidden effect that the base does not absorb
 constexpr int kMostFalsePositives = 1;  ///< of those without
 constexpr double kMostTimesUsual = 16;  ///< processor time of one diagnosis over the median; machines differ by three
-constexpr double kHangs = 300.0;        ///< s, beside other tests
+constexpr double kHangs = 900.0;        ///< s, beside other tests that take all processors
 
 struct Outcome {
   CaseRecord about;
@@ -57,7 +59,9 @@ Outcome diagnose_case(const CasePlan& plan) {
 }
 
 std::vector<Outcome> outcomes() {
-  const std::vector<CasePlan> plans = plan_cases("fixed");
+  std::vector<CasePlan> plans;
+  for (const CasePlan& plan : plan_cases("fixed"))
+    if (static_cast<std::size_t>(plan.number) % kEvery == 0) plans.push_back(plan);
   std::vector<Outcome> results(plans.size());
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   lacuna::parallel_for(plans.size(), threads,
