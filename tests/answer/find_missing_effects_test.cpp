@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double kFriction = 0.04;  // N·m
-constexpr PendulumTruth kDry = {.inertia = 0.03, .damping = 0.02, .friction = kFriction};
+const PendulumTruth kDry = {.inertia = 0.03, .damping = 0.02, .friction = kFriction};
 
 /// Diagnoses of the servo pendulum of the first steps, whose model has no effect.
 class FindMissingEffects : public testing::Test {

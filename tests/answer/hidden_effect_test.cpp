@@ -69,7 +69,7 @@ TEST(CablePull, IsLookedForNearTheRobot) {
 }
 
 /// A drive that is late, of recordings that begin with a step from rest.
-constexpr PendulumTruth kLateDrive = {.inertia = 0.03, .damping = 0.02, .delay = 0.024, .before = 0.0};
+const PendulumTruth kLateDrive = {.inertia = 0.03, .damping = 0.02, .delay = 0.024, .before = 0.0};
 
 Diagnosis of_first_steps(const std::function<void(Trial&)>& state) {
   std::vector<Trial> trials = {recorded(kLateDrive, "steps.csv", steps, 4.0, 4),
