@@ -1,6 +1,6 @@
 #pragma once
 
-#include "answer/diagnosis.h"
+#include "diagnosis/findings/diagnosis.h"
 
 #include <string>
 
