@@ -124,11 +124,11 @@ JOIN experiment ON experiment.id = revision.experiment
 WHERE comparison.id IN (SELECT max(id) FROM comparison GROUP BY revision);
 
 -- One row per diagnosis: its verdict with its probability, what it would add, and whether the time limit stopped it.
--- example: SELECT revision, verdict, method, probability, answer, base_times_floor, times_floor FROM diagnoses ORDER BY id;
+-- example: SELECT revision, verdict, method, chance, answer, base_fitted_times_floor, fitted_times_floor FROM diagnoses ORDER BY id;
 CREATE VIEW diagnoses AS
 SELECT experiment.name AS experiment, revision.number AS revision, diagnosis.verdict, diagnosis.method,
        diagnosis.probability, diagnosis.calibrated,
-       iif(diagnosis.method = 'likelihood', diagnosis.chance, NULL) AS chance, diagnosis.hypotheses,
+       iif(diagnosis.method <> 'horizon', diagnosis.chance, NULL) AS chance, diagnosis.hypotheses,
        iif(diagnosis.verdict = 'effect_found',
            (SELECT group_concat(value, ' + ') FROM json_each(best.effects)), NULL) AS answer,
        iif(diagnosis.method = 'likelihood', diagnosis.base_times_floor, NULL) AS base_times_floor,
@@ -143,7 +143,7 @@ JOIN experiment ON experiment.id = revision.experiment
 LEFT JOIN candidate_model AS best ON best.diagnosis = diagnosis.id AND best.rank = 1;
 
 -- One row a candidate of the latest diagnosis of each revision, the likeliest first: how much better it predicts what was left out.
--- example: SELECT revision, rank, effects, method, gain, times_floor FROM effect_ranking ORDER BY revision, rank;
+-- example: SELECT revision, rank, effects, method, gain, fitted_times_floor FROM effect_ranking ORDER BY revision, rank;
 CREATE VIEW effect_ranking AS
 SELECT experiment.name AS experiment, revision.number AS revision, candidate_model.rank,
        (SELECT group_concat(value, ' + ') FROM json_each(candidate_model.effects)) AS effects,

@@ -135,11 +135,6 @@ struct NoiseSection {
   double process_correlation_time = 0.0;  ///< s; 0: white from step to step
 };
 
-/// How it is found out what the model lacks (diagnosis/).
-struct DiagnosisSection {
-  double segment = 0.0;  ///< s; 0: by the amount of data (diagnosis/rounds/cut_trials.h)
-};
-
 /// A key that `lacuna plan` varies, as `--set` names it, and the values that it is to have, each as TOML.
 using SweptKey = std::pair<std::string, std::vector<std::string>>;
 
@@ -163,7 +158,6 @@ struct Experiment {
   ExplorationSection exploration;
   FitSection fit;
   NoiseSection noise;
-  DiagnosisSection diagnosis;
   std::vector<SweptKey> sweep;
 
   /// Units as written, by key, of numbers whose dimension only the model can judge: "model.set.body.arm.mass" → "g".

@@ -143,14 +143,6 @@ Table<NoiseSection> noise_keys() {
            "how long that force keeps its value; 0: white from step to step");
 }
 
-Table<DiagnosisSection> diagnosis_keys() {
-  return Table<DiagnosisSection>().key(
-      "segment", &DiagnosisSection::segment, number("s").at_least(0.0),
-      "length of the stretches that are predicted, each from a start of its own that the data around it tell; at least "
-      "0.05 s, at most as long as the longest trial that is fitted to; 0: 5 s, or what the "
-      "model can follow, at least 1 s");
-}
-
 Table<Experiment> experiment_keys() {
   const Table<Experiment> head =
       Table<Experiment>()
@@ -180,7 +172,6 @@ Table<Experiment> experiment_keys() {
            "How `lacuna run` evolves the next test.")
       .key("fit", &Experiment::fit, fit_keys().value(), "How free values are found.")
       .key("noise", &Experiment::noise, noise_keys().value(), "Declared disturbances.")
-      .key("diagnosis", &Experiment::diagnosis, diagnosis_keys().value(), "How `lacuna diagnose` looks at the data.")
       .key("sweep", &Experiment::sweep, swept_keys(),
            "Keys of this file that `lacuna plan` varies, in all combinations, as in \"engine.step\" = [0.001, 0.002]; "
            "other commands take the file without it.")

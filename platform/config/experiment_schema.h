@@ -20,7 +20,6 @@ Table<ExplorationSection> exploration_keys();
 Table<EngineSettings> engine_keys();
 Table<FitSection> fit_keys();
 Table<NoiseSection> noise_keys();
-Table<DiagnosisSection> diagnosis_keys();
 /// The whole file.
 Table<Experiment> experiment_keys();
 

@@ -37,6 +37,17 @@ class BlockProducts {
   Eigen::Index values() const { return values_; }
   Eigen::MatrixXd& at(std::size_t cell, std::size_t block) { return products_[cell * blocks_ + block]; }
   const Eigen::MatrixXd& at(std::size_t cell, std::size_t block) const { return products_[cell * blocks_ + block]; }
+  /// Of these values alone.
+  BlockProducts part(const std::vector<Eigen::Index>& values) const {
+    std::vector<Eigen::Index> rows = {0};
+    for (const Eigen::Index value : values) rows.push_back(value + 1);
+    BlockProducts some;
+    some.blocks_ = blocks_;
+    some.values_ = static_cast<Eigen::Index>(values.size());
+    some.samples_ = samples_;
+    for (const Eigen::MatrixXd& product : products_) some.products_.emplace_back(product(rows, rows));
+    return some;
+  }
   double& samples(std::size_t cell, std::size_t block) { return samples_[cell * blocks_ + block]; }
   double samples(std::size_t cell, std::size_t block) const { return samples_[cell * blocks_ + block]; }
 

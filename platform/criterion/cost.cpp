@@ -53,6 +53,7 @@ Eigen::VectorXd bounded_step(const Eigen::MatrixXd& normal, const StepBounds& bo
   Eigen::MatrixXd matrix = normal.bottomRightCorner(n, n);
   matrix = scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
   matrix.diagonal().array() += damping;
+  if (bounds.ridge.size() == n) matrix.diagonal() += bounds.ridge;
   const Eigen::VectorXd right = normal.col(0).tail(n).cwiseQuotient(scale);
   const Eigen::VectorXd lower = bounds.lower.cwiseProduct(scale), upper = bounds.upper.cwiseProduct(scale);
   std::vector<Eigen::Index> moving;
@@ -132,13 +133,15 @@ LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, c
 }
 
 CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
-                          const LinearCost& fit) {
+                          const LinearCost& fit, bool whole_steps) {
   const Eigen::VectorXd weights = square_weights(layout, products, fit.mean_square);
   const Eigen::MatrixXd all = weighted_sum(layout, products, weights, kNoFold);
-  const Eigen::VectorXd of_all = bounded_step(all, bounds, 0.0);
+  Eigen::VectorXd from = Eigen::VectorXd::Zero(products.values());
+  if (!whole_steps) from = bounded_step(all, bounds, 0.0);
+  const double of_all = whole_steps ? 0.0 : kOfAll;
   std::vector<Eigen::VectorXd> steps;
   for (std::size_t fold = 0; fold < layout.folds; ++fold)
-    steps.push_back(bounded_step(weighted_sum(layout, products, weights, fold) + kOfAll * all, bounds, 0.0) - of_all);
+    steps.push_back(bounded_step(weighted_sum(layout, products, weights, fold) + of_all * all, bounds, 0.0) - from);
   CrossFittedCost result;
   result.by_length =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.lengths), static_cast<Eigen::Index>(layout.blocks()));

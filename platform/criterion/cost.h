@@ -16,6 +16,7 @@ double cost_of_mean_square(double mean_square);
 /// How far a model's values may move from where it was linearised, in their coordinates; zero lies between.
 struct StepBounds {
   Eigen::VectorXd lower, upper;
+  Eigen::VectorXd ridge = {};  ///< by value, of the diagonal of the normal equations; empty: none
 };
 
 /// A step of a linearised model's values, and what it leaves.
@@ -44,9 +45,11 @@ struct CrossFittedCost {
 
 /// `fit`: the least cost of the whole, whose weights every fold takes. Values move by how much the step of the other
 /// folds differs from that of all, so that a fit which is not at its least cost gains nothing by it. The other folds
-/// are joined by a tenth of the whole's weight: where they hardly tell a value, it stays.
+/// are joined by a tenth of the whole's weight: where they hardly tell a value, it stays. `whole_steps`: values move by
+/// all of the other folds' step, as those of a law do that begins at nothing, and nothing is joined: of what the others
+/// do not tell nothing is taken.
 CrossFittedCost cross_fit(const CellLayout& layout, const BlockProducts& products, const StepBounds& bounds,
-                          const LinearCost& fit);
+                          const LinearCost& fit, bool whole_steps = false);
 
 /// By cell, the weight of a square in the cost's slope at these mean squares.
 Eigen::VectorXd square_weights(const CellLayout& layout, const BlockProducts& products, const Eigen::VectorXd& means);

@@ -89,6 +89,7 @@ class Decider {
   std::size_t smallest(const std::vector<std::size_t>& among) const {
     return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
       if (sets_[a].told != sets_[b].told) return sets_[a].told < sets_[b].told;
+      if (sets_[a].values != sets_[b].values) return sets_[a].values < sets_[b].values;
       return sets_[a].cost.cost < sets_[b].cost.cost;
     });
   }

@@ -13,6 +13,7 @@ namespace lacuna {
 struct CandidateSet {
   std::set<std::string> members;  ///< "effect @ place"; none: the model as it is
   int told = 0;                   ///< values of the members that the data tell
+  int values = 0;                 ///< of the members, all
   CrossFittedCost cost;
   double share_to_add = 0.05;  ///< of the whole gain, that it must gain over the best smaller set
 };
@@ -45,7 +46,7 @@ struct Decision {
 /// gains more than its error, at more than one length, and lowers the error by a twentieth at one. A set of one more
 /// effect must pass the same against the best smaller one, and add its share of the whole gain. Of the sets that are as
 /// good as the largest that passes, within that share or one standard error, the answer is the one of fewest told
-/// values.
+/// values, of several such the one of fewest in all.
 Decision decide(const std::vector<CandidateSet>& sets, std::uint64_t seed);
 
 }  // namespace lacuna

@@ -41,11 +41,13 @@ Eigen::MatrixXd scatter(const Eigen::MatrixXd& gradients, Eigen::Index together)
 
 }  // namespace
 
-ValueErrors value_errors(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit) {
+ValueErrors value_errors(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit,
+                         const Eigen::VectorXd& ridge) {
   const Eigen::Index n = products.values();
   ValueErrors errors{Eigen::MatrixXd::Zero(n, n), std::vector<bool>(static_cast<std::size_t>(n), true)};
   if (n == 0) return errors;
-  const Eigen::MatrixXd known = information(layout, products, fit);
+  Eigen::MatrixXd known = information(layout, products, fit);
+  if (ridge.size() == n) known.diagonal() += ridge.cwiseProduct(Eigen::VectorXd(known.diagonal()));
   const Eigen::VectorXd scale = known.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * known * scale.asDiagonal());
   Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);

@@ -15,7 +15,9 @@ struct ValueErrors {
 
 /// Standard errors that do not believe the noise model: the scatter of the gradients of the cost over blocks of time,
 /// all lengths together, taken once, twice and four times as long, between two inverse informations (the "sandwich"
-/// of P. J. Huber, 1967, and H. White, 1982); of the three the largest, value by value. `fit`: the least cost.
-ValueErrors value_errors(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit);
+/// of P. J. Huber, 1967, and H. White, 1982); of the three the largest, value by value. `fit`: the least cost; `ridge`:
+/// with which it was found (`StepBounds`).
+ValueErrors value_errors(const CellLayout& layout, const BlockProducts& products, const LinearCost& fit,
+                         const Eigen::VectorXd& ridge = {});
 
 }  // namespace lacuna

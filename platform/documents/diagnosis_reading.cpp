@@ -28,24 +28,8 @@ Verdict verdict_of(const std::string& text) {
   return Verdict::cannot_tell;
 }
 
-FigureUnit unit_of(const std::string& text) {
-  for (const FigureUnit unit : {FigureUnit::percent, FigureUnit::chance, FigureUnit::times_floor})
-    if (to_string(unit) == text) return unit;
-  return FigureUnit::nats;
-}
-
 /// Empty where the document does not have it: nobody asked, or the document is of before.
 ordered_json list_of(const ordered_json& whole, const char* name) { return whole.value(name, ordered_json::array()); }
-
-AtThreshold threshold_of(const ordered_json& json) {
-  return {json["figure"],
-          unit_of(json["unit"]),
-          figure(json["value"]),
-          figure(json["threshold"]),
-          figure(json["range"][0]),
-          figure(json["range"][1]),
-          verdict_of(json["other_verdict"])};
-}
 
 Gain gain_of(const ordered_json& value, const ordered_json& error, const ordered_json& interval) {
   return {figure(value), figure(error), figure(interval[0]), figure(interval[1])};
@@ -92,7 +76,6 @@ RankedModel model_of(const ordered_json& whole, const ordered_json& json) {
   for (const ordered_json& effect : json["effects"]) model.effects.push_back(effect_of(effect));
   model.look_alikes = json["class"].get<std::vector<std::string>>();
   model.gain = gain_of(json["gain"], json["gain_standard_error"], json["gain_ci95"]);
-  model.probability = asked_figure(json, "probability");
   model.errors = errors_of(whole, json);
   model.times_floor = ratio_of(json);
   model.segment = json.value("segment_s", 0.0);
@@ -129,6 +112,13 @@ ForceCurve curve_of(const ordered_json& json) {
   return curve;
 }
 
+/// Documents of before do not name it: then what they have tells it. Nothing: nothing was searched.
+std::optional<DiagnosisMethod> method_of(const ordered_json& whole) {
+  if (whole.contains("method")) return read_method(whole["method"].get<std::string>());
+  if (!list_of(whole, "horizons").empty()) return DiagnosisMethod::horizon;
+  return whole.contains("base") ? std::optional(DiagnosisMethod::likelihood) : std::nullopt;
+}
+
 StoppedSearch stop_of(const ordered_json& json) {
   return {json["during"], json["not_examined"].get<std::vector<std::string>>(), json["next"]};
 }
@@ -141,8 +131,7 @@ Diagnosis read_diagnosis(const std::string& document) {
   diagnosis.verdict = verdict_of(whole["verdict"]);
   diagnosis.probability = figure(whole["probability"]);
   diagnosis.calibrated = whole.value("calibrated", false);
-  diagnosis.form_only = whole.value("form_only", false);
-  for (const ordered_json& one : list_of(whole, "at_threshold")) diagnosis.at_threshold.push_back(threshold_of(one));
+  diagnosis.method = method_of(whole);
   diagnosis.evidence = whole.value("evidence", Evidence{});
   for (const ordered_json& one : list_of(whole, "horizons")) diagnosis.horizons.push_back(horizon_of(one));
   if (whole.contains("base")) {  // else nothing was searched
@@ -150,26 +139,13 @@ Diagnosis read_diagnosis(const std::string& document) {
     diagnosis.base_times_floor = ratio_of(whole["base"]);
     diagnosis.base_segment = whole["base"].value("segment_s", 0.0);
   }
-  for (const ordered_json& one : list_of(whole, "random_forces"))
-    diagnosis.forces.push_back(
-        {one["joint"], one["unit"], figure(one["deviation"]), figure(one["duration_s"]), one.value("slow", false)});
   for (const ordered_json& one : whole["ranking"]) diagnosis.ranking.push_back(model_of(whole, one));
   diagnosis.values = parameters_of(whole.value("values", ordered_json::object()));
-  for (const ordered_json& one : list_of(whole, "segment_lengths")) {
-    diagnosis.lengths.push_back({figure(one["segment_s"]), {}, figure(one.value("against", ordered_json(0.0)))});
-    for (const ordered_json& effect : one["effects"]) diagnosis.lengths.back().effects.push_back(effect_of(effect));
-  }
   diagnosis.p_by_chance = asked_figure(whole, "p_by_chance");
-  diagnosis.chance_95 = asked_figure(whole, "chance_95");
-  if (whole.contains("free_force")) {
-    diagnosis.free_force_p = asked_figure(whole["free_force"], "p");
-    diagnosis.free_force_gain = gain_of(whole["free_force"]["gain"]);
-  }
   if (whole.contains("answer_gain"))
     diagnosis.answer_gain = gain_of(whole["answer_gain"]);
   else if (!whole.contains("method") && !diagnosis.ranking.empty())  // documents of before have that gain alone
     diagnosis.answer_gain = diagnosis.ranking.front().gain;
-  diagnosis.formulas_of_rest = whole.value("formulas_of_rest", false);
   for (const ordered_json& one : list_of(whole, "formulas")) diagnosis.formulas.push_back(formula_of(one));
   for (const ordered_json& one : list_of(whole, "residual_force")) diagnosis.residual_force.push_back(curve_of(one));
   diagnosis.hypotheses = whole["hypotheses"];

@@ -197,12 +197,17 @@ bool LadderPredictions::choose_step(const PredictionPoint& point, const std::vec
   std::vector<Eigen::VectorXd> here, moved;
   for (const std::size_t k : few_) here.push_back(residuals[k]);
   const double target = kWanted * std::max(1.0, root_mean_square(here));
-  const auto change_by = [&](double way) {
+  // On all stretches where the few show nothing: a limit may be reached in others.
+  const auto change_on = [&](double way, const std::vector<std::size_t>& which) {
     Eigen::VectorXd values = point.values;
     values(j) += values(j) + way <= space_.upper()(j) ? way : -way;
-    if (!residuals_of(values, point.starts, few_, moved)) return -1.0;
-    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= here[i];
+    if (!residuals_of(values, point.starts, which, moved)) return -1.0;
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= residuals[which[i]];
     return root_mean_square(moved);
+  };
+  const auto change_by = [&](double way) {
+    const double change = change_on(way, few_);
+    return change == 0.0 ? change_on(way, all_) : change;
   };
   double& step = steps_[static_cast<std::size_t>(j)];
   const double longest = space_.logarithmic(j) ? 0.1 : 0.01 * (space_.upper()(j) - space_.lower()(j));

@@ -23,16 +23,16 @@ struct TimeBlocksOfTrials {
   std::vector<std::size_t> trial_of_block;
 };
 
-TimeBlocksOfTrials blocks_of(const std::vector<Trial>& trials) {
+TimeBlocksOfTrials blocks_of(const std::vector<Trial>& trials, bool held_out) {
   std::size_t total = 0;
   for (const Trial& trial : trials)
-    if (!trial.held_out) total += static_cast<std::size_t>(trial.measured.times.size());
+    if (trial.held_out == held_out) total += static_cast<std::size_t>(trial.measured.times.size());
   const std::size_t size = std::max<std::size_t>(1, (total + kBlocks - 1) / kBlocks);
   TimeBlocksOfTrials blocks;
   std::size_t trial_number = 0;
   for (const Trial& trial : trials) {
     std::vector<std::size_t>& own = blocks.of_sample.emplace_back();
-    if (trial.held_out) continue;
+    if (trial.held_out != held_out) continue;
     const auto samples = static_cast<std::size_t>(trial.measured.times.size());
     const std::size_t pieces = (samples + size - 1) / size;
     for (std::size_t i = 0; i < samples; ++i) own.push_back(blocks.count + std::min(i * pieces / samples, pieces - 1));
@@ -49,10 +49,13 @@ void set_folds(const TimeBlocksOfTrials& blocks, CellLayout& layout) {
     layout.fold_of_block.push_back(trials >= kFolds ? blocks.trial_of_block[b] : b * kFolds / blocks.count);
 }
 
-/// A body in the air or on the ground: only where a recording begins do the readings around a sample tell its state.
-bool starts_at_the_beginning_alone(const RobotSpec& robot) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(),
-                     [](const JointSpec& joint) { return joint.kind == JointKind::free; });
+/// Of a body in the air or on the ground, and where not every position is read, only where a recording begins do the
+/// readings around a sample tell the state.
+bool starts_at_the_beginning_alone(const LadderSource& source, std::size_t trial) {
+  const auto floats = [](const JointSpec& joint) { return joint.kind == JointKind::free; };
+  const std::vector<JointSpec>& joints = source.robot.joints;
+  return std::any_of(joints.begin(), joints.end(), floats) || has_floating_body(source.robot) ||
+         !source.states.unmeasured(trial).empty();
 }
 
 PredictedStretch stretch_from(const LadderSource& source, const Stretch& stretch, std::size_t length,
@@ -90,9 +93,9 @@ std::vector<Stretch> tiles(const LadderSource& source, double length) {
   const std::vector<Trial>& trials = source.predictor.trials();
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const Eigen::VectorXd& times = trials[t].measured.times;
-    if (trials[t].held_out || times(times.size() - 1) - times(0) < kShortestTrial * length) continue;
+    if (trials[t].held_out != source.held_out || times(times.size() - 1) - times(0) < kShortestTrial * length) continue;
     for (Stretch stretch : cut(trials[t], t, length)) {
-      if (stretch.first > 0 && starts_at_the_beginning_alone(source.robot)) break;
+      if (stretch.first > 0 && starts_at_the_beginning_alone(source, t)) break;
       stretch.last = std::min<Eigen::Index>(stretch.last + 1, times.size());
       if (stretch.size() > 2) all.push_back(stretch);
     }
@@ -134,7 +137,7 @@ std::vector<std::string> joints_of(const RobotSpec& robot, const std::vector<Cha
 
 PredictionLadder ladder_of(const LadderSource& source, std::vector<double> lengths, std::size_t most) {
   PredictionLadder ladder{std::move(lengths), {}, source.noise, {}};
-  const TimeBlocksOfTrials blocks = blocks_of(source.predictor.trials());
+  const TimeBlocksOfTrials blocks = blocks_of(source.predictor.trials(), source.held_out);
   set_folds(blocks, ladder.layout);
   ladder.layout.lengths = ladder.lengths.size();
   std::map<std::string, std::size_t> channel_index;

@@ -2,7 +2,7 @@
 
 #include "criterion/block_products.h"
 #include "fitting/noise_floor.h"
-#include "horizons/smoothed_starts.h"
+#include "prediction/smoothed_starts.h"
 
 #include <Eigen/Core>
 
@@ -22,7 +22,8 @@ struct PredictedStretch {
   std::vector<std::size_t> blocks;          ///< by reading: of time
 };
 
-/// Stretches of several lengths, each tiling the trials that are fitted, from starts that favour no candidate model.
+/// Stretches of several lengths, each tiling the trials that are fitted (or held out), from starts that favour no
+/// candidate model.
 struct PredictionLadder {
   std::vector<double> lengths;              ///< s, ascending
   std::vector<PredictedStretch> stretches;  ///< by length
@@ -39,6 +40,7 @@ struct LadderSource {
   const StartStates& states;
   const SmoothedStarts& starts;
   const std::vector<ChannelNoise>& noise;
+  bool held_out = false;  ///< of what is held out, else of the rest
 };
 
 /// Of these lengths, s. Forty blocks of time; folds are the recordings, or thirds of time where there are fewer than

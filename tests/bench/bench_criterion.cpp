@@ -1,5 +1,5 @@
 #include "app/workspace/rig.h"
-#include "effect_search/effect_search.h"
+#include "search/effect_search.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,16 +8,12 @@
 
 #include <cstdlib>
 #include <exception>
-#include <fstream>
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-/// What is missing from models, by the criterion of whitened predictions.
+/// All sets of effects that the search for what is missing fits, a line of JSON an experiment:
 ///
-///   bench_criterion EXPERIMENT.toml ...                    a line of JSON each, with all sets that were fitted
-///   bench_criterion diagnose EXPERIMENT.toml --json=FILE   what `lacuna diagnose` would write, for lacuna-benchmark
+///   bench_criterion EXPERIMENT.toml ...
 ///
 /// With LACUNA_NOTES set, every fit is noted on standard error.
 namespace lacuna {
@@ -37,7 +33,7 @@ SearchResult search(const std::string& file) {
   CommonOptions options;
   options.experiment = file;
   const Rig rig = open_rig(options);
-  MissingTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
   if (std::getenv("LACUNA_NOTES") != nullptr)
     task.note = [&](const std::string& what) {
       fmt::print(stderr, "{:.1f} s {}\n", processor_seconds() - begin, what);
@@ -70,7 +66,7 @@ json every_set(const SearchResult& found) {
   result["gain"] = {decision.gain.nats, decision.gain.error};
   result["whole"] = decision.whole_gain;
   result["all_lengths"] = found.by_all_lengths;
-  result["lengths"] = found.lengths;
+  result["lengths"] = found.data->ladder().lengths;
   result["fits"] = found.fits;
   for (const FittedModel& set : found.sets) {
     const CostGain gain = gain_of(set.judged, found.sets.front().judged);
@@ -83,46 +79,6 @@ json every_set(const SearchResult& found) {
                               {"gain", {gain.nats, gain.error}}});
   }
   return result;
-}
-
-json effect_of(const FittedModel& set, const EffectEntry& entry) {
-  json parameters = json::object();
-  const std::string prefix = member_name(entry) + ".";
-  for (const auto& [name, value] : set.values)
-    if (name.starts_with(prefix))
-      parameters[name.substr(prefix.size())] = {{"value", value}, {"ci95", {nullptr, nullptr}}};
-  return {{"effect", entry.effect},
-          {"where", entry.where.empty() ? "" : entry.where.front()},
-          {"parameters", std::move(parameters)}};
-}
-
-json as_diagnosis(const SearchResult& found) {
-  const Decision& decision = found.decision;
-  const FittedModel& answer = found.sets[decision.answer];
-  json model = {{"gain", decision.gain.nats}, {"effects", json::array()}, {"class", json::array()}};
-  for (const EffectEntry& entry : answer.model.added) model["effects"].push_back(effect_of(answer, entry));
-  std::set<std::string> alike;
-  for (const std::size_t i : decision.alike)
-    for (const std::string& member : found.sets[i].judged.members)
-      if (!answer.judged.members.contains(member)) alike.insert(member);
-  model["class"] = alike;
-  json result = {{"verdict", decision.answer == 0 ? "nothing_missing" : "effect_found"},
-                 {"probability", nullptr},
-                 {"p_by_chance", decision.p},
-                 {"ranking", json::array()},
-                 {"values", json::object()}};
-  if (decision.answer != 0) result["ranking"].push_back(std::move(model));
-  return result;
-}
-
-int diagnose(const std::vector<std::string>& words) {
-  constexpr std::string_view kFile = "--json=";
-  const double begin = processor_seconds();
-  json result = as_diagnosis(search(words.at(1)));
-  result["seconds"] = processor_seconds() - begin;
-  for (const std::string& word : words)
-    if (word.starts_with(kFile)) std::ofstream(word.substr(kFile.size())) << result.dump(1) << '\n';
-  return EXIT_SUCCESS;
 }
 
 int print_sets(const std::vector<std::string>& files) {
@@ -145,13 +101,4 @@ int print_sets(const std::vector<std::string>& files) {
 }  // namespace
 }  // namespace lacuna
 
-int main(int argc, char** argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  try {
-    if (!words.empty() && words[0] == "--version") return fmt::print("0.1\n"), EXIT_SUCCESS;
-    return !words.empty() && words[0] == "diagnose" ? lacuna::diagnose(words) : lacuna::print_sets(words);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return EXIT_FAILURE;
-  }
-}
+int main(int argc, char** argv) { return lacuna::print_sets({argv + 1, argv + argc}); }

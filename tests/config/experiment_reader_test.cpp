@@ -154,7 +154,6 @@ TEST(ReadExperiment, ReadsEngineFitAndNoise) {
   EXPECT_EQ(experiment.fit.starts, 8);
   EXPECT_DOUBLE_EQ(experiment.noise.process.at("joint.hinge"), 0.004);
   EXPECT_DOUBLE_EQ(experiment.noise.process_correlation_time, 0.02);
-  EXPECT_DOUBLE_EQ(experiment.diagnosis.segment, 0.2);
 }
 
 TEST(ReadExperiment, KnowsWhereKeysStand) {

@@ -54,6 +54,36 @@ TEST(LeastCost, StaysWithinBounds) {
   EXPECT_DOUBLE_EQ(least.step(0), 2.0);
 }
 
+/// As much of the diagonal again halves the step.
+TEST(LeastCost, ARidgeOfTheDiagonalHalvesTheStep) {
+  const CellLayout layout = one_cell();
+  StepBounds bounds = wide();
+  bounds.ridge = Eigen::VectorXd::Ones(1);
+  const LinearCost least = least_cost(layout, line(layout, 3.0), bounds);
+  EXPECT_NEAR(least.step(0), 0.5 * (3.0 + kOfNoise), 1e-6);
+}
+
+/// A law begins at nothing: what it gains by its whole step counts, what a fit has gained already does not.
+TEST(CrossFit, OfWholeStepsHasTheGainOfALaw) {
+  const CellLayout layout = one_cell();
+  const BlockProducts products = line(layout, 3.0);
+  const LinearCost least = least_cost(layout, products, wide());
+  const double without = cost_at(layout, products, Eigen::VectorXd::Zero(1)).cost;
+  EXPECT_NEAR(cross_fit(layout, products, wide(), least, true).cost, least.cost, 1e-6);
+  EXPECT_NEAR(cross_fit(layout, products, wide(), least).cost, without, 1e-6);
+}
+
+TEST(BlockProducts, OfAPartAreThoseOfItsValues) {
+  const CellLayout layout = one_cell();
+  BlockProducts products(layout, 2);
+  products.at(0, 3) << 1.0, 2.0, 3.0, 2.0, 4.0, 5.0, 3.0, 5.0, 6.0;
+  products.samples(0, 3) = 7.0;
+  const BlockProducts part = products.part({1});
+  EXPECT_EQ(part.values(), 1);
+  EXPECT_EQ(part.at(0, 3), (Eigen::Matrix2d{{1.0, 3.0}, {3.0, 6.0}}));
+  EXPECT_EQ(part.samples(0, 3), 7.0);
+}
+
 TEST(CrossFit, SumsToTheCostOfAFitWhereAllBlocksAreAlike) {
   const CellLayout layout = one_cell();
   const BlockProducts products = line(layout, -kOfNoise);  // linearised at its least cost

@@ -13,7 +13,7 @@ constexpr Eigen::Index kLengths = 3, kBlocks = 40;
 CandidateSet set_of(std::set<std::string> members, double gain, int told, std::uint64_t seed = 0) {
   std::mt19937_64 bits(seed);
   std::normal_distribution<double> normal(0.0, 0.02 / kBlocks);
-  CandidateSet set{std::move(members), told, {Eigen::MatrixXd(kLengths, kBlocks), 0.0}};
+  CandidateSet set{std::move(members), told, told, {Eigen::MatrixXd(kLengths, kBlocks), 0.0}};
   for (Eigen::Index i = 0; i < kLengths; ++i)
     for (Eigen::Index j = 0; j < kBlocks; ++j)
       set.cost.by_length(i, j) = (2.0 - gain) / (kLengths * kBlocks) + (seed == 0 ? 0.0 : normal(bits));
@@ -64,6 +64,15 @@ TEST(Decision, BelievesNothingThatGainsAtOneLengthAlone) {
   one.cost.by_length.row(2).array() -= 1.0 / kBlocks;
   EXPECT_GT(gain_of(one, set_of({}, 0.0, 0)).nats, 0.9);
   EXPECT_EQ(decide({set_of({}, 0.0, 0), one}, 1).answer, 0U);
+}
+
+/// Of sets that tell as many values the one that has fewer in all: a law with values that nothing tells is no simpler.
+TEST(Decision, TakesTheSetOfFewestValuesOfThoseThatTellAsMany) {
+  std::vector<CandidateSet> sets = {set_of({}, 0.0, 0), set_of({"rich"}, 1.0, 1, 1), set_of({"plain"}, 0.999, 1, 1)};
+  sets[1].values = 6;
+  EXPECT_EQ(decide(sets, 1).answer, 2U);
+  sets[2].values = 7;
+  EXPECT_EQ(decide(sets, 1).answer, 1U);
 }
 
 }  // namespace

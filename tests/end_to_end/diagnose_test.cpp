@@ -73,8 +73,7 @@ TEST(Diagnose, TellsErrorsByHorizon) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const nlohmann::json document = found(program);
   EXPECT_EQ(document["verdict"], "effect_found");
-  EXPECT_GT(document["probability"].get<double>(), 0.5);
-  EXPECT_LE(document["probability"].get<double>(), 0.95);
+  EXPECT_TRUE(document["probability"].is_null()) << "the method is not calibrated yet";
   ASSERT_EQ(document["ranking"][0]["effects"].size(), 1U);
   const nlohmann::json& effect = document["ranking"][0]["effects"][0];
   EXPECT_EQ(effect["effect"], "load_friction");
@@ -122,7 +121,7 @@ free = { "joint.hinge.damping" = [0.0, 0.2] }
 [engine]
 step = "10 ms"
 )");
-  const Outcome trial = program.run({"trial", "sim.toml", "--test", "steps motor 0.2 N*m 1 Hz 2 s seed 3"});
+  const Outcome trial = program.run({"trial", "sim.toml", "--test", "steps motor 0.1 N*m 1 Hz 2 s seed 3"});
   ASSERT_EQ(trial.exit_code, 0) << trial.errors;
   const Outcome samples = program.run(
       {"sql", "sim.db", "--csv",
@@ -162,15 +161,14 @@ free = { "joint.hinge.damping" = [0.0, 0.2] }
 [engine]
 step = "10 ms"
 )");
-  const Outcome outcome = program.run({"diagnose", "loads.toml", "--json=found.json", "--among", "joint_offset_torque",
-                                       "joint_spring", "cubic_stiffness"});
+  const Outcome outcome =
+      program.run({"diagnose", "loads.toml", "--json=found.json", "--among", "joint_offset_torque", "cubic_stiffness"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const nlohmann::json document = found(program);
   ASSERT_NE(document["next_test"], "") << outcome.output;
   const std::string setup = document["next_test_setup"]["name"];
   EXPECT_THAT(setup, testing::AnyOf("light", "heavy"));
-  const Outcome again =
-      program.run({"diagnose", "loads.toml", "--among", "joint_offset_torque", "joint_spring", "cubic_stiffness"});
+  const Outcome again = program.run({"diagnose", "loads.toml", "--among", "joint_offset_torque", "cubic_stiffness"});
   EXPECT_THAT(again.output, HasSubstr("with setup " + setup + " (body.arm.mass = 0."));
   const std::string command = "lacuna trial loads.toml --test '" + document["next_test"].get<std::string>() +
                               "' --setup " + setup + " --csv=next.csv";

@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A view a paragraph, its columns in their order, what each holds by horizon and, where it differs, by likelihood:
-/// `text`, `null`, or a number between two; with `?` it may be NULL in some rows.
+/// A view a paragraph, its columns in their order, what each holds: `text`, `null`, or a number between two; with
+/// `?` it may be NULL in some rows.
 constexpr const char* kColumns = R"(runs
  run 1..9
  experiment text
@@ -117,15 +117,15 @@ diagnoses
  revision 1..9
  verdict text
  method text
- probability 0.05..0.999
+ probability null
  calibrated 0..1
- chance null | 1e-4..0.05
+ chance 1e-4..0.05
  hypotheses 1..9
  answer text
- base_times_floor null | 2..100
- times_floor null | 0.3..3
- base_fitted_times_floor 2..100 | null
- fitted_times_floor 0.3..5 | null
+ base_times_floor null
+ times_floor null
+ base_fitted_times_floor 2..100
+ fitted_times_floor 0.3..5
  stopped null
  next_test text?
  next_test_setup text?
@@ -137,12 +137,12 @@ effect_ranking
  rank 1..9
  effects text
  method text
- gain -5..5 | -1e4..1e4
- gain_lower -5..5 | -1e4..1e4
- gain_upper -5..5 | -1e4..1e4
- times_floor null | 0.3..100
- fitted_times_floor 0.3..100 | null
- probability null | 0..1
+ gain -5..5
+ gain_lower -5..5
+ gain_upper -5..5
+ times_floor null
+ fitted_times_floor 0.3..100
+ probability null
  look_alikes text?
  diagnosis 1e12..1e14
 traces
@@ -279,15 +279,14 @@ failed_trials
 )";
 
 struct Column {
-  std::string name;
-  std::string by_horizon, by_likelihood;  ///< what it holds
+  std::string name, expected;
 };
 
 using Views = std::map<std::string, std::vector<Column>>;
 
 Views listed_views() {
   Views views;
-  std::string view, name, other;
+  std::string view;
   std::istringstream lines(kColumns);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(' ')) {
@@ -296,8 +295,7 @@ Views listed_views() {
     }
     Column column;
     std::istringstream words(line);
-    words >> column.name >> column.by_horizon;
-    column.by_likelihood = words >> other >> other ? other : column.by_horizon;
+    words >> column.name >> column.expected;
     views[view].push_back(column);
   }
   return views;
@@ -321,8 +319,7 @@ bool holds(const ordered_json& value, std::string what) {
 }
 
 /// The views that have rows.
-std::vector<std::string> check_views(const Program& program, const std::string& database,
-                                     std::string Column::*expected) {
+std::vector<std::string> check_views(const Program& program, const std::string& database) {
   const Views listed = listed_views();
   std::vector<std::string> filled;
   for (const ordered_json& view :
@@ -342,24 +339,13 @@ std::vector<std::string> check_views(const Program& program, const std::string& 
     if (!rows.empty()) filled.push_back(name);
     for (const ordered_json& row : rows)
       for (const Column& column : listed.at(name))
-        EXPECT_TRUE(row.contains(column.name) && holds(row[column.name], column.*expected))
-            << name << '.' << column.name << " is to hold " << column.*expected << ": " << row;
+        EXPECT_TRUE(row.contains(column.name) && holds(row[column.name], column.expected))
+            << name << '.' << column.name << " is to hold " << column.expected << ": " << row;
   }
   return filled;
 }
 
-TEST(ViewColumns, HoldWhatADiagnosisByHorizonComputed) {
-  const Program program;
-  program.copy_lifting_servo();
-  ASSERT_EQ(program.run({"compare", "lifting-servo.toml"}).exit_code, 0);
-  const Outcome diagnosis = program.run(
-      {"diagnose", "lifting-servo.toml", "--among", "load_friction", "coulomb_friction", "viscous_friction"});
-  ASSERT_EQ(diagnosis.exit_code, 0) << diagnosis.errors;
-  ASSERT_EQ(rows_asked(program, "lifting-servo.db", "SELECT method FROM diagnoses")[0]["method"], "horizon");
-  EXPECT_GE(check_views(program, "lifting-servo.db", &Column::by_horizon).size(), 11U) << "views with rows";
-}
-
-TEST(ViewColumns, HoldWhatADiagnosisByLikelihoodAndARunComputed) {
+TEST(ViewColumns, HoldWhatADiagnosisAndARunComputed) {
   const Program program;
   program.copy_first_steps();
   ASSERT_EQ(program.run({"compare", "first-steps.toml"}).exit_code, 0);
@@ -369,8 +355,8 @@ TEST(ViewColumns, HoldWhatADiagnosisByLikelihoodAndARunComputed) {
   program.write("small.toml", kSmallRun);
   const Outcome run = program.run({"run", "small.toml", "--db", "first-steps.db"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  ASSERT_EQ(rows_asked(program, "first-steps.db", "SELECT method FROM diagnoses")[0]["method"], "likelihood");
-  EXPECT_GE(check_views(program, "first-steps.db", &Column::by_likelihood).size(), 18U) << "views with rows";
+  ASSERT_EQ(rows_asked(program, "first-steps.db", "SELECT method FROM diagnoses")[0]["method"], "prediction");
+  EXPECT_GE(check_views(program, "first-steps.db").size(), 18U) << "views with rows";
 }
 
 }  // namespace

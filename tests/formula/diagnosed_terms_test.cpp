@@ -1,7 +1,7 @@
-#include "diagnosis/residual_force/force_features.h"
 #include "formula/force_law.h"
 #include "foundation/placement_unit.h"
 #include "foundation/unit.h"
+#include "residual_law/law_family.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,10 @@
 namespace lacuna {
 namespace {
 
-JointMotion motion_of(const std::string& position_unit, const std::string& force_unit) {
-  JointMotion motion;
-  motion.joint = "joint";
-  motion.position_unit = position_unit;
-  motion.force_unit = force_unit;
-  motion.command_unit = "V";
-  motion.position = motion.velocity = motion.command = {Eigen::VectorXd::LinSpaced(100, -2.0, 2.0)};
-  return motion;
+JointCourse course_of(const std::string& position_unit, const std::string& force_unit) {
+  JointCourse course{"joint", position_unit, force_unit, "V", {{}}};
+  for (double at = -2.0; at < 2.0; at += 0.04) course.trials[0].push_back({.position = at, .velocity = at});
+  return course;
 }
 
 RobotSpec robot_of(JointKind kind) {
@@ -40,18 +36,18 @@ Unit unit_on(const RobotSpec& robot, std::string declared) {
 }
 
 void expect_every_term_read(JointKind kind, const std::string& position_unit, const std::string& force_unit) {
-  const std::vector<ForceFeature> features = force_features(motion_of(position_unit, force_unit));
-  ASSERT_GT(features.size(), 15U);
-  for (const ForceFeature& feature : features) {
-    SCOPED_TRACE(feature.text);
-    const ForceLaw law = read_force_law("-0.0105*" + feature.text, {});
+  const std::vector<ForceTerm> terms = force_terms(course_of(position_unit, force_unit));
+  ASSERT_GT(terms.size(), 15U);
+  for (const ForceTerm& term : terms) {
+    SCOPED_TRACE(term.text);
+    const ForceLaw law = read_force_law("-0.0105*" + term.text, {});
     ASSERT_EQ(law.parameters.size(), 1U);
     EXPECT_EQ(law.parameters[0].start, -0.0105);
-    if (feature.unit.find('.') != std::string::npos) continue;  // a root has no unit of its own
+    if (term.unit.find('.') != std::string::npos) continue;  // a root has no unit of its own
     const Unit whole = unit_on(robot_of(kind), law.parameters[0].unit);
-    const std::optional<Unit> expected = parse_unit(force_unit + "/(" + feature.unit + ")");
+    const std::optional<Unit> expected = parse_unit(force_unit + "/(" + term.unit + ")");
     ASSERT_TRUE(expected);
-    EXPECT_TRUE(whole.same_dimension(*expected)) << law.parameters[0].unit << " for " << feature.unit;
+    EXPECT_TRUE(whole.same_dimension(*expected)) << law.parameters[0].unit << " for " << term.unit;
   }
 }
 

@@ -155,35 +155,6 @@ TEST(FigureLayout, HoldsNamesOfRevisionsBelowTheAxis) {
   EXPECT_EQ(turned, 8);
 }
 
-Diagnosis formula_found() {
-  Diagnosis diagnosis = three_found();
-  diagnosis.verdict = Verdict::not_in_library;
-  diagnosis.horizons.clear();
-  diagnosis.chance_95 = 6.0;
-  diagnosis.answer_gain = {118.0, 9.0, 100.0, 136.0};
-  diagnosis.free_force_gain = {300.0, 9.0, 282.0, 318.0};
-  diagnosis.formulas = {{"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0105, 0.0003}}, {400.0, 9.0, 382.0, 418.0}}};
-  return diagnosis;
-}
-
-TEST(RankingPicture, HasTheFormulaThatWonFirst) {
-  const std::string svg = ranking_of(formula_found(), "bench");
-  EXPECT_THAT(svg, HasSubstr(">answer<"));
-  double formula = -1.0, candidate = -1.0;
-  for (const DrawnText& one : texts_of(svg)) {
-    if (one.text.find("-0.0105*v*abs(v) N*m") != std::string::npos) formula = one.y;
-    if (one.text.find("coulomb_friction") != std::string::npos && candidate < 0.0) candidate = one.y;
-  }
-  EXPECT_GT(formula, 0.0);
-  EXPECT_LT(formula, candidate) << "px from the top";
-}
-
-TEST(RankingPicture, LeavesOutAFormulaForWhatTheAnswerLeaves) {
-  Diagnosis diagnosis = formula_found();
-  diagnosis.formulas_of_rest = true;
-  EXPECT_THAT(ranking_of(diagnosis, "bench"), Not(HasSubstr("abs(v)"))) << "it is judged under another noise";
-}
-
 TEST(RankingPicture, NamesNoAnswerWhereNothingIsMissing) {
   Diagnosis diagnosis = three_found();
   diagnosis.verdict = Verdict::nothing_missing;

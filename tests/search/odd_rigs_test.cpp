@@ -1,7 +1,7 @@
 #include "config/experiment_reader.h"
 #include "diagnosis/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
-#include "search/find_missing.h"
+#include "search/effect_search.h"
 
 #include <gtest/gtest.h>
 
@@ -39,32 +39,17 @@ TEST_P(OddRigs, TellTheirDryFriction) {
   experiment.noise = {};
   experiment.model.effects = {};
   const ModelDefinition definition = define_model(experiment, built_catalog());
-  const Missing missing =
-      find_missing(Ground({.experiment = experiment,
-                           .catalog = built_catalog(),
-                           .trials = GetParam().trials,
-                           .values = definition.start_values(),
-                           .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque"},
-                           .threads = 2}));
-  const RankedSet& answer = missing.ranking[missing.answer];
-  EXPECT_EQ(name_of_set(answer.model.added), "coulomb_friction @ joint.hinge");
+  const SearchResult found =
+      search_effects({.experiment = experiment,
+                      .catalog = built_catalog(),
+                      .trials = GetParam().trials,
+                      .values = definition.start_values(),
+                      .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque"},
+                      .threads = 2});
+  EXPECT_EQ(found.sets[found.decision.answer].judged.members, std::set<std::string>{"coulomb_friction @ joint.hinge"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, OddRigs, testing::ValuesIn(odd_rigs()), [](const auto& rig) { return rig.param.name; });
-
-/// Of a joint that never moves no prediction can be judged.
-TEST(OddRig, ThatNeverMovesTellsNothing) {
-  Experiment experiment = read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml");
-  experiment.noise = {};
-  experiment.model.effects = {};
-  const std::vector<Trial> trials = {recorded({.friction = 5.0}, "one.csv", multisine, 2.0, 3)};
-  const ModelDefinition definition = define_model(experiment, built_catalog());
-  EXPECT_THROW(Ground({.experiment = experiment,
-                       .catalog = built_catalog(),
-                       .trials = trials,
-                       .values = definition.start_values()}),
-               NothingPredictable);
-}
 
 }  // namespace
 }  // namespace lacuna

@@ -29,13 +29,11 @@ struct KnownFigure {
 };
 
 /// Those that say most first.
-constexpr std::array kFigures = {KnownFigure{"lead", 1.0},           KnownFigure{"improved", 1.0},
-                                 KnownFigure{"left", -1.0},          KnownFigure{"structure", -1.0},
-                                 KnownFigure{"log_error", -1.0},     KnownFigure{"log_lead", 1.0},
-                                 KnownFigure{"sureness", 1.0},       KnownFigure{"log_gain", 1.0},
-                                 KnownFigure{"look_alikes", -1.0},   KnownFigure{"further_effects", -1.0},
-                                 KnownFigure{"unsteady", -1.0},      KnownFigure{"surprise", 1.0},
-                                 KnownFigure{"log_base_error", -1.0}};
+constexpr std::array kFigures = {KnownFigure{"lead", 1.0},         KnownFigure{"left", -1.0},
+                                 KnownFigure{"share", 1.0},        KnownFigure{"sureness", 1.0},
+                                 KnownFigure{"log_gain", 1.0},     KnownFigure{"look_alikes", -1.0},
+                                 KnownFigure{"all_lengths", -1.0}, KnownFigure{"further_effects", -1.0},
+                                 KnownFigure{"surprise", 1.0},     KnownFigure{"base_cost", -1.0}};
 
 /// Figures that all of them have, as many as there are cases for.
 std::vector<KnownFigure> common_evidence(const Verdicts& verdicts) {
@@ -126,10 +124,8 @@ std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::
            "AND j.group_name <> 'contact' ORDER BY v.number, v.version",
            {list_cell(versions), set})) {
     const nlohmann::json diagnosis = nlohmann::json::parse(text(row[6]));
-    const bool by_horizon = !diagnosis.value("horizons", nlohmann::json::array()).empty();
     verdicts.push_back({text(row[0]), text(row[1]), fmt::format("{:g}", real(row[2])), text(row[3]), text(row[4]),
-                        lacuna::calibrated_as(text(row[5]), by_horizon),
-                        diagnosis.value("evidence", lacuna::Evidence{}), real(row[7])});
+                        text(row[5]), diagnosis.value("evidence", lacuna::Evidence{}), real(row[7])});
   }
   return verdicts;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/verdict/calibration.h"
+#include "answer/calibration.h"
 #include "runs/database.h"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace hidden_effects {
 /// A first verdict with what spoke for it, and whether it is right (view `verdict_right`).
 struct JudgedVerdict {
   std::string rig, noise, strength, effect, form;  ///< of the case, as `FigureValue` has them
-  std::string verdict;                             ///< as `lacuna::calibrated_as` names it
+  std::string verdict;
   lacuna::Evidence evidence;
   double is_right = 0.0;
 };

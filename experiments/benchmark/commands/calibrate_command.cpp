@@ -88,7 +88,7 @@ void add_calibrate_command(CLI::App& program) {
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
       ->check(not_empty())
       ->option_text("TEXT");
-  command->add_option("--out", options->out, "File to write: platform/diagnosis/verdict/calibration.json")
+  command->add_option("--out", options->out, "File to write: platform/answer/calibration.json")
       ->required()
       ->option_text("FILE");
   command->callback([options] { calibrate(*options); });

@@ -1,10 +1,12 @@
 #include "measured_rigs/set_scores.h"
 
 #include "app/workspace/rig.h"
-#include "search/set_starts.h"
+#include "prediction/settled_errors.h"
+#include "search/effect_look.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -23,29 +25,54 @@ std::vector<std::string> effect_names(const std::vector<std::vector<std::string>
   return {names.begin(), names.end()};
 }
 
-/// A set with one of these effects more, the one that promises most; null: none promises anything.
-const FittedSet* grown(const Ground& ground, ModelSets& sets, const FittedSet& from, std::vector<std::string>& left) {
-  const Look look = look_beside(ground, from.model, from.all.fit);
-  for (const Promise& promise : look.promises) {
-    const std::string name = name_of_set({look.hypotheses[promise.hypothesis].entry});
-    const auto wanted = std::find(left.begin(), left.end(), name);
-    if (wanted == left.end()) continue;
-    left.erase(wanted);
-    const StartedSet started = with_promised(ground, from, look, promise);
-    const std::string longer = name_of_set(started.model.added);
-    if (!sets.find(longer)) sets.fit(started.model, started.ways);
-    return &sets.finish(longer);
+/// Fits sets of effects by name, each where it promises most.
+class NamedSets {
+ public:
+  explicit NamedSets(const EffectSearchTask& task) : data_(task), models_(data_, data_.deciding(), kept_) {
+    if (!models_.fit({}, {{}})) return;
+    look_ = look_at_library(data_, models_.base(), data_.deciding());
   }
-  return nullptr;
-}
 
-double held_out_cost(const Ground& ground, ModelSets& sets, std::vector<std::string> effects) {
-  const FittedSet* set = &sets.base();
-  while (set && set->all.valid() && !effects.empty()) set = grown(ground, sets, *set, effects);
-  if (!set || !set->all.valid()) return kNoScore;
-  const HorizonErrors errors = held_out_errors(ground, set->model);
-  return errors.valid ? errors.cost : kNoScore;
-}
+  double held_out_cost(std::vector<std::string> effects) {
+    const FittedModel* set = models_.find({});
+    while (set && !effects.empty()) set = grown(*set, effects);
+    const PredictionLadder ladder = data_.held_out();
+    if (!set || ladder.stretches.empty()) return kNoScore;
+    const ModelBench bench = data_.bench_for(set->model);
+    LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data_.starts(),
+                                  changes_readings(set->model.definition));
+    const std::optional<Eigen::VectorXd> left = settled_errors(predictions, set->fit.point.values);
+    if (!left) return kNoScore;
+    double cost = 0.0;
+    for (std::size_t c = 0; c < ladder.layout.cells.size(); ++c)
+      if (const double weight = ladder.layout.cells[c].weight; weight > 0.0)
+        cost += weight * cost_of_mean_square((*left)(static_cast<Eigen::Index>(c)));
+    return cost;
+  }
+
+ private:
+  /// A set with one of these effects more, the one that promises most; null: none promises anything.
+  const FittedModel* grown(const FittedModel& from, std::vector<std::string>& left) {
+    EffectLook beside;
+    if (!from.model.added.empty()) beside = look_beside(data_, from, look_);
+    const EffectLook& look = from.model.added.empty() ? look_ : beside;
+    for (const EffectPromise& promise : look.promises) {
+      const EffectEntry& entry = look.hypotheses[promise.hypothesis].entry;
+      const auto wanted = std::find(left.begin(), left.end(), entry.effect);
+      if (wanted == left.end()) continue;
+      left.erase(wanted);
+      std::vector<EffectEntry> added = from.model.added;
+      added.push_back(entry);
+      return models_.fit(added, {start_of_fit(data_, from, look, promise)});
+    }
+    return nullptr;
+  }
+
+  SearchData data_;
+  KeptFits kept_;
+  FittedModels models_;
+  EffectLook look_;
+};
 
 }  // namespace
 
@@ -54,13 +81,12 @@ std::vector<double> held_out_costs(const std::filesystem::path& experiment,
   CommonOptions options;
   options.experiment = experiment.string();
   const Rig rig = open_rig(options);
-  MissingTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
   task.among = effect_names(sets);
   task.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const Ground ground(task);
-  ModelSets fitted(ground);
+  NamedSets fitted(task);
   std::vector<double> costs;
-  for (const std::vector<std::string>& set : sets) costs.push_back(held_out_cost(ground, fitted, set));
+  for (const std::vector<std::string>& set : sets) costs.push_back(fitted.held_out_cost(set));
   return costs;
 }
 

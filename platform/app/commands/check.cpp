@@ -5,7 +5,6 @@
 #include "app/workspace/rig.h"
 #include "app/workspace/scale_note.h"
 #include "config/file_references.h"
-#include "diagnosis/rounds/cut_trials.h"
 #include "evaluation/trial_predictor.h"
 #include "fitting/disturbance.h"
 
@@ -36,7 +35,6 @@ std::vector<Problem> obstacles(const CheckOptions& options, const Rig& rig) {
   try {
     const TrialPredictor every_trial_suits_the_model(*rig.model, rig.trials, 1);
     disturbed_joints(rig.definition.structure.robot, rig.experiment.noise);
-    check_segment(rig.experiment.diagnosis.segment, rig.trials);
   } catch (const Error& error) {
     problems.push_back({file, error.what()});
   }

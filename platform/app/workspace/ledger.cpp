@@ -2,7 +2,7 @@
 
 #include "app/workspace/records.h"
 #include "app/workspace/used_plugins.h"
-#include "documents/unfinished_search_json.h"
+#include "documents/kept_fits_json.h"
 #include "foundation/interrupt.h"
 #include "storage/core/storage_error.h"
 
@@ -83,8 +83,7 @@ void Ledger::keep_stopped(const StoredRevision& revision, const Rig& rig, const 
 
 /// A diagnosis also follows from the effects that there are to try, and from the declared noise.
 std::string Ledger::settings(const Rig& rig, const std::vector<std::string>& among) const {
-  std::string text = settings(rig) + fmt::format(" diagnosis segments {} among [{}]", rig.experiment.diagnosis.segment,
-                                                 fmt::join(among, ","));
+  std::string text = settings(rig) + fmt::format(" diagnosis among [{}]", fmt::join(among, ","));
   const NoiseSection& noise = rig.experiment.noise;
   for (const auto& [joint, deviation] : noise.process)
     text += fmt::format(" process {} {} {}", joint, deviation, noise.process_correlation_time);
@@ -104,14 +103,14 @@ void Ledger::keep(const StoredRevision& revision, const Rig& rig, const std::vec
 }
 
 void Ledger::keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
-                             const UnfinishedSearch& search) {
-  store_.keep_unfinished_diagnosis(revision.id, settings(rig, among), unfinished_search_json(search));
+                             const KeptFits& fits) {
+  store_.keep_unfinished_diagnosis(revision.id, settings(rig, among), kept_fits_json(fits));
 }
 
-std::optional<UnfinishedSearch> Ledger::unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
-                                                             const std::vector<std::string>& among) const {
+std::optional<KeptFits> Ledger::unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                                     const std::vector<std::string>& among) const {
   const std::optional<std::string> document = store_.unfinished_diagnosis_of(revision.id, settings(rig, among));
-  return document ? read_unfinished_search(*document) : std::nullopt;
+  return document ? read_kept_fits(*document) : std::nullopt;
 }
 
 std::vector<TrialId> Ledger::ids_of(const std::vector<Trial>& trials, const ModelDefinition& definition) {

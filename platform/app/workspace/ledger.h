@@ -1,10 +1,11 @@
 #pragma once
 
+#include "answer/diagnosis.h"
 #include "app/terminal/options.h"
 #include "app/workspace/rig.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
-#include "search/unfinished_search.h"
+#include "search/kept_fits.h"
 #include "storage/results/result_store.h"
 
 #include <functional>
@@ -56,9 +57,9 @@ class Ledger {
                     const Diagnosis& diagnosis);
   /// Where that diagnosis stands, for a later call to go on from.
   void keep_unfinished(const StoredRevision& revision, const Rig& rig, const std::vector<std::string>& among,
-                       const UnfinishedSearch& search);
-  std::optional<UnfinishedSearch> unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
-                                                       const std::vector<std::string>& among) const;
+                       const KeptFits& fits);
+  std::optional<KeptFits> unfinished_diagnosis(const StoredRevision& revision, const Rig& rig,
+                                               const std::vector<std::string>& among) const;
 
   /// Counts a look at the held-out trials before anything of them is shown.
   int count_look(const StoredRevision& revision);

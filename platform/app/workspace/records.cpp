@@ -159,8 +159,7 @@ ComparisonRecord comparison_record(const Comparison& comparison, const std::vect
 }
 
 DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& settings) {
-  const std::optional<DiagnosisMethod> method = method_of(diagnosis);
-  const bool is_left_out = method == DiagnosisMethod::likelihood, is_fitted = method == DiagnosisMethod::horizon;
+  const std::optional<DiagnosisMethod>& method = diagnosis.method;
   DiagnosisRecord record{.settings = settings,
                          .verdict = std::string(to_string(diagnosis.verdict)),
                          .method = method ? std::optional(std::string(to_string(*method))) : std::nullopt,
@@ -168,8 +167,8 @@ DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& 
                          .calibrated = diagnosis.calibrated,
                          .chance = diagnosis.p_by_chance.value_or(kNotKnown),
                          .hypotheses = static_cast<std::int64_t>(diagnosis.hypotheses),
-                         .base_times_floor = is_left_out ? diagnosis.base_times_floor : kNotKnown,
-                         .base_fitted_times_floor = is_fitted ? diagnosis.base_times_floor : kNotKnown,
+                         .base_times_floor = kNotKnown,
+                         .base_fitted_times_floor = method ? diagnosis.base_times_floor : kNotKnown,
                          .document = diagnosis_json(diagnosis),
                          .candidates = {}};
   for (const RankedModel& model : diagnosis.ranking) {
@@ -178,9 +177,9 @@ DiagnosisRecord diagnosis_record(const Diagnosis& diagnosis, const std::string& 
                               .gain = model.gain.value,
                               .gain_lower = model.gain.lower_95,
                               .gain_upper = model.gain.upper_95,
-                              .times_floor = is_left_out ? model.times_floor : kNotKnown,
-                              .fitted_times_floor = is_fitted ? model.times_floor : kNotKnown,
-                              .probability = model.probability.value_or(kNotKnown),
+                              .times_floor = kNotKnown,
+                              .fitted_times_floor = model.times_floor,
+                              .probability = kNotKnown,
                               .values = {}};
     for (const FoundEffect& effect : model.effects) {
       candidate.effects.push_back(to_string(EffectAtPlace{effect.effect, effect.where}));

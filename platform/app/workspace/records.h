@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/workspace/rig.h"
-#include "diagnosis/findings/diagnosis.h"
+#include "answer/diagnosis.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "storage/core/records.h"

@@ -192,4 +192,8 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
   return all;
 }
 
+std::string member_name(const EffectEntry& entry) {
+  return entry.effect + " @ " + (entry.where.empty() ? "world" : entry.where.front());
+}
+
 }  // namespace lacuna

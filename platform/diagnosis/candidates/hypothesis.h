@@ -33,6 +33,9 @@ bool is_length(const FreeValue& free);
 /// elsewhere.
 bool has_place(const Hypothesis& hypothesis);
 
+/// "coulomb_friction @ joint.hinge".
+std::string member_name(const EffectEntry& entry);
+
 /// Why an effect is not tested.
 struct Untestable {
   std::string effect;

@@ -68,9 +68,4 @@ std::vector<std::string> limits_among(const std::vector<Doubt>& doubts) {
   return sentences_of(Severity::too_little, doubts);
 }
 
-bool too_little_for_likelihoods(const std::vector<Doubt>& doubts) {
-  return std::any_of(doubts.begin(), doubts.end(),
-                     [](const Doubt& doubt) { return doubt.severity == Severity::too_little; });
-}
-
 }  // namespace lacuna

@@ -19,7 +19,4 @@ std::vector<std::string> faults_among(const std::vector<Doubt>& doubts);
 /// The sentences of those that limit what the recordings can tell, and make no figure wrong.
 std::vector<std::string> limits_among(const std::vector<Doubt>& doubts);
 
-/// Whether likelihoods tell nothing from so little data.
-bool too_little_for_likelihoods(const std::vector<Doubt>& doubts);
-
 }  // namespace lacuna

@@ -1,6 +1,6 @@
 #include "diagnosis/experiment_design/propose_test.h"
 
-#include "diagnosis/refit/timing.h"
+#include "diagnosis/candidates/timing.h"
 #include "evaluation/test_space.h"
 
 #include <fmt/format.h>
@@ -15,18 +15,16 @@ namespace {
 constexpr double kLongest = 10.0;  ///< s
 constexpr int kEvaluations = 24, kMoreForASetup = 8;
 constexpr std::size_t kMostPaidFor = 4;  ///< setups; more of them share the budget
-constexpr double kWorthwhile = 1.0;      ///< nats a trial: less is not worth a trip to the rig
-constexpr double kMostTrips = 20.0;
 
 /// Its timing beside its values where that was fitted, too.
 RivalModel rival(const FittedRival& one, const CompiledModel& model, double command_interval) {
-  RivalModel rival{one.name, one.definition, model, one.fit.values, {}};
-  if (one.fit.timing) {
+  RivalModel rival{one.name, one.definition, model, one.values, {}};
+  if (one.timing) {
     rival.command_interval = command_interval;
-    rival.command_shift = *one.fit.timing;
+    rival.command_shift = *one.timing;
   }
   const Eigen::Index fitted = rival.coordinates();
-  rival.covariance = one.fit.covariance.topLeftCorner(fitted, fitted);
+  rival.covariance = one.covariance.topLeftCorner(fitted, fitted);
   return rival;
 }
 
@@ -37,25 +35,7 @@ double longest(const std::vector<Trial>& trials) {
   return std::min(most, kLongest);
 }
 
-/// Whether a test tells enough for a trip to the rig, and more than a random one does.
-bool worthwhile(const NextTest& test) {
-  return test.nats > test.random_nats && test.nats > kWorthwhile && test.trials <= kMostTrips;
-}
-
 }  // namespace
-
-void state_next_test(const std::optional<NextTest>& test, Diagnosis& diagnosis) {
-  if (!test) return;
-  if (!worthwhile(*test)) {
-    diagnosis.findings.push_back(
-        fmt::format("no test like these was found that would tell {} from {}; other commands or one more sensor may",
-                    test->rivals[0], test->rivals[1]));
-    return;
-  }
-  diagnosis.next_test = test->line;
-  diagnosis.next_test_setup = test->setup;
-  diagnosis.next_test_worth = to_string(*test);
-}
 
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
                                      const FittedRival& other, const std::vector<Trial>& trials,

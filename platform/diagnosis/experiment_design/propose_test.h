@@ -3,11 +3,11 @@
 #include "config/experiment.h"
 #include "diagnosis/experiment_design/next_test.h"
 #include "diagnosis/experiment_design/test_conditions.h"
-#include "diagnosis/findings/diagnosis.h"
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
@@ -15,7 +15,9 @@ namespace lacuna {
 struct FittedRival {
   std::string name;
   const ModelDefinition& definition;
-  const Refit& fit;
+  std::vector<double> values;    ///< of its free values, SI
+  std::optional<double> timing;  ///< of commands, in their intervals; nothing: it was not fitted
+  Eigen::MatrixXd covariance;    ///< of the values' coordinates, the timing's last
 };
 
 /// How the test begins and is read, given the s between its readings.
@@ -27,8 +29,5 @@ using ConditionsAt = std::function<TestConditions(double period)>;
 std::optional<NextTest> propose_test(const PluginCatalog& catalog, const Experiment& experiment, const FittedRival& one,
                                      const FittedRival& other, const std::vector<Trial>& trials,
                                      const ConditionsAt& conditions_at, std::uint64_t seed, int threads);
-
-/// What a diagnosis says of a proposal: the test, or that none is worth it; nothing where none was made.
-void state_next_test(const std::optional<NextTest>& test, Diagnosis& diagnosis);
 
 }  // namespace lacuna

@@ -1,6 +1,6 @@
 #include "diagnosis/experiment_design/rival_predictor.h"
 
-#include "diagnosis/refit/timing.h"
+#include "diagnosis/candidates/timing.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr std::array kWindows = {0.1, 0.2, 0.4};  // s
-constexpr double kClear = 3.0;                    // an acceleration over the deviation of its noise
+constexpr double kClearlySeen = 3.0;              // an acceleration over the deviation of its noise
 constexpr double kCloseState = 0.1;      // a free run's error over the motion, which leaves the state as good as true
 constexpr Eigen::Index kFewestHalf = 4;  // samples on either side
 constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
@@ -45,7 +45,7 @@ double horizon_for(const Comparison& comparison, const FeatureTable& table) {
   const bool close = std::all_of(comparison.trials.begin(), comparison.trials.end(), [](const TrialComparison& trial) {
     return trial.held_out || !trial.valid ||
            std::all_of(trial.channels.begin(), trial.channels.end(), [](const ChannelScore& score) {
-             return score.samples == 0 || score.normalised_rmse < kCloseState || score.times_floor < kClear;
+             return score.samples == 0 || score.normalised_rmse < kCloseState || score.times_floor < kClearlySeen;
            });
   });
   if (close) return 0.0;
@@ -90,7 +90,7 @@ Local local(const Eigen::VectorXd& times, const Eigen::VectorXd& residual, Eigen
 }
 
 /// The residual of a trial's channel, and where its stretches begin.
-struct Source {
+struct AccelerationSource {
   const TrialComparison* trial = nullptr;
   Eigen::VectorXd residual;
   std::vector<Eigen::Index> starts;  ///< ascending; the first and one past the last sample included
@@ -110,12 +110,12 @@ struct Source {
   }
 };
 
-Source source_of(const TrialComparison& trial, std::size_t channel, double horizon) {
+AccelerationSource source_of(const TrialComparison& trial, std::size_t channel, double horizon) {
   const auto column = static_cast<Eigen::Index>(channel);
   if (horizon == 0.0) return {&trial, trial.residuals.col(column), {trial.first_scored, trial.residuals.rows()}};
   for (const HorizonScore& score : trial.horizons) {
     if (score.horizon != horizon) continue;
-    Source source{&trial, score.residuals.col(column), score.restarts};
+    AccelerationSource source{&trial, score.residuals.col(column), score.restarts};
     source.starts.push_back(score.residuals.rows());
     return source;
   }
@@ -130,7 +130,7 @@ UnexplainedAcceleration of_channel(const Comparison& comparison, const FeatureTa
                                  Eigen::VectorXd::Constant(rows, kNotTold),
                                  Eigen::MatrixXd::Constant(rows, order, kNotTold)};
   if (order == 1 && channel.unit.ends_with("/s")) result.channel.unit = channel.unit + "^2";
-  Source source;
+  AccelerationSource source;
   double floor = kNotTold;
   for (Eigen::Index row = 0; row < rows; ++row) {
     const TrialComparison& trial = comparison.trials[table.trial[static_cast<std::size_t>(row)]];
@@ -179,7 +179,7 @@ Accelerations unexplained_accelerations(const RobotSpec& robot, const Comparison
       UnexplainedAcceleration one = of_channel(comparison, table, channel, order, result.horizon, window);
       const double clear = clearness(one);
       if (std::isfinite(clear)) chosen = std::move(one);
-      if (clear >= kClear) break;
+      if (clear >= kClearlySeen) break;
     }
     if (chosen) result.channels.push_back(std::move(*chosen));
   }

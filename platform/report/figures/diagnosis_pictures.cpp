@@ -85,25 +85,19 @@ std::string name_of(const RankedModel& model) {
   return fmt::format("{}", fmt::join(names, " + "));
 }
 
-/// A bar of the ranking: a candidate or the formula of a force.
+/// A bar of the ranking.
 struct RankedRow {
   std::string name;
   Gain gain;
   bool is_answer = false;
 };
 
-/// The candidates, and the formula of a force that was judged under the same noise: the answer first.
+/// The candidates, the answer first.
 std::vector<RankedRow> ranked_rows(const Diagnosis& diagnosis) {
-  const bool outside = diagnosis.verdict == Verdict::not_in_library;
-  const bool first = outside ? answer_comes_first(diagnosis) : diagnosis.verdict == Verdict::effect_found;
   std::vector<RankedRow> rows;
   for (const RankedModel& model : diagnosis.ranking)
-    if (rows.size() < kMostRanked) rows.push_back({name_of(model), model.gain, first && rows.empty()});
-  if (!outside || diagnosis.formulas.empty() || diagnosis.formulas_of_rest || !diagnosis.horizons.empty()) return rows;
-  const ForceFormula& formula = diagnosis.formulas.front();
-  const RankedRow row{fmt::format("force on joint.{}: {} {}", formula.joint, formula.text(), formula.unit),
-                      formula.gain, !first};
-  rows.insert(first ? rows.end() : rows.begin(), row);
+    if (rows.size() < kMostRanked)
+      rows.push_back({name_of(model), model.gain, diagnosis.verdict == Verdict::effect_found && rows.empty()});
   return rows;
 }
 
@@ -134,11 +128,7 @@ Figure ranking_figure(const Diagnosis& diagnosis, const std::string& title) {
   if (panel.series.front().x.empty()) panel.series[1].label = "held-out gain";  // no answer
   for (const RankedRow& row : rows) panel.y_names.push_back(row.name);
   std::string label = "how much lower the mean log error is than the model's, where not fitted [nats; 0.69: half]";
-  if (diagnosis.horizons.empty()) label = "held-out log likelihood over the model [nats]";
-  if (const std::optional<double>& chance = diagnosis.chance_95) {
-    const double end = static_cast<double>(rows.size()) - 0.5;
-    panel.series.push_back({"chance, 95 %", Mark::path, kOrange, {*chance, *chance}, {-0.5, end}, {}});
-  }
+  if (diagnosis.method == DiagnosisMethod::likelihood) label = "held-out log likelihood over the model [nats]";
   Figure figure{fmt::format("{} · {}", title, verdict_text(diagnosis)), label, {panel}};
   figure.height = 200 + 44 * static_cast<int>(rows.size());
   return figure;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/findings/diagnosis.h"
+#include "answer/diagnosis.h"
 
 #include <filesystem>
 #include <string>

@@ -41,11 +41,9 @@ std::string change_text(double before, double after, const std::string& unit) {
   return fmt::format("{} → {}", format_quantity(before, unit, 3), format_quantity(after, unit, 3));
 }
 
-/// Errors by horizon: of the model as it is and with the answer, fitted and held out. One that helps at some horizons
-/// alone is shown, too, though it is no verdict.
+/// Errors by horizon: of the model as it is and with the answer, fitted and held out.
 std::string horizons_text(const Diagnosis& diagnosis) {
-  const bool is_doubted = diagnosis.verdict == Verdict::cannot_tell && gained(diagnosis.answer_gain) > 0.0;
-  const bool has_answer = diagnosis.verdict == Verdict::effect_found || is_doubted;
+  const bool has_answer = diagnosis.verdict == Verdict::effect_found;
   std::vector<std::vector<std::string>> rows = {{"error of predictions", "fit", "", "held out", "", "floor"}};
   for (const HorizonError& one : diagnosis.horizons) {
     const std::string what = fmt::format("{} over {}", one.channel, format_quantity(one.horizon, "s", 2));
@@ -84,55 +82,41 @@ std::string answer_text(const RankedModel& answer) {
   return text;
 }
 
-std::vector<std::string> row_by_horizon(std::size_t rank, const RankedModel& model) {
-  return {std::to_string(rank), names_text(model), smaller_text(model.gain),
-          fmt::format("{:.3g} × floor", model.times_floor)};
-}
+/// Gains of earlier versions' likelihoods are no errors.
+bool is_by_likelihood(const Diagnosis& diagnosis) { return diagnosis.method == DiagnosisMethod::likelihood; }
 
-/// Errors over segments of another length than the answer's, `segment` s, are no measure beside its own.
-std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, double segment) {
-  std::string error = "over " + format_quantity(model.segment, "s");
-  if (model.segment == segment)
-    error = std::isfinite(model.times_floor) ? fmt::format("{:.2f} × floor", model.times_floor) : "–";
-  return {std::to_string(rank), names_text(model), gain_text(model.gain) + " nats", error};
+std::vector<std::string> row_of(std::size_t rank, const RankedModel& model, bool by_likelihood) {
+  const std::string error = std::isfinite(model.times_floor) ? fmt::format("{:.3g} × floor", model.times_floor) : "–";
+  return {std::to_string(rank), names_text(model),
+          by_likelihood ? gain_text(model.gain) + " nats" : smaller_text(model.gain), error};
 }
 
 std::string ranking_text(const Diagnosis& diagnosis) {
-  const bool by_horizon = !diagnosis.horizons.empty();
+  const bool by_likelihood = is_by_likelihood(diagnosis);
   std::vector<std::vector<std::string>> rows = {
-      {"", "", by_horizon ? "error where not fitted" : "gain held out", by_horizon ? "fitted" : "error"}};
+      {"", "", by_likelihood ? "gain held out" : "error where not fitted", by_likelihood ? "error" : "fitted"}};
   for (std::size_t i = 0; i < std::min(kMostShown, diagnosis.ranking.size()); ++i)
-    rows.push_back(by_horizon ? row_by_horizon(i + 1, diagnosis.ranking[i])
-                              : row_of(i + 1, diagnosis.ranking[i], diagnosis.ranking.front().segment));
-  if (diagnosis.verdict == Verdict::nothing_missing || diagnosis.ranking.empty()) return text_table(rows, 2);
+    rows.push_back(row_of(i + 1, diagnosis.ranking[i], by_likelihood));
   const std::string table = text_table(rows, 2);
+  if (diagnosis.verdict != Verdict::effect_found) return diagnosis.ranking.empty() ? "" : table;
   const std::size_t first_end = table.find('\n', table.find('\n') + 1) + 1;
   return table.substr(0, first_end) + answer_text(diagnosis.ranking.front()) + table.substr(first_end);
-}
-
-std::string noise_text(const Diagnosis& diagnosis) {
-  std::vector<std::string> parts;
-  for (const ChannelError& channel : diagnosis.base)
-    parts.push_back(channel.channel + " " + format_quantity(channel.floor, channel.unit));
-  for (const RandomForce& force : diagnosis.forces)
-    parts.push_back(fmt::format("random force on {} {} over {:.3g} ms", force.joint,
-                                format_quantity(force.deviation, force.unit), 1e3 * force.duration));
-  return fmt::format("noise of what is compared (means of readings where there are many): {}\n",
-                     fmt::join(parts, ", "));
 }
 
 std::string formula_text(const Diagnosis& diagnosis) {
   std::string text;
   for (const ForceFormula& formula : diagnosis.formulas)
-    text += fmt::format("force on joint.{}: {} {}   {} nats held out\n", formula.joint, formula.text(), formula.unit,
-                        gain_text(formula.gain));
+    text += fmt::format("force on joint.{}: {} {}   {}\n", formula.joint, formula.text(), formula.unit,
+                        is_by_likelihood(diagnosis) ? gain_text(formula.gain) + " nats held out"
+                                                    : smaller_text(formula.gain) + " error where not fitted");
   return text;
 }
 
 /// The ranking and, where there is one, the formula: what is to be added first stands first.
 std::string answers_text(const Diagnosis& diagnosis) {
   if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
-  if (answer_comes_first(diagnosis)) return ranking_text(diagnosis) + "what is left:\n" + formula_text(diagnosis);
+  if (diagnosis.verdict == Verdict::effect_found)
+    return ranking_text(diagnosis) + "what is left:\n" + formula_text(diagnosis);
   return formula_text(diagnosis) + "what the library comes to beside it:\n" + ranking_text(diagnosis);
 }
 
@@ -148,32 +132,12 @@ std::string untestable_text(const Diagnosis& diagnosis) {
   return text;
 }
 
-std::string figure_text(double value, FigureUnit unit) {
-  switch (unit) {
-    case FigureUnit::percent: return fmt::format("{:.1f} %", 100.0 * value);
-    case FigureUnit::nats: return fmt::format("{:.1f} nats", value);
-    case FigureUnit::chance: return fmt::format("p {:.2g}", value);
-    case FigureUnit::times_floor: return fmt::format("{:.2f} × floor", value);
-  }
-  return "";
-}
-
-std::string thresholds_text(const Diagnosis& diagnosis) {
-  std::string text;
-  for (const AtThreshold& near : diagnosis.at_threshold) text += threshold_text(near) + "\n";
-  return text;
-}
-
-/// What likelihoods tell.
+/// What was tried, and whether chance does as much.
 std::string chance_text(const Diagnosis& diagnosis) {
-  std::string text;
-  if (diagnosis.chance_95 && diagnosis.p_by_chance)
-    text = fmt::format("chance: best of {} stays below {:.1f} nats (95 %) · p {:.2g} · model alone {:.2f} × floor\n",
-                       diagnosis.hypotheses, *diagnosis.chance_95, *diagnosis.p_by_chance, diagnosis.base_times_floor);
-  if (diagnosis.free_force_gain && diagnosis.free_force_p)
-    text += fmt::format("a force of any form would add {} nats (p {:.2g})\n", gain_text(*diagnosis.free_force_gain),
-                        *diagnosis.free_force_p);
-  return text + noise_text(diagnosis);
+  std::string text = fmt::format("{} effects were tried", diagnosis.hypotheses);
+  if (diagnosis.p_by_chance)
+    text += fmt::format("; chance alone does as much as the best of them with p {:.2g}", *diagnosis.p_by_chance);
+  return text + fmt::format("; the model alone has an error of {:.3g} × floor\n", diagnosis.base_times_floor);
 }
 
 /// In a setup the commands alone are not the test, so that the line to type names it, too.
@@ -190,13 +154,13 @@ std::string next_test_text(const Diagnosis& diagnosis, const std::string& file, 
 /// The commands that add what was found.
 std::string add_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options) {
   std::string text;
-  const bool outside = diagnosis.verdict == Verdict::not_in_library, most = answer_comes_first(diagnosis);
-  if (outside && !most && !diagnosis.formulas.empty())
+  if (diagnosis.verdict == Verdict::not_in_library && !diagnosis.formulas.empty())
     text +=
         fmt::format("→ lacuna plugins new effect NAME --formula {}\n", shell_word(diagnosis.formulas.front().text()));
-  if (diagnosis.verdict == Verdict::effect_found && diagnosis.ranking.front().effects.size() > 1)
-    return text + fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
-  if (diagnosis.verdict == Verdict::effect_found || (outside && most))
+  if (diagnosis.verdict != Verdict::effect_found) return text;
+  if (diagnosis.ranking.front().effects.size() > 1)
+    text += fmt::format("→ lacuna add {} --answer{}\n", shell_word(file), options);
+  else
     for (const FoundEffect& effect : diagnosis.ranking.front().effects)
       text += fmt::format("→ lacuna add {} {}{}{}\n", shell_word(file), shell_word(effect.effect),
                           effect.where == "world" ? "" : " --where " + shell_word(effect.where), options);
@@ -204,16 +168,6 @@ std::string add_text(const Diagnosis& diagnosis, const std::string& file, const 
 }
 
 }  // namespace
-
-std::string threshold_text(const AtThreshold& near) {
-  const std::string threshold = near.unit == FigureUnit::percent ? fmt::format("{:g} %", 100.0 * near.threshold)
-                                                                 : figure_text(near.threshold, near.unit);
-  return fmt::format(
-      "{} is {}, at the threshold of {}: the verdict can change to {} with the last digits of another machine "
-      "({} to {})",
-      near.figure, figure_text(near.value, near.unit), threshold, to_string(near.other),
-      figure_text(near.low, near.unit), figure_text(near.high, near.unit));
-}
 
 std::string verdict_text(const Diagnosis& diagnosis) {
   if (diagnosis.stopped) return fmt::format("{} · preliminary", to_string(diagnosis.verdict));
@@ -229,12 +183,9 @@ std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, 
                ? fmt::format("verdict {}\n{}\n", verdict_text(diagnosis), fmt::join(diagnosis.findings, "\n"))
                : fmt::format("verdict {} · these data allow none\n{}\n", to_string(diagnosis.verdict),
                              fmt::join(diagnosis.findings, "\n"));
-  std::string text = "verdict " + verdict_text(diagnosis) + "\n" + thresholds_text(diagnosis);
+  std::string text = "verdict " + verdict_text(diagnosis) + "\n";
   text += horizons_text(diagnosis) + answers_text(diagnosis);
-  text += diagnosis.horizons.empty()
-              ? chance_text(diagnosis)
-              : fmt::format("{} effects were tried; the model alone has an error of {:.3g} × floor\n",
-                            diagnosis.hypotheses, diagnosis.base_times_floor);
+  text += chance_text(diagnosis);
   if (!diagnosis.values.empty()) text += fmt::format("values: {}\n", parameters_text(diagnosis.values));
   for (const std::string& finding : diagnosis.findings) text += finding + "\n";
   text += untestable_text(diagnosis);

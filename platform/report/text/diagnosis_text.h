@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/findings/diagnosis.h"
+#include "answer/diagnosis.h"
 
 #include <string>
 
@@ -9,13 +9,9 @@ namespace lacuna {
 /// "effect_found · P 0.93 (uncalibrated)", or what it was calibrated on; `cannot_tell` states no probability.
 std::string verdict_text(const Diagnosis& diagnosis);
 
-/// "94.9 %, at the threshold of 95 %: ...": a figure of the verdict that the last digits of another machine may carry
-/// over its threshold.
-std::string threshold_text(const AtThreshold& near);
-
-/// Verdict, ranking with gains and classes, chance, noise, what could not be tested. `file`: the experiment's, for the
-/// command to go on with; `options`: what to type behind it, as in " --db rig.db". `correction`: what a data check says
-/// to write into the file before anything is added; empty: nothing.
+/// Verdict, errors by horizon, ranking with gains and look-alikes, values, findings, what could not be tested. `file`:
+/// the experiment's, for the command to go on with; `options`: what to type behind it, as in " --db rig.db".
+/// `correction`: what a data check says to write into the file before anything is added; empty: nothing.
 std::string diagnosis_text(const Diagnosis& diagnosis, const std::string& file, const std::string& options = "",
                            const std::string& correction = "");
 

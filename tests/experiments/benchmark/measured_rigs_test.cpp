@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 constexpr double kHangs = 300.0;  ///< s, beside other tests
 
-/// Three short ones of the ten; `lacuna-benchmark real` takes all.
+/// A short one of the fifteen; `lacuna-benchmark real` takes all.
 TEST(MeasuredRigs, AreDiagnosedRightAndNotTwice) {
   if (!std::getenv("LACUNA_DATA")) GTEST_SKIP() << "LACUNA_DATA is not set";
   const fs::path source = LACUNA_SOURCE_DIRECTORY;
@@ -28,7 +28,7 @@ TEST(MeasuredRigs, AreDiagnosedRightAndNotTwice) {
       read_accepted_answers(source / "experiments/benchmark/measured_rigs/answers.toml");
   std::vector<RigResult> results;
   for (const AcceptedAnswer& one : answers)
-    for (const std::string file : {"single-pendulum.toml", "tennis-ball-drop.toml", "golf-ball-drop.toml"}) {
+    for (const std::string file : {"tennis-ball-drop.toml"}) {
       const auto has = [&](const std::vector<std::string>& files) {
         return std::find(files.begin(), files.end(), file) != files.end();
       };
@@ -37,8 +37,8 @@ TEST(MeasuredRigs, AreDiagnosedRightAndNotTwice) {
       ASSERT_TRUE(results.back().diagnosis) << results.back().failure;
       EXPECT_EQ(grade(one, file, *results.back().diagnosis), Grade::right) << file;
     }
-  ASSERT_EQ(results.size(), 3U);
-  EXPECT_THAT(table_of(results), HasSubstr("2 of 2 rigs right"));
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_THAT(table_of(results), HasSubstr("1 of 1 rigs right"));
   const RigResult again =
       run_rig(*results.front().accepted, results.front().experiment, folder.path(), {.lacuna = "/nowhere"}, "test");
   EXPECT_EQ(again.seconds, results.front().seconds) << "what was done is taken as it is";

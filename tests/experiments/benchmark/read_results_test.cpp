@@ -19,6 +19,7 @@ TEST(ReadDiagnosis, TakesWhatTheProgramWrites) {
   diagnosis.verdict = lacuna::Verdict::effect_found;
   diagnosis.probability = 0.75;
   diagnosis.p_by_chance = 0.01;
+  diagnosis.method = lacuna::DiagnosisMethod::prediction;
   diagnosis.base = {lacuna::ChannelError{}};
   diagnosis.base_times_floor = 3.5;
   diagnosis.seconds = 12.0;

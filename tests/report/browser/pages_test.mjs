@@ -203,7 +203,7 @@ function pagesOf(way, open) {
       assert.match(await page.textContent('main'), /q\^2\*v/);
       assert.match(await page.textContent('.chart .ink-predicted .row-name'), /q\^2\*v/, 'it wins');
       assert.equal(await page.locator('.chart .ink-predicted .row-name').count(), 1);
-      assert.match(await page.textContent('table.grid'), /gain \/ nats.*\+\d{4} ± \d{4}/s);
+      assert.match(await page.textContent('main'), /change of error.*−\d+\.\d % \[/s);
       assert.doesNotMatch(await page.textContent('table.grid'), /weight/);
       await page.locator('button.link', { hasText: 'position' }).first().click();
       await page.waitForFunction(() => document.body.textContent.includes('over position'));

@@ -108,9 +108,9 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
   if (document.verdict !== 'not_in_library' || document.formulas_of_rest) return rows;
   const formulas = document.formulas.slice(0, 1).map((one) => ({
     name: `${one.joint}: ${one.text}`,
-    value: one.gain.value,
-    lower: one.gain.ci95[0],
-    upper: one.gain.ci95[1],
+    value: shown(one.gain.value),
+    lower: shown(one.gain.ci95[0]),
+    upper: shown(one.gain.ci95[1]),
     chosen: !first,
   }));
   return first ? [...rows, ...formulas] : [...formulas, ...rows];
@@ -118,6 +118,8 @@ function rowsOf(document: DiagnosisDocument): ForestRow[] {
 
 /** What the gains are, below their picture. */
 function gainNote(document: DiagnosisDocument): string {
+  if (byHorizon(document) && document.verdict === 'not_in_library' && document.formulas.length > 0)
+    return 'First: the formula below. Change of the error, in the geometric mean over the lengths that decide, beside that of the model alone, where it was not fitted, with 95 % intervals.';
   if (byHorizon(document))
     return 'Change of the error, in the geometric mean over all horizons, beside that of the model alone, where it was not fitted, with 95 % intervals.';
   const first =
@@ -142,7 +144,7 @@ function Ranking({ document }: { document: DiagnosisDocument }) {
       <Figure
         title={outdone ? 'Candidates of the library, none of which is the answer' : 'Candidates'}
         downloads={[{ label: 'CSV', run: () => saveCandidates(document.ranking) }]}
-        note={`Error on what was ${document.method === 'horizon' ? 'fitted' : 'left out'}, in multiples of the noise floor; the model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or not told by these data.`}
+        note={`Error on what was ${byHorizon(document) ? 'fitted' : 'left out'}, in multiples of the noise floor; the model alone: ${times(timesFloor(document.base))}. A value without an interval is at a bound of its range, or not told by these data.`}
       >
         <div class="scrolls">
           <table class="grid">
@@ -267,7 +269,11 @@ function Force({ document }: { document: DiagnosisDocument }) {
             </>
           }
           downloads={[{ label: 'CSV', run: () => saveFormulas(document) }]}
-          title={document.formulas_of_rest ? 'A formula for what the answer leaves' : 'A formula for what is missing'}
+          title={
+            document.formulas_of_rest || document.verdict === 'effect_found'
+              ? 'A formula for what the answer leaves'
+              : 'A formula for what is missing'
+          }
         >
           <div class="scrolls">
             <table class="grid">
@@ -290,7 +296,11 @@ function Force({ document }: { document: DiagnosisDocument }) {
                           .join(' · ')}
                       </span>
                     </td>
-                    <td class="number">{gainText(one.gain)} nats</td>
+                    <td class="number">
+                      {byHorizon(document)
+                        ? errorChangeText({ gain: one.gain.value, gain_ci95: one.gain.ci95 })
+                        : `${gainText(one.gain)} nats`}
+                    </td>
                   </tr>
                 ))}
               </tbody>

@@ -65,9 +65,9 @@ export interface DiagnosisDocument {
   units: Record<string, string>;
   noise_floor: Record<string, number>;
   /** What decided; none where nothing was searched. */
-  method?: 'likelihood' | 'horizon';
+  method?: 'prediction' | 'horizon' | 'likelihood';
   base: RatioToFloor;
-  /** Where errors over horizons decided; `gain` is then how much lower the mean log error is. None in documents of before. */
+  /** `gain` is how much lower the mean log error is, but by likelihood, where there are none. */
   horizons: HorizonError[];
   ranking: Ranked[];
   p_by_chance: number | null;
@@ -100,7 +100,7 @@ export interface DiagnosisRow {
   document: string;
 }
 
-/** As diagnosis/diagnosis_findings.cpp has it. */
+/** Of diagnoses by likelihood. */
 const kMostOfIt = 0.95;
 
 /** Of all that is to be gained; 0 where no effect was found. */
@@ -114,7 +114,8 @@ function shareOfAnswer({ ranking, answer_gain, free_force }: DiagnosisDocument):
 /** Whether the first candidate is the answer, with or without something left over: not where only noise was found, and
  *  not where a force of another form gains more. */
 export function firstIsAnswer(document: DiagnosisDocument): boolean {
-  if (document.verdict !== 'not_in_library') return document.verdict === 'effect_found';
+  if (document.verdict !== 'not_in_library' || document.method === 'prediction')
+    return document.verdict === 'effect_found';
   const share = shareOfAnswer(document);
   if (share >= kMostOfIt || document.formulas.length === 0) return share >= kMostOfIt;
   const answer = document.formulas_of_rest ? document.answer_gain.value : document.ranking[0]?.gain;

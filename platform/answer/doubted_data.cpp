@@ -1,0 +1,21 @@
+#include "answer/doubted_data.h"
+
+#include <limits>
+
+namespace lacuna {
+
+void add_doubts(const std::vector<Doubt>& doubts, Diagnosis& result) {
+  std::size_t faults = result.stopped ? 1 : 0;  // that the search was stopped stands first
+  for (const Doubt& doubt : doubts) {
+    const bool is_fault = doubt.severity == Severity::fault;
+    const auto end = result.findings.end();
+    result.findings.insert(is_fault ? result.findings.begin() + static_cast<std::ptrdiff_t>(faults++) : end,
+                           doubt.sentence);
+    if (!is_fault) continue;
+    if (result.verdict == Verdict::nothing_missing) result.verdict = Verdict::cannot_tell;
+    result.probability = std::numeric_limits<double>::quiet_NaN();
+    result.calibrated = false;
+  }
+}
+
+}  // namespace lacuna

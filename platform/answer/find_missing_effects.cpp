@@ -1,0 +1,86 @@
+#include "answer/find_missing_effects.h"
+
+#include "answer/calibration.h"
+#include "answer/doubted_data.h"
+#include "answer/evidence.h"
+#include "answer/fitted_values.h"
+#include "answer/search_findings.h"
+#include "answer/settling_test.h"
+#include "answer/stopped_search.h"
+#include "diagnosis/data_checks/data_doubts.h"
+#include "fitting/progress_meter.h"
+#include "foundation/interrupt.h"
+#include "search/effect_search.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lacuna {
+namespace {
+
+constexpr int kSteps = 60;  ///< of a usual search
+
+/// Candidates that no set was fitted with.
+std::vector<std::string> not_examined(const DiagnosisTask& task, const SearchResult& found) {
+  std::set<std::string> examined;
+  for (const FittedModel& set : found.sets) examined.insert(set.judged.members.begin(), set.judged.members.end());
+  std::vector<std::string> names = candidate_names(task.experiment, task.catalog, task.definition, task.among);
+  std::erase_if(names, [&](const std::string& name) { return examined.contains(name); });
+  return names;
+}
+
+EffectSearchTask search_task(const DiagnosisTask& task, ProgressMeter& meter) {
+  EffectSearchTask search{task.experiment, task.catalog, task.trials, task.definition.start_values(),
+                          task.among,      task.threads};
+  search.known = task.known;
+  search.keep = task.keep;
+  search.note = [&meter](const std::string& what) {
+    meter.end_part();
+    meter.begin_part(what);
+  };
+  return search;
+}
+
+Diagnosis without_predictions(const NothingPredictable& reason) {
+  Diagnosis result;
+  result.findings.emplace_back(reason.what());
+  return result;
+}
+
+Diagnosis diagnose(const DiagnosisTask& task, ProgressMeter& meter) {
+  const SearchResult found = search_effects(search_task(task, meter));
+  Diagnosis result = findings_of(found);
+  if (found.stopped) {
+    mark_stopped({"the search", not_examined(task, found), {}}, found.sets.size(), result);
+  } else {
+    tell_probability(result, evidence_of(found));
+    propose_settling_test(task, found, result);
+  }
+  const std::vector<double> fitted = FittedValues(found, found.sets.front()).values();
+  add_doubts(data_doubts({task.definition, task.model, task.trials, fitted, true}), result);
+  return result;
+}
+
+}  // namespace
+
+Diagnosis find_missing_effects(const DiagnosisTask& task) {
+  if (std::all_of(task.trials.begin(), task.trials.end(), [](const Trial& trial) { return trial.held_out; }))
+    throw Error(
+        "there is no trial to diagnose: name a measured file that is not held out, or, where the target is simulated, "
+        "let lacuna trial make some");
+  ProgressMeter meter(task.progress);
+  meter.set_parts(kSteps);
+  Diagnosis result;
+  try {
+    result = diagnose(task, meter);
+  } catch (const NothingPredictable& reason) {
+    result = without_predictions(reason);
+  } catch (const TimeIsUp&) {
+    lift_time_limit();
+    result = stopped_before_search(task.experiment, task.catalog, task.definition, task.among, "the fit of the model");
+  }
+  result.seconds = meter.seconds();
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,98 @@
+#include "answer/fitted_values.h"
+
+#include "criterion/value_errors.h"
+#include "foundation/address.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+constexpr double kOf95 = 1.959963984540054;  ///< of a normal distribution, 95 % lie within
+constexpr double kSaysSomething = 0.9;       ///< of the deviation of a value anywhere within its bounds
+constexpr double kAtBound = 1e-9;            ///< of a range
+constexpr double kToldTiming = 1.0 / 3.0;    ///< command intervals
+
+std::vector<FreeValue> all_values(const SearchResult& found, const FittedModel& set) {
+  const std::vector<FreeValue>& free = set.model.definition.free;
+  return found.data->timing() ? with_timing(free, kCommandsMayAct) : free;
+}
+
+}  // namespace
+
+FittedValues::FittedValues(const SearchResult& found, const FittedModel& set)
+    : set_(set), timing_(found.data->timing()), space_(all_values(found, set)) {
+  const LinearCost least = least_cost(found.layout, set.fit.products, set.fit.bounds);
+  const ValueErrors errors = value_errors(found.layout, set.fit.products, least);
+  covariance_ = errors.covariance;
+  const Eigen::VectorXd& at = set.fit.point.values;
+  for (Eigen::Index j = 0; j < space_.size(); ++j) {
+    const double range = space_.upper()(j) - space_.lower()(j);
+    const bool is_inside = at(j) > space_.lower()(j) + kAtBound * range && at(j) < space_.upper()(j) - kAtBound * range;
+    const double untold = range / std::sqrt(12.0);  // anywhere within its bounds
+    if (is_inside && errors.is_told[static_cast<std::size_t>(j)] &&
+        std::sqrt(covariance_(j, j)) < kSaysSomething * untold)
+      continue;
+    covariance_.row(j).setZero();
+    covariance_.col(j).setZero();
+  }
+}
+
+FoundParameter FittedValues::parameter(std::size_t value, const std::string& name) const {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  const auto j = static_cast<Eigen::Index>(value);
+  const double at = set_.fit.point.values(j), deviation = std::sqrt(covariance_(j, j));
+  FoundParameter found{name, set_.model.definition.free[value].unit, space_.to_value(j, at), kNothing, kNothing};
+  if (deviation > 0.0) {
+    found.lower_95 = space_.to_value(j, std::max(space_.lower()(j), at - kOf95 * deviation));
+    found.upper_95 = space_.to_value(j, std::min(space_.upper()(j), at + kOf95 * deviation));
+  }
+  return found;
+}
+
+std::vector<FoundEffect> FittedValues::effects() const {
+  std::vector<FoundEffect> effects;
+  const std::vector<FreeValue>& free = set_.model.definition.free;
+  for (const EffectEntry& entry : set_.model.added) {
+    FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
+    const std::size_t name_begins = effect_address(entry.id, "").size();
+    for (std::size_t i = 0; i < free.size(); ++i)
+      if (is_of_effect(free[i].address, entry.id))
+        effect.parameters.push_back(parameter(i, free[i].address.substr(name_begins)));
+    effects.push_back(std::move(effect));
+  }
+  return effects;
+}
+
+std::vector<FoundParameter> FittedValues::own() const {
+  std::vector<FoundParameter> values;
+  const std::vector<EffectEntry>& added = set_.model.added;
+  for (std::size_t i = 0; i < set_.model.definition.free.size(); ++i) {
+    const std::string& address = set_.model.definition.free[i].address;
+    if (std::none_of(added.begin(), added.end(),
+                     [&](const EffectEntry& entry) { return is_of_effect(address, entry.id); }))
+      values.push_back(parameter(i, address));
+  }
+  return values;
+}
+
+std::vector<double> FittedValues::values() const {
+  std::vector<double> all = space_.to_values(set_.fit.point.values);
+  all.resize(set_.model.definition.free.size());
+  return all;
+}
+
+std::optional<double> FittedValues::timing() const {
+  if (!timing_) return std::nullopt;
+  return set_.fit.point.values(set_.fit.point.values.size() - 1);
+}
+
+bool FittedValues::timing_is_told() const {
+  if (!timing_) return false;
+  const Eigen::Index last = covariance_.rows() - 1;
+  return covariance_(last, last) > 0.0 && std::sqrt(covariance_(last, last)) < kToldTiming;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,195 @@
+#include "answer/search_findings.h"
+
+#include "answer/errors_by_length.h"
+#include "answer/evidence.h"
+#include "answer/fitted_values.h"
+#include "foundation/unit.h"
+#include "residual_law/joint_laws.h"
+#include "residual_law/residual_law.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kMostRanked = 8;
+constexpr double kFarAboveFloor = 3.0;  ///< of the model's error: what leaves so much is not right
+constexpr double kMostLeft = 0.25;      ///< of all that is gained, that a law of no effect may gain beside an answer
+constexpr double kBeyond = 1.96;        ///< standard errors
+constexpr double kMoved = 2.0;          ///< standard errors
+constexpr double kNoticeable = 0.01;    ///< of a value
+constexpr double kOffTime = 0.1;        ///< command intervals
+constexpr double kLongEnough = 0.3;     ///< of the longest trial
+
+double longest_trial(const std::vector<Trial>& trials) {
+  double longest = 0.0;
+  for (const Trial& trial : trials)
+    if (!trial.held_out)
+      longest = std::max(longest, trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0));
+  return longest;
+}
+
+class Told {
+ public:
+  explicit Told(const SearchResult& found)
+      : found_(found), base_(found.sets.front()), answer_(found.sets[found.decision.answer]) {
+    if (!found.stopped) law_ = residual_law(found, answer_);
+  }
+
+  Diagnosis diagnosis() const {
+    const ErrorsByLength of_base(*found_.data, base_), of_answer(*found_.data, answer_);
+    Diagnosis result;
+    result.method = DiagnosisMethod::prediction;
+    result.hypotheses = found_.hypotheses;
+    result.untestable = found_.untestable;
+    result.horizons = errors_by_horizon(*found_.data, of_base, of_answer);
+    result.base = of_base.longest();
+    result.base_segment = of_base.longest_length();
+    result.base_times_floor = of_base.times_floor();
+    result.verdict = verdict(result.base_times_floor);
+    result.p_by_chance = found_.decision.p;
+    result.values = FittedValues(found_, answer_).own();
+    for (const FittedModel* set : shown()) result.ranking.push_back(ranked(*set));
+    tell_law(result);
+    if (has_answer()) {
+      result.ranking.front().look_alikes = look_alikes_of(found_);
+      result.answer_gain = result.ranking.front().gain;
+    }
+    result.findings = sentences(result);
+    return result;
+  }
+
+ private:
+  bool has_answer() const { return found_.decision.answer != 0; }
+
+  Verdict verdict(double base_times_floor) const {
+    if (law_.is_present && (!has_answer() || law_.share > kMostLeft)) return Verdict::not_in_library;
+    if (has_answer()) return Verdict::effect_found;
+    return found_.stopped || base_times_floor > kFarAboveFloor ? Verdict::cannot_tell : Verdict::nothing_missing;
+  }
+
+  /// The answer, if it has effects, then the others that have, the largest gain first.
+  std::vector<const FittedModel*> shown() const {
+    std::vector<const FittedModel*> sets;
+    for (const FittedModel& set : found_.sets)
+      if (&set != &base_ && &set != &answer_) sets.push_back(&set);
+    std::stable_sort(sets.begin(), sets.end(), [](const FittedModel* a, const FittedModel* b) {
+      return a->judged.cost.cost < b->judged.cost.cost;
+    });
+    if (has_answer()) sets.insert(sets.begin(), &answer_);
+    sets.resize(std::min(sets.size(), kMostRanked));
+    return sets;
+  }
+
+  RankedModel ranked(const FittedModel& set) const {
+    const ErrorsByLength errors(*found_.data, set);
+    return {.effects = FittedValues(found_, set).effects(),
+            .look_alikes = {},
+            .gain = in_nats(gain_of(set.judged, base_.judged)),
+            .errors = errors.longest(),
+            .times_floor = errors.times_floor(),
+            .segment = errors.longest_length()};
+  }
+
+  std::vector<std::string> sentences(const Diagnosis& result) const {
+    std::vector<std::string> all;
+    const auto add = [&](std::string text) {
+      if (!text.empty()) all.push_back(std::move(text));
+    };
+    if (has_answer()) {
+      add(soaked_up(result.values));
+      if (found_.by_all_lengths)
+        add("only predictions over the longest times show it; shorter ones are as good without it");
+    }
+    add(left());
+    if (result.verdict == Verdict::cannot_tell && !found_.stopped)
+      add(fmt::format(
+          "predictions are off by {:.3g} × floor, and neither an effect of the library nor a law of what the "
+          "joints do lowers that where it was not fitted: what is missing is not told by these recordings; "
+          "record other commands, starts or loads",
+          result.base_times_floor));
+    add(off_time());
+    add(unread());
+    add(reach(result.base_segment));
+    return all;
+  }
+
+  /// Where the library is not enough, of what the model lacks; else of what the answer leaves.
+  void tell_law(Diagnosis& result) const {
+    const bool of_model = result.verdict == Verdict::not_in_library && has_answer();
+    const ResidualLaw law = of_model ? residual_law(found_, base_) : law_;
+    result.residual_force = law.curves;
+    result.formulas = law.formulas;
+  }
+
+  /// What no effect of the library explains.
+  std::string left() const {
+    if (!law_.is_present) return "";
+    if (!has_answer())
+      return fmt::format("a force on joint.{} that no effect of the library has is missing; it goes with {}",
+                         law_.joint, law_.kind);
+    return fmt::format(
+        "beside the effects of the first row, {:.0f} % of what is gained in all is a force on joint.{} that no effect "
+        "of "
+        "the library has; it goes with {}",
+        100.0 * law_.share, law_.joint, law_.kind);
+  }
+
+  /// Own values that the answer moves.
+  std::string soaked_up(const std::vector<FoundParameter>& now) const {
+    std::vector<std::string> moved;
+    for (const FoundParameter& before : FittedValues(found_, base_).own())
+      for (const FoundParameter& after : now) {
+        const double by = std::abs(after.value - before.value);
+        const double error = (after.upper_95 - after.lower_95) / (2.0 * kBeyond);  // NaN: not told
+        if (after.name == before.name && by > kMoved * error && by > kNoticeable * std::abs(after.value))
+          moved.push_back(fmt::format("{} ({} → {})", after.name, format_quantity(before.value, before.unit),
+                                      format_quantity(after.value, after.unit)));
+      }
+    return moved.empty() ? "" : fmt::format("{} had soaked it up", fmt::join(moved, ", "));
+  }
+
+  /// A user who simulates with the commands as recorded meets what is left by that.
+  std::string off_time() const {
+    const FittedValues values(found_, answer_);
+    const std::optional<double> timing = values.timing();
+    if (!timing || !values.timing_is_told() || std::abs(*timing) < kOffTime) return "";
+    return fmt::format(
+        "commands act {} earlier than recorded: a matter of recording, which this fit allows for; compare and trial do "
+        "not, unless the times of commands are shifted by as much",
+        format_quantity(std::abs(*timing) * longest_command_interval(found_.data->task().trials), "s"));
+  }
+
+  std::string unread() const {
+    const std::vector<std::string> missing = found_.data->starts().states().unmeasured(0);
+    if (missing.empty()) return "";
+    return fmt::format("{} has no measured position: predictions begin where the recordings do, and nowhere else",
+                       fmt::join(missing, ", "));
+  }
+
+  std::string reach(double longest) const {
+    const double whole = longest_trial(found_.data->task().trials);
+    if (!(longest > 0.0) || longest > kLongEnough * whole) return "";
+    return fmt::format(
+        "predictions are judged over {:.2g} s at most, of recordings of {:.3g} s: over longer ones what is unknown of "
+        "a "
+        "start grows to more than a quarter of the motion; what acts more slowly (a drift, warming, a clock) is not "
+        "told",
+        longest, whole);
+  }
+
+  const SearchResult& found_;
+  const FittedModel& base_;
+  const FittedModel& answer_;
+  ResidualLaw law_;
+};
+
+}  // namespace
+
+Diagnosis findings_of(const SearchResult& found) { return Told(found).diagnosis(); }
+
+}  // namespace lacuna

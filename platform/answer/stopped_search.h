@@ -1,0 +1,23 @@
+#pragma once
+
+#include "answer/diagnosis.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// The diagnosis where the time limit was reached before any candidate was examined, `during` something.
+Diagnosis stopped_before_search(const Experiment& experiment, const PluginCatalog& catalog,
+                                const ModelDefinition& definition, const std::vector<std::string>& among,
+                                std::string during);
+
+/// Marks a diagnosis as stopped: no probability, and findings that say so first. `stop.next` is filled in;
+/// `kept_models`: how many the next call need not look at again.
+void mark_stopped(StoppedSearch stop, std::size_t kept_models, Diagnosis& diagnosis);
+
+/// Candidates for one more effect in a model, "name @ where".
+std::vector<std::string> candidate_names(const Experiment& experiment, const PluginCatalog& catalog,
+                                         const ModelDefinition& definition, const std::vector<std::string>& among);
+
+}  // namespace lacuna

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "search/search_data.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+inline constexpr std::size_t kMemories = 3;  ///< time constants
+
+/// What a joint does at one moment, as the readings tell it: what a force that no effect has may follow.
+struct JointMoment {
+  double position = 0.0;                           ///< rad or m
+  double velocity = 0.0;                           ///< rad/s or m/s
+  double command = 0.0;                            ///< of the joint's actuator, in its unit
+  double time = 0.0;                               ///< s, since its recording began
+  std::array<double, kMemories> slow_velocity{};   ///< low-passed, a time constant each
+  std::array<double, kMemories> slow_direction{};  ///< the same of the sign of the velocity
+};
+
+/// The course of one hinge or slider through the trials that are fitted.
+struct JointCourse {
+  std::string joint;                             ///< without "joint."
+  std::string position_unit;                     ///< rad or m
+  std::string force_unit;                        ///< N*m or N
+  std::string command_unit;                      ///< of the joint's actuator; empty: it has none
+  std::vector<std::vector<JointMoment>> trials;  ///< by trial and sample; empty: it is held out
+
+  std::vector<double> all(double JointMoment::*quantity) const;
+};
+
+/// Of every hinge and slider whose position is read. Time constants of memory are geometric, from the shortest length
+/// of prediction to the longest.
+std::vector<JointCourse> joint_courses(const SearchData& data);
+
+}  // namespace lacuna

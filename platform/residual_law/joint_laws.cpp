@@ -1,0 +1,171 @@
+#include "residual_law/joint_laws.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace lacuna {
+namespace {
+
+constexpr std::array kRidges = {0.001, 0.01, 0.1, 1.0};
+constexpr double kTermRidge = 1e-6;
+constexpr std::size_t kMostTerms = 3;
+constexpr double kWorthATerm = 0.1;                ///< of what the law gains
+constexpr std::array kSlices = {0.03, 0.5, 0.97};  ///< of the positions, at which the force is drawn over velocity ...
+constexpr int kSliceKnots = 9;                     ///< ... at so many velocities
+constexpr double kNear = 0.1, kSeen = 0.05;        ///< of the range of positions; of the velocities there
+constexpr const char* kMotion = "position and velocity";
+constexpr const char* kWhole = "position, velocity, command, time and the past of the motion";
+
+std::vector<std::size_t> numbers(std::size_t first, std::size_t count) {
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+bool is_of_motion(const LawFamily& family) {
+  return family.kind.starts_with("position") || family.kind.starts_with("velocity");
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// The law with one term more, of those with which it costs least.
+std::optional<FittedLaw> longer_by_one(const LawBench& bench, const FittedLaw& law, std::size_t terms) {
+  std::optional<FittedLaw> best;
+  for (std::size_t term = 0; term < terms; ++term) {
+    if (std::find(law.functions.begin(), law.functions.end(), term) != law.functions.end()) continue;
+    std::vector<std::size_t> functions = law.functions;
+    functions.push_back(term);
+    FittedLaw longer = bench.fit("", std::move(functions), kTermRidge);
+    if (!best || longer.judged.cost.cost < best->judged.cost.cost) best = std::move(longer);
+  }
+  return best;
+}
+
+}  // namespace
+
+Gain in_nats(const CostGain& gain) {
+  constexpr double kBeyond = 1.96;  // standard errors
+  return {gain.nats, gain.error, gain.nats - kBeyond * gain.error, gain.nats + kBeyond * gain.error};
+}
+
+JointLaws::JointLaws(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder,
+                     const LinearPrediction& linear, const JointCourse& course)
+    : ladder_(ladder),
+      linear_(linear),
+      model_(model),
+      course_(course),
+      pulses_(force_pulses(data, model, ladder, course)) {
+  if (pulses_.responses.empty()) return;
+  families_ = law_families(course);
+  for (const LawFamily& family : families_)
+    functions_.insert(functions_.end(), family.functions.begin(), family.functions.end());
+  bench_.emplace(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions_);
+  plain_ = bench_->fit("", {}, 0.0);
+  std::vector<std::size_t> of_motion;
+  std::size_t first = 0;
+  for (const LawFamily& family : families_) {
+    const std::vector<std::size_t> own = numbers(first, family.functions.size());
+    add(family.kind, own);
+    if (is_of_motion(family)) of_motion.insert(of_motion.end(), own.begin(), own.end());
+    first += family.functions.size();
+  }
+  add(kMotion, of_motion);
+  add(kWhole, numbers(0, first));
+}
+
+void JointLaws::add(const std::string& kind, const std::vector<std::size_t>& functions) {
+  for (const double ridge : kRidges) laws_.push_back(bench_->fit(kind, functions, ridge));
+}
+
+const FittedLaw& JointLaws::best_of(const std::string& kind) const {
+  return *std::min_element(laws_.begin(), laws_.end(), [&](const FittedLaw& a, const FittedLaw& b) {
+    if ((a.kind == kind) != (b.kind == kind)) return a.kind == kind;
+    return a.judged.cost.cost < b.judged.cost.cost;
+  });
+}
+
+std::vector<ForceCurve> JointLaws::curves() const {
+  std::vector<ForceCurve> all;
+  for (const LawFamily& family : families_)
+    if (const FittedLaw& law = best_of(family.kind); family.of && gain(law).is_told())
+      all.push_back(curve_over(family, law));
+  const FittedLaw& motion = best_of(kMotion);
+  if (!gain(motion).is_told()) return all;
+  const std::vector<double> positions = course_.all(&JointMoment::position);
+  for (const double share : kSlices)
+    if (std::optional<ForceCurve> slice = slice_at(quantile(positions, share), motion))
+      all.push_back(std::move(*slice));
+  return all;
+}
+
+ForceCurve JointLaws::curve_over(const LawFamily& family, const FittedLaw& law) const {
+  ForceCurve curve{course_.joint, family.quantity, family.unit, course_.force_unit, family.places, {}, {}};
+  const Eigen::VectorXd sizes = bench_->sizes(law);
+  const Eigen::VectorXd errors = bench_->covariance(law).diagonal().cwiseMax(0.0).cwiseSqrt();
+  curve.force.assign(sizes.begin(), sizes.end());
+  curve.standard_error.assign(errors.begin(), errors.end());
+  return curve;
+}
+
+/// The force over velocity, as far as the joint was as fast near that position.
+std::optional<ForceCurve> JointLaws::slice_at(double position, const FittedLaw& law) const {
+  const std::vector<double> positions = course_.all(&JointMoment::position),
+                            velocities = course_.all(&JointMoment::velocity);
+  const double near = kNear * (quantile(positions, 1.0) - quantile(positions, 0.0));
+  std::vector<double> seen;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (std::abs(positions[i] - position) <= near) seen.push_back(velocities[i]);
+  const double low = quantile(seen, kSeen), high = quantile(seen, 1.0 - kSeen);
+  if (!(low < high)) return std::nullopt;
+  ForceCurve slice{course_.joint, "velocity", course_.position_unit + "/s", course_.force_unit, {}, {}, {}, position};
+  const Eigen::VectorXd sizes = bench_->sizes(law);
+  const Eigen::MatrixXd covariance = bench_->covariance(law);
+  Eigen::VectorXd at(sizes.size());
+  for (int i = 0; i < kSliceKnots; ++i) {
+    const JointMoment moment{.position = position,
+                             .velocity = std::lerp(low, high, static_cast<double>(i) / (kSliceKnots - 1))};
+    for (std::size_t f = 0; f < law.functions.size(); ++f)
+      at(static_cast<Eigen::Index>(f)) = functions_[law.functions[f]](moment);
+    slice.at.push_back(moment.velocity);
+    slice.force.push_back(at.dot(sizes));
+    slice.standard_error.push_back(std::sqrt(std::max(0.0, at.dot(covariance * at))));
+  }
+  return slice;
+}
+
+std::vector<ForceFormula> JointLaws::formulas(double whole_gain) const {
+  const std::vector<ForceTerm> terms = force_terms(course_);
+  LawBench::Functions functions;
+  for (const ForceTerm& term : terms) functions.push_back(term.of);
+  const LawBench bench(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions);
+  FittedLaw law = bench.fit("", {}, kTermRidge);
+  while (law.functions.size() < kMostTerms) {
+    std::optional<FittedLaw> longer = longer_by_one(bench, law, terms.size());
+    if (!longer) break;
+    const CostGain more = gain_of(longer->judged, law.judged);
+    if (!more.is_told() || more.nats < kWorthATerm * whole_gain) break;
+    law = std::move(*longer);
+  }
+  if (law.functions.empty()) return {};
+  return {formula_of(bench, law, terms)};
+}
+
+ForceFormula JointLaws::formula_of(const LawBench& bench, const FittedLaw& law,
+                                   const std::vector<ForceTerm>& terms) const {
+  ForceFormula formula{course_.joint, course_.force_unit, {}, in_nats(gain(law))};
+  const Eigen::VectorXd sizes = bench.sizes(law);
+  const Eigen::VectorXd errors = bench.covariance(law).diagonal().cwiseMax(0.0).cwiseSqrt();
+  for (std::size_t i = 0; i < law.functions.size(); ++i) {
+    const ForceTerm& term = terms[law.functions[i]];
+    const auto at = static_cast<Eigen::Index>(i);
+    formula.terms.push_back({term.text, term.unit, sizes(at), errors(at)});
+  }
+  return formula;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "residual_law/force_pulses.h"
+#include "residual_law/law_family.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A force on one joint, a sum of some of a bench's functions, fitted beside the values of a model.
+struct FittedLaw {
+  std::string kind;
+  std::vector<std::size_t> functions;
+  double ridge = 0.0;
+  LinearCost fit;  ///< its step: the model's values, then the functions' sizes, N*m or N
+  CandidateSet judged;
+};
+
+/// Functions of what one joint does as forces on it, beside a fitted model, to first order in all.
+class LawBench {
+ public:
+  using Functions = std::vector<std::function<double(const JointMoment&)>>;
+
+  /// `linear`: the model on the ladder, at its fitted values and starts.
+  LawBench(const PredictionLadder& ladder, const LinearPrediction& linear, const StepBounds& bounds,
+           const JointCourse& course, const ForcePulses& pulses, const Functions& functions);
+
+  /// With no functions: the model itself.
+  FittedLaw fit(std::string kind, std::vector<std::size_t> functions, double ridge) const;
+  /// Covariance of the functions' sizes (criterion/value_errors.h).
+  Eigen::MatrixXd covariance(const FittedLaw& law) const;
+  /// The functions' own sizes.
+  Eigen::VectorXd sizes(const FittedLaw& law) const;
+
+ private:
+  BlockProducts products_of(const std::vector<std::size_t>& functions) const;
+  StepBounds bounds_of(const FittedLaw& law) const;
+
+  const CellLayout& layout_;
+  StepBounds bounds_;  ///< of the model's values
+  BlockProducts products_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,82 @@
+#include "residual_law/residual_law.h"
+
+#include "criterion/evidence.h"
+#include "residual_law/joint_laws.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr double kPresent = 0.05;  ///< probability by chance
+constexpr double kLeastShare = 0.05;
+constexpr double kWorthNaming = 0.05;  ///< nats at one length, as of an effect (criterion/decision.cpp)
+constexpr double kOfNoise = 1.2;       ///< mean square of whitened residuals, up to which nothing is left to a law
+constexpr std::uint64_t kSeed = 1;     ///< of signs drawn at random
+
+struct BestLaw {
+  const JointLaws* joint = nullptr;
+  const FittedLaw* law = nullptr;
+  double p = 1.0;
+
+  const CandidateSet& judged() const { return law->judged; }
+  const CandidateSet& without() const { return joint->plain().judged; }
+};
+
+BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints) {
+  BestLaw best;
+  double most = 0.0;
+  std::vector<Eigen::VectorXd> gains;
+  for (const std::unique_ptr<JointLaws>& joint : joints)
+    for (const FittedLaw& law : joint->laws()) {
+      gains.push_back(joint->plain().judged.cost.by_block() - law.judged.cost.by_block());
+      const double gain = gains.back().sum();
+      if (!best.law || gain > most) best = {joint.get(), &law, 1.0}, most = gain;
+    }
+  if (best.law) best.p = sign_probability(gains, kSeed);
+  return best;
+}
+
+/// Of all lengths and channels the largest mean square.
+double most_left(const PredictionLadder& ladder, const LinearPrediction& linear) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(linear.products.values());
+  return cost_at(ladder.layout, linear.products, none).mean_square.maxCoeff();
+}
+
+}  // namespace
+
+ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside) {
+  ResidualLaw result;
+  const SearchData& data = *found.data;
+  if (data.plain().definition.structure.robot.contact.ground) return result;
+  const PredictionLadder& ladder = found.by_all_lengths ? data.ladder() : data.deciding();
+  const std::vector<JointCourse> courses = joint_courses(data);
+  const ModelBench bench = data.bench_for(beside.model);
+  LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),
+                                changes_readings(beside.model.definition));
+  const std::optional<LinearPrediction> linear = predictions.linearise(beside.fit.point);
+  if (!linear || most_left(ladder, *linear) < kOfNoise) return result;
+  std::vector<std::unique_ptr<JointLaws>> joints;
+  for (const JointCourse& course : courses)
+    joints.push_back(std::make_unique<JointLaws>(data, beside, ladder, *linear, course));
+  const BestLaw best = best_law(joints);
+  if (!best.law) return result;
+  result.p = best.p;
+  result.gain = gain_of(best.judged(), best.without());
+  result.joint = best.joint->course().joint;
+  result.kind = best.law->kind;
+  const double of_law = std::max(0.0, result.gain.nats);
+  const double of_set = std::max(0.0, gain_of(beside.judged, found.sets.front().judged).nats);
+  result.share = of_law > 0.0 ? of_law / (of_set + of_law) : 0.0;
+  result.is_present = result.p < kPresent && result.gain.is_told() && result.share > kLeastShare &&
+                      gain_elsewhere(best.judged(), best.without()).is_told() &&
+                      largest_gain(best.judged(), best.without()) > kWorthNaming;
+  if (!result.is_present) return result;
+  result.curves = best.joint->curves();
+  result.formulas = best.joint->formulas(of_law);
+  return result;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,314 @@
+#include "search/effect_look.h"
+
+#include "diagnosis/candidates/data_scales.h"
+#include "foundation/interrupt.h"
+#include "foundation/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kForPromises = 400;  ///< samples of a length
+constexpr WantedChange kWantedChange = {0.2, 0.6, true};
+constexpr double kLeastSize = 1e-6;
+constexpr double kFarthestSize = 20.0;  ///< times its probe's size that an effect may be promised at
+
+/// Of the stretches of the middle length those in which a channel reads most and least, where limits are reached.
+std::vector<PredictedStretch> extremes(const PredictionLadder& ladder, const std::vector<Trial>& trials,
+                                       std::size_t channel) {
+  std::vector<PredictedStretch> found;
+  for (const double sign : {1.0, -1.0}) {
+    const PredictedStretch* farthest = nullptr;
+    double most = 0.0;
+    for (const PredictedStretch& stretch : ladder.stretches) {
+      if (stretch.length != ladder.lengths.size() / 2) continue;
+      const TimeSeries::Samples& samples = trials[stretch.stretch.trial].measured.samples;
+      for (std::size_t i = 0; i < stretch.rows.size(); ++i) {
+        if (stretch.channels[i] != channel) continue;
+        const double value = sign * samples(stretch.stretch.first + stretch.rows[i], stretch.columns[i]);
+        if (!farthest || value > most) most = value, farthest = &stretch;
+      }
+    }
+    if (farthest) found.push_back(*farthest);
+  }
+  return found;
+}
+
+/// Of "joint.hinge", "actuator.motor" or "sensor.angle" the joint; otherwise empty.
+std::string joint_at(const RobotSpec& robot, const std::string& where) {
+  std::string name = where.substr(where.find('.') + 1);
+  if (where.starts_with("joint.")) return name;
+  for (const ActuatorSpec& actuator : robot.actuators)
+    if (where == "actuator." + actuator.name) return actuator.joint;
+  for (const SensorSpec& sensor : robot.sensors)
+    if (where == "sensor." + sensor.name) return sensor.element;
+  return {};
+}
+
+/// By which the sizes of an effect are found: few stretches of the middle length, and the extremes of its joint.
+PredictionLadder for_sizes(const PredictionLadder& ladder, const RobotSpec& robot, const std::vector<Trial>& trials,
+                           const std::string& joint) {
+  PredictionLadder few = thinned(ladder, 1);
+  std::erase_if(few.stretches,
+                [&](const PredictedStretch& stretch) { return stretch.length != ladder.lengths.size() / 2; });
+  const std::vector<std::string> joints = joints_of(robot, ladder.noise);
+  for (std::size_t channel = 0; channel < joints.size(); ++channel)
+    if (joints[channel] == joint)
+      for (PredictedStretch& stretch : extremes(ladder, trials, channel)) few.stretches.push_back(std::move(stretch));
+  return few;
+}
+
+}  // namespace
+
+/// A model on a ladder of few stretches.
+struct LookStage {
+  PredictionLadder ladder;
+  ParameterSpace space;  ///< of the model
+  LinearPrediction linear;
+  PredictionPoint point;
+  std::vector<double> scale;  ///< by cell: what the model leaves, over a reading's standard deviation, at least 1
+};
+
+namespace {
+
+LookStage stage_for(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder) {
+  const ModelBench bench = data.bench_for(model.model);
+  LookStage stage{ladder, bench.space(), {}, {}, std::vector<double>(ladder.layout.cells.size(), 1.0)};
+  LadderPredictions predictions(stage.ladder, bench.predictor(), bench.space(), data.starts(),
+                                changes_readings(model.model.definition));
+  stage.point = predictions.at_smoothed_starts(bench.space().to_coordinates(model.model.values));
+  if (std::optional<LinearPrediction> linear = predictions.linearise(stage.point)) stage.linear = std::move(*linear);
+  std::vector<double> squares(stage.scale.size(), 0.0), counts(stage.scale.size(), 0.0);
+  for (std::size_t k = 0; k < stage.linear.stretches.size(); ++k)
+    for (std::size_t i = 0; i < stage.ladder.stretches[k].channels.size(); ++i) {
+      const PredictedStretch& stretch = stage.ladder.stretches[k];
+      const std::size_t cell = stage.ladder.cell(stretch.length, stretch.channels[i]);
+      squares[cell] += std::pow(stage.linear.stretches[k].residual(static_cast<Eigen::Index>(i)), 2);
+      counts[cell] += 1.0;
+    }
+  for (std::size_t c = 0; c < squares.size(); ++c)
+    if (counts[c] > 0.0) stage.scale[c] = std::sqrt(std::max(1.0, squares[c] / counts[c]));
+  return stage;
+}
+
+/// A hypothesis, simulated beside a model's values on a ladder.
+class ProbedHypothesis {
+ public:
+  ProbedHypothesis(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
+                   const PredictionLadder& ladder)
+      : data_(data),
+        model_(model),
+        hypothesis_(hypothesis),
+        bench_(hypothesis.definition, *hypothesis.model, data.task().trials, data.timing(), 1, kCommandsMayAct),
+        predictions_(ladder, bench_.predictor(), bench_.space(), data.starts(),
+                     changes_readings(hypothesis.definition)) {}
+
+  bool residuals(const std::vector<double>& own, std::vector<Eigen::VectorXd>& residuals) {
+    return predictions_.residuals(point(model_.model.values, own), residuals);
+  }
+
+  /// The cost with these values, under the derivatives by starts that `linear` has; infinite where it cannot be
+  /// simulated.
+  double cost(const std::vector<double>& of_model, const std::vector<double>& own, const LinearPrediction& linear) {
+    std::vector<LinearStretch> stretches = linear.stretches;
+    if (!predictions_.residuals_at(point(of_model, own), stretches)) return std::numeric_limits<double>::infinity();
+    const BlockProducts products = whitened_products(predictions_.ladder(), stretches);
+    return cost_at(predictions_.ladder().layout, products, Eigen::VectorXd::Zero(products.values())).cost;
+  }
+  const std::string& failure() const { return predictions_.failure(); }
+
+ private:
+  PredictionPoint point(const std::vector<double>& of_model, const std::vector<double>& own) const {
+    std::vector<double> all = hypothesis_.values(of_model, own);
+    if (data_.timing()) all.push_back(of_model.back());
+    return predictions_.at_smoothed_starts(bench_.space().to_coordinates(all));
+  }
+
+  const SearchData& data_;
+  const FittedModel& model_;
+  const Hypothesis& hypothesis_;
+  ModelBench bench_;
+  LadderPredictions predictions_;
+};
+
+std::vector<SizedProbe> sized(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
+                              const LookStage& few, std::string& failure) {
+  ProbedHypothesis probed(data, model, hypothesis, few.ladder);
+  const OwnResiduals simulate = [&](const std::vector<double>& own, std::vector<Eigen::VectorXd>& rows) {
+    if (!probed.residuals(own, rows)) {
+      failure = probed.failure();
+      return false;
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (Eigen::Index i = 0; i < rows[k].size(); ++i) {
+        const PredictedStretch& stretch = few.ladder.stretches[k];
+        rows[k](i) /= few.scale[few.ladder.cell(stretch.length, stretch.channels[static_cast<std::size_t>(i)])];
+      }
+    return true;
+  };
+  return size_probes(hypothesis, simulate, kWantedChange, data_scales(data.task().trials));
+}
+
+/// The effect's own values where its probe is so many times as large.
+std::vector<double> values_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, double size) {
+  std::vector<double> own = probe.own;
+  if (!probe.sized) return own;
+  const std::size_t i = *probe.sized;
+  const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
+  const double neutral = hypothesis.neutral[i], probed = probe.own[i];
+  const double value = free.scale == Scale::linear ? neutral + size * (probed - neutral)
+                       : probed < neutral          ? probed / std::max(size, kLeastSize)  // what is stiff does little
+                                                   : probed * size;
+  own[i] = std::clamp(value, free.lower, free.upper);
+  return own;
+}
+
+/// Names of a hypothesis's own values, in their order.
+std::vector<std::string> own_names(const Hypothesis& hypothesis) {
+  std::vector<std::string> names;
+  for (const std::size_t i : hypothesis.own) {
+    const std::string& address = hypothesis.definition.free[i].address;
+    names.push_back(member_name(hypothesis.entry) + address.substr(address.rfind('.')));
+  }
+  return names;
+}
+
+/// What each of the effect's probes changes of the model's predictions.
+std::vector<ProbeResponse> responses_of(const SearchData& data, const FittedModel& model, const Hypothesis& hypothesis,
+                                        const LookStage& few, const LookStage& stage, std::string& failure) {
+  std::vector<ProbeResponse> responses;
+  ProbedHypothesis probed(data, model, hypothesis, stage.ladder);
+  std::vector<Eigen::VectorXd> moved;
+  for (const SizedProbe& probe : sized(data, model, hypothesis, few, failure)) {
+    throw_if_interrupted();
+    if (!probed.residuals(probe.own, moved)) {
+      failure = probed.failure();
+      continue;
+    }
+    for (std::size_t k = 0; k < moved.size(); ++k) moved[k] = stage.linear.stretches[k].residual - moved[k];
+    responses.push_back({probe, std::move(moved)});
+  }
+  return responses;
+}
+
+StepBounds bounds_of(const LookStage& stage) {
+  return {stage.space.lower() - stage.point.values, stage.space.upper() - stage.point.values};
+}
+
+/// Beside the model of the stage with the probe that promises most; nothing where none could be simulated.
+std::optional<EffectPromise> promise_of(std::size_t h, const std::vector<ProbeResponse>& responses,
+                                        const LookStage& stage) {
+  std::optional<EffectPromise> best;
+  const Eigen::Index own = stage.point.values.size();
+  std::vector<LinearStretch> stretches = stage.linear.stretches;
+  for (LinearStretch& stretch : stretches) stretch.values.conservativeResize(Eigen::NoChange, own + 1);
+  StepBounds bounds = bounds_of(stage);
+  bounds.lower.conservativeResize(own + 1);
+  bounds.upper.conservativeResize(own + 1);
+  for (const ProbeResponse& response : responses) {
+    for (std::size_t k = 0; k < stretches.size(); ++k) stretches[k].values.col(own) = response.change[k];
+    bounds.upper(own) = response.probe.sized ? kFarthestSize : 1.0;
+    bounds.lower(own) = response.probe.one_sided ? 0.0 : -bounds.upper(own);
+    const LinearCost found = least_cost(stage.ladder.layout, whitened_products(stage.ladder, stretches), bounds);
+    if (best && found.cost >= best->cost) continue;
+    best = EffectPromise{h, found.cost, response.probe, found.step};
+  }
+  return best;
+}
+
+void promise(const SearchData& data, EffectLook& look) {
+  const LookStage& stage = *look.stage;
+  look.cost = least_cost(stage.ladder.layout, stage.linear.products, bounds_of(stage)).cost;
+  std::vector<std::optional<EffectPromise>> promises(look.hypotheses.size());
+  parallel_for(promises.size(), data.task().threads,
+               [&](std::size_t h, int) { promises[h] = promise_of(h, look.responses->at(h), stage); });
+  look.promises.clear();
+  for (std::optional<EffectPromise>& one : promises)
+    if (one) look.promises.push_back(std::move(*one));
+  std::stable_sort(look.promises.begin(), look.promises.end(),
+                   [](const EffectPromise& a, const EffectPromise& b) { return a.cost < b.cost; });
+}
+
+}  // namespace
+
+bool of_one_kind(const Hypothesis& one, const Hypothesis& other) {
+  const auto names = [](const Hypothesis& a, const Hypothesis& b) {
+    return std::find(a.alike.begin(), a.alike.end(), b.entry.effect) != a.alike.end();
+  };
+  return one.where() == other.where() &&
+         (one.entry.effect == other.entry.effect || names(one, other) || names(other, one));
+}
+
+EffectLook look_at_library(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder) {
+  EffectLook look;
+  look.hypotheses = list_hypotheses(model.model.experiment, data.task().catalog, model.model.definition,
+                                    data.task().among, look.untestable);
+  const RobotSpec& robot = model.model.definition.structure.robot;
+  std::map<std::string, LookStage> few;  // by joint
+  for (const Hypothesis& hypothesis : look.hypotheses)
+    if (const std::string joint = joint_at(robot, hypothesis.where()); !few.contains(joint))
+      few.emplace(joint, stage_for(data, model, for_sizes(ladder, robot, data.task().trials, joint)));
+  look.stage = std::make_shared<const LookStage>(stage_for(data, model, thinned(ladder, kForPromises)));
+  if (look.stage->linear.stretches.empty()) return look;
+  std::vector<std::vector<ProbeResponse>> responses(look.hypotheses.size());
+  std::vector<std::string> failures(look.hypotheses.size());
+  parallel_for(responses.size(), data.task().threads, [&](std::size_t h, int) {
+    const LookStage& own = few.at(joint_at(robot, look.hypotheses[h].where()));
+    if (!own.linear.stretches.empty())
+      responses[h] = responses_of(data, model, look.hypotheses[h], own, *look.stage, failures[h]);
+  });
+  for (std::size_t h = 0; h < responses.size(); ++h)
+    if (responses[h].empty()) look.untestable.push_back(without_probes(look.hypotheses[h], failures[h]));
+  look.responses = std::make_shared<const std::vector<std::vector<ProbeResponse>>>(std::move(responses));
+  promise(data, look);
+  return look;
+}
+
+EffectLook look_beside(const SearchData& data, const FittedModel& model, const EffectLook& look) {
+  EffectLook beside;
+  beside.hypotheses = list_hypotheses(model.model.experiment, data.task().catalog, model.model.definition,
+                                      data.task().among, beside.untestable);
+  beside.stage = std::make_shared<const LookStage>(stage_for(data, model, look.stage->ladder));
+  if (beside.stage->linear.stretches.empty() || !look.responses) return beside;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t h = 0; h < look.hypotheses.size(); ++h) known[member_name(look.hypotheses[h].entry)] = h;
+  std::vector<std::vector<ProbeResponse>> responses;
+  for (const Hypothesis& hypothesis : beside.hypotheses) {
+    const auto found = known.find(member_name(hypothesis.entry));
+    responses.push_back(found == known.end() ? std::vector<ProbeResponse>{} : look.responses->at(found->second));
+  }
+  beside.responses = std::make_shared<const std::vector<std::vector<ProbeResponse>>>(std::move(responses));
+  promise(data, beside);
+  return beside;
+}
+
+NamedValues start_of_fit(const SearchData& data, const FittedModel& model, const EffectLook& look,
+                         const EffectPromise& promise) {
+  const LookStage& stage = *look.stage;
+  const Hypothesis& hypothesis = look.hypotheses[promise.hypothesis];
+  ProbedHypothesis probed(data, model, hypothesis, stage.ladder);
+  const Eigen::Index own = stage.point.values.size();
+  const std::vector<double> as_is = model.model.values;
+  const std::vector<double> moved =
+      stage.space.to_values(stage.space.clamp(stage.point.values + promise.step.head(own)));
+  double least = std::numeric_limits<double>::infinity();
+  NamedValues start = model.values;
+  for (const std::vector<double>& of_model : {as_is, moved})
+    for (const std::vector<double>& of_effect :
+         {values_at_size(hypothesis, promise.probe, promise.step(own)), promise.probe.own}) {
+      const double cost = probed.cost(of_model, of_effect, stage.linear);
+      if (!(cost < least)) continue;
+      least = cost;
+      const std::vector<std::string> names = own_names(hypothesis);
+      for (std::size_t i = 0; i < names.size(); ++i) start[names[i]] = of_effect[i];
+      for (const auto& [name, value] : named_values(model.model, of_model)) start[name] = value;
+    }
+  return start;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,335 @@
+#include "search/effect_search.h"
+
+#include "foundation/interrupt.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace lacuna {
+namespace {
+
+constexpr std::size_t kSingles = 18;  ///< effects that are fitted alone
+constexpr std::size_t kLeading = 2;   ///< sets beside which the library is looked at
+constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each
+constexpr std::size_t kKinds = 4;     ///< best effects of different kinds, fitted two at a time
+constexpr std::size_t kBesidePair = 3;
+constexpr std::size_t kSwapped = 3;      ///< effects that do what a member does, tried in its place
+constexpr double kWorthOfAValue = 0.05;  ///< of the whole gain, for the order in which sets lead to larger ones
+constexpr double kWorthATriple = 0.05;   ///< of the whole gain, that a pair adds
+constexpr double kNearlyAsMuch = 0.3;    ///< of what a simpler effect of its kind promises: less is not fitted
+constexpr double kLeastPromise = 1e-3;   ///< nats, that an effect must promise to be fitted
+constexpr double kLeastShare = 0.03;     ///< of what the best effect promises
+constexpr double kSame = 0.1;            ///< of the gain by blocks, within which two effects do the same
+constexpr double kSlightly = 0.02;       ///< of what a member is alone: where a set begins from one without it
+constexpr double kNested = 1e-3;         ///< nats by which a set may cost more than its part
+constexpr std::uint64_t kSeed = 1;       ///< of signs drawn at random
+
+/// Members of one model: "b" beside "a".
+using Entries = std::vector<EffectEntry>;
+
+class EffectSearch {
+ public:
+  EffectSearch(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept)
+      : data_(data), models_(data, ladder, kept) {}
+
+  void run() {
+    say("the model as it is");
+    const std::vector<NamedValues> start = {{}};
+    if (!models_.fit({}, start)) throw NothingPredictable("the model cannot be simulated from any start");
+    look_ = look_at_library(data_, models_.base(), models_.ladder());
+    say("the library looked at");
+    fit_singles();
+    if (!gains_anything()) return;
+    fit_pairs();
+    fit_triples();
+    swap_members();
+    refit_parts();
+  }
+
+  /// Whether an effect gains more than its error.
+  bool gains_anything() const {
+    const std::vector<const FittedModel*> singles = ordered(1);
+    return std::any_of(singles.begin(), singles.end(),
+                       [&](const FittedModel* one) { return gain_of(one->judged, models_.base().judged).is_told(); });
+  }
+
+  bool has_base() const { return models_.find({}) != nullptr; }
+  const FittedModels& models() const { return models_; }
+  const EffectLook& look() const { return look_; }
+
+ private:
+  void say(const std::string& what) const {
+    throw_if_interrupted();
+    if (data_.task().note) data_.task().note(what);
+  }
+
+  const FittedModel* fit(const Entries& added, const std::vector<NamedValues>& starts, double least_share = 0.0) {
+    return noted(models_.fit(added, starts, least_share));
+  }
+
+  const FittedModel* noted(const FittedModel* found) const {
+    if (!found) return nullptr;
+    say(fmt::format("{}", fmt::join(found->judged.members, " + ")));
+    return found;
+  }
+
+  /// A start from a model that has less: what it lacks begins small.
+  static NamedValues slightly(const NamedValues& with, const NamedValues& without, const EffectLook& look) {
+    NamedValues start = without;
+    for (const Hypothesis& hypothesis : look.hypotheses)
+      for (std::size_t i = 0; i < hypothesis.own.size(); ++i) {
+        const std::string& address = hypothesis.definition.free[hypothesis.own[i]].address;
+        const std::string name = member_name(hypothesis.entry) + address.substr(address.rfind('.'));
+        const auto found = with.find(name);
+        if (found == with.end() || start.contains(name)) continue;
+        const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
+        const bool is_size = free.scale == Scale::linear;
+        start[name] =
+            is_size ? hypothesis.neutral[i] + kSlightly * (found->second - hypothesis.neutral[i]) : found->second;
+      }
+    return start;
+  }
+
+  std::vector<EffectPromise> best_promises(const EffectLook& look, const FittedModels::Members& beside,
+                                           std::size_t most) const {
+    std::vector<EffectPromise> chosen;
+    const double most_gain = look.promises.empty() ? 0.0 : look.cost - look.promises.front().cost;
+    for (const EffectPromise& promise : look.promises) {
+      if (chosen.size() == most) break;
+      const Hypothesis& one = look.hypotheses[promise.hypothesis];
+      if (beside.contains(member_name(one.entry))) continue;
+      const double gain = look.cost - promise.cost;
+      const bool is_outdone = std::any_of(chosen.begin(), chosen.end(), [&](const EffectPromise& other) {
+        const Hypothesis& simpler = look.hypotheses[other.hypothesis];
+        return simpler.own.size() < one.own.size() && of_one_kind(simpler, one) &&
+               gain < kNearlyAsMuch * (look.cost - other.cost);
+      });
+      if (gain < std::max(kLeastPromise, kLeastShare * most_gain)) break;
+      if (!is_outdone) chosen.push_back(promise);
+    }
+    return chosen;
+  }
+
+  void fit_with(const Entries& added, const NamedValues& start, const NamedValues& without, const EffectLook& look) {
+    fit(added, {start, slightly(start, without, look)}, added.size() == 1 ? kLeastShare : 0.0);
+  }
+
+  void fit_singles() {
+    for (const EffectPromise& promise : best_promises(look_, {}, kSingles)) {
+      const Entries added = {look_.hypotheses[promise.hypothesis].entry};
+      fit_with(added, start_of_fit(data_, models_.base(), look_, promise), models_.base().values, look_);
+    }
+  }
+
+  /// Of sets of a size, first those that gain most where they were not fitted, less what each value is worth.
+  std::vector<const FittedModel*> ordered(std::size_t size) const {
+    std::vector<const FittedModel*> sets;
+    for (const auto& [members, model] : models_.all())
+      if (members.size() == size) sets.push_back(&model);
+    const double worth = kWorthOfAValue * whole_gain();
+    const auto price = [&](const FittedModel* set) { return set->judged.cost.cost + worth * set->judged.told; };
+    std::sort(sets.begin(), sets.end(),
+              [&](const FittedModel* a, const FittedModel* b) { return price(a) < price(b); });
+    return sets;
+  }
+
+  const Hypothesis& hypothesis_of(const EffectEntry& entry) const {
+    return *std::find_if(look_.hypotheses.begin(), look_.hypotheses.end(),
+                         [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
+  }
+
+  bool of_one_kind_as(const FittedModel& single, const std::vector<Entries>& chosen) const {
+    return std::any_of(chosen.begin(), chosen.end(), [&](const Entries& other) {
+      return of_one_kind(hypothesis_of(single.model.added.front()), hypothesis_of(other.front())) ||
+             does_the_same(single, *models_.find(members_of(other)));
+    });
+  }
+
+  /// Whether two sets gain the same in every block of time.
+  bool does_the_same(const FittedModel& one, const FittedModel& other) const {
+    const Eigen::VectorXd gain = models_.base().judged.cost.by_block() - other.judged.cost.by_block();
+    return (one.judged.cost.by_block() - other.judged.cost.by_block()).norm() < kSame * gain.norm();
+  }
+
+  void look_beside(const Entries& parent, std::size_t most) {
+    FittedModels::Members members;
+    for (const EffectEntry& entry : parent) members.insert(member_name(entry));
+    const FittedModel known = *models_.find(members);
+    const EffectLook look = lacuna::look_beside(data_, known, look_);
+    say(fmt::format("the library beside {}", fmt::join(members, " + ")));
+    for (const EffectPromise& promise : best_promises(look, members, most)) {
+      Entries added = parent;
+      added.push_back(look.hypotheses[promise.hypothesis].entry);
+      fit_with(added, start_of_fit(data_, known, look, promise), known.values, look);
+    }
+  }
+
+  void fit_pairs() {
+    std::vector<Entries> leading, kinds;
+    for (const FittedModel* single : ordered(1)) {
+      if (leading.size() < kLeading && !of_one_kind_as(*single, leading)) leading.push_back(single->model.added);
+      if (kinds.size() < kKinds && !of_one_kind_as(*single, kinds)) kinds.push_back(single->model.added);
+    }
+    for (const Entries& parent : leading) look_beside(parent, kBeside);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      for (std::size_t j = i + 1; j < kinds.size(); ++j) fit_both(kinds[i], kinds[j]);
+  }
+
+  void fit_both(const Entries& one, const Entries& other) {
+    const Entries both = {one.front(), other.front()};
+    if (models_.find({member_name(one.front()), member_name(other.front())})) return;
+    const NamedValues of_one = models_.find({member_name(one.front())})->values;
+    const NamedValues of_other = models_.find({member_name(other.front())})->values;
+    fit(both, {slightly(of_other, of_one, look_), slightly(of_one, of_other, look_)});
+  }
+
+  double whole_gain() const {
+    double gain = 0.0;
+    for (const auto& [members, model] : models_.all())
+      gain = std::max(gain, gain_of(model.judged, models_.base().judged).nats);
+    return gain;
+  }
+
+  void fit_triples() {
+    const std::vector<const FittedModel*> pairs = ordered(2), singles = ordered(1);
+    if (pairs.empty() || singles.empty()) return;
+    const CostGain more = gain_of(pairs.front()->judged, singles.front()->judged);
+    if (!more.is_told() || more.nats < kWorthATriple * whole_gain()) return;
+    look_beside(pairs.front()->model.added, kBesidePair);
+  }
+
+  /// The best set with each member in turn replaced by effects that do the same.
+  void swap_members() {
+    const FittedModel& best = *best_set();
+    if (best.judged.members.size() < 2) return;
+    const Entries added = best.model.added;
+    const NamedValues values = best.values;
+    for (std::size_t i = 0; i < added.size(); ++i) swap_member(added, values, i);
+  }
+
+  void swap_member(const Entries& added, const NamedValues& values, std::size_t member) {
+    const FittedModel* own = models_.find({member_name(added[member])});
+    if (!own) return;
+    std::size_t swapped = 0;
+    for (const FittedModel* other : ordered(1)) {
+      if (swapped == kSwapped) break;
+      const EffectEntry& entry = other->model.added.front();
+      if (is_member(added, entry) || !does_the_same(*other, *own)) continue;
+      Entries changed = without_member(added, member);
+      changed.push_back(entry);
+      ++swapped;
+      if (!models_.find(members_of(changed))) fit(changed, {both_values(other->values, values)});
+    }
+  }
+
+  static bool is_member(const Entries& added, const EffectEntry& entry) {
+    return members_of(added).contains(member_name(entry));
+  }
+
+  /// The values of a set, and of an effect beside it as it is alone.
+  static NamedValues both_values(const NamedValues& alone, const NamedValues& values) {
+    NamedValues start = alone;
+    for (const auto& [name, value] : values) start[name] = value;
+    return start;
+  }
+
+  const FittedModel* best_set() const {
+    const FittedModel* best = &models_.base();
+    for (const auto& [members, model] : models_.all())
+      if (model.judged.cost.cost < best->judged.cost.cost) best = &model;
+    return best;
+  }
+
+  static Entries without_member(const Entries& added, std::size_t member) {
+    Entries rest = added;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(member));
+    return rest;
+  }
+
+  /// Parts of the best set once more from its values: nesting from above.
+  void refit_parts() {
+    const FittedModel* best = best_set();
+    refit_parts_of(best->model.added, best->values);
+    mend_nesting();
+  }
+
+  void refit_parts_of(const Entries& added, const NamedValues& values) {
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      const Entries rest = without_member(added, i);
+      const FittedModel* part = noted(models_.refine(rest, values));
+      if (part && rest.size() > 1) refit_parts_of(rest, NamedValues(part->values));
+    }
+  }
+
+  /// A set must not cost more than any part of it: where it does, it is fitted from there.
+  void mend_nesting() {
+    std::vector<Entries> all;
+    for (const auto& [members, model] : models_.all()) all.push_back(model.model.added);
+    std::stable_sort(all.begin(), all.end(), [](const Entries& a, const Entries& b) { return a.size() < b.size(); });
+    for (const Entries& added : all)
+      for (std::size_t i = 0; i < added.size(); ++i) {
+        const FittedModel& set = *models_.find(members_of(added));
+        const FittedModel* part = models_.find(members_of(without_member(added, i)));
+        if (!part || part->fit.cost > set.fit.cost - kNested) continue;
+        noted(models_.refine(added, slightly(NamedValues(set.values), part->values, look_)));
+      }
+  }
+
+  static FittedModels::Members members_of(const Entries& added) {
+    FittedModels::Members members;
+    for (const EffectEntry& entry : added) members.insert(member_name(entry));
+    return members;
+  }
+
+  const SearchData& data_;
+  FittedModels models_;
+  EffectLook look_;
+};
+
+void conclude(const EffectSearch& search, SearchResult& result) {
+  const FittedModels& models = search.models();
+  result.layout = models.ladder().layout;
+  result.sets = {models.base()};
+  for (const auto& [members, model] : models.all())
+    if (!members.empty()) result.sets.push_back(model);
+  std::vector<CandidateSet> sets;
+  for (const FittedModel& set : result.sets) sets.push_back(set.judged);
+  result.decision = decide(sets, kSeed);
+  result.hypotheses = search.look().hypotheses.size();
+  result.untestable = search.look().untestable;
+  result.fits += models.fits();
+}
+
+/// Nothing where the time limit is reached before the model as it is was fitted.
+bool search_over(const PredictionLadder& ladder, KeptFits& kept, SearchResult& result) {
+  EffectSearch search(*result.data, ladder, kept);
+  try {
+    search.run();
+  } catch (const TimeIsUp&) {
+    result.stopped = true;
+    if (!search.has_base()) return false;
+    lift_time_limit();
+  }
+  conclude(search, result);
+  return true;
+}
+
+}  // namespace
+
+SearchResult search_effects(const EffectSearchTask& task) {
+  SearchResult result;
+  result.data = std::make_shared<const SearchData>(task);
+  KeptFits kept = task.known ? *task.known : KeptFits();
+  if (!search_over(result.data->deciding(), kept, result)) throw_if_interrupted();
+  if (result.decision.answer != 0 || result.stopped) return result;
+  if (search_over(result.data->ladder(), kept, result))
+    result.by_all_lengths = true;
+  else
+    lift_time_limit();
+  return result;
+}
+
+}  // namespace lacuna

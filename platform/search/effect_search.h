@@ -1,0 +1,27 @@
+#pragma once
+
+#include "search/effect_look.h"
+
+#include <memory>
+#include <vector>
+
+namespace lacuna {
+
+/// What a search found: all sets that were fitted, and what follows from them.
+struct SearchResult {
+  std::shared_ptr<const SearchData> data;
+  CellLayout layout;              ///< of the sets' products
+  std::vector<FittedModel> sets;  ///< the model as it is first
+  Decision decision;              ///< its numbers are indices into `sets`
+  bool by_all_lengths = false;    ///< the shorter lengths showed nothing
+  std::size_t hypotheses = 0;     ///< effect × place
+  std::vector<Untestable> untestable;
+  int fits = 0;
+  bool stopped = false;  ///< by the time limit, which is lifted: about the sets fitted until then
+};
+
+/// Searches for the effects that a model lacks (docs/explanation/diagnosis.md). Throws `NothingPredictable`,
+/// `Interrupted`, and `TimeIsUp` where the limit is reached before the model as it is was fitted.
+SearchResult search_effects(const EffectSearchTask& task);
+
+}  // namespace lacuna

@@ -1,0 +1,182 @@
+#include "search/fitted_models.h"
+
+#include "diagnosis/candidates/hypothesis.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
+constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
+constexpr double kBetter = 1e-4;                ///< nats
+constexpr const char* kTiming = "timing";
+constexpr double kShareOfOneJoint = 0.1, kShareOfSeveral = 0.01;  ///< of the whole gain, that a member must add
+
+/// The name of a value by the member that it belongs to.
+std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
+  for (const EffectEntry& entry : added)
+    if (const std::string prefix = "effect." + entry.id + "."; free.address.starts_with(prefix))
+      return member_name(entry) + "." + free.address.substr(prefix.size());
+  return free.address;
+}
+
+const StartDerivatives* known_derivatives(const StartDerivatives& derivatives) {
+  return derivatives.empty() ? nullptr : &derivatives;
+}
+
+std::set<std::string> member_names(const std::vector<EffectEntry>& added) {
+  std::set<std::string> names;
+  for (const EffectEntry& entry : added) names.insert(member_name(entry));
+  return names;
+}
+
+/// Two of one effect get different ids.
+std::vector<EffectEntry> with_ids(std::vector<EffectEntry> added) {
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    added[i].id = added[i].effect;
+    const auto same = std::count_if(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const EffectEntry& other) { return other.effect == added[i].effect; });
+    added[i].id += "_added" + std::to_string(same + 1);
+  }
+  return added;
+}
+
+}  // namespace
+
+NamedValues named_values(const Contender& model, const std::vector<double>& values) {
+  NamedValues result;
+  for (std::size_t i = 0; i < model.definition.free.size(); ++i)
+    result[name_of(model.definition.free[i], model.added)] = values[i];
+  if (values.size() > model.definition.free.size()) result[kTiming] = values.back();
+  return result;
+}
+
+std::vector<double> FittedModels::values_for(const Contender& model, const NamedValues& named) const {
+  std::vector<double> values = model.definition.start_values();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const auto found = named.find(name_of(model.definition.free[i], model.added)); found != named.end())
+      values[i] = found->second;
+  if (data_.timing()) {
+    const auto found = named.find(kTiming);
+    values.push_back(found == named.end() ? 0.0 : found->second);
+  }
+  return values;
+}
+
+FittedModels::FittedModels(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept)
+    : data_(data), ladder_(ladder), few_(thinned(ladder, kSamplesOfDescent)), kept_(kept) {}
+
+/// What an earlier search found; nothing of the model as it is, whose derivatives all others begin with.
+const KeptFit* FittedModels::known_fit(const std::vector<EffectEntry>& added) const {
+  const KeptFits* known = data_.task().known;
+  if (!known || added.empty()) return nullptr;
+  const auto found = known->find(kept_name(added));
+  const bool is_of_this_ladder = found != known->end() && found->second.starts.size() == ladder_.stretches.size();
+  return is_of_this_ladder ? &found->second : nullptr;
+}
+
+/// Without a step.
+const FittedModel* FittedModels::restore(const std::vector<EffectEntry>& added, const KeptFit& fit) {
+  Contender model = model_with(added);
+  const ModelBench bench = data_.bench_for(model);
+  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
+  model.values = values_for(model, fit.values);
+  const PredictionPoint point{bench.space().to_coordinates(model.values), fit.starts};
+  PredictionFit restored = descend(all, point, 1, known_derivatives(by_starts_));
+  if (restored.valid) most_on_few_ = std::max(most_on_few_, base().fit.cost - restored.cost);
+  return keep(std::move(model), std::move(restored));
+}
+
+/// Values over some of the lengths are not those over all.
+std::string FittedModels::kept_name(const std::vector<EffectEntry>& added) const {
+  return fmt::format("{} lengths: {}", ladder_.lengths.size(), fmt::join(member_names(added), " + "));
+}
+
+const FittedModel* FittedModels::find(const Members& members) const {
+  const auto found = models_.find(members);
+  return found == models_.end() ? nullptr : &found->second;
+}
+
+Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const {
+  const FittedModel* known = find(member_names(added));
+  return known ? known->model : with_effects(data_.plain(), with_ids(added), {}, data_.task().catalog);
+}
+
+const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
+                                     double least_share) {
+  if (const KeptFit* known = known_fit(added)) return restore(added, *known);
+  Contender model = model_with(added);
+  const ModelBench bench = data_.bench_for(model);
+  const bool of_readings = changes_readings(model.definition);
+  LadderPredictions few(few_, bench.predictor(), bench.space(), data_.starts(), of_readings);
+  PredictionFit least;
+  for (const NamedValues& start : starts) {
+    const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
+    PredictionFit fit =
+        descend(few, few.at_smoothed_starts(values), kMostIterations, known_derivatives(few_by_starts_));
+    ++fits_;
+    if (fit.valid && (!least.valid || fit.cost < least.cost)) least = std::move(fit);
+  }
+  if (!least.valid) return find(member_names(added));
+  if (added.empty()) cost_on_few_ = least.cost;
+  const double gain = cost_on_few_ - least.cost;
+  if (gain < least_share * most_on_few_) return find(member_names(added));
+  most_on_few_ = std::max(most_on_few_, gain);
+  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), of_readings);
+  all.take_steps_of(few);
+  PredictionFit fit =
+      descend(all, all.at_smoothed_starts(least.point.values), kMostIterationsOnAll, known_derivatives(by_starts_));
+  if (added.empty()) few_by_starts_ = std::move(least.by_starts), by_starts_ = fit.by_starts;
+  model.values = bench.space().to_values(fit.valid ? fit.point.values : least.point.values);
+  return keep(std::move(model), std::move(fit));
+}
+
+const FittedModel* FittedModels::refine(const std::vector<EffectEntry>& added, const NamedValues& start) {
+  Contender model = model_with(added);
+  const ModelBench bench = data_.bench_for(model);
+  LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
+  const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
+  PredictionFit fit = descend(all, all.at_smoothed_starts(values), kMostIterationsOnAll, known_derivatives(by_starts_));
+  ++fits_;
+  if (fit.valid) model.values = bench.space().to_values(fit.point.values);
+  return keep(std::move(model), std::move(fit));
+}
+
+const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
+  const Members members = member_names(candidate.added);
+  const FittedModel* known = find(members);
+  if (!fit.valid || (known && known->fit.cost < fit.cost + kBetter)) return known;
+  FittedModel model;
+  model.model = std::move(candidate);
+  model.fit = std::move(fit);
+  model.values = named_values(model.model, model.model.values);
+  model.judged.members = members;
+  judge(model);
+  kept_[kept_name(model.model.added)] = {model.values, model.fit.point.starts};
+  if (data_.task().keep) data_.task().keep(kept_);
+  return &(models_[members] = std::move(model));
+}
+
+void FittedModels::judge(FittedModel& model) const {
+  const CellLayout& layout = ladder_.layout;
+  const LinearCost least = least_cost(layout, model.fit.products, model.fit.bounds);
+  model.judged.cost = cross_fit(layout, model.fit.products, model.fit.bounds, least);
+  const auto base = models_.find({});
+  const int told = told_values(information(layout, model.fit.products, least));
+  const int of_base =
+      base == models_.end()
+          ? told
+          : told_values(information(layout, base->second.fit.products,
+                                    least_cost(layout, base->second.fit.products, base->second.fit.bounds)));
+  model.judged.told = std::max(static_cast<int>(model.judged.members.size()), told - of_base);
+  model.judged.values =
+      static_cast<int>(model.model.definition.free.size()) - static_cast<int>(data_.plain().definition.free.size());
+  const bool one_joint = data_.plain().definition.structure.robot.joints.size() < 2;
+  model.judged.share_to_add = one_joint ? kShareOfOneJoint : kShareOfSeveral;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "criterion/decision.h"
+#include "search/search_data.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// A model's values, in the order of its free values, with the timing last where that is among them.
+NamedValues named_values(const Contender& model, const std::vector<double>& values);
+
+/// A set of effects beside the model, fitted.
+struct FittedModel {
+  Contender model;  ///< its `added` are the set
+  PredictionFit fit;
+  NamedValues values;
+  CandidateSet judged;
+};
+
+/// Fits sets of effects over one ladder, and remembers them by their members.
+class FittedModels {
+ public:
+  /// `kept`: gets what is fitted, and must outlive this.
+  FittedModels(const SearchData& data, const PredictionLadder& ladder, KeptFits& kept);
+
+  using Members = std::set<std::string>;
+
+  /// Fits the set from each of these starts on few stretches, goes on from the best on all, and keeps what costs least,
+  /// together with what was known of it. Values that a start does not name are as the file has them. Nothing where it
+  /// cannot be simulated, or gains less than `least_share` of what the best set does on few stretches.
+  const FittedModel* fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,
+                         double least_share = 0.0);
+  /// Goes on from this start on all stretches.
+  const FittedModel* refine(const std::vector<EffectEntry>& added, const NamedValues& start);
+  const FittedModel* find(const Members& members) const;
+  const FittedModel& base() const { return models_.at({}); }
+  const std::map<Members, FittedModel>& all() const { return models_; }
+  const PredictionLadder& ladder() const { return ladder_; }
+  int fits() const { return fits_; }
+
+ private:
+  std::vector<double> values_for(const Contender& model, const NamedValues& named) const;
+  Contender model_with(const std::vector<EffectEntry>& added) const;
+  const KeptFit* known_fit(const std::vector<EffectEntry>& added) const;
+  const FittedModel* restore(const std::vector<EffectEntry>& added, const KeptFit& fit);
+  std::string kept_name(const std::vector<EffectEntry>& added) const;
+  const FittedModel* keep(Contender candidate, PredictionFit fit);
+  void judge(FittedModel& model) const;
+
+  const SearchData& data_;
+  const PredictionLadder& ladder_;
+  const PredictionLadder few_;
+  KeptFits& kept_;
+  std::map<Members, FittedModel> models_;
+  StartDerivatives by_starts_, few_by_starts_;  ///< of the model as it is
+  double cost_on_few_ = 0.0;                    ///< nats, of the model as it is
+  double most_on_few_ = 0.0;                    ///< nats, that a set gains
+  int fits_ = 0;
+};
+
+}  // namespace lacuna

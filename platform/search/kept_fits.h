@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Values by name: an address of the model's own, or "effect @ place.parameter".
+using NamedValues = std::map<std::string, double>;
+
+/// Where a set of effects was fitted.
+struct KeptFit {
+  NamedValues values;
+  std::vector<Eigen::VectorXd> starts;  ///< by stretch
+  bool operator==(const KeptFit&) const = default;
+};
+
+/// By "N lengths: effect @ place + effect @ place": what a later search for the same need not find again.
+using KeptFits = std::map<std::string, KeptFit>;
+
+}  // namespace lacuna

@@ -1,0 +1,124 @@
+#include "search/search_data.h"
+
+#include "config/decided.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kFineEnough = 0.02;  ///< nats that half the integration step may change the cost by
+constexpr int kMostSubsteps = 64;
+constexpr double kMostSamples = 1500.0;  ///< of a length, in one channel: more tell hardly more
+constexpr double kMostStretches = 80.0;  ///< of a length: two in each block of time
+constexpr std::size_t kFewStretches = 40;
+
+Experiment coarse(Experiment experiment) {
+  if (substeps_decided(experiment)) experiment.engine.substeps = 1;
+  return experiment;
+}
+
+/// Every length is predicted over the same share of the recordings.
+std::size_t most_stretches(const std::vector<Trial>& trials, const std::vector<double>& lengths, double most_samples) {
+  double samples = 0.0, seconds = 0.0;
+  for (const Trial& trial : trials) {
+    if (trial.held_out) continue;
+    samples += static_cast<double>(trial.measured.times.size());
+    seconds += trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0);
+  }
+  const double share = std::min(1.0, most_samples / samples);
+  return static_cast<std::size_t>(std::clamp(std::ceil(share * seconds / lengths.front()), 1.0, kMostStretches));
+}
+
+std::vector<FreeValue> values_of(const ModelDefinition& definition, bool timing, const TimingRange& timing_range) {
+  return timing ? with_timing(definition.free, timing_range) : definition.free;
+}
+
+}  // namespace
+
+ModelBench::ModelBench(const ModelDefinition& definition, const CompiledModel& model, const std::vector<Trial>& trials,
+                       bool timing, int threads, const TimingRange& timing_range)
+    : predictor_(model, trials, threads, timing ? Timing::fitted : Timing::as_recorded),
+      space_(values_of(definition, timing, timing_range)) {}
+
+bool changes_readings(const ModelDefinition& definition) {
+  const auto on_sensor = [](const EffectEntry& entry) {
+    return !entry.where.empty() && entry.where.front().starts_with("sensor.");
+  };
+  const auto of_sensor = [](const FreeValue& free) { return free.address.starts_with("sensor."); };
+  return std::any_of(definition.effects.begin(), definition.effects.end(), on_sensor) ||
+         std::any_of(definition.free.begin(), definition.free.end(), of_sensor);
+}
+
+SearchData::SearchData(const EffectSearchTask& task)
+    : task_(task),
+      timing_(longest_command_interval(task.trials) > 0.0),
+      plain_(lacuna::plain(coarse(task.experiment), task.catalog, task.values)) {
+  if (timing_) plain_.values.push_back(0.0);
+  reader_ = plain_;
+  noise_ = sensor_noise(plain_.definition.structure.robot, task_.trials);
+  readings_ = std::make_unique<ModelBench>(reader_.definition, *reader_.model, task_.trials, timing_, 1);
+  states_ = std::make_unique<StartStates>(reader_.definition.structure.robot, readings_->predictor(), noise_);
+  starts_ = std::make_unique<SmoothedStarts>(*states_, readings_->predictor().trials());
+  noise_ = noise_of_readings(*starts_, readings_->predictor().trials(), noise_);
+  build_ladders();
+  choose_substeps();
+}
+
+LadderSource SearchData::source(const ModelBench& bench) const {
+  return {plain_.definition.structure.robot, bench.predictor(), *states_, *starts_, noise_};
+}
+
+PredictionLadder SearchData::held_out() const {
+  const ModelBench bench = bench_for(plain_);
+  LadderSource held_out = source(bench);
+  held_out.held_out = true;
+  return ladder_of(held_out, ladder_.lengths, static_cast<std::size_t>(kMostStretches));
+}
+
+void SearchData::build_ladders() {
+  const ModelBench bench = bench_for(plain_);
+  const LadderSource fitted = source(bench);
+  const std::vector<double> lengths = prediction_lengths(fitted, bench.space(), plain_.values);
+  ladder_ = ladder_of(fitted, lengths, most_stretches(task_.trials, lengths, kMostSamples / root_of_channels(noise_)));
+  deciding_ = shorter(ladder_, kDecidingLengths);
+  if (ladder_.stretches.empty())
+    throw NothingPredictable("no prediction can be judged: the recordings are too short for one");
+}
+
+/// Doubles the integration steps until that no longer changes what the model as it is costs. Impacts on the ground
+/// follow no order of the step: there it stays.
+void SearchData::choose_substeps() {
+  const ModelBench first = bench_for(plain_);
+  const PredictionLadder few = ladder_of(source(first), deciding_.lengths, kFewStretches);
+  const auto residuals_of = [&](const Contender& model, std::vector<Eigen::VectorXd>& residuals) {
+    const ModelBench bench = bench_for(model);
+    LadderPredictions predictions(few, bench.predictor(), bench.space(), *starts_, changes_readings(model.definition));
+    return predictions.residuals(predictions.at_smoothed_starts(bench.space().to_coordinates(model.values)), residuals);
+  };
+  const int start = std::max(1, plain_.definition.engine.substeps);
+  std::vector<Eigen::VectorXd> now, then;
+  bool is_valid = residuals_of(plain_, now);
+  const int most = plain_.definition.structure.robot.contact.ground ? start : kMostSubsteps * start;
+  for (int substeps = 2 * start; substeps <= most; substeps *= 2) {
+    Contender finer = plain_;
+    finer.experiment.engine.substeps = substeps;
+    finer.definition = define_model(finer.experiment, task_.catalog);
+    finer.model = compile(finer.definition.structure, finer.definition.engine);
+    const bool is_next_valid = residuals_of(finer, then);
+    double change = 0.0, size = 0.0;
+    if (is_valid && is_next_valid)
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        change += (now[k] - then[k]).squaredNorm();
+        size += std::max(now[k].squaredNorm(), static_cast<double>(now[k].size()));
+      }
+    if (is_valid && is_next_valid && change < kFineEnough * size) return;
+    plain_ = finer;
+    now = then;
+    is_valid = is_next_valid;
+  }
+  if (!is_valid) throw NothingPredictable("the model cannot be simulated from the starts that the readings tell");
+}
+
+}  // namespace lacuna

@@ -1,0 +1,70 @@
+#include "residual_law/residual_law.h"
+
+#include "config/experiment_reader.h"
+#include "diagnosis/recorded_pendulum.h"
+#include "plugins/built_catalog.h"
+
+#include <gmock/gmock.h>
+
+namespace lacuna {
+namespace {
+
+/// A pendulum whose library has friction alone, searched, and what its answer leaves.
+class ResidualLawTest : public testing::Test {
+ protected:
+  ResidualLawTest() : experiment_(read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml")) {
+    experiment_.noise = {};
+    experiment_.model.effects = {};
+  }
+
+  ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true) {
+    trials_ = {recorded(truth, "one.csv", multisine, 6.0, 3), recorded(truth, "two.csv", steps, 6.0, 4)};
+    const ModelDefinition definition = define_model(experiment_, built_catalog());
+    const SearchResult found = search_effects({.experiment = experiment_,
+                                               .catalog = built_catalog(),
+                                               .trials = trials_,
+                                               .values = definition.start_values(),
+                                               .among = {"coulomb_friction"},
+                                               .threads = 2});
+    return residual_law(found, found.sets[beside_answer ? found.decision.answer : 0]);
+  }
+
+ private:
+  Experiment experiment_;
+  std::vector<Trial> trials_;
+};
+
+TEST_F(ResidualLawTest, IsTheSpringThatNoEffectHas) {
+  constexpr double kCubic = 0.5;  // N*m/rad^3
+  const ResidualLaw law = left_of({.inertia = 0.03, .damping = 0.02, .cubic = kCubic}, false);
+  ASSERT_TRUE(law.is_present) << law.p << " " << law.gain.nats << " " << law.gain.error;
+  EXPECT_EQ(law.joint, "hinge");
+  EXPECT_THAT(law.kind, testing::HasSubstr("position"));
+  ASSERT_EQ(law.formulas.size(), 1U);
+  ASSERT_FALSE(law.formulas[0].terms.empty());
+  EXPECT_EQ(law.formulas[0].terms[0].text, "q^3") << law.formulas[0].text();
+  EXPECT_NEAR(law.formulas[0].terms[0].coefficient, -kCubic, 0.2 * kCubic) << "to first order";
+  EXPECT_EQ(law.formulas[0].unit, "N*m");
+}
+
+/// Over the position the force is the spring's, within its band.
+TEST_F(ResidualLawTest, IsDrawnOverTheQuantityThatItGoesWith) {
+  const ResidualLaw law = left_of({.inertia = 0.03, .damping = 0.02, .cubic = 0.5}, false);
+  const auto curve = std::find_if(law.curves.begin(), law.curves.end(),
+                                  [](const ForceCurve& one) { return one.of == "position" && !one.position; });
+  ASSERT_NE(curve, law.curves.end());
+  EXPECT_EQ(curve->unit, "rad");
+  EXPECT_GT(curve->force.front(), curve->force.back());
+  for (const double error : curve->standard_error) EXPECT_LT(error, curve->force.front() - curve->force.back());
+}
+
+TEST_F(ResidualLawTest, IsNotPresentWhereNothingIsMissing) {
+  EXPECT_FALSE(left_of({.inertia = 0.03, .damping = 0.02}).is_present);
+}
+
+TEST_F(ResidualLawTest, IsNotPresentBesideARightAnswer) {
+  EXPECT_FALSE(left_of({.inertia = 0.03, .damping = 0.02, .friction = 0.04}).is_present);
+}
+
+}  // namespace
+}  // namespace lacuna

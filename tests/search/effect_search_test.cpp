@@ -1,0 +1,92 @@
+#include "config/experiment_reader.h"
+#include "diagnosis/recorded_pendulum.h"
+#include "search/effect_search.h"
+#include "plugins/built_catalog.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+using Members = std::set<std::string>;
+
+constexpr double kFriction = 0.04;  ///< N·m
+
+/// The servo pendulum of the first steps as its owner believes it to be: without friction.
+class EffectSearchTest : public testing::Test {
+ protected:
+  EffectSearchTest() : experiment_(read_experiment(LACUNA_SOURCE_DIRECTORY "/experiments/first-steps.toml")) {
+    experiment_.noise = {};
+    experiment_.model.effects = {};
+  }
+
+  SearchResult search(const std::vector<Trial>& trials, int threads = 2) const {
+    const ModelDefinition definition = define_model(experiment_, built_catalog());
+    return search_effects(
+        {.experiment = experiment_,
+         .catalog = built_catalog(),
+         .trials = trials,
+         .values = definition.start_values(),
+         .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque", "torque_gain"},
+
+         .threads = threads});
+  }
+
+  static std::vector<Trial> two_recordings(double friction) {
+    return {recorded({.friction = friction}, "one.csv", multisine, 5.0, 3),
+            recorded({.friction = friction}, "two.csv", multisine, 5.0, 4)};
+  }
+
+ private:
+  Experiment experiment_;
+};
+
+const FittedModel& answer_of(const SearchResult& found) { return found.sets[found.decision.answer]; }
+
+TEST_F(EffectSearchTest, NamesTheFrictionThatIsMissingWithItsSize) {
+  const SearchResult found = search(two_recordings(kFriction));
+  EXPECT_EQ(answer_of(found).judged.members, Members{"coulomb_friction @ joint.hinge"});
+  EXPECT_LT(found.decision.p, 0.05);
+  EXPECT_NEAR(answer_of(found).values.at("coulomb_friction @ joint.hinge.torque"), kFriction, 0.1 * kFriction);
+}
+
+TEST_F(EffectSearchTest, NamesNothingWhereNothingIsMissing) {
+  const SearchResult found = search(two_recordings(0.0));
+  EXPECT_EQ(found.decision.answer, 0U);
+  EXPECT_TRUE(found.by_all_lengths) << "the shorter lengths show nothing, so all were asked";
+}
+
+TEST_F(EffectSearchTest, NamesBothOfTwoEffectsAndFitsNoSetWorseThanItsParts) {
+  const SearchResult found = search({recorded({.friction = kFriction, .spring = 0.2}, "one.csv", multisine, 5.0, 3)});
+  EXPECT_EQ(answer_of(found).judged.members, (Members{"coulomb_friction @ joint.hinge", "joint_spring @ joint.hinge"}));
+  int nested = 0;
+  for (const FittedModel& set : found.sets)
+    for (const FittedModel& part : found.sets) {
+      const Members &whole = set.judged.members, &some = part.judged.members;
+      if (some.size() >= whole.size() || !std::includes(whole.begin(), whole.end(), some.begin(), some.end())) continue;
+      ++nested;
+      EXPECT_LE(set.fit.cost, part.fit.cost + 1e-3) << testing::PrintToString(whole);
+    }
+  EXPECT_GE(nested, 4);
+}
+
+TEST_F(EffectSearchTest, MoreRecordingsKeepTheAnswer) {
+  std::vector<Trial> trials;
+  for (const char* file : {"one.csv", "two.csv", "three.csv", "four.csv"}) {
+    trials.push_back(recorded({.friction = kFriction}, file, multisine, 3.0, 11 + trials.size()));
+    EXPECT_EQ(answer_of(search(trials)).judged.members, Members{"coulomb_friction @ joint.hinge"})
+        << trials.size() << " recordings";
+  }
+}
+
+TEST_F(EffectSearchTest, GivesTheSameDigitsWithAnyNumberOfThreads) {
+  const std::vector<Trial> trials = {recorded({.friction = kFriction}, "one.csv", multisine, 3.0, 3)};
+  const SearchResult once = search(trials, 1), again = search(trials, 2);
+  ASSERT_EQ(once.sets.size(), again.sets.size());
+  for (std::size_t i = 0; i < once.sets.size(); ++i) EXPECT_EQ(once.sets[i].fit.cost, again.sets[i].fit.cost);
+}
+
+}  // namespace
+}  // namespace lacuna
