@@ -1,6 +1,6 @@
 -- Version 17: which method decided a diagnosis, and with it what its figures are.
 
-ALTER TABLE diagnosis ADD COLUMN method TEXT CHECK (method IN ('likelihood', 'horizon', 'prediction'));
+ALTER TABLE diagnosis ADD COLUMN method TEXT CHECK (method IN ('likelihood', 'horizon'));
 ALTER TABLE diagnosis ADD COLUMN base_fitted_times_floor REAL;
 ALTER TABLE candidate_model ADD COLUMN fitted_times_floor REAL;
 
