@@ -34,21 +34,28 @@ Eigen::MatrixXd weighted_sum(const CellLayout& layout, const BlockProducts& prod
   return sum;
 }
 
-/// The shortest solution in the directions that the matrix, symmetric and scaled, tells.
-Eigen::VectorXd told_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+/// The solution in the directions that the matrix, symmetric and scaled, tells; in the others the way home.
+Eigen::VectorXd told_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
+                              const Eigen::VectorXd& home) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
   const Eigen::VectorXd& values = eigen.eigenvalues();
   Eigen::VectorXd along = eigen.eigenvectors().transpose() * right;
+  const Eigen::VectorXd way_home = eigen.eigenvectors().transpose() * home;
   for (Eigen::Index i = 0; i < along.size(); ++i)
-    along(i) = values(i) > kUntold * values.maxCoeff() ? along(i) / values(i) : 0.0;
+    along(i) = values(i) > kUntold * values.maxCoeff() ? along(i) / values(i) : way_home(i);
   return eigen.eigenvectors() * along;
 }
 
-/// Least squares within bounds by an active set; values that the data do not tell stay.
-Eigen::VectorXd bounded_step(const Eigen::MatrixXd& normal, const StepBounds& bounds, double damping) {
+/// Least squares within bounds by an active set; values that the data do not tell go home, or stay.
+Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const StepBounds& bounds, double damping) {
   const Eigen::Index n = normal.rows() - 1;
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(n), home = Eigen::VectorXd::Zero(n);
   if (n == 0) return step;
+  if (bounds.home.size() == n) {
+    home = bounds.home;
+    normal.diagonal().tail(n) += 2.0 * bounds.pull;
+    normal.col(0).tail(n) += 2.0 * bounds.pull.cwiseProduct(home);
+  }
   const Eigen::VectorXd scale = normal.diagonal().tail(n).cwiseMax(1e-300).cwiseSqrt();
   Eigen::MatrixXd matrix = normal.bottomRightCorner(n, n);
   matrix = scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
@@ -56,6 +63,7 @@ Eigen::VectorXd bounded_step(const Eigen::MatrixXd& normal, const StepBounds& bo
   if (bounds.ridge.size() == n) matrix.diagonal() += bounds.ridge;
   const Eigen::VectorXd right = normal.col(0).tail(n).cwiseQuotient(scale);
   const Eigen::VectorXd lower = bounds.lower.cwiseProduct(scale), upper = bounds.upper.cwiseProduct(scale);
+  home = home.cwiseProduct(scale);
   std::vector<Eigen::Index> moving;
   for (Eigen::Index i = 0; i < n; ++i) moving.push_back(i);
   while (!moving.empty()) {
@@ -64,13 +72,14 @@ Eigen::VectorXd bounded_step(const Eigen::MatrixXd& normal, const StepBounds& bo
     for (const Eigen::Index i : moving) held(i) = 0.0;
     const Eigen::VectorXd rest = right - matrix * held;
     Eigen::MatrixXd part(size, size);
-    Eigen::VectorXd wanted(size);
+    Eigen::VectorXd wanted(size), part_of_home(size);
     for (Eigen::Index i = 0; i < size; ++i) {
       wanted(i) = rest(moving[static_cast<std::size_t>(i)]);
+      part_of_home(i) = home(moving[static_cast<std::size_t>(i)]);
       for (Eigen::Index j = 0; j < size; ++j)
         part(i, j) = matrix(moving[static_cast<std::size_t>(i)], moving[static_cast<std::size_t>(j)]);
     }
-    const Eigen::VectorXd found = told_solution(part, wanted);
+    const Eigen::VectorXd found = told_solution(part, wanted, part_of_home);
     std::vector<Eigen::Index> inside;
     for (Eigen::Index i = 0; i < size; ++i) {
       const Eigen::Index j = moving[static_cast<std::size_t>(i)];
@@ -124,7 +133,7 @@ LinearCost least_cost(const CellLayout& layout, const BlockProducts& products, c
     const Eigen::VectorXd weights = square_weights(layout, products, best.mean_square);
     const Eigen::VectorXd step = bounded_step(weighted_sum(layout, products, weights, kNoFold), bounds, damping);
     const LinearCost next = cost_at(layout, products, step);
-    if (!(next.cost < best.cost)) break;
+    if (!(next.cost + bounds.cost_of_way(next.step) < best.cost + bounds.cost_of_way(best.step))) break;
     const bool is_settled = (step - best.step).lpNorm<Eigen::Infinity>() <= kSettled * step.lpNorm<Eigen::Infinity>();
     best = next;
     if (is_settled) break;

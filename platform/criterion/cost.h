@@ -17,6 +17,13 @@ double cost_of_mean_square(double mean_square);
 struct StepBounds {
   Eigen::VectorXd lower, upper;
   Eigen::VectorXd ridge = {};  ///< by value, of the diagonal of the normal equations; empty: none
+  Eigen::VectorXd home = {};   ///< where values belong that the data hardly tell; empty: anywhere
+  Eigen::VectorXd pull = {};   ///< by value, nats of a unit's way from home, squared; as long as `home`
+
+  /// What the way from home costs, nats.
+  double cost_of_way(const Eigen::VectorXd& step) const {
+    return home.size() == 0 ? 0.0 : pull.dot((step - home).cwiseAbs2());
+  }
 };
 
 /// A step of a linearised model's values, and what it leaves.

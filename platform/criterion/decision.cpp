@@ -9,11 +9,13 @@ namespace {
 
 constexpr double kPresent = 0.05;  ///< probability by chance below which something is there
 constexpr std::size_t kMostMembers = 3;
+constexpr double kAsGood = 0.05;       ///< of the whole gain, that a set may be behind
 constexpr double kWorthNaming = 0.05;  ///< nats: what lowers the error by less than a twentieth is not named
 
 class Decider {
  public:
-  Decider(const std::vector<CandidateSet>& sets, std::uint64_t seed) : sets_(sets), seed_(seed) {
+  Decider(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed)
+      : sets_(sets), looked_(looked), seed_(seed) {
     for (std::size_t i = 1; i < sets.size(); ++i) every_.push_back(i);
   }
 
@@ -28,7 +30,7 @@ class Decider {
     const std::vector<std::size_t> as_good = as_good_as(largest, decision.whole_gain);
     decision.answer = smallest(as_good);
     for (const std::size_t i : as_good)
-      if (i != decision.answer) decision.alike.push_back(i);
+      if (is_another_answer(i, decision.answer)) decision.alike.push_back(i);
     decision.gain = gain_of(sets_[decision.answer], sets_[0]);
     return decision;
   }
@@ -50,6 +52,8 @@ class Decider {
   double probability(const std::vector<std::size_t>& among, std::size_t over) const {
     std::vector<Eigen::VectorXd> gains;
     for (const std::size_t i : among) gains.push_back(sets_[over].cost.by_block() - sets_[i].cost.by_block());
+    for (const LookedBeside& beside : looked_)
+      if (beside.members == sets_[over].members) gains.insert(gains.end(), beside.gains.begin(), beside.gains.end());
     return sign_probability(gains, seed_);
   }
 
@@ -79,22 +83,30 @@ class Decider {
   std::vector<std::size_t> as_good_as(std::size_t set, double whole_gain) const {
     std::vector<std::size_t> found;
     for (const std::size_t i : every_) {
-      if (sets_[i].members.size() > sets_[set].members.size()) continue;
       const CostGain behind = gain_of(sets_[set], sets_[i]);
-      if (behind.nats <= std::max(sets_[set].share_to_add * whole_gain, behind.error)) found.push_back(i);
+      if (behind.nats <= std::max(kAsGood * whole_gain, behind.error)) found.push_back(i);
     }
     return found;
+  }
+
+  /// With as many told values, and not the answer itself with something beside it.
+  bool is_another_answer(std::size_t set, std::size_t answer) const {
+    const std::set<std::string>&own = sets_[set].members, &of_answer = sets_[answer].members;
+    return sets_[set].told == sets_[answer].told &&
+           !std::includes(own.begin(), own.end(), of_answer.begin(), of_answer.end());
   }
 
   std::size_t smallest(const std::vector<std::size_t>& among) const {
     return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
       if (sets_[a].told != sets_[b].told) return sets_[a].told < sets_[b].told;
       if (sets_[a].values != sets_[b].values) return sets_[a].values < sets_[b].values;
+      if (sets_[a].members.size() != sets_[b].members.size()) return sets_[a].members.size() < sets_[b].members.size();
       return sets_[a].cost.cost < sets_[b].cost.cost;
     });
   }
 
   const std::vector<CandidateSet>& sets_;
+  const std::vector<LookedBeside>& looked_;
   const std::uint64_t seed_;
   std::vector<std::size_t> every_;
 };
@@ -120,6 +132,8 @@ double largest_gain(const CandidateSet& set, const CandidateSet& over) {
   return static_cast<double>(by_length.size()) * by_length.maxCoeff();
 }
 
-Decision decide(const std::vector<CandidateSet>& sets, std::uint64_t seed) { return Decider(sets, seed).decide(); }
+Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed) {
+  return Decider(sets, looked, seed).decide();
+}
 
 }  // namespace lacuna

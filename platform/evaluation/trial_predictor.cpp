@@ -73,6 +73,7 @@ TrialPredictor::TrialPredictor(const CompiledModel& model, std::vector<Trial> tr
   for (int worker = 0; worker < std::max(workers, 1); ++worker) {
     desks_.push_back(std::make_unique<Desk>());
     desks_.back()->workspace = model_.make_workspace();
+    desks_.back()->options.record_lateness = true;
   }
 }
 
@@ -139,8 +140,12 @@ void TrialPredictor::predict(const Stretch& stretch, std::span<const double> val
   const std::vector<Eigen::Index>& map = map_[stretch.trial];
   prediction.samples.resize(stretch.size(), static_cast<Eigen::Index>(map.size()));
   if (!prediction.valid) return;
-  for (std::size_t channel = 0; channel < map.size(); ++channel)
+  prediction.lateness.resize(map.size());
+  for (std::size_t channel = 0; channel < map.size(); ++channel) {
     prediction.samples.col(static_cast<Eigen::Index>(channel)) = desk.result.readings.samples.col(map[channel]);
+    prediction.lateness[channel] =
+        desk.result.lateness.empty() ? 0.0 : desk.result.lateness[static_cast<std::size_t>(map[channel])];
+  }
   align_orientations(stretch, prediction.samples);
   if (!prediction.samples.allFinite()) {
     prediction.valid = false;

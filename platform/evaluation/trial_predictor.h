@@ -33,6 +33,8 @@ struct Prediction {
   std::string reason;  ///< why it is not valid, a sentence
   TimeSeries::Samples
       samples;  ///< stretch size × measured channels of the trial, in their order; SI; of no meaning if not valid
+  /// By measured channel: by how much later than the motion its readings are where the stretch begins, s.
+  std::vector<double> lateness;
 };
 
 /// s: longer than most delays and lags.
@@ -75,6 +77,9 @@ class TrialPredictor {
   /// where the stretch begins.
   void predict(const Stretch& stretch, std::span<const double> values, const StartState& start, int worker,
                Prediction& prediction, const WarmUp* warm_up = nullptr) const;
+
+  /// Whether the last value is when commands act.
+  bool fits_timing() const { return timing_ == Timing::fitted; }
 
   /// Measured minus predicted, in the shape of the prediction; NaN where nothing was measured.
   void residuals(const Stretch& stretch, const Prediction& prediction, TimeSeries::Samples& residuals) const;

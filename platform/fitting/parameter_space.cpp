@@ -9,10 +9,12 @@ ParameterSpace::ParameterSpace(const std::vector<FreeValue>& free) {
   const auto size = static_cast<Eigen::Index>(free.size());
   lower_.resize(size);
   upper_.resize(size);
+  start_.resize(size);
   for (const FreeValue& value : free) logarithmic_.push_back(value.scale == Scale::logarithmic && value.lower > 0.0);
   for (Eigen::Index j = 0; j < size; ++j) {
     lower_(j) = to_coordinate(j, free[static_cast<std::size_t>(j)].lower);
     upper_(j) = to_coordinate(j, free[static_cast<std::size_t>(j)].upper);
+    start_(j) = std::clamp(to_coordinate(j, free[static_cast<std::size_t>(j)].start), lower_(j), upper_(j));
   }
 }
 

@@ -17,6 +17,7 @@ class ParameterSpace {
   Eigen::Index size() const { return lower_.size(); }
   const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
+  const Eigen::VectorXd& start() const { return start_; }
   bool logarithmic(Eigen::Index j) const { return logarithmic_[static_cast<std::size_t>(j)]; }
 
   double to_coordinate(Eigen::Index j, double value) const;
@@ -31,7 +32,7 @@ class ParameterSpace {
 
  private:
   std::vector<bool> logarithmic_;
-  Eigen::VectorXd lower_, upper_;  ///< in coordinates
+  Eigen::VectorXd lower_, upper_, start_;  ///< in coordinates
 };
 
 }  // namespace lacuna

@@ -1,5 +1,7 @@
 #include "prediction/descent.h"
 
+#include "prediction/whitened_columns.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,6 +10,8 @@ namespace {
 
 constexpr double kTolerance = 3e-4;  ///< nats that a step gains
 constexpr double kLeastDamping = 0.01, kMostDamping = 100.0;
+constexpr double kPull = 3e-4;         ///< nats, that a value costs at a range's distance from where it starts
+constexpr double kPullOfTiming = 0.1;  ///< nats, the same of when commands act, which a delay does as well
 constexpr double kMoreDamping = 10.0;  ///< times, after a step that led to nothing
 
 class Descent {
@@ -25,29 +29,36 @@ class Descent {
     predictions_.linearise_values(start, residuals_, linear_);
     fit_.valid = true;
     fit_.point = start;
-    fit_.cost = cost_of(linear_.products);
+    fit_.cost = cost_of(start.values, linear_.products);
     fit_.iterations = 1;
     if (go_down(most) || like) {
       predictions_.linearise_starts(fit_.point, residuals_, linear_);
-      fit_.cost = cost_of(linear_.products);
+      fit_.cost = cost_of(fit_.point.values, linear_.products);
       go_down(most);
     }
     fit_.products = std::move(linear_.products);
     for (LinearStretch& stretch : linear_.stretches) fit_.by_starts.push_back(std::move(stretch.start));
-    fit_.bounds = bounds();
+    fit_.bounds = bounds_at(fit_.point.values);
     return std::move(fit_);
   }
 
  private:
-  double cost_of(const BlockProducts& products) const {
-    return cost_at(ladder_.layout, products, Eigen::VectorXd::Zero(products.values())).cost;
+  double cost_of(const Eigen::VectorXd& values, const BlockProducts& products) const {
+    const double of_way = bounds_at(values).cost_of_way(Eigen::VectorXd::Zero(values.size()));
+    return of_way + cost_at(ladder_.layout, products, Eigen::VectorXd::Zero(products.values())).cost;
   }
 
-  StepBounds bounds() const { return {space_.lower() - fit_.point.values, space_.upper() - fit_.point.values}; }
+  /// What hardly matters belongs where it starts: of two values that act alike, the wider stays free.
+  StepBounds bounds_at(const Eigen::VectorXd& values) const {
+    const Eigen::ArrayXd range = space_.upper() - space_.lower();
+    Eigen::VectorXd pull = (range > 0.0).select(kPull / range.square(), 0.0);  // of what cannot move nothing
+    if (predictions_.fits_timing()) pull.tail(1) *= kPullOfTiming / kPull;
+    return {space_.lower() - values, space_.upper() - values, {}, space_.start() - values, pull};
+  }
 
   /// Where the least cost is to first order, values and starts together.
   PredictionPoint stepped(double damping) const {
-    const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds(), damping);
+    const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds_at(fit_.point.values), damping);
     const Eigen::VectorXd values = space_.clamp(fit_.point.values + best.step);
     return {values, moved_starts(ladder_, linear_, values - fit_.point.values)};
   }
@@ -60,7 +71,7 @@ class Descent {
       stretches[k].values.resize(residuals[k].size(), 0);
     }
     predictions_.put_residuals(point, residuals, stretches);
-    return cost_of(whitened_products(ladder_, stretches));
+    return cost_of(point.values, whitened_products(ladder_, stretches));
   }
 
   /// Steps until one gains hardly anything; whether any was taken.

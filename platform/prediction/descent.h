@@ -15,7 +15,7 @@ struct PredictionFit {
   BlockProducts products;
   StartDerivatives by_starts;
   StepBounds bounds;   ///< how far the values may move from here
-  double cost = 0.0;   ///< nats
+  double cost = 0.0;   ///< nats, with what the way of the values from where they start costs
   int iterations = 0;  ///< steps tried
 };
 

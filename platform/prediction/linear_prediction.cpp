@@ -4,6 +4,8 @@
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 #include "prediction/start_by_readings.h"
+#include "prediction/start_prior.h"
+#include "prediction/whitened_columns.h"
 
 #include <Eigen/Cholesky>
 
@@ -36,72 +38,6 @@ double root_mean_square(const std::vector<Eigen::VectorXd>& all) {
   return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
-/// P⁻¹ in coordinates that are one standard deviation each, with what they are divided by.
-struct StartPrior {
-  Eigen::VectorXd deviation;
-  Eigen::MatrixXd precision;  ///< of start over deviation
-};
-
-StartPrior prior_of(const Eigen::MatrixXd& covariance) {
-  StartPrior prior;
-  prior.deviation = covariance.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
-  const Eigen::VectorXd inverse = prior.deviation.cwiseInverse();
-  Eigen::MatrixXd correlation = inverse.asDiagonal() * covariance * inverse.asDiagonal();
-  correlation.diagonal().array() += 1e-9;
-  prior.precision = correlation.ldlt().solve(Eigen::MatrixXd::Identity(correlation.rows(), correlation.cols()));
-  return prior;
-}
-
-/// Adds the products of the rows of one channel of a stretch, the start moved to where each column is least.
-class ChannelWhitener {
- public:
-  ChannelWhitener(const PredictionLadder& ladder, BlockProducts& products) : ladder_(ladder), products_(products) {}
-
-  void add(const PredictedStretch& stretch, const LinearStretch& linear) {
-    const StartPrior prior = prior_of(stretch.covariance);
-    for (std::size_t channel = 0; channel < ladder_.noise.size(); ++channel) add(stretch, linear, prior, channel);
-  }
-
- private:
-  void add(const PredictedStretch& stretch, const LinearStretch& linear, const StartPrior& prior, std::size_t channel) {
-    std::vector<Eigen::Index> rows;
-    for (std::size_t i = 0; i < stretch.channels.size(); ++i)
-      if (stretch.channels[i] == channel) rows.push_back(static_cast<Eigen::Index>(i));
-    if (rows.empty()) return;
-    const auto size = static_cast<Eigen::Index>(rows.size());
-    const Eigen::Index columns = linear.values.cols() + 1;
-    Eigen::MatrixXd own(size, columns), by_start(size, linear.start.cols());
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Eigen::Index row = rows[static_cast<std::size_t>(i)];
-      own(i, 0) = linear.residual(row);
-      own.row(i).tail(columns - 1) = linear.values.row(row);
-      by_start.row(i) = linear.start.row(row).cwiseProduct(prior.deviation.transpose());
-    }
-    const std::size_t cell = ladder_.cell(stretch.length, channel);
-    const std::size_t first_block = stretch.blocks[static_cast<std::size_t>(rows.front())];
-    if (by_start.cols() > 0) {
-      const Eigen::MatrixXd normal = prior.precision + by_start.transpose() * by_start;
-      const Eigen::MatrixXd moves = normal.ldlt().solve(by_start.transpose() * own);
-      own -= by_start * moves;
-      products_.at(cell, first_block) += moves.transpose() * prior.precision * moves;
-    }
-    Eigen::Index begin = 0;
-    while (begin < size) {
-      const std::size_t block = stretch.blocks[static_cast<std::size_t>(rows[static_cast<std::size_t>(begin)])];
-      Eigen::Index end = begin;
-      while (end < size && stretch.blocks[static_cast<std::size_t>(rows[static_cast<std::size_t>(end)])] == block)
-        ++end;
-      const auto part = own.middleRows(begin, end - begin);
-      products_.at(cell, block) += part.transpose() * part;
-      products_.samples(cell, block) += static_cast<double>(end - begin);
-      begin = end;
-    }
-  }
-
-  const PredictionLadder& ladder_;
-  BlockProducts& products_;
-};
-
 }  // namespace
 
 LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const TrialPredictor& predictor,
@@ -109,7 +45,7 @@ LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const Trial
     : ladder_(ladder),
       predictor_(predictor),
       space_(space),
-      changed_readings_(changes_readings ? &starts.states() : nullptr),
+      changed_readings_(changes_readings ? &starts : nullptr),
       warm_ups_(ladder.stretches.size()),
       predictions_(static_cast<std::size_t>(predictor.workers())) {
   for (Eigen::Index j = 0; j < space.size(); ++j)
@@ -158,9 +94,13 @@ bool LadderPredictions::simulate(std::size_t k, const Eigen::VectorXd& values, c
   Prediction& prediction = predictions_[static_cast<std::size_t>(worker)];
   const std::vector<double> of_model = space_.to_values(values);
   const WarmUp* warm_up = warm_ups_[k] ? &*warm_ups_[k] : nullptr;
-  if (changed_readings_)
-    state = start_by_readings({*changed_readings_, predictor_, stretch.stretch, of_model, warm_up, worker}, state,
-                              prediction);
+  ChangedStart changed;
+  if (changed_readings_) {
+    changed = start_by_readings({*changed_readings_, predictor_, stretch.stretch, of_model, warm_up, worker}, state,
+                                prediction);
+    state = changed.start;
+    warm_up = changed.warm_up ? &*changed.warm_up : nullptr;
+  }
   predictor_.predict(stretch.stretch, of_model, state, worker, prediction, warm_up);
   if (!prediction.valid) return false;
   const TimeSeries::Samples& measured = predictor_.trials()[stretch.stretch.trial].measured.samples;
@@ -229,6 +169,7 @@ void LadderPredictions::difference_values(const PredictionPoint& point, const st
   std::vector<Eigen::VectorXd> moved;
   for (Eigen::Index j = 0; j < space_.size(); ++j) {
     char& is_steady = is_steady_[static_cast<std::size_t>(j)];
+    if (!(space_.upper()(j) > space_.lower()(j))) continue;
     if (!steps_are_taken_) is_steady = choose_step(point, residuals, j) ? 1 : 0;
     if (!is_steady) continue;
     const double step = steps_[static_cast<std::size_t>(j)];
@@ -295,13 +236,6 @@ void LadderPredictions::linearise_starts(const PredictionPoint& point, const std
   if (linear.stretches.empty() || linear.stretches.front().values.rows() == 0) return;  // not taken by values yet
   put_residuals(point, residuals, linear.stretches);
   linear.products = whitened_products(ladder_, linear.stretches);
-}
-
-BlockProducts whitened_products(const PredictionLadder& ladder, const std::vector<LinearStretch>& stretches) {
-  BlockProducts products(ladder.layout, stretches.empty() ? 0 : stretches.front().values.cols());
-  ChannelWhitener whitener(ladder, products);
-  for (std::size_t k = 0; k < stretches.size(); ++k) whitener.add(ladder.stretches[k], stretches[k]);
-  return products;
 }
 
 std::vector<Eigen::VectorXd> moved_starts(const PredictionLadder& ladder, const LinearPrediction& linear,

@@ -42,6 +42,7 @@ class LadderPredictions {
 
   const PredictionLadder& ladder() const { return ladder_; }
   const ParameterSpace& space() const { return space_; }
+  bool fits_timing() const { return predictor_.fits_timing(); }
   /// Every stretch at its smoothed start.
   PredictionPoint at_smoothed_starts(const Eigen::VectorXd& values) const;
   /// By stretch, measured minus predicted over a reading's standard deviation; false where one cannot be simulated.
@@ -78,20 +79,16 @@ class LadderPredictions {
   const PredictionLadder& ladder_;
   const TrialPredictor& predictor_;
   const ParameterSpace& space_;
-  const StartStates* changed_readings_ = nullptr;  ///< by which starts follow the model's sensors; null: they do not
-  std::vector<std::optional<WarmUp>> warm_ups_;    ///< by stretch
-  std::vector<double> steps_, first_steps_;        ///< by value, in coordinates
-  std::vector<char> is_steady_;                    ///< by value: whether it has a derivative
+  const SmoothedStarts* changed_readings_ = nullptr;  ///< by which starts follow the model's sensors; null: they do not
+  std::vector<std::optional<WarmUp>> warm_ups_;       ///< by stretch
+  std::vector<double> steps_, first_steps_;           ///< by value, in coordinates
+  std::vector<char> is_steady_;                       ///< by value: whether it has a derivative
   bool steps_are_taken_ = false;
   std::vector<std::size_t> all_, few_;   ///< stretches
   std::vector<Prediction> predictions_;  ///< by worker
   std::uint64_t simulations_ = 0;
   std::string failure_;
 };
-
-/// Products of rows whitened by R + J P Jᵀ of each stretch and channel, in units of R: every column of a stretch, the
-/// residual among them, with what the best start takes off it, and what that start costs.
-BlockProducts whitened_products(const PredictionLadder& ladder, const std::vector<LinearStretch>& stretches);
 
 /// How each start moves where the values take a step: (P⁻¹ + JᵀJ)⁻¹ Jᵀ times what is left.
 std::vector<Eigen::VectorXd> moved_starts(const PredictionLadder& ladder, const LinearPrediction& linear,

@@ -2,6 +2,7 @@
 
 #include "measurement/quantisation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,40 @@ SmoothedStarts::SmoothedStarts(const StartStates& states, const std::vector<Tria
 
 double SmoothedStarts::reading_noise(std::size_t trial, Eigen::Index channel) const {
   return noise_[trial][static_cast<std::size_t>(channel)];
+}
+
+/// From the sample that is nearest, by its acceleration.
+SmoothedStarts::Change SmoothedStarts::change_within(std::size_t trial, Eigen::Index sample,
+                                                     const SmoothedMotion& motion, double seconds) const {
+  const Eigen::VectorXd& times = trials_[trial].measured.times;
+  const double wanted = std::clamp(times(sample) + seconds, times(0), times(times.size() - 1));
+  const double* above = std::lower_bound(times.data(), times.data() + times.size(), wanted);
+  Eigen::Index near = std::min<Eigen::Index>(above - times.data(), times.size() - 1);
+  if (near > 0 && wanted - times(near - 1) < times(near) - wanted) --near;
+  const auto i = static_cast<std::size_t>(near), from = static_cast<std::size_t>(sample);
+  const double rest = wanted - times(near);
+  const double velocity = motion.velocities[i] + rest * motion.accelerations[i];
+  const double position = motion.positions[i] + 0.5 * rest * (motion.velocities[i] + velocity);
+  return {position - motion.positions[from], velocity - motion.velocities[from]};
+}
+
+void SmoothedStarts::move_later(std::size_t trial, Eigen::Index sample, const std::vector<double>& lateness,
+                                StartState& start) const {
+  std::vector<Change> changes(static_cast<std::size_t>(states_.coordinates()));
+  for (const int c : states_.outward()) {
+    const SmoothedCoordinate& own = coordinates_[trial][static_cast<std::size_t>(c)];
+    if (!own.motion || (sample == 0 && StartStates::given(trials_[trial], c))) continue;
+    const Eigen::Index channel = states_.position_reading(trial, c)->channel;
+    Change& change = changes[static_cast<std::size_t>(c)];
+    change = change_within(trial, sample, *own.motion, lateness[static_cast<std::size_t>(channel)]);
+    for (const auto& [other, sign] : own.others) {
+      change.position -= sign * changes[static_cast<std::size_t>(other)].position;
+      change.velocity -= sign * changes[static_cast<std::size_t>(other)].velocity;
+    }
+    const int velocity = states_.coordinates() + c;
+    set_component(start, c, component(start, c) + change.position);
+    set_component(start, velocity, component(start, velocity) + change.velocity);
+  }
 }
 
 StartEstimate SmoothedStarts::at(std::size_t trial, Eigen::Index sample) const {

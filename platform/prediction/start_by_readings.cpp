@@ -7,8 +7,9 @@ namespace lacuna {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kNudge = 1e-4;  ///< rad or m, by which the slope of a reading is found
-constexpr double kSame = 1e-9;   ///< of a reading, rad or m: the model changes nothing of it
+constexpr double kNudge = 1e-4;      ///< rad or m, by which the slope of a reading is found
+constexpr double kSame = 1e-9;       ///< of a reading, rad or m: the model changes nothing of it
+constexpr double kOfLateness = 1.2;  ///< that a warm-up takes
 constexpr double kFlattest = 0.2, kSteepest = 5.0;
 
 /// A model's first reading of one coordinate.
@@ -46,31 +47,59 @@ void follow_reading(const ReadStart& read, const StartStates::Reading& reading, 
     StartState beside = start;
     set_component(beside, coordinate, component(start, coordinate) + kNudge);
     const double slope = (first.at(beside) - here) / kNudge / reading.scale;
-    if (!std::isfinite(slope)) return;
-    const bool follows = slope > kFlattest && slope < kSteepest;
-    set_component(start, coordinate,
-                  component(start, coordinate) + (wanted - here) / reading.scale / (follows ? slope : 1.0));
-    if (follows) {
-      const int velocity = read.states.coordinates() + coordinate;
-      set_component(start, velocity, component(smoothed, velocity) / slope);
-    }
+    if (!(slope > kFlattest && slope < kSteepest)) return;
+    set_component(start, coordinate, component(start, coordinate) + (wanted - here) / reading.scale / slope);
+    const int velocity = read.starts.states().coordinates() + coordinate;
+    set_component(start, velocity, component(smoothed, velocity) / slope);
+  }
+}
+
+/// A warm-up no longer than the readings need that are late, that arrives about where the stretch starts: what is read
+/// first of all happened in it.
+void lead_to(const StartState& start, const ReadStart& read, const std::vector<double>& lateness, WarmUp& warm_up) {
+  const std::size_t trial = read.stretch.trial;
+  const Eigen::VectorXd& times = read.predictor.trials()[trial].measured.times;
+  const double longest = *std::max_element(lateness.begin(), lateness.end());
+  const double begin = times(read.stretch.first) - kOfLateness * std::max(0.0, longest);
+  while (warm_up.first + 2 < read.stretch.first && times(warm_up.first + 1) < begin) ++warm_up.first;
+  const auto late_start_at = [&](Eigen::Index sample) {
+    StartState late = read.starts.at(trial, sample).start;
+    read.starts.move_later(trial, sample, lateness, late);
+    return late;
+  };
+  const StartState there = late_start_at(read.stretch.first);
+  const double seconds = times(read.stretch.first) - times(warm_up.first);
+  warm_up.start = late_start_at(warm_up.first);
+  const int n = read.starts.states().coordinates();
+  for (int c = 0; c < n; ++c) {
+    const double further = component(start, c) - component(there, c);
+    const double faster = component(start, n + c) - component(there, n + c);
+    set_component(warm_up.start, c, component(warm_up.start, c) + further - seconds * faster);
+    set_component(warm_up.start, n + c, component(warm_up.start, n + c) + faster);
   }
 }
 
 }  // namespace
 
-StartState start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction) {
+ChangedStart start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction) {
+  ChangedStart changed{start, read.warm_up ? std::optional(*read.warm_up) : std::nullopt};
   const Stretch first{read.stretch.trial, read.stretch.first, read.stretch.first + 2};
   read.predictor.predict(first, read.values, start, read.worker, prediction, read.warm_up);
-  if (!prediction.valid) return start;
+  if (!prediction.valid) return changed;
   const Eigen::RowVectorXd readings = prediction.samples.row(0);
-  StartState changed = start;
-  for (const int coordinate : read.states.outward())
-    if (const auto& reading = read.states.position_reading(read.stretch.trial, coordinate)) {
+  const std::vector<double> lateness = prediction.lateness;
+  const StartStates& states = read.starts.states();
+  for (const int coordinate : states.outward())
+    if (const auto& reading = states.position_reading(read.stretch.trial, coordinate)) {
       const double plain = FirstReading(read, *reading, prediction).plain(start, coordinate);
-      if (std::abs(readings(reading->channel) - plain) > kSame * std::max(1.0, std::abs(plain)))
-        follow_reading(read, *reading, coordinate, start, changed, prediction);
+      if (lateness[static_cast<std::size_t>(reading->channel)] == 0.0 &&
+          std::abs(readings(reading->channel) - plain) > kSame * std::max(1.0, std::abs(plain)))
+        follow_reading(read, *reading, coordinate, start, changed.start, prediction);
     }
+  if (std::all_of(lateness.begin(), lateness.end(), [](double late) { return late == 0.0; })) return changed;
+  // Where a recording begins, too: what is read there first came before it, but the rest follows from where it is.
+  read.starts.move_later(read.stretch.trial, read.stretch.first, lateness, changed.start);
+  if (changed.warm_up) lead_to(changed.start, read, lateness, *changed.warm_up);
   return changed;
 }
 

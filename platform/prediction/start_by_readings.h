@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/start_states.h"
+#include "prediction/smoothed_starts.h"
 
 #include <vector>
 
@@ -8,7 +8,7 @@ namespace lacuna {
 
 /// Where a prediction of a model begins that changes what sensors read.
 struct ReadStart {
-  const StartStates& states;  ///< which channel reads which coordinate, without the model's changes
+  const SmoothedStarts& starts;
   const TrialPredictor& predictor;
   const Stretch& stretch;
   const std::vector<double>& values;  ///< of the model
@@ -16,10 +16,16 @@ struct ReadStart {
   int worker;
 };
 
+/// Where a prediction begins, and what is simulated before it.
+struct ChangedStart {
+  StartState start;
+  std::optional<WarmUp> warm_up;
+};
+
 /// The start from which the model's first readings are what plain sensors would read at `start`: of a sensor that is
-/// off by 0.1 rad the joint stands 0.1 rad further. Velocities follow the slope of the reading. A coordinate whose
-/// reading does not follow it (a saturated or late sensor) keeps its velocity. `prediction` is used for the
-/// simulations.
-StartState start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction);
+/// off by 0.1 rad the joint stands 0.1 rad further, and of one that is late by 10 ms it is where its readings are 10 ms
+/// later; of one that is both, only later. Velocities follow the slope of the reading. A coordinate whose reading does
+/// not follow it (of a saturated sensor) stays. `prediction` is used for the simulations.
+ChangedStart start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction);
 
 }  // namespace lacuna

@@ -1,6 +1,7 @@
 #include "residual_law/law_bench.h"
 
 #include "criterion/value_errors.h"
+#include "prediction/whitened_columns.h"
 
 #include <limits>
 #include <numeric>

@@ -1,8 +1,10 @@
 #include "search/effect_look.h"
 
-#include "diagnosis/candidates/data_scales.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
+#include "prediction/whitened_columns.h"
+#include "search/extreme_stretches.h"
+#include "search/probed_laws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,53 +17,7 @@ namespace {
 
 constexpr std::size_t kForPromises = 400;  ///< samples of a length
 constexpr WantedChange kWantedChange = {0.2, 0.6, true};
-constexpr double kLeastSize = 1e-6;
 constexpr double kFarthestSize = 20.0;  ///< times its probe's size that an effect may be promised at
-
-/// Of the stretches of the middle length those in which a channel reads most and least, where limits are reached.
-std::vector<PredictedStretch> extremes(const PredictionLadder& ladder, const std::vector<Trial>& trials,
-                                       std::size_t channel) {
-  std::vector<PredictedStretch> found;
-  for (const double sign : {1.0, -1.0}) {
-    const PredictedStretch* farthest = nullptr;
-    double most = 0.0;
-    for (const PredictedStretch& stretch : ladder.stretches) {
-      if (stretch.length != ladder.lengths.size() / 2) continue;
-      const TimeSeries::Samples& samples = trials[stretch.stretch.trial].measured.samples;
-      for (std::size_t i = 0; i < stretch.rows.size(); ++i) {
-        if (stretch.channels[i] != channel) continue;
-        const double value = sign * samples(stretch.stretch.first + stretch.rows[i], stretch.columns[i]);
-        if (!farthest || value > most) most = value, farthest = &stretch;
-      }
-    }
-    if (farthest) found.push_back(*farthest);
-  }
-  return found;
-}
-
-/// Of "joint.hinge", "actuator.motor" or "sensor.angle" the joint; otherwise empty.
-std::string joint_at(const RobotSpec& robot, const std::string& where) {
-  std::string name = where.substr(where.find('.') + 1);
-  if (where.starts_with("joint.")) return name;
-  for (const ActuatorSpec& actuator : robot.actuators)
-    if (where == "actuator." + actuator.name) return actuator.joint;
-  for (const SensorSpec& sensor : robot.sensors)
-    if (where == "sensor." + sensor.name) return sensor.element;
-  return {};
-}
-
-/// By which the sizes of an effect are found: few stretches of the middle length, and the extremes of its joint.
-PredictionLadder for_sizes(const PredictionLadder& ladder, const RobotSpec& robot, const std::vector<Trial>& trials,
-                           const std::string& joint) {
-  PredictionLadder few = thinned(ladder, 1);
-  std::erase_if(few.stretches,
-                [&](const PredictedStretch& stretch) { return stretch.length != ladder.lengths.size() / 2; });
-  const std::vector<std::string> joints = joints_of(robot, ladder.noise);
-  for (std::size_t channel = 0; channel < joints.size(); ++channel)
-    if (joints[channel] == joint)
-      for (PredictedStretch& stretch : extremes(ladder, trials, channel)) few.stretches.push_back(std::move(stretch));
-  return few;
-}
 
 }  // namespace
 
@@ -70,6 +26,7 @@ struct LookStage {
   PredictionLadder ladder;
   ParameterSpace space;  ///< of the model
   LinearPrediction linear;
+  std::shared_ptr<const WhitenedColumns> whitened;  ///< of it
   PredictionPoint point;
   std::vector<double> scale;  ///< by cell: what the model leaves, over a reading's standard deviation, at least 1
 };
@@ -78,11 +35,12 @@ namespace {
 
 LookStage stage_for(const SearchData& data, const FittedModel& model, const PredictionLadder& ladder) {
   const ModelBench bench = data.bench_for(model.model);
-  LookStage stage{ladder, bench.space(), {}, {}, std::vector<double>(ladder.layout.cells.size(), 1.0)};
+  LookStage stage{ladder, bench.space(), {}, nullptr, {}, std::vector<double>(ladder.layout.cells.size(), 1.0)};
   LadderPredictions predictions(stage.ladder, bench.predictor(), bench.space(), data.starts(),
                                 changes_readings(model.model.definition));
   stage.point = predictions.at_smoothed_starts(bench.space().to_coordinates(model.model.values));
   if (std::optional<LinearPrediction> linear = predictions.linearise(stage.point)) stage.linear = std::move(*linear);
+  stage.whitened = std::make_shared<const WhitenedColumns>(stage.ladder, stage.linear.stretches);
   std::vector<double> squares(stage.scale.size(), 0.0), counts(stage.scale.size(), 0.0);
   for (std::size_t k = 0; k < stage.linear.stretches.size(); ++k)
     for (std::size_t i = 0; i < stage.ladder.stretches[k].channels.size(); ++i) {
@@ -151,21 +109,7 @@ std::vector<SizedProbe> sized(const SearchData& data, const FittedModel& model, 
       }
     return true;
   };
-  return size_probes(hypothesis, simulate, kWantedChange, data_scales(data.task().trials));
-}
-
-/// The effect's own values where its probe is so many times as large.
-std::vector<double> values_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, double size) {
-  std::vector<double> own = probe.own;
-  if (!probe.sized) return own;
-  const std::size_t i = *probe.sized;
-  const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
-  const double neutral = hypothesis.neutral[i], probed = probe.own[i];
-  const double value = free.scale == Scale::linear ? neutral + size * (probed - neutral)
-                       : probed < neutral          ? probed / std::max(size, kLeastSize)  // what is stiff does little
-                                                   : probed * size;
-  own[i] = std::clamp(value, free.lower, free.upper);
-  return own;
+  return size_probes(hypothesis, simulate, kWantedChange, data.scales());
 }
 
 /// Names of a hypothesis's own values, in their order.
@@ -200,36 +144,68 @@ StepBounds bounds_of(const LookStage& stage) {
   return {stage.space.lower() - stage.point.values, stage.space.upper() - stage.point.values};
 }
 
-/// Beside the model of the stage with the probe that promises most; nothing where none could be simulated.
-std::optional<EffectPromise> promise_of(std::size_t h, const std::vector<ProbeResponse>& responses,
-                                        const LookStage& stage) {
-  std::optional<EffectPromise> best;
-  const Eigen::Index own = stage.point.values.size();
-  std::vector<LinearStretch> stretches = stage.linear.stretches;
-  for (LinearStretch& stretch : stretches) stretch.values.conservativeResize(Eigen::NoChange, own + 1);
-  StepBounds bounds = bounds_of(stage);
-  bounds.lower.conservativeResize(own + 1);
-  bounds.upper.conservativeResize(own + 1);
-  for (const ProbeResponse& response : responses) {
-    for (std::size_t k = 0; k < stretches.size(); ++k) stretches[k].values.col(own) = response.change[k];
-    bounds.upper(own) = response.probe.sized ? kFarthestSize : 1.0;
-    bounds.lower(own) = response.probe.one_sided ? 0.0 : -bounds.upper(own);
-    const LinearCost found = least_cost(stage.ladder.layout, whitened_products(stage.ladder, stretches), bounds);
-    if (best && found.cost >= best->cost) continue;
-    best = EffectPromise{h, found.cost, response.probe, found.step};
+/// The model of the stage with some responses beside it.
+class StageWithLaw {
+ public:
+  StageWithLaw(const LookStage& stage, const std::vector<ProbeResponse>& responses, const std::vector<std::size_t>& law)
+      : stage_(stage), bounds_(bounds_of(stage)) {
+    const Eigen::Index own = stage.point.values.size(), added = static_cast<Eigen::Index>(law.size());
+    bounds_.lower.conservativeResize(own + added);
+    bounds_.upper.conservativeResize(own + added);
+    std::vector<const PredictedChange*> changes;
+    for (Eigen::Index j = 0; j < added; ++j) {
+      const ProbeResponse& response = responses[law[static_cast<std::size_t>(j)]];
+      changes.push_back(&response.change);
+      bounds_.upper(own + j) = response.probe.sized ? kFarthestSize : 1.0;
+      bounds_.lower(own + j) = response.probe.one_sided ? 0.0 : -bounds_.upper(own + j);
+    }
+    products_ = stage.whitened->with(changes);
+    least_ = least_cost(stage.ladder.layout, products_, bounds_);
   }
-  return best;
+
+  const LinearCost& least() const { return least_; }
+  Eigen::VectorXd cross_fitted() const {
+    return cross_fit(stage_.ladder.layout, products_, bounds_, least_, true).by_block();
+  }
+
+ private:
+  const LookStage& stage_;
+  StepBounds bounds_;
+  BlockProducts products_;
+  LinearCost least_;
+};
+
+/// What the laws of one hypothesis do beside the model of a stage.
+struct LookedLaws {
+  std::optional<EffectPromise> best;   ///< nothing where none could be simulated
+  std::vector<Eigen::VectorXd> costs;  ///< by block of time, cross-fitted
+};
+
+LookedLaws look_at(std::size_t h, const Hypothesis& hypothesis, const std::vector<ProbeResponse>& responses,
+                   const LookStage& stage) {
+  LookedLaws looked;
+  for (const std::vector<std::size_t>& law : laws_of(hypothesis, responses)) {
+    const StageWithLaw with(stage, responses, law);
+    looked.costs.push_back(with.cross_fitted());
+    if (looked.best && with.least().cost >= looked.best->cost) continue;
+    looked.best = EffectPromise{h, with.least().cost, {}, with.least().step};
+    for (const std::size_t r : law) looked.best->probes.push_back(responses[r].probe);
+  }
+  return looked;
 }
 
 void promise(const SearchData& data, EffectLook& look) {
-  const LookStage& stage = *look.stage;
-  look.cost = least_cost(stage.ladder.layout, stage.linear.products, bounds_of(stage)).cost;
-  std::vector<std::optional<EffectPromise>> promises(look.hypotheses.size());
-  parallel_for(promises.size(), data.task().threads,
-               [&](std::size_t h, int) { promises[h] = promise_of(h, look.responses->at(h), stage); });
-  look.promises.clear();
-  for (std::optional<EffectPromise>& one : promises)
-    if (one) look.promises.push_back(std::move(*one));
+  const StageWithLaw plain(*look.stage, {}, {});
+  look.cost = plain.least().cost;
+  const Eigen::VectorXd before = plain.cross_fitted();
+  std::vector<LookedLaws> looked(look.hypotheses.size());
+  parallel_for(looked.size(), data.task().threads, [&](std::size_t h, int) {
+    looked[h] = look_at(h, look.hypotheses[h], look.responses->at(h), *look.stage);
+  });
+  for (LookedLaws& one : looked) {
+    if (one.best) look.promises.push_back(std::move(*one.best));
+    for (const Eigen::VectorXd& cost : one.costs) look.gains.push_back(before - cost);
+  }
   std::stable_sort(look.promises.begin(), look.promises.end(),
                    [](const EffectPromise& a, const EffectPromise& b) { return a.cost < b.cost; });
 }
@@ -248,6 +224,7 @@ EffectLook look_at_library(const SearchData& data, const FittedModel& model, con
   EffectLook look;
   look.hypotheses = list_hypotheses(model.model.experiment, data.task().catalog, model.model.definition,
                                     data.task().among, look.untestable);
+  data.bound(look.hypotheses);
   const RobotSpec& robot = model.model.definition.structure.robot;
   std::map<std::string, LookStage> few;  // by joint
   for (const Hypothesis& hypothesis : look.hypotheses)
@@ -273,6 +250,7 @@ EffectLook look_beside(const SearchData& data, const FittedModel& model, const E
   EffectLook beside;
   beside.hypotheses = list_hypotheses(model.model.experiment, data.task().catalog, model.model.definition,
                                       data.task().among, beside.untestable);
+  data.bound(beside.hypotheses);
   beside.stage = std::make_shared<const LookStage>(stage_for(data, model, look.stage->ladder));
   if (beside.stage->linear.stretches.empty() || !look.responses) return beside;
   std::map<std::string, std::size_t> known;
@@ -298,9 +276,12 @@ NamedValues start_of_fit(const SearchData& data, const FittedModel& model, const
       stage.space.to_values(stage.space.clamp(stage.point.values + promise.step.head(own)));
   double least = std::numeric_limits<double>::infinity();
   NamedValues start = model.values;
+  const Eigen::VectorXd sizes = promise.step.tail(promise.step.size() - own);
+  const Eigen::VectorXd between = sizes.cwiseSign().cwiseProduct(sizes.cwiseAbs().cwiseSqrt());
   for (const std::vector<double>& of_model : {as_is, moved})
     for (const std::vector<double>& of_effect :
-         {values_at_size(hypothesis, promise.probe, promise.step(own)), promise.probe.own}) {
+         {values_at_sizes(hypothesis, promise.probes, sizes), values_at_sizes(hypothesis, promise.probes, between),
+          promise.probes.front().own}) {
       const double cost = probed.cost(of_model, of_effect, stage.linear);
       if (!(cost < least)) continue;
       least = cost;

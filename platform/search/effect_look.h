@@ -3,6 +3,7 @@
 #include "diagnosis/candidates/hypothesis.h"
 #include "diagnosis/candidates/probe_sizes.h"
 #include "search/fitted_models.h"
+#include "search/probed_laws.h"
 
 #include <memory>
 #include <string>
@@ -13,15 +14,9 @@ namespace lacuna {
 /// What one effect beside a fitted model promises to first order.
 struct EffectPromise {
   std::size_t hypothesis = 0;
-  double cost = 0.0;     ///< that is left, nats
-  SizedProbe probe;      ///< of the effect's values
-  Eigen::VectorXd step;  ///< of the model's values, then times the probe
-};
-
-/// What an effect at its probe changes of a model's predictions, by stretch, over a reading's standard deviation.
-struct ProbeResponse {
-  SizedProbe probe;
-  std::vector<Eigen::VectorXd> change;
+  double cost = 0.0;               ///< that is left, nats
+  std::vector<SizedProbe> probes;  ///< of the effect's values: alike but for the one that each was sized by
+  Eigen::VectorXd step;            ///< of the model's values, then times each probe
 };
 
 struct LookStage;
@@ -32,6 +27,7 @@ struct EffectLook {
   std::vector<Untestable> untestable;
   std::vector<EffectPromise> promises;  ///< the least cost first
   double cost = 0.0;                    ///< of the model itself
+  std::vector<Eigen::VectorXd> gains;   ///< nats by block of time, cross-fitted: of every law that was looked at
   std::shared_ptr<const LookStage> stage;
   std::shared_ptr<const std::vector<std::vector<ProbeResponse>>> responses;  ///< by hypothesis
 };

@@ -16,16 +16,17 @@ constexpr std::size_t kLeading = 2;   ///< sets beside which the library is look
 constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each
 constexpr std::size_t kKinds = 4;     ///< best effects of different kinds, fitted two at a time
 constexpr std::size_t kBesidePair = 3;
-constexpr std::size_t kSwapped = 3;      ///< effects that do what a member does, tried in its place
-constexpr double kWorthOfAValue = 0.05;  ///< of the whole gain, for the order in which sets lead to larger ones
-constexpr double kWorthATriple = 0.05;   ///< of the whole gain, that a pair adds
-constexpr double kNearlyAsMuch = 0.3;    ///< of what a simpler effect of its kind promises: less is not fitted
-constexpr double kLeastPromise = 1e-3;   ///< nats, that an effect must promise to be fitted
-constexpr double kLeastShare = 0.03;     ///< of what the best effect promises
-constexpr double kSame = 0.1;            ///< of the gain by blocks, within which two effects do the same
-constexpr double kSlightly = 0.02;       ///< of what a member is alone: where a set begins from one without it
-constexpr double kNested = 1e-3;         ///< nats by which a set may cost more than its part
-constexpr std::uint64_t kSeed = 1;       ///< of signs drawn at random
+constexpr std::size_t kSwapped = 3;  ///< effects that are tried in a member's place
+constexpr std::size_t kMostMembers = 3;
+constexpr double kWorthOfAValue = 0.1;  ///< of the whole gain, for the order in which sets lead to larger ones
+constexpr double kWorthATriple = 0.05;  ///< of the whole gain, that a pair adds
+constexpr double kNearlyAsMuch = 0.3;   ///< of what a simpler effect of its kind promises: less is not fitted
+constexpr double kLeastPromise = 1e-3;  ///< nats, that an effect must promise to be fitted
+constexpr double kLeastShare = 0.1;     ///< of what the best effect promises
+constexpr double kSame = 0.1;           ///< of the gain by blocks, within which two effects do the same
+constexpr double kSlightly = 0.02;      ///< of what a member is alone: where a set begins from one without it
+constexpr double kNested = 1e-3;        ///< nats by which a set may cost more than its part
+constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
 
 /// Members of one model: "b" beside "a".
 using Entries = std::vector<EffectEntry>;
@@ -40,12 +41,14 @@ class EffectSearch {
     const std::vector<NamedValues> start = {{}};
     if (!models_.fit({}, start)) throw NothingPredictable("the model cannot be simulated from any start");
     look_ = look_at_library(data_, models_.base(), models_.ladder());
+    looked_.push_back({{}, look_.gains});
     say("the library looked at");
     fit_singles();
     if (!gains_anything()) return;
     fit_pairs();
     fit_triples();
     swap_members();
+    simplify_members();
     refit_parts();
   }
 
@@ -59,6 +62,7 @@ class EffectSearch {
   bool has_base() const { return models_.find({}) != nullptr; }
   const FittedModels& models() const { return models_; }
   const EffectLook& look() const { return look_; }
+  const std::vector<LookedBeside>& looked() const { return looked_; }
 
  private:
   void say(const std::string& what) const {
@@ -93,11 +97,22 @@ class EffectSearch {
     return start;
   }
 
+  /// Promises by what they leave and what their values are worth.
+  static std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_of_value) {
+    std::vector<EffectPromise> promises = look.promises;
+    const auto price = [&](const EffectPromise& one) {
+      return one.cost + worth_of_value * static_cast<double>(look.hypotheses[one.hypothesis].own.size());
+    };
+    std::stable_sort(promises.begin(), promises.end(),
+                     [&](const EffectPromise& a, const EffectPromise& b) { return price(a) < price(b); });
+    return promises;
+  }
+
   std::vector<EffectPromise> best_promises(const EffectLook& look, const FittedModels::Members& beside,
                                            std::size_t most) const {
     std::vector<EffectPromise> chosen;
     const double most_gain = look.promises.empty() ? 0.0 : look.cost - look.promises.front().cost;
-    for (const EffectPromise& promise : look.promises) {
+    for (const EffectPromise& promise : cheapest_first(look, kWorthOfAValue * most_gain)) {
       if (chosen.size() == most) break;
       const Hypothesis& one = look.hypotheses[promise.hypothesis];
       if (beside.contains(member_name(one.entry))) continue;
@@ -107,20 +122,16 @@ class EffectSearch {
         return simpler.own.size() < one.own.size() && of_one_kind(simpler, one) &&
                gain < kNearlyAsMuch * (look.cost - other.cost);
       });
-      if (gain < std::max(kLeastPromise, kLeastShare * most_gain)) break;
-      if (!is_outdone) chosen.push_back(promise);
+      if (!is_outdone && gain >= std::max(kLeastPromise, kLeastShare * most_gain)) chosen.push_back(promise);
     }
     return chosen;
-  }
-
-  void fit_with(const Entries& added, const NamedValues& start, const NamedValues& without, const EffectLook& look) {
-    fit(added, {start, slightly(start, without, look)}, added.size() == 1 ? kLeastShare : 0.0);
   }
 
   void fit_singles() {
     for (const EffectPromise& promise : best_promises(look_, {}, kSingles)) {
       const Entries added = {look_.hypotheses[promise.hypothesis].entry};
-      fit_with(added, start_of_fit(data_, models_.base(), look_, promise), models_.base().values, look_);
+      const NamedValues start = start_of_fit(data_, models_.base(), look_, promise);
+      fit(added, {start, slightly(start, models_.base().values, look_)}, kLeastShare);
     }
   }
 
@@ -159,11 +170,13 @@ class EffectSearch {
     for (const EffectEntry& entry : parent) members.insert(member_name(entry));
     const FittedModel known = *models_.find(members);
     const EffectLook look = lacuna::look_beside(data_, known, look_);
+    std::erase_if(looked_, [&](const LookedBeside& before) { return before.members == members; });
+    looked_.push_back({members, look.gains});
     say(fmt::format("the library beside {}", fmt::join(members, " + ")));
     for (const EffectPromise& promise : best_promises(look, members, most)) {
       Entries added = parent;
       added.push_back(look.hypotheses[promise.hypothesis].entry);
-      fit_with(added, start_of_fit(data_, known, look, promise), known.values, look);
+      if (!models_.find(members_of(added))) fit(added, {start_of_fit(data_, known, look, promise)});
     }
   }
 
@@ -183,7 +196,14 @@ class EffectSearch {
     if (models_.find({member_name(one.front()), member_name(other.front())})) return;
     const NamedValues of_one = models_.find({member_name(one.front())})->values;
     const NamedValues of_other = models_.find({member_name(other.front())})->values;
-    fit(both, {slightly(of_other, of_one, look_), slightly(of_one, of_other, look_)});
+    fit(both, {both_values(of_other, of_one), slightly(of_one, of_other, look_)});
+  }
+
+  /// The values of one set, and of another what the first does not have.
+  static NamedValues both_values(const NamedValues& other, const NamedValues& one) {
+    NamedValues start = other;
+    for (const auto& [name, value] : one) start[name] = value;
+    return start;
   }
 
   double whole_gain() const {
@@ -193,47 +213,74 @@ class EffectSearch {
     return gain;
   }
 
+  /// Beside the leading pairs, where a pair gains more than one effect does.
   void fit_triples() {
     const std::vector<const FittedModel*> pairs = ordered(2), singles = ordered(1);
     if (pairs.empty() || singles.empty()) return;
     const CostGain more = gain_of(pairs.front()->judged, singles.front()->judged);
     if (!more.is_told() || more.nats < kWorthATriple * whole_gain()) return;
-    look_beside(pairs.front()->model.added, kBesidePair);
+    std::vector<Entries> leading;
+    for (const FittedModel* pair : pairs) {
+      const bool is_like = std::any_of(leading.begin(), leading.end(), [&](const Entries& other) {
+        return does_the_same(*pair, *models_.find(members_of(other)));
+      });
+      if (leading.size() < kLeading && !is_like) leading.push_back(pair->model.added);
+    }
+    for (const Entries& pair : leading) look_beside(pair, kBesidePair);
   }
 
-  /// The best set with each member in turn replaced by effects that do the same.
+  /// The best set with each member in turn replaced by what promises most beside the others.
   void swap_members() {
-    const FittedModel& best = *best_set();
-    if (best.judged.members.size() < 2) return;
-    const Entries added = best.model.added;
-    const NamedValues values = best.values;
-    for (std::size_t i = 0; i < added.size(); ++i) swap_member(added, values, i);
-  }
-
-  void swap_member(const Entries& added, const NamedValues& values, std::size_t member) {
-    const FittedModel* own = models_.find({member_name(added[member])});
-    if (!own) return;
-    std::size_t swapped = 0;
-    for (const FittedModel* other : ordered(1)) {
-      if (swapped == kSwapped) break;
-      const EffectEntry& entry = other->model.added.front();
-      if (is_member(added, entry) || !does_the_same(*other, *own)) continue;
-      Entries changed = without_member(added, member);
-      changed.push_back(entry);
-      ++swapped;
-      if (!models_.find(members_of(changed))) fit(changed, {both_values(other->values, values)});
+    const Entries added = best_set()->model.added;
+    const NamedValues values = best_set()->values;
+    for (std::size_t i = 0; i < added.size() && added.size() > 1; ++i) {
+      const Entries rest = without_member(added, i);
+      if (!models_.find(members_of(rest))) noted(models_.refine(rest, values));
+      if (models_.find(members_of(rest))) look_beside(rest, kSwapped);
     }
   }
 
-  static bool is_member(const Entries& added, const EffectEntry& entry) {
-    return members_of(added).contains(member_name(entry));
+  /// The best set and the best single effect, each member replaced by simpler effects of its kind, one or two: friction
+  /// by direction is a dry friction and a constant force.
+  void simplify_members() {
+    const std::vector<const FittedModel*> singles = ordered(1);
+    if (!singles.empty()) simplify(singles.front()->model.added, NamedValues(singles.front()->values));
+    const FittedModel* best = best_set();
+    simplify(Entries(best->model.added), NamedValues(best->values));
   }
 
-  /// The values of a set, and of an effect beside it as it is alone.
-  static NamedValues both_values(const NamedValues& alone, const NamedValues& values) {
-    NamedValues start = alone;
-    for (const auto& [name, value] : values) start[name] = value;
-    return start;
+  void simplify(const Entries& added, const NamedValues& values) {
+    for (std::size_t i = 0; i < added.size(); ++i) {
+      const Entries rest = without_member(added, i);
+      const std::vector<const FittedModel*> simpler = simpler_than(added[i], added);
+      for (std::size_t a = 0; a < simpler.size(); ++a) {
+        fit_in_place(rest, {simpler[a]}, values);
+        for (std::size_t b = a + 1; b < simpler.size() && rest.size() + 2 <= kMostMembers; ++b)
+          fit_in_place(rest, {simpler[a], simpler[b]}, values);
+      }
+    }
+  }
+
+  /// Single effects of one kind with an effect that have fewer values, the best first.
+  std::vector<const FittedModel*> simpler_than(const EffectEntry& entry, const Entries& added) const {
+    std::vector<const FittedModel*> simpler;
+    const Hypothesis& rich = hypothesis_of(entry);
+    for (const FittedModel* single : ordered(1)) {
+      const Hypothesis& one = hypothesis_of(single->model.added.front());
+      const bool is_member = members_of(added).contains(member_name(one.entry));
+      if (!is_member && one.own.size() < rich.own.size() && of_one_kind(one, rich) && simpler.size() < kSwapped)
+        simpler.push_back(single);
+    }
+    return simpler;
+  }
+
+  void fit_in_place(Entries added, const std::vector<const FittedModel*>& singles, const NamedValues& values) {
+    NamedValues start = values;
+    for (const FittedModel* single : singles) {
+      added.push_back(single->model.added.front());
+      start = both_values(single->values, start);
+    }
+    if (!models_.find(members_of(added))) fit(added, {start});
   }
 
   const FittedModel* best_set() const {
@@ -249,18 +296,21 @@ class EffectSearch {
     return rest;
   }
 
-  /// Parts of the best set once more from its values: nesting from above.
+  /// Parts of the best sets from their values, those of the very best even where they are known: nesting from above.
   void refit_parts() {
-    const FittedModel* best = best_set();
-    refit_parts_of(best->model.added, best->values);
+    std::vector<std::pair<Entries, NamedValues>> best = {{best_set()->model.added, best_set()->values}};
+    for (const FittedModel* set : ordered(kMostMembers))
+      if (best.size() <= kLeading) best.emplace_back(set->model.added, set->values);
+    for (std::size_t i = 0; i < best.size(); ++i) refit_parts_of(best[i].first, best[i].second, i == 0);
     mend_nesting();
   }
 
-  void refit_parts_of(const Entries& added, const NamedValues& values) {
+  void refit_parts_of(const Entries& added, const NamedValues& values, bool is_best) {
     for (std::size_t i = 0; i < added.size(); ++i) {
       const Entries rest = without_member(added, i);
-      const FittedModel* part = noted(models_.refine(rest, values));
-      if (part && rest.size() > 1) refit_parts_of(rest, NamedValues(part->values));
+      const FittedModel* part = models_.find(members_of(rest));
+      if (!part || is_best) part = noted(models_.refine(rest, values));
+      if (part && rest.size() > 1) refit_parts_of(rest, NamedValues(part->values), is_best);
     }
   }
 
@@ -287,6 +337,7 @@ class EffectSearch {
   const SearchData& data_;
   FittedModels models_;
   EffectLook look_;
+  std::vector<LookedBeside> looked_;
 };
 
 void conclude(const EffectSearch& search, SearchResult& result) {
@@ -297,7 +348,7 @@ void conclude(const EffectSearch& search, SearchResult& result) {
     if (!members.empty()) result.sets.push_back(model);
   std::vector<CandidateSet> sets;
   for (const FittedModel& set : result.sets) sets.push_back(set.judged);
-  result.decision = decide(sets, kSeed);
+  result.decision = decide(sets, search.looked(), kSeed);
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;
   result.fits += models.fits();

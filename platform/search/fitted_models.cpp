@@ -14,7 +14,7 @@ constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
 constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
 constexpr double kBetter = 1e-4;                ///< nats
 constexpr const char* kTiming = "timing";
-constexpr double kShareOfOneJoint = 0.1, kShareOfSeveral = 0.01;  ///< of the whole gain, that a member must add
+constexpr double kShareOfOneJoint = 0.05, kShareOfSeveral = 0.01;  ///< of the whole gain, that a member must add
 
 /// The name of a value by the member that it belongs to.
 std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
@@ -102,8 +102,10 @@ const FittedModel* FittedModels::find(const Members& members) const {
 }
 
 Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const {
-  const FittedModel* known = find(member_names(added));
-  return known ? known->model : with_effects(data_.plain(), with_ids(added), {}, data_.task().catalog);
+  if (const FittedModel* known = find(member_names(added))) return known->model;
+  Contender model = with_effects(data_.plain(), with_ids(added), {}, data_.task().catalog);
+  data_.bound(model);
+  return model;
 }
 
 const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, const std::vector<NamedValues>& starts,

@@ -53,6 +53,7 @@ bool changes_readings(const ModelDefinition& definition) {
 
 SearchData::SearchData(const EffectSearchTask& task)
     : task_(task),
+      scales_(data_scales(task.trials)),
       timing_(longest_command_interval(task.trials) > 0.0),
       plain_(lacuna::plain(coarse(task.experiment), task.catalog, task.values)) {
   if (timing_) plain_.values.push_back(0.0);
@@ -64,6 +65,17 @@ SearchData::SearchData(const EffectSearchTask& task)
   noise_ = noise_of_readings(*starts_, readings_->predictor().trials(), noise_);
   build_ladders();
   choose_substeps();
+}
+
+void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {
+  for (Hypothesis& one : hypotheses) {
+    bound_by_resolution({one.entry}, scales_, one.definition.free);
+    for (std::size_t i = 0; i < one.own.size(); ++i) {
+      const FreeValue& free = one.definition.free[one.own[i]];
+      one.neutral[i] = std::clamp(one.neutral[i], free.lower, free.upper);
+      one.defaults[i] = std::clamp(one.defaults[i], free.lower, free.upper);
+    }
+  }
 }
 
 LadderSource SearchData::source(const ModelBench& bench) const {

@@ -2,6 +2,7 @@
 
 #include "config/experiment.h"
 #include "diagnosis/candidates/contender.h"
+#include "diagnosis/candidates/data_scales.h"
 #include "diagnosis/candidates/timing.h"
 #include "loading/plugin_catalog.h"
 #include "prediction/descent.h"
@@ -9,6 +10,7 @@
 #include "search/kept_fits.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -68,6 +70,11 @@ class SearchData {
   const PredictionLadder& deciding() const { return deciding_; }  ///< of the shortest
   /// The same lengths over what is held out; no stretches where nothing is.
   PredictionLadder held_out() const;
+  /// See `data_scales`.
+  const std::map<std::string, double>& scales() const { return scales_; }
+  /// Keeps values of added effects within what the readings resolve.
+  void bound(Contender& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
+  void bound(std::vector<Hypothesis>& hypotheses) const;
   bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's
 
   ModelBench bench_for(const Contender& model) const {
@@ -80,6 +87,7 @@ class SearchData {
   void choose_substeps();
 
   const EffectSearchTask task_;
+  const std::map<std::string, double> scales_;
   bool timing_ = false;
   Contender plain_, reader_;
   std::vector<ChannelNoise> noise_;

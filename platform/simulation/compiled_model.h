@@ -65,6 +65,7 @@ struct SimulationOptions {
       false;  ///< also return the commands as sent (before delay, gain, effects), a row an output sample
   bool record_centre_of_mass = false;  ///< also return the whole robot's centre of mass, a row an output sample
   bool save_final_state = false;
+  bool record_lateness = false;  ///< also return by how much the readings are late
 };
 
 enum class Ending { completed, stopped, invalid };
@@ -76,7 +77,10 @@ struct SimulationResult {
   TimeSeries commands;        ///< if asked for
   TimeSeries centre_of_mass;  ///< if asked for: x, y, z in the world, m
   State final_state;          ///< if asked for
-  std::uint64_t steps = 0;    ///< integration steps taken
+  /// If asked for: by how much later than the motion each channel is where the simulation starts, or where it goes on
+  /// from another state, s.
+  std::vector<double> lateness;
+  std::uint64_t steps = 0;  ///< integration steps taken
 };
 
 /// Memory that one thread simulates in. Belongs to the model that made it.

@@ -22,35 +22,53 @@ CandidateSet set_of(std::set<std::string> members, double gain, int told, std::u
 }
 
 TEST(Decision, NamesTheEffectThatGains) {
-  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.1, 1, 2)}, 1);
+  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.1, 1, 2)}, {}, 1);
   EXPECT_EQ(decision.answer, 1U);
   EXPECT_TRUE(decision.alike.empty());
   EXPECT_LT(decision.p, 0.01);
 }
 
 TEST(Decision, NamesNothingWhereNothingGains) {
-  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, -0.01, 1, 1), set_of({"b"}, 0.0, 1, 2)}, 1);
+  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"a"}, -0.01, 1, 1), set_of({"b"}, 0.0, 1, 2)}, {}, 1);
   EXPECT_EQ(decision.answer, 0U);
 }
 
 TEST(Decision, TakesTheFewerValuesOfSetsThatAreAsGood) {
-  const Decision decision =
-      decide({set_of({}, 0.0, 0), set_of({"rich"}, 1.01, 3, 1), set_of({"simple"}, 1.0, 1, 2)}, 1);
+  const Decision decision = decide({set_of({}, 0.0, 0), set_of({"rich"}, 1.01, 3, 1), set_of({"simple"}, 1.0, 1, 2),
+                                    set_of({"as simple"}, 0.99, 1, 3)},
+                                   {}, 1);
   EXPECT_EQ(decision.answer, 2U);
-  EXPECT_EQ(decision.alike, std::vector<std::size_t>{1U});
+  EXPECT_EQ(decision.alike, std::vector<std::size_t>{3U}) << "a richer law that does the same is no other answer";
 }
 
 TEST(Decision, AddsASecondEffectThatEarnsItsShare) {
   const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.4, 1, 2),
                                        set_of({"a", "b"}, 1.5, 2, 3), set_of({"a", "c"}, 1.02, 2, 4)};
-  EXPECT_EQ(decide(sets, 1).answer, 3U);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 3U);
   const std::vector<CandidateSet> little{sets[0], sets[1], sets[2], set_of({"a", "b"}, 1.03, 2, 3)};
-  EXPECT_EQ(decide(little, 1).answer, 1U);
+  EXPECT_EQ(decide(little, {}, 1).answer, 1U);
+}
+
+/// Of many laws that were looked at one gains by chance as much as the best that was fitted.
+TEST(Decision, CountsWhatWasLookedAtBesideASet) {
+  std::mt19937_64 bits(7);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  CandidateSet weak = set_of({"a"}, 0.2, 1);
+  for (double& cost : weak.cost.by_length.reshaped()) cost += 0.01 * normal(bits);
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), weak};
+  LookedBeside looked;
+  for (int law = 0; law < 400; ++law) {
+    looked.gains.emplace_back(kBlocks);
+    for (double& gain : looked.gains.back()) gain = normal(bits);
+  }
+  EXPECT_GT(decide(sets, {looked}, 1).p, 2.0 * decide(sets, {}, 1).p);
+  looked.members = {"another"};
+  EXPECT_DOUBLE_EQ(decide(sets, {looked}, 1).p, decide(sets, {}, 1).p);
 }
 
 TEST(Decision, NamesNothingThatLowersTheErrorByLessThanATwentieth) {
-  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.04, 1, 1)}, 1).answer, 0U);
-  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.07, 1, 1)}, 1).answer, 1U);
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.04, 1, 1)}, {}, 1).answer, 0U);
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), set_of({"a"}, 0.07, 1, 1)}, {}, 1).answer, 1U);
 }
 
 TEST(LargestGain, IsThatOfOneLength) {
@@ -63,16 +81,23 @@ TEST(Decision, BelievesNothingThatGainsAtOneLengthAlone) {
   CandidateSet one = set_of({"a"}, 0.0, 1, 1);
   one.cost.by_length.row(2).array() -= 1.0 / kBlocks;
   EXPECT_GT(gain_of(one, set_of({}, 0.0, 0)).nats, 0.9);
-  EXPECT_EQ(decide({set_of({}, 0.0, 0), one}, 1).answer, 0U);
+  EXPECT_EQ(decide({set_of({}, 0.0, 0), one}, {}, 1).answer, 0U);
+}
+
+/// Friction by direction is a dry friction and a constant torque: one effect, not two.
+TEST(Decision, TakesTheSetOfFewestEffectsOfThoseOfAsManyValues) {
+  const std::vector<CandidateSet> sets = {set_of({}, 0.0, 0), set_of({"a", "b"}, 1.0, 2, 1),
+                                          set_of({"both"}, 0.999, 2, 1)};
+  EXPECT_EQ(decide(sets, {}, 1).answer, 2U);
 }
 
 /// Of sets that tell as many values the one that has fewer in all: a law with values that nothing tells is no simpler.
 TEST(Decision, TakesTheSetOfFewestValuesOfThoseThatTellAsMany) {
   std::vector<CandidateSet> sets = {set_of({}, 0.0, 0), set_of({"rich"}, 1.0, 1, 1), set_of({"plain"}, 0.999, 1, 1)};
   sets[1].values = 6;
-  EXPECT_EQ(decide(sets, 1).answer, 2U);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 2U);
   sets[2].values = 7;
-  EXPECT_EQ(decide(sets, 1).answer, 1U);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 1U);
 }
 
 }  // namespace

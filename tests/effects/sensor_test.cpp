@@ -42,6 +42,21 @@ TEST(SensorLag, FollowsARampAtItsTimeConstant) {
                 kRounding);
 }
 
+/// The place of an even motion tells by how much its reading is late.
+void expect_lateness(const std::string& name, double value, double time) {
+  const std::vector<double> values = {value};
+  const std::vector<int> elements = {0};
+  const double late = effect(name).lateness(time, {values, elements, ElementKind::sensor, kStep});
+  EXPECT_NEAR(late, time - read_at(name, values, time) / kSpeed, 1e-5) << name;
+}
+
+TEST(Lateness, IsByHowMuchReadingsAreBehindTheMotion) {
+  expect_lateness("sensor_lag", 0.05, 0.7);  // after many time constants
+  expect_lateness("clock_skew", 0.01, 0.4);
+  expect_lateness("clock_skew", -0.01, 0.4);
+  expect_lateness("sensor_drift", 0.0, 0.4);
+}
+
 TEST(SensorSaturation, StaysAtTheEndsOfItsRange) {
   EXPECT_EQ(read_at("sensor_saturation", {-0.1, 0.5}, 0.4), 0.5);
   EXPECT_NEAR(read_at("sensor_saturation", {-0.1, 0.5}, 0.2), 0.3, kRounding);

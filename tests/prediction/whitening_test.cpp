@@ -1,4 +1,4 @@
-#include "prediction/linear_prediction.h"
+#include "prediction/whitened_columns.h"
 
 #include <gtest/gtest.h>
 

@@ -184,6 +184,11 @@ class PhysicalEffect {
   /// Changes the channels of the sensor `context.elements[which]` in place.
   virtual void sense(std::span<double> /*channels*/, int /*which*/, const StepView&, const EffectContext&,
                      std::span<double> /*state*/) const {}
+  /// By how much later than the motion the readings of its sensors are at `time`, both s, negative where they are
+  /// earlier; a delay that `amend` writes into
+  /// the robot is not part of it. For effects that override `sense`: where a motion is begun that readings tell, it is
+  /// begun so much later.
+  virtual double lateness(double /*time*/, const EffectContext&) const { return 0.0; }
 
   /// What the host calls of it.
   EffectHooks hooks() const {

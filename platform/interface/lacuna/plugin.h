@@ -22,7 +22,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 9;
+inline constexpr std::uint32_t kInterfaceVersion = 10;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 

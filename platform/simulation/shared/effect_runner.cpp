@@ -124,6 +124,19 @@ void EffectRunner::sense(std::size_t sensor, std::span<double> channels, const S
   leave();
 }
 
+double EffectRunner::lateness(std::size_t sensor, double time) {
+  if (schedule_.senses(sensor).empty()) return 0.0;
+  double sum = 0.0;
+  for (const auto& [effect, which] : schedule_.senses(sensor)) {
+    enter(effect, "lateness");
+    sum += schedule_.effects()[effect].effect->lateness(time, context(effect));
+    check();
+    if (!std::isfinite(sum)) throw Error(std::string("its lateness is not a number") + kRepair);
+  }
+  leave();
+  return sum;
+}
+
 void EffectRunner::end() const {
   if (schedule_.effects().empty()) return;
   const std::string changed = ProcessWatch::changed();

@@ -28,6 +28,8 @@ class EffectRunner {
   void advance(const StepView& view, double length);
   double command(std::size_t actuator, double value, const StepView& view);
   void sense(std::size_t sensor, std::span<double> channels, const StepView& view);
+  /// By how much later than the motion the effects make the readings of a sensor, s.
+  double lateness(std::size_t sensor, double time);
 
   void save(StateWriter& writer) const { writer.put(states_); }
   void load(StateReader& reader) { reader.get(states_); }

@@ -56,6 +56,7 @@ void Run::carry_out(std::span<const double> parameters, const Test& test) {
     ws_.build(parameters, slots);
     ws_.drive.open_delays(ws_.instance.robot());
     begin();
+    record_lateness();
     bool wanted = write_outputs(time(step_), time(step_));
     while (wanted && step_ < last_step_) {
       throw_if_kept_waiting();
@@ -136,6 +137,19 @@ void Run::begin() {
   const double steps = std::ceil((options_.end_time - origin_) / h_ - kSameTime);
   if (steps > 1e15) throw Error("the simulation has too many steps");
   last_step_ = std::max(step_, static_cast<std::uint64_t>(std::max(0.0, steps)));
+}
+
+void Run::record_lateness() {
+  if (!options_.record_lateness) return;
+  result_.lateness.assign(model_.channels().size(), 0.0);
+  const std::vector<SensorSpec>& sensors = ws_.instance.robot().sensors;
+  const std::span<const std::size_t> first = ws_.sensors.first_channel();
+  for (std::size_t s = 0; s < sensors.size(); ++s) {
+    const double begins = options_.restart ? options_.restart_time : time(step_);
+    const double late = sensors[s].delay + ws_.effects.lateness(s, begins);
+    std::fill(result_.lateness.begin() + static_cast<std::ptrdiff_t>(first[s]),
+              result_.lateness.begin() + static_cast<std::ptrdiff_t>(first[s + 1]), late);
+  }
 }
 
 void Run::begin_at_coordinates() {

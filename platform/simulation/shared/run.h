@@ -21,6 +21,7 @@ class Run : private LoadSource {
   void prepare_result();
 
   void begin();
+  void record_lateness();
   void begin_at_coordinates();
   void recall_commands();
   void advance();

@@ -73,6 +73,10 @@ void ClockSkew::sense(std::span<double> channels, int which, const StepView& vie
   memory.count = std::min(2.0, memory.count + 1.0);
 }
 
+double ClockSkew::lateness(double time, const EffectContext& context) const {
+  return time * context.parameters[0] / (1.0 + context.parameters[0]);
+}
+
 }  // namespace lacuna
 
 LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::ClockSkew>("clock_skew"))

@@ -49,6 +49,8 @@ void SensorLag::sense(std::span<double> channels, int which, const StepView& vie
   own[1] = view.time;
 }
 
+double SensorLag::lateness(double /*time*/, const EffectContext& context) const { return context.parameters[0]; }
+
 }  // namespace lacuna
 
 LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::SensorLag>("sensor_lag"))

@@ -12,6 +12,7 @@ class SensorLag : public PhysicalEffect {
   int state_size(const EffectContext& context) const override;
   void sense(std::span<double> channels, int which, const StepView& view, const EffectContext& context,
              std::span<double> state) const override;
+  double lateness(double time, const EffectContext& context) const override;
 };
 
 }  // namespace lacuna

@@ -1,0 +1,65 @@
+#include "search/probed_laws.h"
+
+#include <algorithm>
+
+namespace lacuna {
+namespace {
+
+constexpr double kLeastSize = 1e-6;
+
+/// The value by which a probe was sized, so many times as far from where it changes nothing.
+double value_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, double size) {
+  const std::size_t i = *probe.sized;
+  const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
+  const double neutral = hypothesis.neutral[i], probed = probe.own[i];
+  const double value = free.scale == Scale::linear ? neutral + size * (probed - neutral)
+                       : probed < neutral          ? probed / std::max(size, kLeastSize)  // what is stiff does little
+                                                   : probed * size;
+  return std::clamp(value, free.lower, free.upper);
+}
+
+/// Whether two probes act together to first order: the same law, each sized by another linear value of it.
+bool act_together(const Hypothesis& hypothesis, const SizedProbe& one, const SizedProbe& other) {
+  if (!one.sized || !other.sized || *one.sized == *other.sized) return false;
+  for (std::size_t i = 0; i < one.own.size(); ++i) {
+    const bool is_sized = i == *one.sized || i == *other.sized;
+    if (is_sized && hypothesis.definition.free[hypothesis.own[i]].scale != Scale::linear) return false;
+    if (!is_sized && one.own[i] != other.own[i]) return false;
+  }
+  return one.own[*other.sized] == hypothesis.neutral[*other.sized] &&
+         other.own[*one.sized] == hypothesis.neutral[*one.sized];
+}
+
+}  // namespace
+
+std::vector<double> values_at_sizes(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
+                                    const Eigen::VectorXd& sizes) {
+  std::vector<double> own = probes.front().own;
+  for (std::size_t p = 0; p < probes.size(); ++p)
+    if (probes[p].sized)
+      own[*probes[p].sized] = value_at_size(hypothesis, probes[p], sizes(static_cast<Eigen::Index>(p)));
+  return own;
+}
+
+std::vector<std::vector<std::size_t>> laws_of(const Hypothesis& hypothesis,
+                                              const std::vector<ProbeResponse>& responses) {
+  std::vector<std::vector<std::size_t>> laws;
+  std::vector<char> is_taken(responses.size(), 0);
+  for (std::size_t r = 0; r < responses.size(); ++r) {
+    if (is_taken[r]) continue;
+    std::vector<std::size_t> law = {r};
+    for (std::size_t o = r + 1; o < responses.size(); ++o) {
+      const SizedProbe& other = responses[o].probe;
+      if (other.own == responses[r].probe.own && other.sized == responses[r].probe.sized) is_taken[o] = 1;
+      const bool fits = std::all_of(law.begin(), law.end(), [&](std::size_t member) {
+        return act_together(hypothesis, responses[member].probe, other);
+      });
+      if (!is_taken[o] && fits) law.push_back(o);
+    }
+    for (const std::size_t member : law) is_taken[member] = 1;
+    laws.push_back(std::move(law));
+  }
+  return laws;
+}
+
+}  // namespace lacuna

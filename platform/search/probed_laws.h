@@ -1,0 +1,27 @@
+#pragma once
+
+#include "diagnosis/candidates/probe_sizes.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace lacuna {
+
+/// What an effect at its probe changes of a model's predictions, by stretch, over a reading's standard deviation.
+struct ProbeResponse {
+  SizedProbe probe;
+  std::vector<Eigen::VectorXd> change;
+};
+
+/// The effect's own values where its probes, which act together, are so many times as large.
+std::vector<double> values_at_sizes(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
+                                    const Eigen::VectorXd& sizes);
+
+/// By law the responses that act together: those of one form of the effect, each sized by another value of it. Equal
+/// probes count once.
+std::vector<std::vector<std::size_t>> laws_of(const Hypothesis& hypothesis,
+                                              const std::vector<ProbeResponse>& responses);
+
+}  // namespace lacuna
