@@ -8,3 +8,4 @@ ALTER TABLE diagnosis RENAME COLUMN method TO method_before;
 ALTER TABLE diagnosis ADD COLUMN method TEXT CHECK (method IN ('likelihood', 'horizon', 'prediction'));
 UPDATE diagnosis SET method = method_before;
 ALTER TABLE diagnosis DROP COLUMN method_before;
+CREATE INDEX diagnosis_by_method ON diagnosis (method);
