@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/candidates/hypothesis.h"
+#include "candidates/hypothesis.h"
 #include "evaluation/known_setups.h"
 #include "residual_law/force_findings.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/data_checks/doubt.h"
+#include "data_checks/doubt.h"
 #include "answer/diagnosis.h"
 
 #include <vector>

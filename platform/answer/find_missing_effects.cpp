@@ -7,7 +7,7 @@
 #include "answer/search_findings.h"
 #include "answer/settling_test.h"
 #include "answer/stopped_search.h"
-#include "diagnosis/data_checks/data_doubts.h"
+#include "data_checks/data_doubts.h"
 #include "fitting/progress_meter.h"
 #include "foundation/interrupt.h"
 #include "search/effect_search.h"

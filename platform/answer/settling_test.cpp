@@ -1,7 +1,7 @@
 #include "answer/settling_test.h"
 
 #include "answer/fitted_values.h"
-#include "diagnosis/experiment_design/propose_test.h"
+#include "experiment_design/propose_test.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "answer/stopped_search.h"
 
-#include "diagnosis/candidates/hypothesis.h"
+#include "candidates/hypothesis.h"
 #include "foundation/counted.h"
 #include "foundation/interrupt.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "diagnosis/candidates/hypothesis.h"
-#include "diagnosis/candidates/probe_sizes.h"
+#include "candidates/hypothesis.h"
+#include "candidates/probe_sizes.h"
 #include "search/fitted_models.h"
 #include "search/probed_laws.h"
 

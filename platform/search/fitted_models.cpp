@@ -1,6 +1,6 @@
 #include "search/fitted_models.h"
 
-#include "diagnosis/candidates/hypothesis.h"
+#include "candidates/hypothesis.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

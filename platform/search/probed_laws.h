@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/candidates/probe_sizes.h"
+#include "candidates/probe_sizes.h"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "config/experiment.h"
-#include "diagnosis/candidates/contender.h"
-#include "diagnosis/candidates/data_scales.h"
-#include "diagnosis/candidates/timing.h"
+#include "candidates/contender.h"
+#include "candidates/data_scales.h"
+#include "candidates/timing.h"
 #include "loading/plugin_catalog.h"
 #include "prediction/descent.h"
 #include "prediction/prediction_lengths.h"

@@ -1,7 +1,7 @@
 #include "answer/find_missing_effects.h"
 
 #include "config/experiment_reader.h"
-#include "diagnosis/recorded_pendulum.h"
+#include "data_checks/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>

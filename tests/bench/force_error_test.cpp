@@ -1,5 +1,5 @@
 #include "bench/force_error.h"
-#include "diagnosis/recorded_pendulum.h"
+#include "data_checks/recorded_pendulum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "residual_law/residual_law.h"
 
 #include "config/experiment_reader.h"
-#include "diagnosis/recorded_pendulum.h"
+#include "data_checks/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>

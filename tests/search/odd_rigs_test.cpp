@@ -1,5 +1,5 @@
 #include "config/experiment_reader.h"
-#include "diagnosis/recorded_pendulum.h"
+#include "data_checks/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
 #include "search/effect_search.h"
 

@@ -6,7 +6,7 @@
 #include "app/workspace/scale_note.h"
 #include "app/workspace/workbench.h"
 #include "answer/find_missing_effects.h"
-#include "diagnosis/candidates/among.h"
+#include "candidates/among.h"
 #include "documents/diagnosis_json.h"
 #include "foundation/counted.h"
 #include "foundation/interrupt.h"

@@ -1,6 +1,6 @@
 #include "app/workspace/scale_note.h"
 
-#include "diagnosis/data_checks/reading_scale.h"
+#include "data_checks/reading_scale.h"
 #include "foundation/unit.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 namespace lacuna {
 
 /// Readings of recorded trials that are a simple factor too large or too small for the known forces
-/// (diagnosis/data_checks/reading_scale.h), at the place of their column and with the line to type. Nothing where the
+/// (data_checks/reading_scale.h), at the place of their column and with the line to type. Nothing where the
 /// recordings say nothing of it, or the trials do not suit the model.
 std::optional<ReadingNote> scale_note(const Rig& rig);
 

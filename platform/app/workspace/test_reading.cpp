@@ -1,7 +1,7 @@
 #include "app/workspace/test_reading.h"
 
 #include "config/quantity.h"
-#include "diagnosis/experiment_design/test_line.h"
+#include "experiment_design/test_line.h"
 #include "foundation/guarded_call.h"
 #include "foundation/problem.h"
 #include "measurement/command_file.h"

@@ -2,7 +2,7 @@
 
 #include "app/terminal/progress_line.h"
 #include "app/workspace/integration.h"
-#include "diagnosis/data_checks/data_doubts.h"
+#include "data_checks/data_doubts.h"
 #include "foundation/interrupt.h"
 #include "foundation/parallel.h"
 

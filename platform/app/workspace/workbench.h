@@ -4,8 +4,8 @@
 #include "app/terminal/replace_file.h"
 #include "app/workspace/ledger.h"
 #include "app/workspace/rig.h"
-#include "diagnosis/data_checks/doubt.h"
-#include "diagnosis/where_it_fails/where_it_fails.h"
+#include "data_checks/doubt.h"
+#include "where_it_fails/where_it_fails.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "report/text/change_text.h"
@@ -52,7 +52,7 @@ class Workbench {
   void enter(const Fitted& fitted, const Comparison& comparison, TextReplacement& file);
   /// Where the model fails on the fit trials of a comparison with all of the rig's.
   WhereItFails where_it_fails(const FitResult& fit, const Comparison& comparison) const;
-  /// What speaks against the data (diagnosis/data_checks/data_doubts.h).
+  /// What speaks against the data (data_checks/data_doubts.h).
   std::vector<Doubt> doubts(const FitResult& fit) const;
 
   const Rig& rig() const { return rig_; }

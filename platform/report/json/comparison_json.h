@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/where_it_fails/where_it_fails.h"
+#include "where_it_fails/where_it_fails.h"
 #include "fitting/comparison.h"
 #include "fitting/fit.h"
 #include "report/text/comparison_text.h"

@@ -1,6 +1,6 @@
 #include "report/text/comparison_text.h"
 
-#include "diagnosis/data_checks/data_doubts.h"
+#include "data_checks/data_doubts.h"
 #include "foundation/counted.h"
 #include "foundation/unit.h"
 #include "report/text/bound_text.h"

@@ -6,7 +6,7 @@ namespace lacuna {
 
 /// Commands that do not look at the sensors: a multisine, steps, a chirp or a triangle on each actuator, within its
 /// limits. The genes of an actuator, a row each, are in the units of what they name, so that a genome can be said in
-/// words and typed back (diagnosis/experiment_design/test_line.h). Their names are a promise:
+/// words and typed back (experiment_design/test_line.h). Their names are a promise:
 ///
 ///     motor.shape           0 multisine, 1 steps, 2 chirp, 3 triangle
 ///     motor.amplitude       in the command's unit; less where the limits leave less about the centre

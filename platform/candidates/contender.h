@@ -1,0 +1,27 @@
+#pragma once
+
+#include "candidates/hypothesis.h"
+
+#include <memory>
+#include <vector>
+
+namespace lacuna {
+
+/// A model of the search for what is missing: the experiment's, with some effects added to it.
+struct Contender {
+  Experiment experiment;  ///< with the effects
+  std::vector<EffectEntry> added;
+  ModelDefinition definition;
+  std::shared_ptr<const CompiledModel> model;
+  std::vector<double> values;  ///< of `definition.free`, SI
+};
+
+/// The experiment's own model with these values.
+Contender plain(const Experiment& experiment, const PluginCatalog& catalog, std::vector<double> values);
+/// `plain` with these effects, in their order; `values` of the free values that it has then.
+Contender with_effects(const Contender& plain, const std::vector<EffectEntry>& added, std::vector<double> values,
+                       const PluginCatalog& catalog);
+/// `contender` without the `which`-th of the effects that it has more than `plain`; the other values stay.
+Contender without(const Contender& contender, std::size_t which, const Contender& plain, const PluginCatalog& catalog);
+
+}  // namespace lacuna

@@ -1,0 +1,114 @@
+#include "data_checks/command_doubts.h"
+
+#include "data_checks/stacked_accelerations.h"
+#include "data_checks/straight_fit.h"
+#include "foundation/unit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lacuna {
+namespace {
+
+constexpr double kBeyondEffects = 20.0;    // no gain that a rig may have and a model may lack
+constexpr double kNamed = 2.5;             // within which a factor is taken for that of units: masses may be that wrong
+constexpr double kExplained = 0.5;         // of the squares: what a response to a command must explain to be one
+constexpr double kExplainedAgainst = 0.2;  // the same against it, which no effect does
+constexpr double kSure = 5.0;              // deviations
+constexpr double kLively = 10.0;           // noises, of an acceleration that a command should make
+constexpr double kNothing = 0.05;          // of what a command should do
+constexpr double kWorseNow = 2.0;          // squares left at one lag over those at another
+
+/// What may have made a motion `times` too large for its commands.
+std::string unit_guess(double times, const std::string& unit) {
+  const bool angle = unit.starts_with("rad");
+  const double size = std::max(times, 1.0 / times);
+  const auto near = [&](double factor) { return size < kNamed * factor && size > factor / kNamed; };
+  constexpr double kDegree = 180.0 / std::numbers::pi;
+  if (angle && near(kDegree))
+    return times > 1.0 ? ", as where degrees are read as radians (57.3)"
+                       : ", as where an angle in radians is read as degrees (1/57.3)";
+  if (near(1000.0))
+    return times > 1.0 ? ", as where a reading in thousandths, or a command in thousands, is read without its prefix"
+                       : ", as where a command in thousandths (mN*m) is read without its prefix, or a reading in "
+                         "whole units as thousandths";
+  return ", as where a unit or a gear ratio is missing";
+}
+
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(values.size(), 1)));
+}
+
+void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std::string& actuator,
+                    std::vector<Doubt>& doubts) {
+  const Eigen::VectorXd own = data.commanded.col(u);
+  Eigen::MatrixXd all(data.beside.rows(), data.beside.cols() + data.commanded.cols());
+  all << data.commanded, data.beside;
+  const StraightFit with_it = straight_fit(all, data.measured);
+  Eigen::MatrixXd less = all;
+  less.col(u).setZero();
+  const double without_it = straight_fit(less, data.measured).squares;
+  const double times = with_it.coefficients(u), deviation = with_it.deviations(u);
+  const double explained = 1.0 - with_it.squares / std::max(without_it, 1e-300);
+  const bool sure = std::abs(times) > kSure * deviation, responds = sure && explained >= kExplained;
+  if (sure && times < 0.0 && explained >= kExplainedAgainst) {
+    doubts.push_back(
+        {Severity::fault,
+         fmt::format("{} accelerates against the command {} ({:.3g} times what the model says): the sign of a column "
+                     "or the joint's axis is wrong, or the column is a measurement, which lags the motion",
+                     data.channel, actuator, times)});
+  } else if (responds && (times > kBeyondEffects || times < 1.0 / kBeyondEffects)) {
+    doubts.push_back(
+        {Severity::fault,
+         fmt::format("{} accelerates {:.3g} times as much by the command {} as the model says{}; check the "
+                     "units of both columns and the model's inertia",
+                     data.channel, times, actuator, unit_guess(times, data.unit))});
+  } else if (rms(own) > kLively && std::abs(times) + kSure * deviation < kNothing) {
+    doubts.push_back({Severity::fault,
+                      fmt::format("{} does not follow the command {}: of {} (RMS) that it should make, the file shows "
+                                  "{:.1f} %; check that the column is the command of this joint and its unit",
+                                  data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit),
+                                  100.0 * std::abs(times))});
+  }
+}
+
+/// In all trials together: a lag of one trial alone is another doubt. What the model leaves with the commands as they
+/// are stamped counts, too: it may have effects that lagged commands stand in for.
+void doubt_order(const CommandLags& lags, std::vector<Doubt>& doubts) {
+  std::vector<const CommandLagProfile*> profiles;
+  for (const CommandLagProfile& profile : lags.profiles) profiles.push_back(&profile);
+  if (profiles.empty()) return;
+  const Eigen::Index best = best_lag(profiles), now = lags.lags.size() / 2;
+  if (lags.lags(best) > -kHeldIntervals * lags.interval) return;
+  if (std::abs(lag_drift(lags, profiles)) > kSteadyLag * std::abs(lags.lags(best))) return;  // a clock that gains
+  double at_best = 0.0, at_now = 0.0, of_model = 0.0;
+  for (const CommandLagProfile* profile : profiles) {
+    at_best += profile->squares(best);
+    at_now += profile->squares(now);
+    of_model += profile->of_model;
+  }
+  at_now = std::min(at_now, of_model);
+  if (at_now < kWorseNow * at_best) return;
+  doubts.push_back(
+      {Severity::fault, fmt::format("the motion comes {:.0f} ms before its commands: {:.2g} times less of it is left "
+                                    "unexplained so; the command column is a measurement, or is stamped late",
+                                    -1e3 * lags.lags(best), at_now / at_best)});
+}
+
+}  // namespace
+
+std::vector<Doubt> command_doubts(const DoubtTask& task, const AccelerationTable& table, const CommandLags& lags) {
+  std::vector<Doubt> doubts;
+  const RobotSpec& robot = task.definition.structure.robot;
+  for (const StackedAccelerations& data : stacked(table))
+    for (std::size_t u = 0; u < robot.actuators.size(); ++u)
+      if (data.commanded.col(static_cast<Eigen::Index>(u)).squaredNorm() > 0.0)
+        doubt_response(data, static_cast<Eigen::Index>(u), robot.actuators[u].name, doubts);
+  doubt_order(lags, doubts);
+  return doubts;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,31 @@
+#include "data_checks/copy_doubts.h"
+
+#include "storage/core/canonical_text.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace lacuna {
+namespace {
+
+Doubt copy_doubt(const Trial& copy, const Trial& of) {
+  const std::string what = fmt::format("{} holds the same samples as {}", copy.name, of.name);
+  if (copy.held_out != of.held_out)
+    return {Severity::note, what + ", and one of them is held out: it confirms nothing; hold another recording out"};
+  return {Severity::note, what + ": counted twice, they make every result look surer than it is; leave one out"};
+}
+
+}  // namespace
+
+std::vector<Doubt> copy_doubts(const std::vector<Trial>& trials) {
+  std::vector<Doubt> doubts;
+  std::map<std::string, const Trial*> seen;
+  for (const Trial& trial : trials) {
+    const auto [first, is_new] = seen.try_emplace(digest_of(trial), &trial);
+    if (!is_new) doubts.push_back(copy_doubt(trial, *first->second));
+  }
+  return doubts;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,71 @@
+#include "data_checks/data_doubts.h"
+
+#include "data_checks/channel_doubts.h"
+#include "data_checks/command_doubts.h"
+#include "data_checks/copy_doubts.h"
+#include "data_checks/reading_scale.h"
+#include "data_checks/trial_doubts.h"
+#include "data_checks/unit_doubts.h"
+#include "fitting/noise_floor.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace lacuna {
+
+namespace {
+
+/// Of what the joints did under the commands, in trials that show all of it.
+std::vector<Doubt> motion_doubts(const DoubtTask& all) {
+  std::vector<Trial> whole;
+  std::copy_if(all.trials.begin(), all.trials.end(), std::back_inserter(whole), [&](const Trial& trial) {
+    return !trial.held_out && !is_saturated(all.definition.structure.robot, trial);
+  });
+  if (whole.empty()) return {};
+  const DoubtTask task{all.definition, all.model, whole, all.values};
+  const std::vector<ChannelNoise> noise = sensor_noise(task.definition.structure.robot, task.trials);
+  const AccelerationTable table = acceleration_table(task, noise);
+  // A wrong unit explains what else is to be seen.
+  if (const std::optional<Doubt> unit = unit_doubt(task, table, noise)) return {*unit};
+  if (const std::optional<ReadingScale> scale = reading_scale(task))
+    return {{Severity::fault, to_string(*scale) + "; check counts per turn, gears and unit of the column"}};
+  const CommandLags lags = command_lags(task, table);
+  std::vector<Doubt> doubts = command_doubts(task, table, lags);
+  for (Doubt& doubt : trial_doubts(table, lags)) doubts.push_back(std::move(doubt));
+  return doubts;
+}
+
+std::vector<std::string> sentences_of(Severity severity, const std::vector<Doubt>& doubts) {
+  std::vector<std::string> sentences;
+  for (const Doubt& doubt : doubts)
+    if (doubt.severity == severity) sentences.push_back(doubt.sentence);
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<Doubt> data_doubts(const DoubtTask& task) {
+  std::vector<Doubt> doubts;
+  const auto add = [&](const std::vector<Doubt>& more) { doubts.insert(doubts.end(), more.begin(), more.end()); };
+  add(channel_doubts(task));
+  const std::vector<Doubt> feedback = feedback_doubts(task);
+  add(feedback);
+  if (faults_among(feedback).empty()) add(motion_doubts(task));  // else the commands are none
+  add(copy_doubts(task.trials));
+  add(amount_doubts(task));
+  std::stable_partition(doubts.begin(), doubts.end(),
+                        [](const Doubt& doubt) { return doubt.severity != Severity::note; });
+  return doubts;
+}
+
+std::vector<std::string> faults_among(const std::vector<Doubt>& doubts) {
+  return sentences_of(Severity::fault, doubts);
+}
+
+std::vector<std::string> limits_among(const std::vector<Doubt>& doubts) {
+  return sentences_of(Severity::too_little, doubts);
+}
+
+}  // namespace lacuna

@@ -1,0 +1,98 @@
+#include "data_checks/feedback_bias.h"
+
+#include "fitting/comparison.h"
+#include "foundation/unit.h"
+#include "measurement/recorded_controller.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kOtherCommands = 0.1;  // of the commands' deviation, RMS
+constexpr double kBiased = 3.0;         // standard errors
+
+/// The controller of a trial that is fitted to; null: none.
+const RecordedController* controller_of(const Trial& trial) {
+  return trial.held_out ? nullptr : dynamic_cast<const RecordedController*>(trial.controller.get());
+}
+
+/// RMS of what the law makes of the recorded readings less what was recorded, over the deviation of that.
+double disagreement(const RecordedController& controller, std::size_t law) {
+  const Eigen::ArrayXd made = controller.of_recorded_readings(law).array();
+  const Eigen::ArrayXd sent = controller.commands().series.samples.col(controller.laws()[law].command_column).array();
+  const auto known = made.isFinite();
+  const auto count = std::max(1.0, static_cast<double>(known.count()));
+  const double off = std::sqrt(known.select(made - sent, 0.0).square().sum() / count);
+  return off / std::max(std::sqrt((sent - sent.mean()).square().mean()), 1e-300);
+}
+
+std::vector<std::string> wrong_controllers(const std::vector<Trial>& trials) {
+  std::vector<std::string> sentences;
+  for (const Trial& trial : trials) {
+    const RecordedController* controller = controller_of(trial);
+    for (std::size_t law = 0; controller && law < controller->laws().size(); ++law) {
+      const double off = disagreement(*controller, law);
+      if (off <= kOtherCommands) continue;
+      const auto column = static_cast<std::size_t>(controller->laws()[law].command_column);
+      sentences.push_back(fmt::format(
+          "{}: the controller that target.controllers declares for {} does not make the recorded commands of the "
+          "recorded readings (it is off by {:.0f} % of their deviation): whether feedback biases the values was not "
+          "tested; check its gains, their signs and the reference",
+          trial.name, controller->commands().series.channels[column].name, 100.0 * off));
+    }
+  }
+  return sentences;
+}
+
+std::vector<Trial> in_the_loop(std::vector<Trial> trials) {
+  for (Trial& trial : trials) trial.closed_loop = controller_of(trial) != nullptr;
+  return trials;
+}
+
+/// Of the interval, which reaches as far as the integration step has moved the value. None at a bound: the other one
+/// says how far away from it is far.
+double error_of(const FittedValue& value) {
+  constexpr double kWithin = 2.0 * 1.959963984540054;  // standard errors, 95 %
+  if (value.at_lower_bound || value.at_upper_bound) return 0.0;
+  return std::max(value.standard_error, (value.upper_95 - value.lower_95) / kWithin);
+}
+
+std::string difference(const FittedValue& replayed, const FittedValue& looped) {
+  const double error = std::hypot(error_of(replayed), error_of(looped));
+  const double times = error > 0.0 ? std::abs(replayed.value - looped.value) / error : 0.0;
+  if (times <= kBiased) return "";
+  return fmt::format("{} ({} by the recorded commands, {} with the controller in the loop: {:.1f} standard errors)",
+                     replayed.address, format_quantity(replayed.value, replayed.unit),
+                     format_quantity(looped.value, looped.unit), times);
+}
+
+}  // namespace
+
+bool has_controller(const std::vector<Trial>& trials) {
+  return std::any_of(trials.begin(), trials.end(),
+                     [](const Trial& trial) { return !trial.closed_loop && controller_of(trial) != nullptr; });
+}
+
+std::vector<std::string> feedback_bias(const FitTask& task) {
+  if (std::vector<std::string> wrong = wrong_controllers(task.trials); !wrong.empty()) return wrong;
+  const auto fitted_to = [&](const std::vector<Trial>& trials) {
+    return fit({task.definition, task.model, trials, task.options, task.seed, task.threads});
+  };
+  const FitResult replayed = fitted_to(task.trials), looped = fitted_to(in_the_loop(task.trials));
+  std::vector<std::string> biased;
+  for (std::size_t i = 0; i < replayed.values.size(); ++i)
+    if (std::string text = difference(replayed.values[i], looped.values[i]); !text.empty())
+      biased.push_back(std::move(text));
+  if (biased.empty())
+    return {
+        "with the controller in the loop no value differs by three standard errors: no feedback bias is to be seen"};
+  return {fmt::format("feedback bias: {}; values with the controller in the loop are the ones to trust",
+                      fmt::join(biased, ", "))};
+}
+
+}  // namespace lacuna

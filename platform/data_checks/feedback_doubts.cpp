@@ -1,0 +1,146 @@
+#include "data_checks/channel_scatter.h"
+#include "data_checks/command_doubts.h"
+#include "data_checks/straight_fit.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr double kPartOfNoise = 0.5;  // of the noise that the readings hold
+constexpr double kExact = 1e-5;       // of the command's own deviation
+constexpr double kNearly = 0.02;      // of the same
+constexpr double kFeedback = 0.2;     // of the scatter of a command, that is the readings'
+constexpr double kWhite = -0.7;       // white noise has −4/5, between neighbouring fourth differences
+constexpr Eigen::Index kLate = 3;     // samples that a controller takes
+constexpr Eigen::Index kApart = 5;    // samples, beyond which fourth differences share none
+constexpr Eigen::Index kFewest = 50;
+constexpr Eigen::Index kFewestToShare = 200;  // of fewer, chance makes a share that large
+
+/// Samples of the trial at which everything was measured, and the commands of the same times.
+struct Together {
+  Eigen::MatrixXd readings;  ///< rows without a gap
+  Eigen::MatrixXd commands;
+};
+
+Together together(const Trial& trial) {
+  const TimeSeries &measured = trial.measured, &commands = trial.commands.series;
+  if (measured.times.size() != commands.times.size() || measured.times.size() < kFewest ||
+      !measured.times.isApprox(commands.times) || !measured.samples.allFinite())
+    return {};
+  return {measured.samples, commands.samples};
+}
+
+Eigen::VectorXd second_differences(const Eigen::VectorXd& values) {
+  const Eigen::Index n = values.size() - 2;
+  return values.tail(n) - 2.0 * values.segment(1, n) + values.head(n);
+}
+
+/// What is smooth is gone from fourth differences, be it a command or the motion that follows it; noise is not.
+Eigen::VectorXd roughness(const Eigen::VectorXd& values) {
+  return second_differences(second_differences(second_differences(values)));
+}
+
+double spread(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
+/// Whether the command is what the readings say at the same moment: what it differs by is less than their noise, which
+/// it would not know of if it were sent to the motor; or nearly so with the sign of one reading, where a controller
+/// would have the other.
+bool is_reading(const Trial& trial, const Together& data, Eigen::Index u, double& left) {
+  const Eigen::VectorXd command = data.commands.col(u);
+  Eigen::MatrixXd columns(data.readings.rows(), data.readings.cols() + 1);
+  columns << data.readings, Eigen::VectorXd::Ones(data.readings.rows());
+  const double size = spread(command);
+  const StraightFit fit = straight_fit(columns / size, command / size);
+  left = std::sqrt(fit.squares / static_cast<double>(command.size()));
+  double noise = 0.0;
+  for (Eigen::Index c = 0; c < data.readings.cols(); ++c)
+    noise = std::hypot(noise, fit.coefficients(c) * scatter_of(trial.measured, c) / size);
+  return left < std::max(kPartOfNoise * noise, kExact) ||
+         (left < kNearly && data.readings.cols() == 1 && fit.coefficients(0) > 0.0);
+}
+
+/// The share of `wanted` that a few neighbouring samples of a reading tell, for the first of `wanted` those from
+/// `first` on.
+double share_of(const Eigen::VectorXd& wanted, const Eigen::VectorXd& reading, Eigen::Index first) {
+  Eigen::MatrixXd columns(wanted.size(), kLate + 1);
+  for (Eigen::Index late = 0; late <= kLate; ++late) columns.col(late) = reading.segment(first + late, wanted.size());
+  const double size = wanted.norm();
+  return size > 0.0 ? 1.0 - straight_fit(columns / size, wanted / size).squares : 0.0;
+}
+
+/// The share of a command's scatter that is the noise of a reading's same or last few samples: what these tell of it
+/// beyond what older and later ones do, whose noise is another, but which know as much of motion that follows a
+/// command. 0 where the reading is so smooth that its scatter is motion.
+double shared_scatter(const Together& data, Eigen::Index u, Eigen::Index c) {
+  if (data.readings.rows() < kFewestToShare) return 0.0;
+  const Eigen::VectorXd reading = roughness(data.readings.col(c)), command = roughness(data.commands.col(u));
+  const Eigen::Index last = reading.size() - 1;
+  const double power = reading.squaredNorm();
+  if (!(power > 0.0) || reading.head(last).dot(reading.tail(last)) > kWhite * power) return 0.0;
+  constexpr Eigen::Index kOlder = 0, kSame = kLate + kApart, kLater = 2 * kSame;
+  const Eigen::VectorXd wanted = command.segment(kSame + kLate, command.size() - kLater - kLate);
+  const double by_motion = std::max(share_of(wanted, reading, kOlder), share_of(wanted, reading, kLater));
+  return share_of(wanted, reading, kSame) - by_motion;
+}
+
+/// What is alike in several files, so that it is said once.
+struct Alike {
+  std::vector<std::string> files;
+  double most = 0.0;
+};
+using ByName = std::map<std::pair<std::string, std::string>, Alike>;
+
+void count_in(ByName& all, const std::string& command, const std::string& reading, const Trial& trial, double size) {
+  Alike& one = all[{command, reading}];
+  one.files.push_back(trial.name);
+  one.most = std::max(one.most, size);
+}
+
+void look_at(const Trial& trial, ByName& readings, ByName& feedback) {
+  const Together data = together(trial);
+  for (Eigen::Index u = 0; u < data.commands.cols(); ++u) {
+    const std::string& command = trial.commands.series.channels[static_cast<std::size_t>(u)].name;
+    if (!(spread(data.commands.col(u)) > 0.0)) continue;
+    double left = 0.0;
+    if (is_reading(trial, data, u, left)) {
+      count_in(readings, command, "", trial, left);
+      continue;
+    }
+    for (Eigen::Index c = 0; c < data.readings.cols(); ++c)
+      if (const double share = shared_scatter(data, u, c); share >= kFeedback)
+        count_in(feedback, command, trial.measured.channels[static_cast<std::size_t>(c)].name, trial, share);
+  }
+}
+
+}  // namespace
+
+std::vector<Doubt> feedback_doubts(const DoubtTask& task) {
+  ByName readings, feedback;
+  for (const Trial& trial : task.trials)
+    if (!trial.held_out) look_at(trial, readings, feedback);
+  std::vector<Doubt> doubts;
+  for (const auto& [names, one] : readings)
+    doubts.push_back(
+        {Severity::fault,
+         fmt::format("{}: the command {} is what the sensors read at the same moment, their noise included "
+                     "(all but {:.1g} % of it): it is a measurement or computed from one; name the column "
+                     "that was sent to the actuator",
+                     fmt::join(one.files, ", "), names.first, 100.0 * one.most)});
+  for (const auto& [names, one] : feedback)
+    doubts.push_back(
+        {Severity::note,
+         fmt::format("{}: up to {:.0f} % of the scatter of the command {} is the noise of {}, as where a controller "
+                     "with feedback made it: what is identified from such a recording is biased by that noise",
+                     fmt::join(one.files, ", "), 100.0 * one.most, names.first, names.second)});
+  return doubts;
+}
+
+}  // namespace lacuna

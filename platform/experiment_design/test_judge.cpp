@@ -1,0 +1,179 @@
+#include "experiment_design/test_judge.h"
+
+#include "experiment_design/test_line.h"
+#include "evaluation/target_simulator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lacuna {
+namespace {
+
+constexpr const char* kEncoding = "command_series";
+constexpr const char* kFitness = "model_disagreement";
+constexpr double kMostTrials = 1e6;
+constexpr int kMostSteps = 6;  ///< of a refit
+constexpr double kTrustedEnough = 0.95;
+constexpr double kFastest = 5.0;  ///< Hz, as far as the control period allows
+
+/// A component with its defaults, by name.
+template <class Interface>
+Chosen<Interface> component(const PluginCatalog& catalog, const std::string& name) {
+  Chosen<Interface> chosen;
+  chosen.origin = catalog.origin<Interface>(name);
+  chosen.component = &catalog.get<Interface>(name);
+  for (const ParameterDeclaration& declaration : chosen->parameters())
+    chosen.parameters.push_back(declaration.default_value);
+  return chosen;
+}
+
+/// Sets a parameter by its name.
+template <class Interface>
+void set(Chosen<Interface>& chosen, const std::string& name, double value) {
+  const ParameterDeclarations declarations = chosen->parameters();
+  for (std::size_t i = 0; i < declarations.size(); ++i)
+    if (declarations[i].name == name) chosen.parameters[i] = value;
+}
+
+/// The channels that are read and the deviation of a reading: of so many that are not independent, one counts.
+struct Readings {
+  std::vector<Eigen::Index> channels;
+  std::vector<double> deviations;
+};
+
+Readings readings_of(const NextTestTask& task) {
+  Readings readings;
+  const double together = std::max(1.0, 2.0 * task.correlation_time / task.space.control_period);
+  const std::vector<Channel>& channels = task.rivals.front().model.channels();
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (const ChannelNoise& noise : task.noise)
+      if (noise.channel == channels[c].name) {
+        readings.channels.push_back(static_cast<Eigen::Index>(c));
+        readings.deviations.push_back(noise.deviation * std::sqrt(together));
+      }
+  return readings;
+}
+
+const NextTestTask& checked(const NextTestTask& task) {
+  if (task.rivals.size() < 2) throw Error("one model alone needs no test to tell it apart; two rivals are wanted");
+  if (task.rivals[0].model.channels() != task.rivals[1].model.channels())
+    throw Error(task.rivals[0].name + " and " + task.rivals[1].name +
+                " do not have the same sensors, so no test tells them apart");
+  for (const RivalModel& rival : task.rivals) {
+    const Eigen::Index fitted = rival.coordinates();
+    if (rival.covariance.rows() != fitted || rival.covariance.cols() != fitted)
+      throw Error(fmt::format("the covariance of {} is {} × {}, but {} of its values are fitted{}", rival.name,
+                              rival.covariance.rows(), rival.covariance.cols(), fitted,
+                              rival.command_interval > 0.0 ? ", the timing of commands among them" : ""));
+  }
+  if (readings_of(task).channels.empty()) throw Error("no noise is known of any sensor, so a test cannot be judged");
+  return task;
+}
+
+RivalPredictor predictor(const NextTestTask& task, std::size_t which) {
+  Readings readings = readings_of(task);
+  EngineSettings engine = task.rivals.front().definition.engine;
+  engine.control_period = task.space.control_period;
+  return {task.rivals[which],           sample_times(engine, task.space.duration),
+          std::move(readings.channels), std::move(readings.deviations),
+          task.start_deviation,         task.threads};
+}
+
+/// Refits the rival to the truth by steps of Gauss and Newton with the derivatives of where it began, until the first
+/// order tells what a step does to within a small share of what is left. Returns the share of what is left that is
+/// beyond that doubt: 0 where, for all that is known, another step might explain everything.
+double refit(const RivalPrediction& truth, const RivalPredictor& predictor, const Test& test, int worker,
+             RivalPrediction& rival) {
+  if (rival.follows.cols() == 0) return 1.0;
+  double trusted = 0.0;
+  rival.moved = Eigen::VectorXd::Zero(rival.follows.cols());
+  for (int step = 0; step < kMostSteps && trusted < kTrustedEnough; ++step) {
+    const Eigen::VectorXd left = unexplained(truth, rival);
+    const Eigen::VectorXd moved = left.tail(rival.moved.size());
+    Eigen::VectorXd readings;
+    if (!predictor.predict_moved(test, worker, moved, readings)) return 0.0;
+    const double error = (readings - rival.readings - rival.follows * (moved - rival.moved)).norm();
+    trusted = error > 0.0 ? std::max(0.0, 1.0 - error / left.norm()) : 1.0;
+    rival.readings = std::move(readings);
+    rival.moved = moved;
+  }
+  return trusted;
+}
+
+}  // namespace
+
+TestJudge::TestJudge(const NextTestTask& task)
+    : task_(checked(task)),
+      encoding_(component<TestEncoding>(task.catalog, kEncoding)),
+      fitness_(component<TestFitness>(task.catalog, kFitness)),
+      rivals_{predictor(task, 0), predictor(task, 1)} {
+  set(fitness_, "noise", 1.0);  // it is given deviations
+  const double lowest = std::max(1.0 / task.space.duration, 1e-3);
+  set(encoding_, "lowest_frequency", lowest);
+  set(encoding_, "highest_frequency", std::max(lowest, std::min(kFastest, 0.25 / task.space.control_period)));
+  layout_ =
+      guarded_call(encoding_.origin, "layout", [&] { return encoding_->layout(task.space, encoding_.parameters); });
+}
+
+Genome TestJudge::random(RandomStream& random) const {
+  return sayable(task_.space,
+                 guarded_call(encoding_.origin, "random", [&] { return encoding_->random(layout_, random); }));
+}
+
+std::optional<TestJudge::Judgement> TestJudge::judgement(const Genome& genome, const std::string& setup,
+                                                         int worker) const {
+  Test test = guarded_call(encoding_.origin, "decode",
+                           [&] { return encoding_->decode(task_.space, encoding_.parameters, genome); });
+  test.start = task_.start;
+  test.setup = setup;
+  Judgement judgement;
+  std::array<RivalPrediction, 2>& truths = judgement.truths;
+  for (std::size_t i = 0; i < rivals_.size(); ++i)
+    if (!rivals_[i].predict(test, worker, truths[i])) return std::nullopt;
+  judgement.refitted = truths;
+  for (std::size_t i = 0; i < rivals_.size(); ++i)
+    judgement.trusted[i] = refit(truths[1 - i], rivals_[i], test, worker, judgement.refitted[i]);
+  return judgement;
+}
+
+double TestJudge::nats(const Genome& genome, int worker, const std::string& setup) const {
+  const auto judged = judgement(genome, setup, worker);
+  return judged ? worse(*judged, 1.0) : -1.0;
+}
+
+double TestJudge::worse(const Judgement& judgement, double trials) const {
+  const auto direction = [&](std::size_t truth) {
+    const std::size_t rival = 1 - truth;
+    return score(judgement.trusted[rival] * unexplained(judgement.truths[truth], judgement.refitted[rival], trials));
+  };
+  return std::min(direction(0), direction(1));
+}
+
+/// By the test fitness: what a refit leaves, against nothing left.
+double TestJudge::score(const Eigen::VectorXd& left) const {
+  std::array<TestPrediction, 2> sides;
+  for (TestPrediction& side : sides) {
+    side.sensors.channels = {{"deviations", "1"}};
+    side.sensors.times = Eigen::VectorXd::LinSpaced(left.size(), 0.0, static_cast<double>(left.size() - 1));
+    side.sensors.samples = TimeSeries::Samples::Zero(left.size(), 1);
+  }
+  sides[0].sensors.samples.col(0) = left;
+  return guarded_call(fitness_.origin, "score", [&] { return fitness_->score({}, sides, fitness_.parameters); });
+}
+
+double TestJudge::trials_needed(const Genome& genome, const std::string& setup) const {
+  const auto judged = judgement(genome, setup, 0);
+  if (!judged || worse(*judged, kMostTrials) < kDecisiveNats) return std::numeric_limits<double>::infinity();
+  double too_few = 0.0, enough = kMostTrials;
+  while (enough - too_few > 1.0) {
+    const double between = std::floor(0.5 * (too_few + enough));
+    (worse(*judged, between) >= kDecisiveNats ? enough : too_few) = between;
+  }
+  return enough;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "experiment_design/next_test.h"
+#include "experiment_design/rival_predictor.h"
+#include "evaluation/component_choice.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace lacuna {
+
+/// Says what tests of `command_series` are worth for telling two rivals apart (next_test.h). Const and shared by
+/// threads, each with a worker of its own.
+class TestJudge {
+ public:
+  /// Throws `Error` as `next_test` does. The task must outlive it.
+  explicit TestJudge(const NextTestTask& task);
+
+  const GenomeLayout& layout() const { return layout_; }
+  /// A random test, as a line can say it (test_line.h).
+  Genome random(RandomStream& random) const;
+  /// In the worse direction; below 0 where the test cannot be carried out. `setup`: the rig's, by its name.
+  double nats(const Genome& genome, int worker, const std::string& setup = {}) const;
+  /// Until `kDecisiveNats`: more trials of one test also teach the rival. Infinite: more than a million.
+  double trials_needed(const Genome& genome, const std::string& setup = {}) const;
+
+ private:
+  /// What both rivals say about a test, and what they say when they are refitted to what the other one says.
+  struct Judgement {
+    std::array<RivalPrediction, 2> truths, refitted;
+    std::array<double, 2> trusted;  ///< share of what is left after the refit of each
+  };
+
+  /// Nothing where one of the rivals cannot carry the test out.
+  std::optional<Judgement> judgement(const Genome& genome, const std::string& setup, int worker) const;
+  double worse(const Judgement& judgement, double trials) const;
+  double score(const Eigen::VectorXd& left) const;
+
+  const NextTestTask& task_;
+  Chosen<TestEncoding> encoding_;
+  Chosen<TestFitness> fitness_;
+  std::array<RivalPredictor, 2> rivals_;
+  GenomeLayout layout_;
+};
+
+}  // namespace lacuna

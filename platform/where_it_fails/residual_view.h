@@ -1,0 +1,18 @@
+#pragma once
+
+#include "where_it_fails/where_it_fails.h"
+
+namespace lacuna {
+
+/// The measured channels of the fit trials.
+std::vector<Channel> channels_of(const Comparison& comparison);
+
+/// Residuals of free runs at the rows of the table, tested and parted into regimes.
+ResidualView free_run_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
+                           int threads);
+
+/// The same of what accelerates positions and velocities; without channels where none is measured.
+ResidualView acceleration_view(const RobotSpec& robot, const Comparison& comparison, const FeatureTable& table,
+                               int threads);
+
+}  // namespace lacuna

@@ -1,0 +1,374 @@
+#include "experiment_design/next_test.h"
+
+#include "config/experiment_reader.h"
+#include "experiment_design/rival_predictor.h"
+#include "experiment_design/test_judge.h"
+#include "experiment_design/test_line.h"
+#include "evaluation/test_space.h"
+#include "fitting/parameter_space.h"
+#include "plugins/built_catalog.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kNoise = 1e-3;  // rad
+constexpr double kLimit = 0.6;   // N·m
+
+/// The servo pendulum with an amplifier of little torque, and an effect.
+struct Pendulum {
+  explicit Pendulum(const std::string& effects) {
+    const std::string text = fmt::format(R"([experiment]
+name = "rivals"
+[target]
+kind = "recorded"
+files = ["data/servo_pendulum/sine.csv"]
+time = {{ column = "t_s" }}
+sensors = {{ angle = {{ column = "angle_deg", unit = "deg" }} }}
+commands = {{ motor = {{ column = "torque_Nm", unit = "N*m" }} }}
+[model]
+file = "robots/servo-pendulum.toml"
+set = {{ "actuator.motor.force_limit" = {} }}
+free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
+effects = [{}]
+[engine]
+step = "5 ms"
+)",
+                                         kLimit, effects);
+    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/rivals.toml");
+    definition = define_model(experiment, built_catalog());
+    model = compile(definition.structure, definition.engine);
+    values = definition.start_values();
+  }
+  /// Deviations of the values; 0: held.
+  RivalModel rival(const std::string& name, const std::vector<double>& deviations) const {
+    const Eigen::Map<const Eigen::VectorXd> all(deviations.data(), static_cast<Eigen::Index>(deviations.size()));
+    return {name, definition, *model, values, all.cwiseAbs2().asDiagonal()};
+  }
+  Experiment experiment;
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  std::vector<double> values;
+};
+
+NextTestTask task_of(const Pendulum& pendulum, std::vector<RivalModel> rivals) {
+  return {.catalog = built_catalog(),
+          .rivals = std::move(rivals),
+          .noise = {{"angle", "rad", kNoise, "declared"}},
+          .space = test_space(pendulum.definition.structure.robot, pendulum.definition.engine, 4.0),
+          .start = {},
+          .start_deviation = {}};
+}
+
+const char* const kCoulomb = R"({ effect = "coulomb_friction", where = "joint.hinge", start = { torque = 0.03 } })";
+const char* const kStribeck =
+    R"({ effect = "stribeck_friction", where = "joint.hinge", start = { coulomb = 0.025, excess = 0.02, velocity = 0.1 } })";
+
+/// What a test of four seconds can say of mass, damping and friction when it is all there is.
+std::vector<double> loose(const Pendulum& pendulum, double share = 0.05) {
+  std::vector<double> deviations;
+  for (const double value : pendulum.values) deviations.push_back(share * std::abs(value));
+  return deviations;
+}
+
+TEST(NextTest, BeatsTheMedianRandomTestAndStaysWithinTheLimits) {
+  const Pendulum coulomb(kCoulomb), stribeck(kStribeck);
+  NextTestTask task =
+      task_of(coulomb, {coulomb.rival("coulomb", loose(coulomb)), stribeck.rival("stribeck", loose(stribeck))});
+  const NextTest test = next_test(task);
+  EXPECT_GT(test.random_nats, 0.0);
+  EXPECT_GT(test.nats, 2.0 * test.random_nats) << to_string(test);
+  EXPECT_LE(test.trials, test.random_trials);
+  EXPECT_EQ(test.evaluations, task.evaluations);
+  EXPECT_THAT(to_string(test), testing::StartsWith(test.line + ": "));
+  const TestLine read = parse_test_line(task.space, test.line);  // throws beyond the limits
+  EXPECT_EQ(read.duration, task.space.duration);
+  task.threads = 2;
+  const NextTest again = next_test(task);
+  EXPECT_EQ(again.line, test.line);
+  EXPECT_EQ(again.nats, test.nats);
+}
+
+/// Rivals that keep their values differ most where other values would explain the difference.
+TEST(NextTest, ChosenWithoutRefitsIsWorthLessOnceRivalsAreRefitted) {
+  const Pendulum coulomb(kCoulomb), stribeck(kStribeck);
+  const auto task_with = [&](double share) {
+    NextTestTask task = task_of(
+        coulomb, {coulomb.rival("coulomb", loose(coulomb, share)), stribeck.rival("stribeck", loose(stribeck, share))});
+    task.evaluations = 30;
+    return task;
+  };
+  const NextTestTask refitted = task_with(0.05), kept = task_with(1e-9);
+  const NextTest best = next_test(refitted), naive = next_test(kept);
+  const TestJudge judge(refitted);
+  const double worth = judge.nats(parse_test_line(refitted.space, naive.line).genome, 0);
+  EXPECT_GT(best.nats, 1.5 * worth) << naive.line;
+}
+
+/// Two models of one structure, one deviation of their only uncertain value apart, on a test that shows the value well:
+/// a refit explains everything at the price of that one deviation, ½ nat.
+TEST(NextTest, OfOneStructureTellsNoMoreThanWhatTheFitLeftOpen) {
+  const Pendulum one(""), other("");
+  constexpr double kDeviation = 0.002;  // kg
+  Pendulum heavier("");
+  heavier.values[0] += kDeviation;
+  NextTestTask task =
+      task_of(one, {one.rival("one", {kDeviation, 1e-9}), heavier.rival("heavier", {kDeviation, 1e-9})});
+  task.evaluations = 20;
+  const NextTest refitted = next_test(task);
+  EXPECT_NEAR(refitted.nats, 0.5, 0.02);
+  EXPECT_TRUE(std::isinf(refitted.trials)) << "no number of trials tells one structure from itself";
+  NextTestTask known = task_of(one, {one.rival("one", {1e-9, 1e-9}), heavier.rival("heavier", {1e-9, 1e-9})});
+  known.evaluations = task.evaluations;
+  EXPECT_GT(next_test(known).nats, 10.0) << "known values differ and cannot be refitted";
+}
+
+const char* const kSpring =
+    R"({ effect = "joint_spring", where = "joint.hinge", start = { stiffness = 0.02 }, fixed = ["rest"] })";
+const char* const kCubic =
+    R"({ effect = "cubic_stiffness", where = "joint.hinge", start = { stiffness = 0.03 }, fixed = ["rest"] })";
+
+/// What a model reads in a test, and a scan of one of its values for the least that is left of a difference.
+struct Scan {
+  Scan(const NextTestTask& task, const std::string& line) {
+    const TestLine read = parse_test_line(task.space, line);
+    const TestEncoding& encoding = built_catalog().get<TestEncoding>("command_series");
+    std::vector<double> parameters;
+    for (const ParameterDeclaration& declaration : encoding.parameters())
+      parameters.push_back(declaration.default_value);
+    test = encoding.decode(task.space, parameters, read.genome);
+    for (int i = 0; i * task.space.control_period <= task.space.duration + 1e-9; ++i)
+      times.push_back(i * task.space.control_period);
+  }
+  Eigen::VectorXd readings(const Pendulum& pendulum, const std::vector<double>& values) const {
+    const TestPredictor predictor(*pendulum.model, times, 1);
+    TestPrediction prediction;
+    std::uint64_t steps = 0;
+    std::string reason;
+    EXPECT_TRUE(predictor.predict({{values.begin(), values.end()}}, test, 0, prediction, steps, reason)) << reason;
+    return prediction.sensors.samples.col(0) / kNoise;
+  }
+  /// Nats when only `free` of the rival's values can move, with that deviation: by golden section.
+  double nats(const Pendulum& truth, const Pendulum& rival, std::size_t free, double deviation) const {
+    const Eigen::VectorXd wanted = readings(truth, truth.values);
+    const auto cost = [&](double moved) {
+      std::vector<double> values = rival.values;
+      values[free] += moved * deviation;
+      return 0.5 * ((wanted - readings(rival, values)).squaredNorm() + moved * moved);
+    };
+    constexpr double kGolden = 0.6180339887498949;
+    double low = -4.0, high = 4.0;
+    for (int i = 0; i < 40; ++i) {
+      const double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+      (cost(left) < cost(right) ? high : low) = cost(left) < cost(right) ? right : left;
+    }
+    return cost(0.5 * (low + high));
+  }
+  lacuna::Test test;
+  std::vector<double> times;
+};
+
+TEST(NextTest, IsWorthWhatAScanOfTheRivalsValueLeaves) {
+  const Pendulum spring(kSpring), cubic(kCubic);
+  const std::size_t own = 2;  // the effect's, after mass and damping
+  constexpr double kDeviation = 0.01, kHeld = 1e-9;
+  constexpr double kTolerance = 0.06;  // the refit keeps the derivatives of where it began
+  NextTestTask task = task_of(
+      spring, {spring.rival("spring", {kHeld, kHeld, kDeviation}), cubic.rival("cubic", {kHeld, kHeld, kDeviation})});
+  task.evaluations = 20;
+  const NextTest test = next_test(task);
+  const Scan scan(task, test.line);
+  const double scanned = std::min(scan.nats(spring, cubic, own, kDeviation), scan.nats(cubic, spring, own, kDeviation));
+  EXPECT_NEAR(test.nats, scanned, kTolerance * scanned) << to_string(test);
+}
+
+/// The readings follow a value as a difference of simulations one way and the other says.
+TEST(RivalPredictorTest, FollowsItsValuesAndItsStart) {
+  const Pendulum pendulum("");
+  const RivalModel rival = pendulum.rival("rigid", {1e-4, 1e-9});
+  const std::vector<double> times = {0.0, 0.5, 1.0, 1.5};
+  const RivalPredictor predictor(rival, times, {0}, {kNoise}, {1e-4, 0.0}, 1);
+  lacuna::Test test;
+  test.duration = 1.5;
+  CommandSeries commands;
+  commands.series = {{{"motor", "N*m"}}, Eigen::VectorXd::Zero(1), TimeSeries::Samples::Constant(1, 1, 0.3)};
+  test.drive = commands;
+  RivalPrediction prediction;
+  ASSERT_TRUE(predictor.predict(test, 0, prediction));
+  ASSERT_EQ(prediction.follows.cols(), 3) << "mass, damping, and where it starts; not how fast";
+  const auto read = [&](double mass, double start) {
+    const TestPredictor plain(*pendulum.model, times, 1);
+    TestPrediction seen;
+    std::uint64_t steps = 0;
+    std::string reason;
+    lacuna::Test moved = test;
+    moved.start = {{start}, {0.0}};
+    EXPECT_TRUE(plain.predict({{mass, pendulum.values[1]}}, moved, 0, seen, steps, reason)) << reason;
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
+  };
+  const double mass = pendulum.values[0];
+  const Eigen::VectorXd by_mass = 0.5 * (read(mass + 1e-4, 0.0) - read(mass - 1e-4, 0.0));
+  const Eigen::VectorXd by_start = 0.5 * (read(mass, 1e-4) - read(mass, -1e-4));
+  const Eigen::Index of_mass = prediction.follows.col(0).norm() > prediction.follows.col(1).norm() ? 0 : 1;
+  EXPECT_LT((prediction.follows.col(of_mass).cwiseAbs() - by_mass.cwiseAbs()).norm(), 0.01 * by_mass.norm());
+  EXPECT_LT((prediction.follows.col(2) - by_start).norm(), 0.01 * by_start.norm());
+}
+
+/// Where it is not known within a sample interval when commands act, the readings follow that, too.
+TEST(RivalPredictorTest, FollowsTheInstantThatCommandsActAt) {
+  constexpr double kInterval = 0.01, kDeviation = 0.4, kShift = 0.1;
+  const Pendulum pendulum("");
+  RivalModel rival = pendulum.rival("rigid", {0.0, 0.0, kDeviation});
+  rival.command_interval = kInterval;
+  rival.command_shift = kShift;
+  for (const Eigen::Index held : {0, 1}) rival.covariance(held, held) = 1e-20;
+  const std::vector<double> times = {0.5, 1.0, 1.5};
+  const RivalPredictor predictor(rival, times, {0}, {kNoise}, {}, 1);
+  lacuna::Test test;
+  test.duration = 1.5;
+  CommandSeries commands;
+  commands.series = {{{"motor", "N*m"}}, Eigen::Vector2d(0.0, 0.3), Eigen::Vector2d(0.1, 0.3)};
+  test.drive = commands;
+  RivalPrediction prediction;
+  ASSERT_TRUE(predictor.predict(test, 0, prediction));
+  const auto read = [&](double delay) {
+    const TestPredictor plain(*pendulum.model, times, 1);
+    TestPrediction seen;
+    std::uint64_t steps = 0;
+    std::string reason;
+    lacuna::Test moved = test;
+    std::get<CommandSeries>(moved.drive).series.times.array() += delay;
+    EXPECT_TRUE(plain.predict({pendulum.values}, moved, 0, seen, steps, reason)) << reason;
+    return Eigen::VectorXd(seen.sensors.samples.col(0) / kNoise);
+  };
+  EXPECT_LT((prediction.readings - read(kShift * kInterval)).norm(), 1e-6 * prediction.readings.norm());
+  const double later = kShift + 0.5 * kDeviation;
+  const Eigen::VectorXd by_delay = 2.0 * (read(later * kInterval) - read(kShift * kInterval));
+  Eigen::Index widest = 0;
+  prediction.follows.colwise().norm().maxCoeff(&widest);
+  ASSERT_GT(by_delay.norm(), 1.0);
+  EXPECT_LT((prediction.follows.col(widest).cwiseAbs() - by_delay.cwiseAbs()).norm(), 0.02 * by_delay.norm());
+}
+
+/// The pendulum recorded with a light weight and a heavy one, and one that nobody weighed.
+struct PendulumWithLoads {
+  explicit PendulumWithLoads(double heavy) {
+    const std::string text = fmt::format(R"([experiment]
+name = "loads"
+[target]
+kind = "recorded"
+time = {{ column = "t_s" }}
+sensors = {{ angle = {{ column = "angle_deg", unit = "deg" }} }}
+commands = {{ motor = {{ column = "torque_Nm", unit = "N*m" }} }}
+[[target.recording]]
+file = "data/servo_pendulum/sine.csv"
+set = {{ "body.arm.mass" = "0.4 kg" }}
+[[target.recording]]
+file = "data/servo_pendulum/steps.csv"
+own = ["body.arm.mass"]
+[model]
+file = "robots/servo-pendulum.toml"
+set = {{ "actuator.motor.force_limit" = {} }}
+free = {{ "body.arm.mass" = [0.3, 1.0], "joint.hinge.damping" = [0.0, 0.2] }}
+[engine]
+step = "5 ms"
+)",
+                                         kLimit);
+    experiment = read_experiment_text(text, std::string(LACUNA_SOURCE_DIRECTORY) + "/experiments/loads.toml");
+    definition = define_model(experiment, built_catalog());
+    model = compile(definition.structure, definition.engine);
+    values = definition.start_values();
+    values.back() = heavy;
+    setups = known_setups(definition, experiment.target.recording);
+  }
+  RivalModel rival(const std::string& name) const {
+    const auto size = static_cast<Eigen::Index>(values.size());
+    return {name, definition, *model, values, Eigen::MatrixXd::Identity(size, size) * 1e-18};
+  }
+  NextTestTask against(const PendulumWithLoads& other) const {
+    return {.catalog = built_catalog(),
+            .rivals = {rival("one"), other.rival("other")},
+            .noise = {{"angle", "rad", kNoise, "declared"}},
+            .space = test_space(definition.structure.robot, definition.engine, 4.0),
+            .start = {},
+            .start_deviation = {},
+            .setups = setups,
+            .evaluations = 20};
+  }
+  Experiment experiment;
+  ModelDefinition definition;
+  std::unique_ptr<CompiledModel> model;
+  std::vector<double> values;
+  std::vector<KnownSetup> setups;
+};
+
+/// The rivals differ in nothing but the weight that nobody weighed, so that only tests with it tell them apart.
+TEST(NextTest, AsksForTheSetupThatTellsTheRivalsApart) {
+  const PendulumWithLoads one(0.5), other(0.7);
+  NextTestTask task = one.against(other);
+  ASSERT_EQ(task.setups.size(), 2U);
+  const NextTest test = next_test(task);
+  ASSERT_TRUE(test.setup);
+  EXPECT_EQ(test.setup->name(), "steps");
+  EXPECT_EQ(test.evaluations, task.evaluations);
+  EXPECT_GT(test.nats, 10.0);
+  EXPECT_THAT(to_string(test), testing::HasSubstr(" s with setup steps (body.arm.mass fitted to it alone): "));
+  const TestJudge judge(task);
+  const Genome genome = parse_test_line(task.space, test.line).genome;
+  EXPECT_NEAR(judge.nats(genome, 0, "sine"), 0.0, 1e-9) << "both know that weight";
+  EXPECT_EQ(judge.nats(genome, 0, "steps"), test.nats);
+  task.threads = 2;
+  const NextTest again = next_test(task);
+  EXPECT_EQ(again.line, test.line);
+  EXPECT_EQ(again.setup, test.setup);
+}
+
+/// One setup makes no other draws than none.
+TEST(NextTest, DrawsTheSameTestsForOneSetup) {
+  const PendulumWithLoads one(0.5), other(0.7);
+  NextTestTask heavy = one.against(other);
+  heavy.setups = {heavy.setups[1]};
+  const Pendulum plain(""), heavier("");
+  NextTestTask none = task_of(plain, {plain.rival("one", {1e-9, 1e-9}), heavier.rival("other", {1e-9, 1e-9})});
+  none.rivals[0].values[0] = 0.5;
+  none.rivals[1].values[0] = 0.7;
+  none.evaluations = heavy.evaluations;
+  const NextTest in_setup = next_test(heavy), without = next_test(none);
+  EXPECT_EQ(in_setup.line, without.line);
+  EXPECT_NEAR(in_setup.nats, without.nats, 1e-6 * without.nats);
+  EXPECT_FALSE(without.setup);
+}
+
+TEST(NextTest, DoesNotCountWhatIsMoreThanEnough) {
+  const NextTest test{"triangle motor 0.3 N*m 0.1 Hz 20 s", {}, {"a", "b"}, 2.3e9, 12.0, 1.0, 1.0};
+  EXPECT_EQ(to_string(test),
+            "triangle motor 0.3 N*m 0.1 Hz 20 s: more than 1000 nats a trial (a random one 12), 1 trial for 5 nats (a "
+            "random one 1 trial)");
+}
+
+TEST(NextTest, SaysWhatItCannotTellApart) {
+  const Pendulum one("");
+  NextTestTask task = task_of(one, {one.rival("one", {0.1, 0.01})});
+  EXPECT_THROW(next_test(task), Error);
+  task.rivals.push_back(one.rival("two", {0.1}));
+  EXPECT_THAT([&] { next_test(task); }, testing::ThrowsMessage<Error>(testing::HasSubstr("1 × 1")));
+  task.rivals.pop_back();
+  task.rivals.push_back(one.rival("two", {0.1, 0.01}));
+  task.space.upper[0] = kInfinity;
+  EXPECT_THAT([&] { next_test(task); }, testing::ThrowsMessage<Error>(testing::HasSubstr("motor")));
+  limit_to_trials(task.space, {});
+  EXPECT_TRUE(std::isinf(task.space.upper[0]));
+  Trial trial;
+  trial.commands.series = {{{"motor", "N*m"}}, Eigen::VectorXd::LinSpaced(3, 0.0, 1.0), TimeSeries::Samples(3, 1)};
+  trial.commands.series.samples << 0.1, 0.4, -0.2;
+  limit_to_trials(task.space, {trial});
+  EXPECT_EQ(task.space.upper[0], 0.4) << "the largest command so far";
+  EXPECT_EQ(task.space.lower[0], -kLimit) << "a declared limit stays";
+}
+
+}  // namespace
+}  // namespace lacuna
