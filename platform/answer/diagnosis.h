@@ -39,6 +39,7 @@ struct FoundEffect {
   std::string effect;
   std::string where;  ///< "joint.hinge"; "world"
   std::vector<FoundParameter> parameters;
+  std::vector<FoundParameter> held = {};  ///< those that act only as another of it does, where they stay; no interval
   bool operator==(const FoundEffect&) const = default;
 };
 

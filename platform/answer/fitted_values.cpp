@@ -2,6 +2,9 @@
 
 #include "criterion/value_errors.h"
 #include "foundation/address.h"
+#include "foundation/guarded_call.h"
+
+#include <lacuna/physical_effect.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +17,21 @@ constexpr double kOf95 = 1.959963984540054;  ///< of a normal distribution, 95 %
 constexpr double kSaysSomething = 0.9;       ///< of the deviation of a value anywhere within its bounds
 constexpr double kAtBound = 1e-9;            ///< of a range
 constexpr double kToldTiming = 1.0 / 3.0;    ///< command intervals
+
+std::vector<FoundParameter> held_values(const ModelStructure& structure, const EffectEntry& entry) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<FoundParameter> held;
+  for (const PlacedEffect& placed : structure.effects) {
+    if (placed.id != entry.id || entry.fixed.empty()) continue;
+    const EffectDescription description =
+        guarded_call(origin_of(placed), "describe", [&] { return placed.effect->describe(); });
+    for (std::size_t i = 0; i < description.parameters.size(); ++i)
+      if (const ParameterDeclaration& one = description.parameters[i];
+          std::count(entry.fixed.begin(), entry.fixed.end(), one.name) > 0)
+        held.push_back({one.name, one.unit, placed.values[i], kNothing, kNothing});
+  }
+  return held;
+}
 
 std::vector<FreeValue> all_values(const SearchResult& found, const FittedModel& set) {
   const std::vector<FreeValue>& free = set.model.definition.free;
@@ -61,6 +79,7 @@ std::vector<FoundEffect> FittedValues::effects() const {
     for (std::size_t i = 0; i < free.size(); ++i)
       if (is_of_effect(free[i].address, entry.id))
         effect.parameters.push_back(parameter(i, free[i].address.substr(name_begins)));
+    effect.held = held_values(set_.model.definition.structure, entry);
     effects.push_back(std::move(effect));
   }
   return effects;

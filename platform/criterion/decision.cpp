@@ -3,6 +3,7 @@
 #include "criterion/evidence.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr double kPresent = 0.05;  ///< probability by chance below which something is there
 constexpr std::size_t kMostMembers = 3;
 constexpr double kAsGood = 0.05;       ///< of the whole gain, that a set may be behind
+constexpr double kMinorError = 0.2;    ///< of the model's error: what takes less is not named beside what takes more,
+constexpr double kMinorGain = 0.4;     ///< unless it makes so much of the whole gain
 constexpr double kWorthNaming = 0.05;  ///< nats: what lowers the error by less than a twentieth is not named
 
 class Decider {
@@ -26,11 +29,10 @@ class Decider {
     decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
     decision.p = probability(every_, 0);
     if (!passes(top, 0, decision.p)) return decision;
-    const std::size_t largest = grown(decision.whole_gain);
-    const std::vector<std::size_t> as_good = as_good_as(largest, decision.whole_gain);
-    decision.answer = smallest(as_good);
-    for (const std::size_t i : as_good)
-      if (is_another_answer(i, decision.answer)) decision.alike.push_back(i);
+    const std::vector<std::size_t> rivals = simplest(enough_for(grown(), decision.whole_gain), decision.whole_gain);
+    decision.answer = smallest(rivals);
+    for (const std::size_t i : rivals)
+      if (!holds(i, decision.answer)) decision.alike.push_back(i);
     decision.gain = gain_of(sets_[decision.answer], sets_[0]);
     return decision;
   }
@@ -63,7 +65,7 @@ class Decider {
   }
 
   /// The largest set each of whose steps in size passes, from the best single effect on.
-  std::size_t grown(double whole_gain) const {
+  std::size_t grown() const {
     const std::vector<std::size_t> singles = of_size(1);
     if (singles.empty()) return best(every_, 0);
     std::size_t current = best(singles, 0);
@@ -71,8 +73,7 @@ class Decider {
       const std::vector<std::size_t> sets = of_size(size);
       if (sets.empty()) break;
       const std::size_t top = best(sets, 0);
-      const bool adds = gain_of(sets_[top], sets_[current]).nats > sets_[top].share_to_add * whole_gain;
-      if (adds && passes(top, current, probability(sets, current)))
+      if (passes(top, current, probability(sets, current)))
         current = top;
       else if (sets_[current].members.size() + 1 < size)
         break;
@@ -80,25 +81,40 @@ class Decider {
     return current;
   }
 
-  std::vector<std::size_t> as_good_as(std::size_t set, double whole_gain) const {
+  bool is_as_good(std::size_t set, std::size_t as, double whole_gain) const {
+    const CostGain behind = gain_of(sets_[as], sets_[set]);
+    return behind.nats <= std::max(kAsGood * whole_gain, behind.error);
+  }
+
+  bool holds(std::size_t set, std::size_t part) const {
+    const std::set<std::string>&own = sets_[set].members, &of_part = sets_[part].members;
+    return std::includes(own.begin(), own.end(), of_part.begin(), of_part.end());
+  }
+
+  /// Sets that do what one does, and its parts without what takes little.
+  std::vector<std::size_t> enough_for(std::size_t set, double whole_gain) const {
     std::vector<std::size_t> found;
     for (const std::size_t i : every_) {
-      const CostGain behind = gain_of(sets_[set], sets_[i]);
-      if (behind.nats <= std::max(kAsGood * whole_gain, behind.error)) found.push_back(i);
+      const bool lacks_little = holds(set, i) && share_of_error(sets_[set], sets_[i], sets_[0]) < kMinorError &&
+                                gain_of(sets_[set], sets_[i]).nats < kMinorGain * whole_gain;
+      if (lacks_little || is_as_good(i, set, whole_gain)) found.push_back(i);
     }
     return found;
   }
 
-  /// With as many told values, and not the answer itself with something beside it.
-  bool is_another_answer(std::size_t set, std::size_t answer) const {
-    const std::set<std::string>&own = sets_[set].members, &of_answer = sets_[answer].members;
-    return sets_[set].told == sets_[answer].told &&
-           !std::includes(own.begin(), own.end(), of_answer.begin(), of_answer.end());
+  /// Those of fewest told values that are as good as the best of these.
+  std::vector<std::size_t> simplest(std::vector<std::size_t> among, double whole_gain) const {
+    const auto fewest = *std::min_element(among.begin(), among.end(),
+                                          [&](std::size_t a, std::size_t b) { return sets_[a].told < sets_[b].told; });
+    const int told = sets_[fewest].told;
+    std::erase_if(among, [&](std::size_t i) { return sets_[i].told != told; });
+    const std::size_t top = best(among, 0);
+    std::erase_if(among, [&](std::size_t i) { return !is_as_good(i, top, whole_gain); });
+    return among;
   }
 
   std::size_t smallest(const std::vector<std::size_t>& among) const {
     return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
-      if (sets_[a].told != sets_[b].told) return sets_[a].told < sets_[b].told;
       if (sets_[a].values != sets_[b].values) return sets_[a].values < sets_[b].values;
       if (sets_[a].members.size() != sets_[b].members.size()) return sets_[a].members.size() < sets_[b].members.size();
       return sets_[a].cost.cost < sets_[b].cost.cost;
@@ -125,6 +141,12 @@ CostGain gain_elsewhere(const CandidateSet& set, const CandidateSet& over) {
   gains.row(most).setZero();
   const Eigen::VectorXd by_block = gains.colwise().sum();
   return {by_block.sum(), standard_error(by_block)};
+}
+
+double share_of_error(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model) {
+  const Eigen::ArrayXd taken = (over.mean_square - set.mean_square).array().max(0.0);
+  const Eigen::ArrayXd of_model = model.mean_square.array();
+  return std::sqrt((of_model > 0.0).select(taken / of_model, 0.0).maxCoeff());
 }
 
 double largest_gain(const CandidateSet& set, const CandidateSet& over) {

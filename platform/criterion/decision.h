@@ -15,7 +15,7 @@ struct CandidateSet {
   int told = 0;                   ///< values of the members that the data tell
   int values = 0;                 ///< of the members, all
   CrossFittedCost cost;
-  double share_to_add = 0.05;  ///< of the whole gain, that it must gain over the best smaller set
+  Eigen::VectorXd mean_square;  ///< by cell, of whitened residuals where it was fitted
 };
 
 /// By how much one set costs less than another, nats, with its standard error.
@@ -29,6 +29,11 @@ struct CostGain {
 CostGain gain_of(const CandidateSet& set, const CandidateSet& over);
 /// The same without the length at which most is gained.
 CostGain gain_elsewhere(const CandidateSet& set, const CandidateSet& over);
+
+/// Of the error of the model as it is, the share that one set takes which another one leaves: the root of the
+/// difference of their mean squares over the model's, at the length and joint where that is largest. `over` leaves
+/// more.
+double share_of_error(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model);
 
 /// The gain at the length at which it is largest, nats of that length's own cost.
 double largest_gain(const CandidateSet& set, const CandidateSet& over);
@@ -52,9 +57,10 @@ struct Decision {
 /// `sets`: the model as it is first. Something is present where the signs of the gains of all sets, and of all that was
 /// looked at, say so at 5 %, the best
 /// gains more than its error, at more than one length, and lowers the error by a twentieth at one. A set of one more
-/// effect must pass the same against the best smaller one, and add its share of the whole gain. Of the sets that are as
-/// good as the largest that passes, within a twentieth of it or one standard error, the answer is the one of fewest
-/// told values, of several such the one of fewest in all, then of fewest effects.
+/// effect must pass the same against the best smaller one. The answer is one of those that are as good as the largest
+/// that passes, within a twentieth of the whole gain or one standard error, and of its parts that leave less than a
+/// fifth of the error and two fifths of the gain to it: of these, one of fewest told values, the best, or of as good
+/// ones that of fewest values in all, then of fewest effects.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
 
 }  // namespace lacuna

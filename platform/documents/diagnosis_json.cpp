@@ -17,7 +17,10 @@ ordered_json by_name(const std::vector<FoundParameter>& parameters) {
 }
 
 ordered_json document(const FoundEffect& effect) {
-  return {{"effect", effect.effect}, {"where", effect.where}, {"parameters", by_name(effect.parameters)}};
+  ordered_json result = {
+      {"effect", effect.effect}, {"where", effect.where}, {"parameters", by_name(effect.parameters)}};
+  for (const FoundParameter& one : effect.held) result["held"][one.name] = {{"value", one.value}, {"unit", one.unit}};
+  return result;
 }
 
 ordered_json by_channel(const std::vector<ChannelError>& errors, double ChannelError::*figure) {

@@ -68,7 +68,12 @@ std::vector<FoundParameter> parameters_of(const ordered_json& json) {
 }
 
 FoundEffect effect_of(const ordered_json& json) {
-  return {json["effect"], json["where"], parameters_of(json["parameters"])};
+  FoundEffect effect{json["effect"], json["where"], parameters_of(json["parameters"])};
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  if (json.contains("held"))
+    for (const auto& [name, one] : json["held"].items())
+      effect.held.push_back({name, one["unit"], figure(one["value"]), kNothing, kNothing});
+  return effect;
 }
 
 RankedModel model_of(const ordered_json& whole, const ordered_json& json) {

@@ -3,6 +3,7 @@
 #include "prediction/whitened_columns.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace lacuna {
@@ -19,30 +20,57 @@ class Descent {
   explicit Descent(LadderPredictions& predictions)
       : predictions_(predictions), ladder_(predictions.ladder()), space_(predictions.space()) {}
 
-  PredictionFit from(const PredictionPoint& start, int most, const StartDerivatives* like) {
+  PredictionFit from(const PredictionPoint& start, int most, const LikeModel& like,
+                     const std::vector<std::string>& names, LastSteps last) {
     if (!predictions_.residuals(start, residuals_)) return fit_;
     linear_.stretches.resize(residuals_.size());
-    if (like)
-      for (std::size_t k = 0; k < residuals_.size(); ++k) linear_.stretches[k].start = like->at(k);
-    else
+    if (like.empty())
       predictions_.linearise_starts(start, residuals_, linear_);
-    predictions_.linearise_values(start, residuals_, linear_);
+    else
+      take(like, names);
     fit_.valid = true;
     fit_.point = start;
-    fit_.cost = cost_of(start.values, linear_.products);
-    fit_.iterations = 1;
-    if (go_down(most) || like) {
-      predictions_.linearise_starts(fit_.point, residuals_, linear_);
-      fit_.cost = cost_of(fit_.point.values, linear_.products);
+    linearise_values();
+    const bool is_down = go_down(most);
+    if (!is_down || last == LastSteps::anew) {
+      stays_.clear();
+      predictions_.forget_steps();
+      if (last == LastSteps::anew) predictions_.linearise_starts(fit_.point, residuals_, linear_);
+      linearise_values();
       go_down(most);
     }
     fit_.products = std::move(linear_.products);
-    for (LinearStretch& stretch : linear_.stretches) fit_.by_starts.push_back(std::move(stretch.start));
+    for (LinearStretch& stretch : linear_.stretches) {
+      fit_.by_starts.push_back(std::move(stretch.start));
+      fit_.by_values.push_back(std::move(stretch.values));
+    }
     fit_.bounds = bounds_at(fit_.point.values);
     return std::move(fit_);
   }
 
  private:
+  /// The derivatives that a like model has; those by other values are to be found.
+  void take(const LikeModel& like, const std::vector<std::string>& names) {
+    stays_.assign(static_cast<std::size_t>(space_.size()), false);
+    for (std::size_t k = 0; k < residuals_.size(); ++k) {
+      linear_.stretches[k].start = like.by_starts[k];
+      linear_.stretches[k].values = Eigen::MatrixXd::Zero(residuals_[k].size(), space_.size());
+    }
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto same = std::find(like.values.begin(), like.values.end(), names[j]);
+      if (same == like.values.end()) continue;
+      stays_[j] = true;
+      for (std::size_t k = 0; k < residuals_.size(); ++k)
+        linear_.stretches[k].values.col(static_cast<Eigen::Index>(j)) =
+            like.by_values[k].col(same - like.values.begin());
+    }
+  }
+
+  void linearise_values() {
+    predictions_.linearise_values(fit_.point, residuals_, linear_, stays_);
+    fit_.cost = cost_of(fit_.point.values, linear_.products);
+  }
+
   double cost_of(const Eigen::VectorXd& values, const BlockProducts& products) const {
     const double of_way = bounds_at(values).cost_of_way(Eigen::VectorXd::Zero(values.size()));
     return of_way + cost_at(ladder_.layout, products, Eigen::VectorXd::Zero(products.values())).cost;
@@ -56,10 +84,17 @@ class Descent {
     return {space_.lower() - values, space_.upper() - values, {}, space_.start() - values, pull};
   }
 
-  /// Where the least cost is to first order, values and starts together.
-  PredictionPoint stepped(double damping) const {
-    const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds_at(fit_.point.values), damping);
-    const Eigen::VectorXd values = space_.clamp(fit_.point.values + best.step);
+  /// The step to where the least cost is to first order; nothing where that gains hardly anything.
+  std::optional<Eigen::VectorXd> next_step(double damping) const {
+    const StepBounds bounds = bounds_at(fit_.point.values);
+    const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds, damping);
+    if (fit_.cost - best.cost - bounds.cost_of_way(best.step) < kTolerance) return std::nullopt;
+    return best.step;
+  }
+
+  /// Values and starts together.
+  PredictionPoint moved_by(const Eigen::VectorXd& step) const {
+    const Eigen::VectorXd values = space_.clamp(fit_.point.values + step);
     return {values, moved_starts(ladder_, linear_, values - fit_.point.values)};
   }
 
@@ -74,30 +109,32 @@ class Descent {
     return cost_of(point.values, whitened_products(ladder_, stretches));
   }
 
-  /// Steps until one gains hardly anything; whether any was taken.
+  /// Steps until one gains hardly anything. False: the derivatives of a like model led nowhere, or steps ran out.
   bool go_down(int most) {
-    bool has_moved = false;
     double damping = 0.0;
     std::vector<Eigen::VectorXd> residuals;
-    for (; fit_.iterations < most; ++fit_.iterations) {
-      PredictionPoint next = stepped(damping);
+    for (int step = 1; step < most; ++step, ++fit_.iterations) {
+      const std::optional<Eigen::VectorXd> way = next_step(damping);
+      if (!way && damping == 0.0) return true;
+      if (!way) break;
+      PredictionPoint next = moved_by(*way);
       const bool is_valid = predictions_.residuals(next, residuals);
       const double cost = is_valid ? cost_at_point(next, residuals) : 0.0;
       if (!is_valid || cost >= fit_.cost) {
+        if (!stays_.empty()) break;
         damping = std::max(kLeastDamping, kMoreDamping * damping);
         if (damping > kMostDamping) break;
         continue;
       }
-      has_moved = true;
       const double gain = fit_.cost - cost;
       fit_.point = std::move(next);
       fit_.cost = cost;
       residuals_.swap(residuals);
-      predictions_.linearise_values(fit_.point, residuals_, linear_);
+      predictions_.linearise_values(fit_.point, residuals_, linear_, stays_);
       damping = damping > kLeastDamping ? damping / kMoreDamping : 0.0;
-      if (gain < kTolerance) break;
+      if (gain < kTolerance) return true;
     }
-    return has_moved;
+    return false;
   }
 
   LadderPredictions& predictions_;
@@ -106,13 +143,14 @@ class Descent {
   PredictionFit fit_;
   LinearPrediction linear_;
   std::vector<Eigen::VectorXd> residuals_;  ///< at the point of the fit
+  std::vector<bool> stays_;                 ///< by value: its derivatives are those of a like model
 };
 
 }  // namespace
 
-PredictionFit descend(LadderPredictions& predictions, const PredictionPoint& start, int most,
-                      const StartDerivatives* like) {
-  return Descent(predictions).from(start, most, like);
+PredictionFit descend(LadderPredictions& predictions, const PredictionPoint& start, int most, const LikeModel& like,
+                      const std::vector<std::string>& names, LastSteps last) {
+  return Descent(predictions).from(start, most, like, names, last);
 }
 
 }  // namespace lacuna

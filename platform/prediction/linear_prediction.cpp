@@ -52,6 +52,7 @@ LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const Trial
     steps_.push_back(kFirstStep * std::min(space.upper()(j) - space.lower()(j), 1e6));
   first_steps_ = steps_;
   is_steady_.assign(steps_.size(), 1);
+  has_step_.assign(steps_.size(), 0);
   for (std::size_t k = 0; k < ladder.stretches.size(); ++k) all_.push_back(k);
   for (std::size_t h = 0; h < ladder.lengths.size(); ++h) {
     std::vector<std::size_t> own;
@@ -75,7 +76,12 @@ LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const Trial
 void LadderPredictions::take_steps_of(const LadderPredictions& other) {
   steps_ = other.steps_;
   is_steady_ = other.is_steady_;
+  has_step_.assign(steps_.size(), 1);
   steps_are_taken_ = true;
+}
+
+void LadderPredictions::forget_steps() {
+  if (!steps_are_taken_) has_step_.assign(steps_.size(), 0);
 }
 
 PredictionPoint LadderPredictions::at_smoothed_starts(const Eigen::VectorXd& values) const {
@@ -164,21 +170,22 @@ bool LadderPredictions::choose_step(const PredictionPoint& point, const std::vec
   return change_by(0.5 * step) > kLeastOfHalf * change_by(step);
 }
 
-void LadderPredictions::difference_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                                          std::vector<LinearStretch>& stretches) {
+void LadderPredictions::difference_value(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
+                                         Eigen::Index j, std::vector<LinearStretch>& stretches) {
+  for (LinearStretch& stretch : stretches) stretch.values.col(j).setZero();
+  char& is_steady = is_steady_[static_cast<std::size_t>(j)];
+  if (!(space_.upper()(j) > space_.lower()(j))) return;
+  char& has_step = has_step_[static_cast<std::size_t>(j)];
+  if (!has_step) is_steady = choose_step(point, residuals, j) ? 1 : 0;
+  has_step = 1;
+  if (!is_steady) return;
+  const double step = steps_[static_cast<std::size_t>(j)];
+  const double signed_step = point.values(j) + step <= space_.upper()(j) ? step : -step;
+  Eigen::VectorXd values = point.values;
+  values(j) += signed_step;
   std::vector<Eigen::VectorXd> moved;
-  for (Eigen::Index j = 0; j < space_.size(); ++j) {
-    char& is_steady = is_steady_[static_cast<std::size_t>(j)];
-    if (!(space_.upper()(j) > space_.lower()(j))) continue;
-    if (!steps_are_taken_) is_steady = choose_step(point, residuals, j) ? 1 : 0;
-    if (!is_steady) continue;
-    const double step = steps_[static_cast<std::size_t>(j)];
-    const double signed_step = point.values(j) + step <= space_.upper()(j) ? step : -step;
-    Eigen::VectorXd values = point.values;
-    values(j) += signed_step;
-    if (!residuals_of(values, point.starts, all_, moved)) continue;
-    for (std::size_t k = 0; k < moved.size(); ++k) stretches[k].values.col(j) = (residuals[k] - moved[k]) / signed_step;
-  }
+  if (!residuals_of(values, point.starts, all_, moved)) return;
+  for (std::size_t k = 0; k < moved.size(); ++k) stretches[k].values.col(j) = (residuals[k] - moved[k]) / signed_step;
 }
 
 void LadderPredictions::difference_starts(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
@@ -220,10 +227,11 @@ std::optional<LinearPrediction> LadderPredictions::linearise(const PredictionPoi
 }
 
 void LadderPredictions::linearise_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                                         LinearPrediction& linear) {
+                                         LinearPrediction& linear, const std::vector<bool>& stays) {
   for (std::size_t k = 0; k < residuals.size(); ++k)
-    linear.stretches[k].values = Eigen::MatrixXd::Zero(residuals[k].size(), space_.size());
-  difference_values(point, residuals, linear.stretches);
+    linear.stretches[k].values.conservativeResize(residuals[k].size(), space_.size());
+  for (Eigen::Index j = 0; j < space_.size(); ++j)
+    if (stays.empty() || !stays[static_cast<std::size_t>(j)]) difference_value(point, residuals, j, linear.stretches);
   put_residuals(point, residuals, linear.stretches);
   linear.products = whitened_products(ladder_, linear.stretches);
 }

@@ -52,13 +52,16 @@ class LadderPredictions {
   /// The same with residuals that are known.
   void put_residuals(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                      std::vector<LinearStretch>& stretches) const;
+  /// From now on differences of values are over ways that are found anew, unless they were taken.
+  void forget_steps();
   /// From now on differences of values are over the ways that were right for the same model on another ladder.
   void take_steps_of(const LadderPredictions& other);
   /// Nothing where the point cannot be simulated.
   std::optional<LinearPrediction> linearise(const PredictionPoint& point);
-  /// Where the residuals are known, by values alone: the derivatives by starts stay what they are in `linear`.
+  /// Where the residuals are known, by values alone: the derivatives by starts stay what they are in `linear`, and so
+  /// do those by values that `stays` names.
   void linearise_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                        LinearPrediction& linear);
+                        LinearPrediction& linear, const std::vector<bool>& stays = {});
   /// By starts alone, at the point where `linear` was taken by values.
   void linearise_starts(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                         LinearPrediction& linear);
@@ -71,8 +74,8 @@ class LadderPredictions {
   bool residuals_of(const Eigen::VectorXd& values, const std::vector<Eigen::VectorXd>& starts,
                     const std::vector<std::size_t>& which, std::vector<Eigen::VectorXd>& residuals);
   bool choose_step(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals, Eigen::Index j);
-  void difference_values(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
-                         std::vector<LinearStretch>& stretches);
+  void difference_value(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals, Eigen::Index j,
+                        std::vector<LinearStretch>& stretches);
   void difference_starts(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                          std::vector<LinearStretch>& stretches);
 
@@ -83,6 +86,7 @@ class LadderPredictions {
   std::vector<std::optional<WarmUp>> warm_ups_;       ///< by stretch
   std::vector<double> steps_, first_steps_;           ///< by value, in coordinates
   std::vector<char> is_steady_;                       ///< by value: whether it has a derivative
+  std::vector<char> has_step_;                        ///< by value: the way was found
   bool steps_are_taken_ = false;
   std::vector<std::size_t> all_, few_;   ///< stretches
   std::vector<Prediction> predictions_;  ///< by worker

@@ -50,6 +50,8 @@ class EffectSearch {
     swap_members();
     simplify_members();
     refit_parts();
+    refit_rivals();
+    mend_nesting();
   }
 
   /// Whether an effect gains more than its error.
@@ -252,7 +254,7 @@ class EffectSearch {
   void simplify(const Entries& added, const NamedValues& values) {
     for (std::size_t i = 0; i < added.size(); ++i) {
       const Entries rest = without_member(added, i);
-      const std::vector<const FittedModel*> simpler = simpler_than(added[i], added);
+      const std::vector<EffectPromise> simpler = simpler_than(added[i], added);
       for (std::size_t a = 0; a < simpler.size(); ++a) {
         fit_in_place(rest, {simpler[a]}, values);
         for (std::size_t b = a + 1; b < simpler.size() && rest.size() + 2 <= kMostMembers; ++b)
@@ -261,24 +263,25 @@ class EffectSearch {
     }
   }
 
-  /// Single effects of one kind with an effect that have fewer values, the best first.
-  std::vector<const FittedModel*> simpler_than(const EffectEntry& entry, const Entries& added) const {
-    std::vector<const FittedModel*> simpler;
+  /// Effects of one kind with an effect that have fewer values, the most promising first.
+  std::vector<EffectPromise> simpler_than(const EffectEntry& entry, const Entries& added) const {
+    std::vector<EffectPromise> simpler;
     const Hypothesis& rich = hypothesis_of(entry);
-    for (const FittedModel* single : ordered(1)) {
-      const Hypothesis& one = hypothesis_of(single->model.added.front());
+    for (const EffectPromise& promise : look_.promises) {
+      const Hypothesis& one = look_.hypotheses[promise.hypothesis];
       const bool is_member = members_of(added).contains(member_name(one.entry));
       if (!is_member && one.own.size() < rich.own.size() && of_one_kind(one, rich) && simpler.size() < kSwapped)
-        simpler.push_back(single);
+        simpler.push_back(promise);
     }
     return simpler;
   }
 
-  void fit_in_place(Entries added, const std::vector<const FittedModel*>& singles, const NamedValues& values) {
+  void fit_in_place(Entries added, const std::vector<EffectPromise>& promises, const NamedValues& values) {
     NamedValues start = values;
-    for (const FittedModel* single : singles) {
-      added.push_back(single->model.added.front());
-      start = both_values(single->values, start);
+    for (const EffectPromise& promise : promises) {
+      added.push_back(look_.hypotheses[promise.hypothesis].entry);
+      const FittedModel* single = models_.find(members_of({added.back()}));
+      start = both_values(single ? single->values : start_of_fit(data_, models_.base(), look_, promise), start);
     }
     if (!models_.find(members_of(added))) fit(added, {start});
   }
@@ -302,7 +305,15 @@ class EffectSearch {
     for (const FittedModel* set : ordered(kMostMembers))
       if (best.size() <= kLeading) best.emplace_back(set->model.added, set->values);
     for (std::size_t i = 0; i < best.size(); ++i) refit_parts_of(best[i].first, best[i].second, i == 0);
-    mend_nesting();
+  }
+
+  /// Sets that are nearly as good as the best, with derivatives of their own.
+  void refit_rivals() {
+    const double enough = best_set()->judged.cost.cost + kSame * whole_gain();
+    std::vector<std::pair<Entries, NamedValues>> rivals;
+    for (const auto& [members, model] : models_.all())
+      if (model.judged.cost.cost < enough) rivals.emplace_back(model.model.added, model.values);
+    for (const auto& [added, values] : rivals) noted(models_.refine(added, values));
   }
 
   void refit_parts_of(const Entries& added, const NamedValues& values, bool is_best) {
@@ -348,7 +359,8 @@ void conclude(const EffectSearch& search, SearchResult& result) {
     if (!members.empty()) result.sets.push_back(model);
   std::vector<CandidateSet> sets;
   for (const FittedModel& set : result.sets) sets.push_back(set.judged);
-  result.decision = decide(sets, search.looked(), kSeed);
+  result.looked = search.looked();
+  result.decision = decide(sets, result.looked, kSeed);
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;
   result.fits += models.fits();

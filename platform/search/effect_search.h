@@ -10,11 +10,12 @@ namespace lacuna {
 /// What a search found: all sets that were fitted, and what follows from them.
 struct SearchResult {
   std::shared_ptr<const SearchData> data;
-  CellLayout layout;              ///< of the sets' products
-  std::vector<FittedModel> sets;  ///< the model as it is first
-  Decision decision;              ///< its numbers are indices into `sets`
-  bool by_all_lengths = false;    ///< the shorter lengths showed nothing
-  std::size_t hypotheses = 0;     ///< effect × place
+  CellLayout layout;                 ///< of the sets' products
+  std::vector<FittedModel> sets;     ///< the model as it is first
+  std::vector<LookedBeside> looked;  ///< all that was looked at beside some of them
+  Decision decision;                 ///< its numbers are indices into `sets`
+  bool by_all_lengths = false;       ///< the shorter lengths showed nothing
+  std::size_t hypotheses = 0;        ///< effect × place
   std::vector<Untestable> untestable;
   int fits = 0;
   bool stopped = false;  ///< by the time limit, which is lifted: about the sets fitted until then

@@ -1,6 +1,7 @@
 #include "search/fitted_models.h"
 
 #include "candidates/hypothesis.h"
+#include "foundation/address.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +15,6 @@ constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
 constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
 constexpr double kBetter = 1e-4;                ///< nats
 constexpr const char* kTiming = "timing";
-constexpr double kShareOfOneJoint = 0.05, kShareOfSeveral = 0.01;  ///< of the whole gain, that a member must add
 
 /// The name of a value by the member that it belongs to.
 std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
@@ -24,14 +24,24 @@ std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added
   return free.address;
 }
 
-const StartDerivatives* known_derivatives(const StartDerivatives& derivatives) {
-  return derivatives.empty() ? nullptr : &derivatives;
+/// Names of a model's values in their order, with the timing's last.
+std::vector<std::string> value_names(const Contender& model, bool timing) {
+  std::vector<std::string> names;
+  for (const FreeValue& free : model.definition.free) names.push_back(name_of(free, model.added));
+  if (timing) names.emplace_back(kTiming);
+  return names;
 }
 
 std::set<std::string> member_names(const std::vector<EffectEntry>& added) {
   std::set<std::string> names;
   for (const EffectEntry& entry : added) names.insert(member_name(entry));
   return names;
+}
+
+/// Whether two values change all predictions in proportion.
+bool act_as_one(const Eigen::MatrixXd& information, Eigen::Index one, Eigen::Index other) {
+  const double both = information(one, one) * information(other, other);
+  return both > 0.0 && information(one, other) * information(one, other) > (1.0 - kUntold) * both;
 }
 
 /// Two of one effect get different ids.
@@ -86,7 +96,7 @@ const FittedModel* FittedModels::restore(const std::vector<EffectEntry>& added, 
   LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
   model.values = values_for(model, fit.values);
   const PredictionPoint point{bench.space().to_coordinates(model.values), fit.starts};
-  PredictionFit restored = descend(all, point, 1, known_derivatives(by_starts_));
+  PredictionFit restored = descend(all, point, 1, plain_, value_names(model, data_.timing()));
   if (restored.valid) most_on_few_ = std::max(most_on_few_, base().fit.cost - restored.cost);
   return keep(std::move(model), std::move(restored));
 }
@@ -103,7 +113,10 @@ const FittedModel* FittedModels::find(const Members& members) const {
 
 Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const {
   if (const FittedModel* known = find(member_names(added))) return known->model;
-  Contender model = with_effects(data_.plain(), with_ids(added), {}, data_.task().catalog);
+  std::vector<EffectEntry> entries = with_ids(added);
+  for (EffectEntry& entry : entries)
+    if (const auto held = held_.find(member_name(entry)); held != held_.end()) entry.fixed = held->second;
+  Contender model = with_effects(data_.plain(), entries, {}, data_.task().catalog);
   data_.bound(model);
   return model;
 }
@@ -114,12 +127,13 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
   Contender model = model_with(added);
   const ModelBench bench = data_.bench_for(model);
   const bool of_readings = changes_readings(model.definition);
+  const std::vector<std::string> names = value_names(model, data_.timing());
   LadderPredictions few(few_, bench.predictor(), bench.space(), data_.starts(), of_readings);
+  const LastSteps last = added.empty() ? LastSteps::anew : LastSteps::as_it_is;
   PredictionFit least;
   for (const NamedValues& start : starts) {
     const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
-    PredictionFit fit =
-        descend(few, few.at_smoothed_starts(values), kMostIterations, known_derivatives(few_by_starts_));
+    PredictionFit fit = descend(few, few.at_smoothed_starts(values), kMostIterations, few_plain_, names, last);
     ++fits_;
     if (fit.valid && (!least.valid || fit.cost < least.cost)) least = std::move(fit);
   }
@@ -131,8 +145,11 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
   LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), of_readings);
   all.take_steps_of(few);
   PredictionFit fit =
-      descend(all, all.at_smoothed_starts(least.point.values), kMostIterationsOnAll, known_derivatives(by_starts_));
-  if (added.empty()) few_by_starts_ = std::move(least.by_starts), by_starts_ = fit.by_starts;
+      descend(all, all.at_smoothed_starts(least.point.values), kMostIterationsOnAll, plain_, names, last);
+  if (added.empty()) {
+    few_plain_ = {std::move(least.by_starts), std::move(least.by_values), names};
+    plain_ = {fit.by_starts, fit.by_values, names};
+  }
   model.values = bench.space().to_values(fit.valid ? fit.point.values : least.point.values);
   return keep(std::move(model), std::move(fit));
 }
@@ -142,7 +159,8 @@ const FittedModel* FittedModels::refine(const std::vector<EffectEntry>& added, c
   const ModelBench bench = data_.bench_for(model);
   LadderPredictions all(ladder_, bench.predictor(), bench.space(), data_.starts(), changes_readings(model.definition));
   const Eigen::VectorXd values = bench.space().to_coordinates(values_for(model, start));
-  PredictionFit fit = descend(all, all.at_smoothed_starts(values), kMostIterationsOnAll, known_derivatives(by_starts_));
+  PredictionFit fit =
+      descend(all, all.at_smoothed_starts(values), kMostIterationsOnAll, plain_, value_names(model, data_.timing()));
   ++fits_;
   if (fit.valid) model.values = bench.space().to_values(fit.point.values);
   return keep(std::move(model), std::move(fit));
@@ -155,18 +173,48 @@ const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
   FittedModel model;
   model.model = std::move(candidate);
   model.fit = std::move(fit);
+  model.fit.by_starts.clear();
+  model.fit.by_values.clear();
   model.values = named_values(model.model, model.model.values);
   model.judged.members = members;
   judge(model);
   kept_[kept_name(model.model.added)] = {model.values, model.fit.point.starts};
   if (data_.task().keep) data_.task().keep(kept_);
-  return &(models_[members] = std::move(model));
+  const FittedModel& kept = models_[members] = std::move(model);
+  if (!hold_redundant_values(kept)) return &kept;
+  const FittedModel with_all = kept;
+  models_.erase(members);
+  if (!refine(with_all.model.added, with_all.values)) models_[members] = with_all;
+  return find(members);
+}
+
+/// Of values that act only together, such as an area and a density, all but the first stay where they begin: the data
+/// tell the product. Whether there are such that were fitted.
+bool FittedModels::hold_redundant_values(const FittedModel& single) {
+  if (single.model.added.size() != 1 || held_.contains(member_name(single.model.added.front()))) return false;
+  const EffectEntry& entry = single.model.added.front();
+  const Eigen::MatrixXd known = information(ladder_.layout, single.fit.products,
+                                            least_cost(ladder_.layout, single.fit.products, single.fit.bounds));
+  std::vector<std::string>& held = held_[member_name(entry)];
+  std::vector<Eigen::Index> free;
+  for (std::size_t i = 0; i < single.model.definition.free.size(); ++i) {
+    const std::string& address = single.model.definition.free[i].address;
+    if (!is_of_effect(address, entry.id)) continue;
+    const auto j = static_cast<Eigen::Index>(i);
+    if (std::any_of(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); }))
+      held.push_back(address.substr(effect_address(entry.id, "").size()));
+    else
+      free.push_back(j);
+  }
+  return !held.empty();
 }
 
 void FittedModels::judge(FittedModel& model) const {
   const CellLayout& layout = ladder_.layout;
   const LinearCost least = least_cost(layout, model.fit.products, model.fit.bounds);
   model.judged.cost = cross_fit(layout, model.fit.products, model.fit.bounds, least);
+  model.judged.mean_square =
+      cost_at(layout, model.fit.products, Eigen::VectorXd::Zero(model.fit.products.values())).mean_square;
   const auto base = models_.find({});
   const int told = told_values(information(layout, model.fit.products, least));
   const int of_base =
@@ -177,8 +225,6 @@ void FittedModels::judge(FittedModel& model) const {
   model.judged.told = std::max(static_cast<int>(model.judged.members.size()), told - of_base);
   model.judged.values =
       static_cast<int>(model.model.definition.free.size()) - static_cast<int>(data_.plain().definition.free.size());
-  const bool one_joint = data_.plain().definition.structure.robot.joints.size() < 2;
-  model.judged.share_to_add = one_joint ? kShareOfOneJoint : kShareOfSeveral;
 }
 
 }  // namespace lacuna

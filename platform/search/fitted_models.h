@@ -50,15 +50,17 @@ class FittedModels {
   std::string kept_name(const std::vector<EffectEntry>& added) const;
   const FittedModel* keep(Contender candidate, PredictionFit fit);
   void judge(FittedModel& model) const;
+  bool hold_redundant_values(const FittedModel& single);
 
   const SearchData& data_;
   const PredictionLadder& ladder_;
   const PredictionLadder few_;
   KeptFits& kept_;
   std::map<Members, FittedModel> models_;
-  StartDerivatives by_starts_, few_by_starts_;  ///< of the model as it is
-  double cost_on_few_ = 0.0;                    ///< nats, of the model as it is
-  double most_on_few_ = 0.0;                    ///< nats, that a set gains
+  std::map<std::string, std::vector<std::string>> held_;  ///< by member: values that act only as another of it does
+  LikeModel plain_, few_plain_;                           ///< derivatives of the model as it is
+  double cost_on_few_ = 0.0;                              ///< nats, of the model as it is
+  double most_on_few_ = 0.0;                              ///< nats, that a set gains
   int fits_ = 0;
 };
 

@@ -1,4 +1,7 @@
+#include "answer/fitted_values.h"
+#include "answer/search_findings.h"
 #include "app/workspace/rig.h"
+#include "foundation/interrupt.h"
 #include "search/effect_search.h"
 
 #include <fmt/format.h>
@@ -15,7 +18,7 @@
 ///
 ///   bench_criterion EXPERIMENT.toml ...
 ///
-/// With LACUNA_NOTES set, every fit is noted on standard error.
+/// With LACUNA_NOTES set, every fit is noted on standard error; LACUNA_SECONDS ends each search.
 namespace lacuna {
 namespace {
 
@@ -28,34 +31,39 @@ double processor_seconds() {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
 }
 
-SearchResult search(const std::string& file) {
-  const double begin = processor_seconds();
-  CommonOptions options;
-  options.experiment = file;
-  const Rig rig = open_rig(options);
-  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
-  if (std::getenv("LACUNA_NOTES") != nullptr)
-    task.note = [&](const std::string& what) {
-      fmt::print(stderr, "{:.1f} s {}\n", processor_seconds() - begin, what);
-    };
-  return search_effects(task);
-}
-
-/// Mean squares of whitened residuals by cell.
-std::vector<double> means_of(const SearchResult& found, const FittedModel& set) {
-  const Eigen::VectorXd means =
-      cost_at(found.layout, set.fit.products, Eigen::VectorXd::Zero(set.fit.products.values())).mean_square;
-  return {means.begin(), means.end()};
-}
-
 json rows_of(const Eigen::MatrixXd& matrix) {
   json rows = json::array();
   for (const auto row : matrix.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
   return rows;
 }
 
+/// What was looked at beside each set, gains over it by block.
+json looked_at(const SearchResult& found) {
+  json all = json::array();
+  for (const LookedBeside& beside : found.looked) {
+    json gains = json::array();
+    for (const Eigen::VectorXd& gain : beside.gains) {
+      json row = json::array();
+      for (const double nats : gain) row.push_back(json::parse(fmt::format("{:.4g}", nats)));
+      gains.push_back(std::move(row));
+    }
+    all.push_back({{"members", beside.members}, {"gains", std::move(gains)}});
+  }
+  return all;
+}
+
+/// [lower, value, upper] of the members' values; null where the data tell no interval.
+json intervals_of(const SearchResult& found, const FittedModel& set) {
+  json all;
+  for (const FoundEffect& effect : FittedValues(found, set).effects())
+    for (const FoundParameter& one : effect.parameters)
+      all[effect.effect + " @ " + effect.where + "." + one.name] = {one.lower_95, one.value, one.upper_95};
+  return all;
+}
+
 json every_set(const SearchResult& found) {
   json result;
+  result["verdict"] = to_string(findings_of(found).verdict);
   const Decision& decision = found.decision;
   const FittedModel& answer = found.sets[decision.answer];
   result["answer"] = answer.judged.members;
@@ -68,25 +76,44 @@ json every_set(const SearchResult& found) {
   result["all_lengths"] = found.by_all_lengths;
   result["lengths"] = found.data->ladder().lengths;
   result["fits"] = found.fits;
+  result["stopped"] = found.stopped;
+  result["looked"] = looked_at(found);
   for (const FittedModel& set : found.sets) {
     const CostGain gain = gain_of(set.judged, found.sets.front().judged);
-    result["sets"].push_back({{"members", set.judged.members},
-                              {"told", set.judged.told},
-                              {"fitted", found.sets.front().fit.cost - set.fit.cost},
-                              {"means", means_of(found, set)},
-                              {"values", set.values},
-                              {"by_length", rows_of(set.judged.cost.by_length)},
-                              {"gain", {gain.nats, gain.error}}});
+    result["sets"].push_back(
+        {{"members", set.judged.members},
+         {"told", set.judged.told},
+         {"count", set.judged.values},
+         {"fitted", found.sets.front().fit.cost - set.fit.cost},
+         {"means", std::vector<double>(set.judged.mean_square.begin(), set.judged.mean_square.end())},
+         {"values", set.values},
+         {"intervals", intervals_of(found, set)},
+         {"by_length", rows_of(set.judged.cost.by_length)},
+         {"gain", {gain.nats, gain.error}}});
   }
   return result;
+}
+
+json search(const std::string& file) {
+  const double begin = processor_seconds();
+  CommonOptions options;
+  options.experiment = file;
+  const Rig rig = open_rig(options);
+  EffectSearchTask task{rig.experiment, *rig.catalog, rig.trials, rig.definition.start_values()};
+  if (std::getenv("LACUNA_NOTES") != nullptr)
+    task.note = [&](const std::string& what) {
+      fmt::print(stderr, "{:.1f} s {}\n", processor_seconds() - begin, what);
+    };
+  return every_set(search_effects(task));
 }
 
 int print_sets(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     json result;
     const double begin = processor_seconds();
+    if (const char* seconds = std::getenv("LACUNA_SECONDS")) begin_time_limit(std::atof(seconds), seconds);
     try {
-      result = every_set(search(file));
+      result = search(file);
     } catch (const std::exception& error) {
       result["failure"] = error.what();
     }

@@ -12,6 +12,7 @@
 #include "config/effects_editor.h"
 #include "config/value.h"
 #include "evaluation/redundant_effect.h"
+#include "foundation/address.h"
 #include "foundation/problem.h"
 #include "foundation/shell_word.h"
 #include "report/text/change_text.h"
@@ -152,6 +153,16 @@ struct Extension {
   Rig base, extended;
 };
 
+/// Values of an effect that a diagnosis held, since they act only together with one that it found, stay where they are.
+void hold_others(const std::map<std::string, double>& found, const Rig& extended, EffectEntry& entry) {
+  const std::size_t name_begins = effect_address(entry.id, "").size();
+  for (const FreeValue& free : extended.definition.free) {
+    if (!is_of_effect(free.address, entry.id)) continue;
+    const std::string name = free.address.substr(name_begins);
+    if (!found.contains(name) && !entry.start.contains(name)) entry.fixed.push_back(name);
+  }
+}
+
 /// The rig with one more effect, which is put into `edited`, the text that `before` was read from. `base`: without any
 /// of those that are added.
 Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edited, std::vector<Addition>& added) {
@@ -164,6 +175,7 @@ Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edit
   Rig extended = open_extended(one, edited, before);
   check_new(one, entry.id, extended.definition.effects);
   std::map<std::string, double> found = diagnosed_start(one, base, extended, entry);
+  if (!found.empty()) hold_others(found, extended, entry);
   for (const auto& [name, value] : entry.start) found[name] = value;
   const bool from_diagnosis = found.size() > entry.start.size();
   entry.start = std::move(found);

@@ -72,11 +72,20 @@ std::string parameters_text(const std::vector<FoundParameter>& parameters) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// "; density held at 1.2 kg/m^3: the data tell its product with area".
+std::string held_text(const FoundEffect& effect) {
+  if (effect.held.empty() || effect.parameters.empty()) return "";
+  std::vector<std::string> texts;
+  for (const FoundParameter& one : effect.held)
+    texts.push_back(fmt::format("{} held at {}", one.name, format_quantity(one.value, one.unit)));
+  return fmt::format("; {}: it and {} act as one value", fmt::join(texts, ", "), effect.parameters.front().name);
+}
+
 /// The answer's effects with their values, and what these data do not tell from the last of them.
 std::string answer_text(const RankedModel& answer) {
   std::string text;
   for (const FoundEffect& effect : answer.effects)
-    text += fmt::format("   {}: {}\n", effect.effect, parameters_text(effect.parameters));
+    text += fmt::format("   {}: {}{}\n", effect.effect, parameters_text(effect.parameters), held_text(effect));
   if (!answer.look_alikes.empty())
     text += fmt::format("   not told apart from it here: {}\n", fmt::join(answer.look_alikes, ", "));
   return text;
