@@ -10,10 +10,11 @@ namespace {
 
 constexpr double kPresent = 0.05;  ///< probability by chance below which something is there
 constexpr std::size_t kMostMembers = 3;
-constexpr double kAsGood = 0.05;       ///< of the whole gain, that a set may be behind
-constexpr double kMinorError = 0.2;    ///< of the model's error: what takes less is not named beside what takes more,
-constexpr double kMinorGain = 0.4;     ///< unless it makes so much of the whole gain
-constexpr double kWorthNaming = 0.05;  ///< nats: what lowers the error by less than a twentieth is not named
+constexpr double kAsGood = 0.05;         ///< of the whole gain, that a set may be behind
+constexpr double kPriceOfAValue = 0.04;  ///< of the whole gain, that a told value must earn
+constexpr double kMinorError = 0.2;      ///< of the model's error: what takes less is not named beside what takes more,
+constexpr double kMinorGain = 0.4;       ///< unless it makes so much of the whole gain
+constexpr double kWorthNaming = 0.05;    ///< nats: what lowers the error by less than a twentieth is not named
 
 class Decider {
  public:
@@ -29,7 +30,11 @@ class Decider {
     decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
     decision.p = probability(every_, 0);
     if (!passes(top, 0, decision.p)) return decision;
-    const std::vector<std::size_t> rivals = simplest(enough_for(grown(), decision.whole_gain), decision.whole_gain);
+    const std::size_t largest = grown(), members = sets_[largest].members.size();
+    const double gain = gain_of(sets_[largest], sets_[0]).nats;
+    const std::vector<std::size_t> simple = simplest_like(best_priced(members, gain), members, gain);
+    const std::size_t main = without_minor_effects(best(simple, 0), gain);
+    const std::vector<std::size_t> rivals = simplest_like(main, members, gain);
     decision.answer = smallest(rivals);
     for (const std::size_t i : rivals)
       if (!holds(i, decision.answer)) decision.alike.push_back(i);
@@ -91,26 +96,43 @@ class Decider {
     return std::includes(own.begin(), own.end(), of_part.begin(), of_part.end());
   }
 
-  /// Sets that do what one does, and its parts without what takes little.
-  std::vector<std::size_t> enough_for(std::size_t set, double whole_gain) const {
-    std::vector<std::size_t> found;
-    for (const std::size_t i : every_) {
-      const bool lacks_little = holds(set, i) && share_of_error(sets_[set], sets_[i], sets_[0]) < kMinorError &&
-                                gain_of(sets_[set], sets_[i]).nats < kMinorGain * whole_gain;
-      if (lacks_little || is_as_good(i, set, whole_gain)) found.push_back(i);
-    }
+  /// The set whose gain is largest once each told value is paid for, of those of at most so many members.
+  std::size_t best_priced(std::size_t most_members, double whole_gain) const {
+    const auto worth = [&](std::size_t i) {
+      return gain_of(sets_[i], sets_[0]).nats - kPriceOfAValue * whole_gain * sets_[i].told;
+    };
+    std::size_t found = every_.front();
+    for (const std::size_t i : every_)
+      if (sets_[i].members.size() <= most_members && worth(i) > worth(found)) found = i;
     return found;
   }
 
-  /// Those of fewest told values that are as good as the best of these.
-  std::vector<std::size_t> simplest(std::vector<std::size_t> among, double whole_gain) const {
-    const auto fewest = *std::min_element(among.begin(), among.end(),
-                                          [&](std::size_t a, std::size_t b) { return sets_[a].told < sets_[b].told; });
-    const int told = sets_[fewest].told;
-    std::erase_if(among, [&](std::size_t i) { return sets_[i].told != told; });
-    const std::size_t top = best(among, 0);
-    std::erase_if(among, [&](std::size_t i) { return !is_as_good(i, top, whole_gain); });
-    return among;
+  /// Those of at most so many members that are as good as one, with the fewest told values.
+  std::vector<std::size_t> simplest_like(std::size_t set, std::size_t most_members, double whole_gain) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : every_) {
+      if (sets_[i].members.size() > most_members || !is_as_good(i, set, whole_gain)) continue;
+      if (!found.empty() && sets_[i].told < sets_[found.front()].told) found.clear();
+      if (found.empty() || sets_[i].told == sets_[found.front()].told) found.push_back(i);
+    }
+    const std::size_t top = best(found, 0);
+    std::erase_if(found, [&](std::size_t i) { return !is_as_good(i, top, whole_gain); });
+    return found;
+  }
+
+  /// The part of a set with the fewest told values, and of several such the best, that lacks only what takes little;
+  /// the set itself where there is none.
+  std::size_t without_minor_effects(std::size_t set, double whole_gain) const {
+    std::size_t found = set;
+    for (const std::size_t i : every_) {
+      const bool is_part = sets_[i].members.size() < sets_[set].members.size() && holds(set, i);
+      if (!is_part || share_of_error(sets_[set], sets_[i], sets_[0]) >= kMinorError ||
+          gain_of(sets_[set], sets_[i]).nats >= kMinorGain * whole_gain)
+        continue;
+      const bool is_better = sets_[i].cost.cost < sets_[found].cost.cost;
+      if (sets_[i].told < sets_[found].told || (sets_[i].told == sets_[found].told && is_better)) found = i;
+    }
+    return found;
   }
 
   std::size_t smallest(const std::vector<std::size_t>& among) const {

@@ -55,12 +55,12 @@ struct Decision {
 };
 
 /// `sets`: the model as it is first. Something is present where the signs of the gains of all sets, and of all that was
-/// looked at, say so at 5 %, the best
-/// gains more than its error, at more than one length, and lowers the error by a twentieth at one. A set of one more
-/// effect must pass the same against the best smaller one. The answer is one of those that are as good as the largest
-/// that passes, within a twentieth of the whole gain or one standard error, and of its parts that leave less than a
-/// fifth of the error and two fifths of the gain to it: of these, one of fewest told values, the best, or of as good
-/// ones that of fewest values in all, then of fewest effects.
+/// looked at, say so at 5 %, the best gains more than its error, at more than one length, and lowers the error by a
+/// twentieth at one. A set of one more effect must pass the same against the best smaller one. Of the sets of at most
+/// so many effects that one is looked for which gains most once every told value is paid for; then, of those that are
+/// as good, within a twentieth of the gain or one standard error, one of the fewest told values; then its part without
+/// effects that take less than a fifth of the error and two fifths of the gain. The answer is that one, or, of others
+/// as good with as many told values, the one of fewest values in all, then of fewest effects.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
 
 }  // namespace lacuna

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kSingles = 18;  ///< effects that are fitted alone
 constexpr std::size_t kLeading = 2;   ///< sets beside which the library is looked at
 constexpr std::size_t kBeside = 2;    ///< effects that are fitted beside each
-constexpr std::size_t kKinds = 4;     ///< best effects of different kinds, fitted two at a time
+constexpr std::size_t kKinds = 5;     ///< best effects that do not do the same, fitted two at a time
 constexpr std::size_t kBesidePair = 3;
 constexpr std::size_t kSwapped = 3;  ///< effects that are tried in a member's place
 constexpr std::size_t kMostMembers = 3;
@@ -161,6 +161,15 @@ class EffectSearch {
     });
   }
 
+  /// Whether an effect does the same as one of these, or is a richer law of its kind.
+  bool is_like(const FittedModel& single, const std::vector<Entries>& chosen) const {
+    return std::any_of(chosen.begin(), chosen.end(), [&](const Entries& other) {
+      const Hypothesis &own = hypothesis_of(single.model.added.front()), &before = hypothesis_of(other.front());
+      const bool is_richer = of_one_kind(own, before) && own.own.size() > before.own.size();
+      return is_richer || does_the_same(single, *models_.find(members_of(other)));
+    });
+  }
+
   /// Whether two sets gain the same in every block of time.
   bool does_the_same(const FittedModel& one, const FittedModel& other) const {
     const Eigen::VectorXd gain = models_.base().judged.cost.by_block() - other.judged.cost.by_block();
@@ -186,7 +195,7 @@ class EffectSearch {
     std::vector<Entries> leading, kinds;
     for (const FittedModel* single : ordered(1)) {
       if (leading.size() < kLeading && !of_one_kind_as(*single, leading)) leading.push_back(single->model.added);
-      if (kinds.size() < kKinds && !of_one_kind_as(*single, kinds)) kinds.push_back(single->model.added);
+      if (kinds.size() < kKinds && !is_like(*single, kinds)) kinds.push_back(single->model.added);
     }
     for (const Entries& parent : leading) look_beside(parent, kBeside);
     for (std::size_t i = 0; i < kinds.size(); ++i)
@@ -351,6 +360,17 @@ class EffectSearch {
   std::vector<LookedBeside> looked_;
 };
 
+void count_nesting(SearchResult& result) {
+  result.nested = result.unnested = 0;
+  for (const FittedModel& set : result.sets)
+    for (const FittedModel& part : result.sets) {
+      const auto &whole = set.judged.members, &some = part.judged.members;
+      if (some.size() >= whole.size() || !std::includes(whole.begin(), whole.end(), some.begin(), some.end())) continue;
+      ++result.nested;
+      if (set.fit.cost > part.fit.cost + kNested) ++result.unnested;
+    }
+}
+
 void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();
   result.layout = models.ladder().layout;
@@ -364,6 +384,7 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;
   result.fits += models.fits();
+  count_nesting(result);
 }
 
 /// Nothing where the time limit is reached before the model as it is was fitted.

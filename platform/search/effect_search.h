@@ -18,7 +18,8 @@ struct SearchResult {
   std::size_t hypotheses = 0;        ///< effect × place
   std::vector<Untestable> untestable;
   int fits = 0;
-  bool stopped = false;  ///< by the time limit, which is lifted: about the sets fitted until then
+  int nested = 0, unnested = 0;  ///< sets with a part that was fitted, too: all, and those that cost more than it
+  bool stopped = false;          ///< by the time limit, which is lifted: about the sets fitted until then
 };
 
 /// Searches for the effects that a model lacks (docs/explanation/diagnosis.md). Throws `NothingPredictable`,

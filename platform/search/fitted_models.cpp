@@ -14,6 +14,7 @@ namespace {
 constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
 constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
 constexpr double kBetter = 1e-4;                ///< nats
+constexpr std::size_t kReadingsOfAValue = 8;    ///< fewer tell nothing that can be told from chance
 constexpr const char* kTiming = "timing";
 
 /// The name of a value by the member that it belongs to.
@@ -125,6 +126,7 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
                                      double least_share) {
   if (const KeptFit* known = known_fit(added)) return restore(added, *known);
   Contender model = model_with(added);
+  if (!added.empty() && kReadingsOfAValue * model.definition.free.size() > data_.readings()) return nullptr;
   const ModelBench bench = data_.bench_for(model);
   const bool of_readings = changes_readings(model.definition);
   const std::vector<std::string> names = value_names(model, data_.timing());

@@ -67,6 +67,13 @@ SearchData::SearchData(const EffectSearchTask& task)
   choose_substeps();
 }
 
+std::size_t SearchData::readings() const {
+  std::size_t count = 0;
+  for (const Trial& trial : task_.trials)
+    if (!trial.held_out) count += static_cast<std::size_t>(trial.measured.samples.array().isFinite().count());
+  return count;
+}
+
 void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {
   for (Hypothesis& one : hypotheses) {
     bound_by_resolution({one.entry}, scales_, one.definition.free);

@@ -76,6 +76,7 @@ json every_set(const SearchResult& found) {
   result["all_lengths"] = found.by_all_lengths;
   result["lengths"] = found.data->ladder().lengths;
   result["fits"] = found.fits;
+  result["nested"] = {found.nested, found.unnested};
   result["stopped"] = found.stopped;
   result["looked"] = looked_at(found);
   for (const FittedModel& set : found.sets) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace lacuna::decision_test {
@@ -18,6 +19,7 @@ CandidateSet set_of(std::set<std::string> members, double gain, int told, std::u
     for (Eigen::Index j = 0; j < kBlocks; ++j)
       set.cost.by_length(i, j) = (2.0 - gain) / (kLengths * kBlocks) + (seed == 0 ? 0.0 : normal(bits));
   set.cost.cost = set.cost.by_length.sum();
+  set.mean_square = Eigen::VectorXd::Constant(1, std::exp(2.0 * (2.0 - gain)));
   return set;
 }
 
@@ -47,6 +49,29 @@ TEST(Decision, AddsASecondEffectThatEarnsItsShare) {
   EXPECT_EQ(decide(sets, {}, 1).answer, 3U);
   const std::vector<CandidateSet> little{sets[0], sets[1], sets[2], set_of({"a", "b"}, 1.03, 2, 3)};
   EXPECT_EQ(decide(little, {}, 1).answer, 1U);
+}
+
+/// The root of what is left falls from 1 to 0.2 by the first effect, by 0.12 more by the second.
+TEST(Decision, NamesNothingBesideAnAnswerThatTakesLessThanAFifthOfTheError) {
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.6, 1, 1), set_of({"a", "b"}, 1.8, 2, 2)};
+  EXPECT_LT(share_of_error(sets[2], sets[1], sets[0]), 0.2);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 1U);
+}
+
+/// Beside an offset far above all else what halves the rest again and again is no minor effect.
+TEST(Decision, NamesASecondEffectThatMakesTwoFifthsOfTheGain) {
+  std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.1, 1, 1), set_of({"a", "b"}, 2.0, 2, 2)};
+  sets[0].mean_square(0) = 1e6;
+  EXPECT_LT(share_of_error(sets[2], sets[1], sets[0]), 0.01);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 2U);
+}
+
+TEST(ShareOfError, IsThatOfTheCellWhereItIsLargest) {
+  CandidateSet model = set_of({}, 0.0, 0), part = model, set = model;
+  model.mean_square = Eigen::Vector3d(100.0, 0.0, 4.0);
+  part.mean_square = Eigen::Vector3d(26.0, 0.0, 3.0);
+  set.mean_square = Eigen::Vector3d(1.0, 0.0, 3.5);
+  EXPECT_DOUBLE_EQ(share_of_error(set, part, model), 0.5);
 }
 
 /// Of many laws that were looked at one gains by chance as much as the best that was fitted.
