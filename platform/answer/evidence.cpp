@@ -47,7 +47,10 @@ std::vector<std::string> look_alikes_of(const SearchResult& found) {
 Evidence evidence_of(const SearchResult& found) {
   const FittedModel& answer = answer_of(found);
   const double before = found.sets.front().judged.cost.cost, after = answer.judged.cost.cost;
-  Evidence evidence = {{"surprise", -std::log10(found.decision.p)}, {"base_cost", before}};
+  Evidence evidence = {{"surprise", -std::log10(found.decision.p)},
+                       {"base_cost", before},
+                       {"nested_sets", found.nested},
+                       {"unnested_sets", found.unnested}};
   if (found.decision.answer == 0) return evidence;
   evidence["log_gain"] = std::log10(std::max(kSmallest, found.decision.gain.nats));
   evidence["sureness"] = sureness(found.decision.gain);

@@ -67,7 +67,8 @@ class Told {
   bool has_answer() const { return found_.decision.answer != 0; }
 
   Verdict verdict(double base_times_floor) const {
-    if (law_.is_present && (!has_answer() || law_.share > kMostLeft)) return Verdict::not_in_library;
+    if (law_.is_present && (!has_answer() || (law_.share > kMostLeft && !law_.is_minor)))
+      return Verdict::not_in_library;
     if (has_answer()) return Verdict::effect_found;
     return found_.stopped || base_times_floor > kFarAboveFloor ? Verdict::cannot_tell : Verdict::nothing_missing;
   }

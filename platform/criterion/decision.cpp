@@ -126,9 +126,7 @@ class Decider {
     std::size_t found = set;
     for (const std::size_t i : every_) {
       const bool is_part = sets_[i].members.size() < sets_[set].members.size() && holds(set, i);
-      if (!is_part || share_of_error(sets_[set], sets_[i], sets_[0]) >= kMinorError ||
-          gain_of(sets_[set], sets_[i]).nats >= kMinorGain * whole_gain)
-        continue;
+      if (!is_part || !is_minor(sets_[set], sets_[i], sets_[0], whole_gain)) continue;
       const bool is_better = sets_[i].cost.cost < sets_[found].cost.cost;
       if (sets_[i].told < sets_[found].told || (sets_[i].told == sets_[found].told && is_better)) found = i;
     }
@@ -169,6 +167,10 @@ double share_of_error(const CandidateSet& set, const CandidateSet& over, const C
   const Eigen::ArrayXd taken = (over.mean_square - set.mean_square).array().max(0.0);
   const Eigen::ArrayXd of_model = model.mean_square.array();
   return std::sqrt((of_model > 0.0).select(taken / of_model, 0.0).maxCoeff());
+}
+
+bool is_minor(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model, double whole_gain) {
+  return share_of_error(set, over, model) < kMinorError && gain_of(set, over).nats < kMinorGain * whole_gain;
 }
 
 double largest_gain(const CandidateSet& set, const CandidateSet& over) {

@@ -35,6 +35,10 @@ CostGain gain_elsewhere(const CandidateSet& set, const CandidateSet& over);
 /// more.
 double share_of_error(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model);
 
+/// Whether what a set has more than `over` is a minor matter: it takes less than a fifth of the model's error, and
+/// makes less than two fifths of `whole_gain`, nats.
+bool is_minor(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model, double whole_gain);
+
 /// The gain at the length at which it is largest, nats of that length's own cost.
 double largest_gain(const CandidateSet& set, const CandidateSet& over);
 

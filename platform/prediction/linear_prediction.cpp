@@ -104,6 +104,11 @@ bool LadderPredictions::simulate(std::size_t k, const Eigen::VectorXd& values, c
   if (changed_readings_) {
     changed = start_by_readings({*changed_readings_, predictor_, stretch.stretch, of_model, warm_up, worker}, state,
                                 prediction);
+    if (changed.reads_backwards) {
+      prediction.valid = false;
+      prediction.reason = "the reading of a sensor falls where what it reads rises";
+      return false;
+    }
     state = changed.start;
     warm_up = changed.warm_up ? &*changed.warm_up : nullptr;
   }

@@ -38,7 +38,8 @@ class FirstReading {
   Prediction& prediction_;
 };
 
-void follow_reading(const ReadStart& read, const StartStates::Reading& reading, int coordinate,
+/// Whether the reading does not run backwards.
+bool follow_reading(const ReadStart& read, const StartStates::Reading& reading, int coordinate,
                     const StartState& smoothed, StartState& start, Prediction& prediction) {
   const FirstReading first(read, reading, prediction);
   const double wanted = first.plain(smoothed, coordinate);
@@ -47,11 +48,13 @@ void follow_reading(const ReadStart& read, const StartStates::Reading& reading, 
     StartState beside = start;
     set_component(beside, coordinate, component(start, coordinate) + kNudge);
     const double slope = (first.at(beside) - here) / kNudge / reading.scale;
-    if (!(slope > kFlattest && slope < kSteepest)) return;
+    if (slope < 0.0) return false;
+    if (!(slope > kFlattest && slope < kSteepest)) return true;
     set_component(start, coordinate, component(start, coordinate) + (wanted - here) / reading.scale / slope);
     const int velocity = read.starts.states().coordinates() + coordinate;
     set_component(start, velocity, component(smoothed, velocity) / slope);
   }
+  return true;
 }
 
 /// A warm-up no longer than the readings need that are late, that arrives about where the stretch starts: what is read
@@ -82,7 +85,7 @@ void lead_to(const StartState& start, const ReadStart& read, const std::vector<d
 }  // namespace
 
 ChangedStart start_by_readings(const ReadStart& read, const StartState& start, Prediction& prediction) {
-  ChangedStart changed{start, read.warm_up ? std::optional(*read.warm_up) : std::nullopt};
+  ChangedStart changed{start, read.warm_up ? std::optional(*read.warm_up) : std::nullopt, false};
   const Stretch first{read.stretch.trial, read.stretch.first, read.stretch.first + 2};
   read.predictor.predict(first, read.values, start, read.worker, prediction, read.warm_up);
   if (!prediction.valid) return changed;
@@ -94,7 +97,7 @@ ChangedStart start_by_readings(const ReadStart& read, const StartState& start, P
       const double plain = FirstReading(read, *reading, prediction).plain(start, coordinate);
       if (lateness[static_cast<std::size_t>(reading->channel)] == 0.0 &&
           std::abs(readings(reading->channel) - plain) > kSame * std::max(1.0, std::abs(plain)))
-        follow_reading(read, *reading, coordinate, start, changed.start, prediction);
+        changed.reads_backwards |= !follow_reading(read, *reading, coordinate, start, changed.start, prediction);
     }
   if (std::all_of(lateness.begin(), lateness.end(), [](double late) { return late == 0.0; })) return changed;
   // Where a recording begins, too: what is read there first came before it, but the rest follows from where it is.

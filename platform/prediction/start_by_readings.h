@@ -20,6 +20,7 @@ struct ReadStart {
 struct ChangedStart {
   StartState start;
   std::optional<WarmUp> warm_up;
+  bool reads_backwards = false;  ///< a reading falls where what it reads rises: no sensor does that
 };
 
 /// The start from which the model's first readings are what plain sensors would read at `start`: of a sensor that is

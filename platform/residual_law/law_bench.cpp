@@ -72,6 +72,7 @@ FittedLaw LawBench::fit(std::string kind, std::vector<std::size_t> functions, do
   const StepBounds bounds = bounds_of(law);
   law.fit = least_cost(layout_, products, bounds);
   law.judged.members = {law.kind};
+  law.judged.mean_square = law.fit.mean_square;
   law.judged.cost = cross_fit(layout_, products, bounds, law.fit, true);
   return law;
 }

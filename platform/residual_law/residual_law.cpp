@@ -70,6 +70,7 @@ ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside) {
   const double of_law = std::max(0.0, result.gain.nats);
   const double of_set = std::max(0.0, gain_of(beside.judged, found.sets.front().judged).nats);
   result.share = of_law > 0.0 ? of_law / (of_set + of_law) : 0.0;
+  result.is_minor = is_minor(best.judged(), best.without(), found.sets.front().judged, of_set + of_law);
   result.is_present = result.p < kPresent && result.gain.is_told() && result.share > kLeastShare &&
                       gain_elsewhere(best.judged(), best.without()).is_told() &&
                       largest_gain(best.judged(), best.without()) > kWorthNaming;

@@ -14,6 +14,7 @@ struct ResidualLaw {
   double p = 1.0;                      ///< how often chance alone would gain as much as the best law does
   CostGain gain;                       ///< over the answer
   double share = 0.0;                  ///< of all that answer and law gain together
+  bool is_minor = true;                ///< beside what `beside` explains (criterion/decision.h)
   std::string joint;                   ///< on which it acts, without "joint."
   std::string kind;                    ///< what it goes with: "position and velocity"
   std::vector<ForceCurve> curves;      ///< over each quantity that alone gains more than its error

@@ -15,6 +15,7 @@ constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
 constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
 constexpr double kBetter = 1e-4;                ///< nats
 constexpr std::size_t kReadingsOfAValue = 8;    ///< fewer tell nothing that can be told from chance
+constexpr double kProportion = 1e-2;            ///< of information, that two values which act as one do not share
 constexpr const char* kTiming = "timing";
 
 /// The name of a value by the member that it belongs to.
@@ -42,7 +43,7 @@ std::set<std::string> member_names(const std::vector<EffectEntry>& added) {
 /// Whether two values change all predictions in proportion.
 bool act_as_one(const Eigen::MatrixXd& information, Eigen::Index one, Eigen::Index other) {
   const double both = information(one, one) * information(other, other);
-  return both > 0.0 && information(one, other) * information(one, other) > (1.0 - kUntold) * both;
+  return both > 0.0 && information(one, other) * information(one, other) > (1.0 - kProportion) * both;
 }
 
 /// Two of one effect get different ids.
@@ -190,8 +191,8 @@ const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
   return find(members);
 }
 
-/// Of values that act only together, such as an area and a density, all but the first stay where they begin: the data
-/// tell the product. Whether there are such that were fitted.
+/// Of values that act only together, such as an area and a density, factors stay where they begin: the data tell the
+/// product. Whether there are such that were fitted.
 bool FittedModels::hold_redundant_values(const FittedModel& single) {
   if (single.model.added.size() != 1 || held_.contains(member_name(single.model.added.front()))) return false;
   const EffectEntry& entry = single.model.added.front();
@@ -203,7 +204,8 @@ bool FittedModels::hold_redundant_values(const FittedModel& single) {
     const std::string& address = single.model.definition.free[i].address;
     if (!is_of_effect(address, entry.id)) continue;
     const auto j = static_cast<Eigen::Index>(i);
-    if (std::any_of(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); }))
+    const bool is_factor = single.model.definition.free[i].scale == Scale::logarithmic;
+    if (is_factor && std::any_of(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); }))
       held.push_back(address.substr(effect_address(entry.id, "").size()));
     else
       free.push_back(j);
