@@ -102,7 +102,7 @@ class Told {
       if (!text.empty()) all.push_back(std::move(text));
     };
     if (has_answer()) {
-      add(soaked_up(result.values));
+      add(absorbed(result.values));
       if (found_.by_all_lengths)
         add("only predictions over the longest times show it; shorter ones are as good without it");
     }
@@ -131,17 +131,17 @@ class Told {
   std::string left() const {
     if (!law_.is_present) return "";
     if (!has_answer())
-      return fmt::format("a force on joint.{} that no effect of the library has is missing; it goes with {}",
+      return fmt::format("a force on joint.{} that no effect of the library describes is missing; it depends on {}",
                          law_.joint, law_.kind);
     return fmt::format(
-        "beside the effects of the first row, {:.0f} % of what is gained in all is a force on joint.{} that no effect "
-        "of "
-        "the library has; it goes with {}",
-        100.0 * law_.share, law_.joint, law_.kind);
+        "the residual of the first row has a force on joint.{} that no effect of the library describes: {:.0f} % of "
+        "the "
+        "total gain; it depends on {}",
+        law_.joint, 100.0 * law_.share, law_.kind);
   }
 
   /// Own values that the answer moves.
-  std::string soaked_up(const std::vector<FoundParameter>& now) const {
+  std::string absorbed(const std::vector<FoundParameter>& now) const {
     std::vector<std::string> moved;
     for (const FoundParameter& before : FittedValues(found_, base_).own())
       for (const FoundParameter& after : now) {
@@ -151,7 +151,7 @@ class Told {
           moved.push_back(fmt::format("{} ({} → {})", after.name, format_quantity(before.value, before.unit),
                                       format_quantity(after.value, after.unit)));
       }
-    return moved.empty() ? "" : fmt::format("{} had soaked it up", fmt::join(moved, ", "));
+    return moved.empty() ? "" : fmt::format("{} had absorbed the effect", fmt::join(moved, ", "));
   }
 
   /// A user who simulates with the commands as recorded meets what is left by that.
@@ -160,8 +160,9 @@ class Told {
     const std::optional<double> timing = values.timing();
     if (!timing || !values.timing_is_told() || std::abs(*timing) < kOffTime) return "";
     return fmt::format(
-        "commands act {} earlier than recorded: a matter of recording, which this fit allows for; compare and trial do "
-        "not, unless the times of commands are shifted by as much",
+        "timestamp offset: commands act {} earlier than recorded; this fit corrects it, compare and trial do not, "
+        "unless "
+        "the times of commands are shifted by as much",
         format_quantity(std::abs(*timing) * longest_command_interval(found_.data->task().trials), "s"));
   }
 

@@ -50,7 +50,7 @@ Diagnosis diagnosis(Verdict verdict) {
                       {std::log(4.0), 0.1, std::log(3.2), std::log(5.0)}}};
   result.hypotheses = 43;
   result.untestable = {{"slope", "", "the robot has no ground to touch"}};
-  result.findings = {"body.arm.mass (0.56 kg → 0.50 kg) had soaked it up"};
+  result.findings = {"body.arm.mass (0.56 kg → 0.50 kg) had absorbed the effect"};
   result.next_test = "triangle motor 0.3 N*m 0.1 Hz 20 s";
   result.next_test_worth = result.next_test + ": 12 nats a trial";
   result.seconds = 31.0;
@@ -97,9 +97,9 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   const std::string text = diagnosis_text(diagnosis(Verdict::effect_found), "rig.toml");
   EXPECT_THAT(text, HasSubstr("verdict effect_found · P 0.97 (uncalibrated)"));
   EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
-  EXPECT_THAT(text, HasSubstr("not told apart from it here: stribeck_friction @ joint.hinge"));
+  EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]  1.1 × floor"));
-  EXPECT_THAT(text, HasSubstr("43 effects were tried; chance alone does as much as the best of them with p 0.0005"));
+  EXPECT_THAT(text, HasSubstr("43 effects were tried; chance gives as large a gain as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
   EXPECT_THAT(text, HasSubstr("triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));

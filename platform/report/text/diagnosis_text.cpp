@@ -87,7 +87,7 @@ std::string answer_text(const RankedModel& answer) {
   for (const FoundEffect& effect : answer.effects)
     text += fmt::format("   {}: {}{}\n", effect.effect, parameters_text(effect.parameters), held_text(effect));
   if (!answer.look_alikes.empty())
-    text += fmt::format("   not told apart from it here: {}\n", fmt::join(answer.look_alikes, ", "));
+    text += fmt::format("   indistinguishable on these data: {}\n", fmt::join(answer.look_alikes, ", "));
   return text;
 }
 
@@ -126,7 +126,7 @@ std::string answers_text(const Diagnosis& diagnosis) {
   if (diagnosis.formulas.empty() || diagnosis.ranking.empty()) return formula_text(diagnosis) + ranking_text(diagnosis);
   if (diagnosis.verdict == Verdict::effect_found)
     return ranking_text(diagnosis) + "what is left:\n" + formula_text(diagnosis);
-  return formula_text(diagnosis) + "what the library comes to beside it:\n" + ranking_text(diagnosis);
+  return formula_text(diagnosis) + "best candidates of the library:\n" + ranking_text(diagnosis);
 }
 
 /// Each reason with the effects that it keeps out: first what plugins failed in.
@@ -145,7 +145,7 @@ std::string untestable_text(const Diagnosis& diagnosis) {
 std::string chance_text(const Diagnosis& diagnosis) {
   std::string text = fmt::format("{} effects were tried", diagnosis.hypotheses);
   if (diagnosis.p_by_chance)
-    text += fmt::format("; chance alone does as much as the best of them with p {:.2g}", *diagnosis.p_by_chance);
+    text += fmt::format("; chance gives as large a gain as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
   return text + fmt::format("; the model alone has an error of {:.3g} × floor\n", diagnosis.base_times_floor);
 }
 

@@ -239,7 +239,7 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
               .join(' · ')}
           </span>
         ))}
-        {model.class.length > 0 && <span class="small">not told apart from it here: {model.class.join(', ')}</span>}
+        {model.class.length > 0 && <span class="small">indistinguishable on these data: {model.class.join(', ')}</span>}
       </td>
       <td class="number">
         {inPercent
