@@ -35,11 +35,20 @@ struct FoundParameter {
   bool operator==(const FoundParameter&) const = default;
 };
 
+/// A parameter of a found effect that acts only as another of it does, such as the density of a drag beside its area:
+/// where it stays, SI.
+struct HeldParameter {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  bool operator==(const HeldParameter&) const = default;
+};
+
 struct FoundEffect {
   std::string effect;
   std::string where;  ///< "joint.hinge"; "world"
   std::vector<FoundParameter> parameters;
-  std::vector<FoundParameter> held = {};  ///< those that act only as another of it does, where they stay; no interval
+  std::vector<HeldParameter> held = {};
   bool operator==(const FoundEffect&) const = default;
 };
 

@@ -18,9 +18,8 @@ constexpr double kSaysSomething = 0.9;       ///< of the deviation of a value an
 constexpr double kAtBound = 1e-9;            ///< of a range
 constexpr double kToldTiming = 1.0 / 3.0;    ///< command intervals
 
-std::vector<FoundParameter> held_values(const ModelStructure& structure, const EffectEntry& entry) {
-  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  std::vector<FoundParameter> held;
+std::vector<HeldParameter> held_values(const ModelStructure& structure, const EffectEntry& entry) {
+  std::vector<HeldParameter> held;
   for (const PlacedEffect& placed : structure.effects) {
     if (placed.id != entry.id || entry.fixed.empty()) continue;
     const EffectDescription description =
@@ -28,7 +27,7 @@ std::vector<FoundParameter> held_values(const ModelStructure& structure, const E
     for (std::size_t i = 0; i < description.parameters.size(); ++i)
       if (const ParameterDeclaration& one = description.parameters[i];
           std::count(entry.fixed.begin(), entry.fixed.end(), one.name) > 0)
-        held.push_back({one.name, one.unit, placed.values[i], kNothing, kNothing});
+        held.push_back({one.name, one.unit, placed.values[i]});
   }
   return held;
 }

@@ -19,7 +19,7 @@ ordered_json by_name(const std::vector<FoundParameter>& parameters) {
 ordered_json document(const FoundEffect& effect) {
   ordered_json result = {
       {"effect", effect.effect}, {"where", effect.where}, {"parameters", by_name(effect.parameters)}};
-  for (const FoundParameter& one : effect.held) result["held"][one.name] = {{"value", one.value}, {"unit", one.unit}};
+  for (const HeldParameter& one : effect.held) result["held"][one.name] = {{"value", one.value}, {"unit", one.unit}};
   return result;
 }
 

@@ -69,10 +69,9 @@ std::vector<FoundParameter> parameters_of(const ordered_json& json) {
 
 FoundEffect effect_of(const ordered_json& json) {
   FoundEffect effect{json["effect"], json["where"], parameters_of(json["parameters"])};
-  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   if (json.contains("held"))
     for (const auto& [name, one] : json["held"].items())
-      effect.held.push_back({name, one["unit"], figure(one["value"]), kNothing, kNothing});
+      effect.held.push_back({name, one["unit"], figure(one["value"])});
   return effect;
 }
 

@@ -15,7 +15,11 @@
 namespace lacuna {
 namespace {
 
-FoundEffect friction() { return {"coulomb_friction", "joint.hinge", {{"torque", "N*m", 1.0 / 3.0, 0.1, 0.5}}}; }
+FoundEffect friction() { return {"coulomb_friction", "joint.hinge", {{"torque", "N*m", 1.0 / 3.0, 0.1, 0.5}}, {}}; }
+
+FoundEffect drag() {
+  return {"quadratic_drag", "body.arm", {{"area", "m^2", 0.02, 0.01, 0.03}}, {{"density", "kg/m^3", 1.25}}};
+}
 
 ForceFormula formula() { return {"hinge", "N*m", {{"v*abs(v)", "rad^2/s^2", -0.0213, 2e-17}}, {5, 1, 3, 7}}; }
 
@@ -35,8 +39,12 @@ Diagnosis filled() {
   whole.base = {{"angle", "rad", 1e-3, 2e-3, 3e-3}};
   whole.base_times_floor = 12.1;
   whole.base_segment = 0.25;
-  whole.ranking = {
-      {{friction()}, {"a @ joint.hinge"}, {1.5, 0.5, 1.1, 1.9}, {{"angle", "rad", 4e-3, 5e-3, 6e-3}}, 1.2, 0.5}};
+  whole.ranking = {{{friction(), drag()},
+                    {"a @ joint.hinge"},
+                    {1.5, 0.5, 1.1, 1.9},
+                    {{"angle", "rad", 4e-3, 5e-3, 6e-3}},
+                    1.2,
+                    0.5}};
   whole.values = {{"body.arm.mass", "kg", 1.5, 1.4, 1.6}};
   whole.p_by_chance = 0.0005;
   whole.answer_gain = {9.0, 0.75, 7.5, 10.5};

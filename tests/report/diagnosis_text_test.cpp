@@ -99,10 +99,21 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("torque 0.131 [0.126, 0.136] N*m"));
   EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]  1.1 × floor"));
-  EXPECT_THAT(text, HasSubstr("43 effects were tried; chance gives as large a gain as the best of them with p = 0.0005"));
+  EXPECT_THAT(text,
+              HasSubstr("43 effects were tried; chance gives as large a gain as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
   EXPECT_THAT(text, HasSubstr("triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
+}
+
+TEST(DiagnosisText, SaysWhichValueIsHeldBesideTheOneThatIsTold) {
+  Diagnosis of_drag = diagnosis(Verdict::effect_found);
+  of_drag.ranking.front().effects = {
+      {"quadratic_drag", "body.arm", {{"area", "m^2", 0.02, 0.01, 0.03}}, {{"density", "kg/m^3", 1.2}}}};
+  EXPECT_THAT(
+      diagnosis_text(of_drag, "rig.toml"),
+      HasSubstr("quadratic_drag: area 0.020 [0.010, 0.030] m^2; density held at 1.20 kg/m^3: only its product with "
+                "area is determined"));
 }
 
 TEST(DiagnosisText, ProposesATestInItsSetup) {

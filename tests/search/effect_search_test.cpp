@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -22,16 +23,16 @@ class EffectSearchTest : public testing::Test {
     experiment_.model.effects = {};
   }
 
-  SearchResult search(const std::vector<Trial>& trials, int threads = 2) const {
+  SearchResult search(const std::vector<Trial>& trials, int threads = 2,
+                      std::vector<std::string> among = {"joint_spring", "coulomb_friction", "viscous_friction",
+                                                        "joint_offset_torque", "torque_gain"}) const {
     const ModelDefinition definition = define_model(experiment_, built_catalog());
-    return search_effects(
-        {.experiment = experiment_,
-         .catalog = built_catalog(),
-         .trials = trials,
-         .values = definition.start_values(),
-         .among = {"joint_spring", "coulomb_friction", "viscous_friction", "joint_offset_torque", "torque_gain"},
-
-         .threads = threads});
+    return search_effects({.experiment = experiment_,
+                           .catalog = built_catalog(),
+                           .trials = trials,
+                           .values = definition.start_values(),
+                           .among = std::move(among),
+                           .threads = threads});
   }
 
   static std::vector<Trial> two_recordings(double friction) {
@@ -70,6 +71,42 @@ TEST_F(EffectSearchTest, NamesBothOfTwoEffectsAndFitsNoSetWorseThanItsParts) {
       EXPECT_LE(set.fit.cost, part.fit.cost + 1e-3) << testing::PrintToString(whole);
     }
   EXPECT_GE(nested, 4);
+}
+
+/// Readings tell the product of area and density alone.
+TEST_F(EffectSearchTest, HoldsTheDensityOfADragAndTellsItsArea) {
+  const SearchResult found = search(two_recordings(kFriction), 2, {"quadratic_drag"});
+  const auto drag = std::find_if(found.sets.begin(), found.sets.end(), [](const FittedModel& set) {
+    return set.judged.members == Members{"quadratic_drag @ body.arm"};
+  });
+  ASSERT_NE(drag, found.sets.end());
+  EXPECT_EQ(drag->model.added.front().fixed, std::vector<std::string>{"density"});
+  EXPECT_EQ(drag->judged.told, 1);
+  EXPECT_EQ(drag->judged.values, 1);
+  EXPECT_GT(drag->values.at("quadratic_drag @ body.arm.area"), 0.0);
+}
+
+/// No sensor's reading falls where what it reads rises: an error of an encoder that repeats is never that large.
+TEST_F(EffectSearchTest, RefusesAReadingThatRunsBackwards) {
+  const SearchResult found = search(two_recordings(kFriction), 2, {"encoder_eccentricity", "coulomb_friction"});
+  int of_encoder = 0;
+  for (const FittedModel& set : found.sets) {
+    const auto value = [&](const std::string& name) {
+      return set.values.at("encoder_eccentricity @ sensor.angle." + name);
+    };
+    if (!set.judged.members.contains("encoder_eccentricity @ sensor.angle")) continue;
+    ++of_encoder;
+    EXPECT_LT(std::hypot(value("sine"), value("cosine")) * value("periods"), 1.1);
+  }
+  EXPECT_GT(of_encoder, 0);
+}
+
+TEST_F(EffectSearchTest, NeedsEightReadingsForAValue) {
+  const SearchResult found = search({recorded({.friction = kFriction}, "one.csv", multisine, 0.4, 3)});
+  const auto readings = static_cast<std::size_t>(found.data->readings());
+  for (const FittedModel& set : found.sets)
+    if (!set.judged.members.empty()) EXPECT_LE(8 * set.model.definition.free.size(), readings);
+  EXPECT_LT(found.sets.size(), 30U);
 }
 
 TEST_F(EffectSearchTest, MoreRecordingsKeepTheAnswer) {

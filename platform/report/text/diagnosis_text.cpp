@@ -72,13 +72,14 @@ std::string parameters_text(const std::vector<FoundParameter>& parameters) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// "; density held at 1.2 kg/m^3: the data tell its product with area".
+/// "; density held at 1.2 kg/m^3: only its product with area is determined".
 std::string held_text(const FoundEffect& effect) {
   if (effect.held.empty() || effect.parameters.empty()) return "";
   std::vector<std::string> texts;
-  for (const FoundParameter& one : effect.held)
+  for (const HeldParameter& one : effect.held)
     texts.push_back(fmt::format("{} held at {}", one.name, format_quantity(one.value, one.unit)));
-  return fmt::format("; {}: it and {} act as one value", fmt::join(texts, ", "), effect.parameters.front().name);
+  return fmt::format("; {}: only its product with {} is determined", fmt::join(texts, ", "),
+                     effect.parameters.front().name);
 }
 
 /// The answer's effects with their values, and what these data do not tell from the last of them.

@@ -19,6 +19,7 @@ import {
   verdictSentence,
   type DiagnosisDocument,
   type DiagnosisRow,
+  type Effect,
   type Ranked,
 } from './diagnose_data';
 import { Features } from './diagnose_features';
@@ -224,6 +225,11 @@ interface CandidateProps {
   length: number | null; // s, of the answer's segments; errors over others are no measure beside its own
 }
 
+/** Parameters that only act together with those found. */
+function heldTexts(effect: Effect): string[] {
+  return Object.entries(effect.held ?? {}).map(([name, one]) => `${name} held at ${quantity(one.value, one.unit)}`);
+}
+
 function Candidate({ rank, model, inPercent, length }: CandidateProps) {
   return (
     <tr>
@@ -236,6 +242,7 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
           <span key={effect.effect + effect.where} class="small">
             {Object.entries(effect.parameters)
               .map(([name, one]) => `${name} ${valueText(one.value, one.ci95[0], one.ci95[1], one.unit, kNoInterval)}`)
+              .concat(heldTexts(effect))
               .join(' · ')}
           </span>
         ))}

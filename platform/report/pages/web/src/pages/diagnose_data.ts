@@ -8,6 +8,7 @@ export interface Effect {
   effect: string;
   where: string;
   parameters: Record<string, Parameter>;
+  held?: Record<string, { value: number; unit: string }>;
 }
 
 export interface Gain {
