@@ -8,6 +8,7 @@
 #include "answer/settling_test.h"
 #include "answer/stopped_search.h"
 #include "data_checks/data_doubts.h"
+#include "data_checks/feedback_bias.h"
 #include "fitting/progress_meter.h"
 #include "foundation/interrupt.h"
 #include "search/effect_search.h"
@@ -41,6 +42,18 @@ EffectSearchTask search_task(const DiagnosisTask& task, ProgressMeter& meter) {
   return search;
 }
 
+/// Whether a controller made the commands, so that what is identified from them is not what it is with the controller
+/// in the loop.
+void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, ProgressMeter& meter, Diagnosis& result) {
+  if (!has_controller(task.trials)) return;
+  meter.end_part();
+  meter.begin_part("the controller in the loop");
+  const Contender& answer = found.sets[found.decision.answer].model;
+  const std::vector<std::string> findings =
+      feedback_bias({answer.definition, *answer.model, task.trials, answer.experiment.fit, task.seed, task.threads});
+  result.findings.insert(result.findings.end(), findings.begin(), findings.end());
+}
+
 Diagnosis without_predictions(const NothingPredictable& reason) {
   Diagnosis result;
   result.findings.emplace_back(reason.what());
@@ -55,6 +68,7 @@ Diagnosis diagnose(const DiagnosisTask& task, ProgressMeter& meter) {
   } else {
     tell_probability(result, evidence_of(found));
     propose_settling_test(task, found, result);
+    look_for_feedback(task, found, meter, result);
   }
   const std::vector<double> fitted = FittedValues(found, found.sets.front()).values();
   add_doubts(data_doubts({task.definition, task.model, task.trials, fitted, true}), result);

@@ -17,11 +17,6 @@ class ProgressMeter {
 
   void set_parts(int parts) { parts_ = parts; }
   void add_parts(int parts) { parts_ += parts; }
-  /// The first of the parts were done before this meter began: they count as done, but tell no time.
-  void skip_parts(int parts) {
-    done_ += parts;
-    skipped_ += parts;
-  }
   void begin_part(std::string what) {
     what_ = std::move(what);
     report(0);
@@ -33,9 +28,8 @@ class ProgressMeter {
     double left = 1.0;
     for (int i = 0; i < iteration; ++i) left *= 0.8;
     fraction_ = std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may begin anew: never back
-    const double own = fraction_ - static_cast<double>(skipped_) / parts_;
-    callback_(
-        {what_, fraction_, own > 0.0 ? seconds() * (1.0 - fraction_) / own : std::numeric_limits<double>::quiet_NaN()});
+    constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+    callback_({what_, fraction_, fraction_ > 0.0 ? seconds() * (1.0 - fraction_) / fraction_ : kNotKnown});
   }
   /// The part that was begun last.
   const std::string& what() const { return what_; }
@@ -48,7 +42,6 @@ class ProgressMeter {
   std::string what_;
   int parts_ = 1;
   int done_ = 0;
-  int skipped_ = 0;
   double fraction_ = 0.0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "config/experiment_reader.h"
 #include "data_checks/recorded_pendulum.h"
+#include "measurement/recorded_controller.h"
 #include "plugins/built_catalog.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 namespace lacuna {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 constexpr double kFriction = 0.04;  // N·m
@@ -92,6 +94,18 @@ TEST_F(FindMissingEffects, SaysThatTheLibraryEndsWithTheFormulaOfWhatItLacks) {
   ASSERT_EQ(found.formulas.size(), 1U);
   EXPECT_THAT(found.formulas[0].text(), HasSubstr("q^3"));
   EXPECT_FALSE(found.residual_force.empty());
+}
+
+/// The reference is what the command would have been without feedback, as an angle.
+TEST_F(FindMissingEffects, TriesTheControllerInTheLoopWhereOneMadeTheCommands) {
+  constexpr double kFeedback = 2.0;  // N·m/rad
+  Trial trial = recorded({.feedback = kFeedback}, "multi.csv", multisine, 6.0, 3);
+  TimeSeries references = trial.commands.series;
+  references.samples = (trial.commands.series.samples + kFeedback * trial.measured.samples) / kFeedback;
+  trial.controller =
+      std::make_shared<RecordedController>(std::vector<ControlLaw>{{.proportional = kFeedback}},
+                                           RecordedSignals{references, trial.commands, {0}, trial.measured});
+  EXPECT_THAT(of({trial}, {"coulomb_friction"}).findings, Contains(HasSubstr("with the controller in the loop")));
 }
 
 TEST_F(FindMissingEffects, NeedsATrialThatIsNotHeldOut) {

@@ -24,19 +24,18 @@ TEST(ProgressText, HasNoTimeUntilOneIsKnown) {
   EXPECT_EQ(progress_text({"free runs", 0.4, 75.2}), "free runs · 40 % · 1 min 15 s left");
 }
 
-TEST(ProgressMeter, BeginsBehindWhatAnEarlierCallHasDone) {
+TEST(ProgressMeter, TellsTheTimeLeftByThePartsThatAreDone) {
   Progress last;
   const ProgressCallback keep = [&](const Progress& progress) { last = progress; };
   ProgressMeter meter(keep);
-  meter.set_parts(8);
-  meter.skip_parts(4);
-  meter.begin_part("screening");
-  EXPECT_DOUBLE_EQ(last.fraction, 0.5);
+  meter.set_parts(4);
+  meter.begin_part("look");
+  EXPECT_DOUBLE_EQ(last.fraction, 0.0);
   EXPECT_TRUE(std::isnan(last.seconds_left));
   meter.end_part();
-  meter.begin_part("refits");
-  EXPECT_DOUBLE_EQ(last.fraction, 0.625);
-  EXPECT_LE(last.seconds_left, 3.0 * meter.seconds());  // three parts as long as the one that this call has done
+  meter.begin_part("fits");
+  EXPECT_DOUBLE_EQ(last.fraction, 0.25);
+  EXPECT_LE(last.seconds_left, 3.0 * meter.seconds());  // three parts as long as the one that is done
   EXPECT_GT(last.seconds_left, 0.0);
 }
 
