@@ -30,12 +30,16 @@ class Decider {
     decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
     decision.p = probability(every_, 0);
     if (!passes(top, 0, decision.p)) return decision;
-    const std::size_t largest = grown(), members = sets_[largest].members.size();
-    const double gain = gain_of(sets_[largest], sets_[0]).nats;
-    const std::vector<std::size_t> simple = simplest_like(best_priced(members, gain), members, gain);
-    const std::size_t main = without_minor_effects(best(simple, 0), gain);
-    const std::vector<std::size_t> rivals = simplest_like(main, members, gain);
+    const CandidateSet& largest = sets_[grown()];
+    const int most = std::max(largest.told, static_cast<int>(largest.members.size()));
+    const double gain = gain_of(largest, sets_[0]).nats;
+    std::vector<std::size_t> rivals = simplest_like(best_priced(most, gain), most, gain);
     decision.answer = smallest(rivals);
+    const std::size_t whole = best(rivals, 0), main = without_minor_effects(whole, gain);
+    if (main != whole) {
+      decision.answer = main;
+      rivals = as_good_of_as_many_values(main, gain);
+    }
     for (const std::size_t i : rivals)
       if (!holds(i, decision.answer)) decision.alike.push_back(i);
     decision.gain = gain_of(sets_[decision.answer], sets_[0]);
@@ -96,27 +100,33 @@ class Decider {
     return std::includes(own.begin(), own.end(), of_part.begin(), of_part.end());
   }
 
-  /// The set whose gain is largest once each told value is paid for, of those of at most so many members.
-  std::size_t best_priced(std::size_t most_members, double whole_gain) const {
+  /// The set whose gain is largest once each told value is paid for, of those of at most so many.
+  std::size_t best_priced(int most_told, double whole_gain) const {
     const auto worth = [&](std::size_t i) {
       return gain_of(sets_[i], sets_[0]).nats - kPriceOfAValue * whole_gain * sets_[i].told;
     };
     std::size_t found = every_.front();
     for (const std::size_t i : every_)
-      if (sets_[i].members.size() <= most_members && worth(i) > worth(found)) found = i;
+      if (sets_[i].told <= most_told && (sets_[found].told > most_told || worth(i) > worth(found))) found = i;
     return found;
   }
 
-  /// Those of at most so many members that are as good as one, with the fewest told values.
-  std::vector<std::size_t> simplest_like(std::size_t set, std::size_t most_members, double whole_gain) const {
-    std::vector<std::size_t> found;
+  /// Of those of at most so many told values that gain nearly as much as one, all with the fewest that are as good as
+  /// the best of them.
+  std::vector<std::size_t> simplest_like(std::size_t set, int most_told, double whole_gain) const {
+    std::size_t found = set;
     for (const std::size_t i : every_) {
-      if (sets_[i].members.size() > most_members || !is_as_good(i, set, whole_gain)) continue;
-      if (!found.empty() && sets_[i].told < sets_[found.front()].told) found.clear();
-      if (found.empty() || sets_[i].told == sets_[found.front()].told) found.push_back(i);
+      if (sets_[i].told > most_told || gain_of(sets_[set], sets_[i]).nats > kAsGood * whole_gain) continue;
+      const bool is_better = sets_[i].told == sets_[found].told && sets_[i].cost.cost < sets_[found].cost.cost;
+      if (sets_[i].told < sets_[found].told || is_better) found = i;
     }
-    const std::size_t top = best(found, 0);
-    std::erase_if(found, [&](std::size_t i) { return !is_as_good(i, top, whole_gain); });
+    return as_good_of_as_many_values(found, whole_gain);
+  }
+
+  std::vector<std::size_t> as_good_of_as_many_values(std::size_t set, double whole_gain) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : every_)
+      if (sets_[i].told == sets_[set].told && is_as_good(i, set, whole_gain)) found.push_back(i);
     return found;
   }
 

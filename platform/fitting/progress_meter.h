@@ -28,8 +28,8 @@ class ProgressMeter {
     double left = 1.0;
     for (int i = 0; i < iteration; ++i) left *= 0.8;
     fraction_ = std::clamp((done_ + 1.0 - left) / parts_, fraction_, 1.0);  // a search may begin anew: never back
-    constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-    callback_({what_, fraction_, fraction_ > 0.0 ? seconds() * (1.0 - fraction_) / fraction_ : kNotKnown});
+    const double left_seconds = seconds() * (1.0 - fraction_) / fraction_;
+    callback_({what_, fraction_, fraction_ > 0.0 ? left_seconds : std::numeric_limits<double>::quiet_NaN()});
   }
   /// The part that was begun last.
   const std::string& what() const { return what_; }

@@ -10,6 +10,7 @@ namespace lacuna {
 namespace {
 
 constexpr double kTolerance = 3e-4;  ///< nats that a step gains
+constexpr double kPromised = 3e-5;   ///< nats, less than which a step is not tried for
 constexpr double kLeastDamping = 0.01, kMostDamping = 100.0;
 constexpr double kPull = 3e-4;         ///< nats, that a value costs at a range's distance from where it starts
 constexpr double kPullOfTiming = 0.1;  ///< nats, the same of when commands act, which a delay does as well
@@ -88,7 +89,8 @@ class Descent {
   std::optional<Eigen::VectorXd> next_step(double damping) const {
     const StepBounds bounds = bounds_at(fit_.point.values);
     const LinearCost best = least_cost(ladder_.layout, linear_.products, bounds, damping);
-    if (fit_.cost - best.cost - bounds.cost_of_way(best.step) < kTolerance) return std::nullopt;
+    const double least = stays_.empty() ? kPromised : kTolerance;
+    if (fit_.cost - best.cost - bounds.cost_of_way(best.step) < least) return std::nullopt;
     return best.step;
   }
 

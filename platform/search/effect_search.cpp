@@ -164,9 +164,10 @@ class EffectSearch {
   /// Whether an effect does the same as one of these, or is a richer law of its kind.
   bool is_like(const FittedModel& single, const std::vector<Entries>& chosen) const {
     return std::any_of(chosen.begin(), chosen.end(), [&](const Entries& other) {
-      const Hypothesis &own = hypothesis_of(single.model.added.front()), &before = hypothesis_of(other.front());
-      const bool is_richer = of_one_kind(own, before) && own.own.size() > before.own.size();
-      return is_richer || does_the_same(single, *models_.find(members_of(other)));
+      const FittedModel& before = *models_.find(members_of(other));
+      const bool is_richer = of_one_kind(hypothesis_of(single.model.added.front()), hypothesis_of(other.front())) &&
+                             single.judged.values > before.judged.values;
+      return is_richer || does_the_same(single, before);
     });
   }
 

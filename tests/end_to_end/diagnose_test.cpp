@@ -137,7 +137,7 @@ TEST(Diagnose, ProposesATestInASetupOfTheRecordings) {
   const Program program;
   program.copy_first_steps();
   record_pendulum(program, "light.csv", "0.3");
-  record_pendulum(program, "heavy.csv", "0.8");
+  record_pendulum(program, "heavy.csv", "0.34");
   program.write("loads.toml", R"([experiment]
 name = "loads"
 [target]
@@ -147,7 +147,7 @@ file = "light.csv"
 set = { "body.arm.mass" = "0.3 kg" }
 [[target.recording]]
 file = "heavy.csv"
-set = { "body.arm.mass" = "0.8 kg" }
+set = { "body.arm.mass" = "0.34 kg" }
 [target.time]
 column = "t_s"
 [target.sensors]
@@ -162,13 +162,13 @@ free = { "joint.hinge.damping" = [0.0, 0.2] }
 step = "10 ms"
 )");
   const Outcome outcome =
-      program.run({"diagnose", "loads.toml", "--json=found.json", "--among", "joint_offset_torque", "mount_tilt"});
+      program.run({"diagnose", "loads.toml", "--json=found.json", "--among", "joint_offset_torque", "sensor_offset"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const nlohmann::json document = found(program);
   ASSERT_NE(document["next_test"], "") << outcome.output;
   const std::string setup = document["next_test_setup"]["name"];
   EXPECT_THAT(setup, testing::AnyOf("light", "heavy"));
-  const Outcome again = program.run({"diagnose", "loads.toml", "--among", "joint_offset_torque", "mount_tilt"});
+  const Outcome again = program.run({"diagnose", "loads.toml", "--among", "joint_offset_torque", "sensor_offset"});
   EXPECT_THAT(again.output, HasSubstr("with setup " + setup + " (body.arm.mass = 0."));
   const std::string command = "lacuna trial loads.toml --test '" + document["next_test"].get<std::string>() +
                               "' --setup " + setup + " --csv=next.csv";
