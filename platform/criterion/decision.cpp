@@ -33,14 +33,14 @@ class Decider {
     const CandidateSet& largest = sets_[grown()];
     const int most = std::max(largest.told, static_cast<int>(largest.members.size()));
     const double gain = gain_of(largest, sets_[0]).nats;
-    std::vector<std::size_t> rivals = simplest_like(best_priced(most, gain), most, gain);
-    decision.answer = smallest(rivals);
-    const std::size_t whole = best(rivals, 0), main = without_minor_effects(whole, gain);
+    std::vector<std::size_t> alternatives = simplest_like(best_priced(most, gain), most, gain);
+    decision.answer = smallest(alternatives);
+    const std::size_t whole = best(alternatives, 0), main = without_minor_effects(whole, gain);
     if (main != whole) {
       decision.answer = main;
-      rivals = as_good_of_as_many_values(main, gain);
+      alternatives = as_good_of_as_many_values(main, gain);
     }
-    for (const std::size_t i : rivals)
+    for (const std::size_t i : alternatives)
       if (!holds(i, decision.answer)) decision.alike.push_back(i);
     decision.gain = gain_of(sets_[decision.answer], sets_[0]);
     return decision;

@@ -1,6 +1,7 @@
 #include "search/effect_search.h"
 
 #include "foundation/interrupt.h"
+#include "search/fit_starts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,7 +25,6 @@ constexpr double kNearlyAsMuch = 0.3;   ///< of what a simpler effect of its kin
 constexpr double kLeastPromise = 1e-3;  ///< nats, that an effect must promise to be fitted
 constexpr double kLeastShare = 0.1;     ///< of what the best effect promises
 constexpr double kSame = 0.1;           ///< of the gain by blocks, within which two effects do the same
-constexpr double kSlightly = 0.02;      ///< of what a member is alone: where a set begins from one without it
 constexpr double kNested = 1e-3;        ///< nats by which a set may cost more than its part
 constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
 
@@ -50,7 +50,7 @@ class EffectSearch {
     swap_members();
     simplify_members();
     refit_parts();
-    refit_rivals();
+    refit_nearly_as_good();
     mend_nesting();
   }
 
@@ -80,23 +80,6 @@ class EffectSearch {
     if (!found) return nullptr;
     say(fmt::format("{}", fmt::join(found->judged.members, " + ")));
     return found;
-  }
-
-  /// A start from a model that has less: what it lacks begins small.
-  static NamedValues slightly(const NamedValues& with, const NamedValues& without, const EffectLook& look) {
-    NamedValues start = without;
-    for (const Hypothesis& hypothesis : look.hypotheses)
-      for (std::size_t i = 0; i < hypothesis.own.size(); ++i) {
-        const std::string& address = hypothesis.definition.free[hypothesis.own[i]].address;
-        const std::string name = member_name(hypothesis.entry) + address.substr(address.rfind('.'));
-        const auto found = with.find(name);
-        if (found == with.end() || start.contains(name)) continue;
-        const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
-        const bool is_size = free.scale == Scale::linear;
-        start[name] =
-            is_size ? hypothesis.neutral[i] + kSlightly * (found->second - hypothesis.neutral[i]) : found->second;
-      }
-    return start;
   }
 
   /// Promises by what they leave and what their values are worth.
@@ -211,13 +194,6 @@ class EffectSearch {
     fit(both, {both_values(of_other, of_one), slightly(of_one, of_other, look_)});
   }
 
-  /// The values of one set, and of another what the first does not have.
-  static NamedValues both_values(const NamedValues& other, const NamedValues& one) {
-    NamedValues start = other;
-    for (const auto& [name, value] : one) start[name] = value;
-    return start;
-  }
-
   double whole_gain() const {
     double gain = 0.0;
     for (const auto& [members, model] : models_.all())
@@ -318,12 +294,12 @@ class EffectSearch {
   }
 
   /// Sets that are nearly as good as the best, with derivatives of their own.
-  void refit_rivals() {
+  void refit_nearly_as_good() {
     const double enough = best_set()->judged.cost.cost + kSame * whole_gain();
-    std::vector<std::pair<Entries, NamedValues>> rivals;
+    std::vector<std::pair<Entries, NamedValues>> near;
     for (const auto& [members, model] : models_.all())
-      if (model.judged.cost.cost < enough) rivals.emplace_back(model.model.added, model.values);
-    for (const auto& [added, values] : rivals) noted(models_.refine(added, values));
+      if (model.judged.cost.cost < enough) near.emplace_back(model.model.added, model.values);
+    for (const auto& [added, values] : near) noted(models_.refine(added, values));
   }
 
   void refit_parts_of(const Entries& added, const NamedValues& values, bool is_best) {

@@ -114,10 +114,12 @@ const FittedModel* FittedModels::find(const Members& members) const {
 }
 
 Contender FittedModels::model_with(const std::vector<EffectEntry>& added) const {
-  if (const FittedModel* known = find(member_names(added))) return known->model;
+  const auto holds_what_it_should = [&](const EffectEntry& entry) { return entry.fixed == held_of(entry); };
+  if (const FittedModel* known = find(member_names(added));
+      known && std::all_of(known->model.added.begin(), known->model.added.end(), holds_what_it_should))
+    return known->model;
   std::vector<EffectEntry> entries = with_ids(added);
-  for (EffectEntry& entry : entries)
-    if (const auto held = held_.find(member_name(entry)); held != held_.end()) entry.fixed = held->second;
+  for (EffectEntry& entry : entries) entry.fixed = held_of(entry);
   Contender model = with_effects(data_.plain(), entries, {}, data_.task().catalog);
   data_.bound(model);
   return model;
@@ -172,7 +174,8 @@ const FittedModel* FittedModels::refine(const std::vector<EffectEntry>& added, c
 const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
   const Members members = member_names(candidate.added);
   const FittedModel* known = find(members);
-  if (!fit.valid || (known && known->fit.cost < fit.cost + kBetter)) return known;
+  const bool holds_more = known && candidate.definition.free.size() < known->model.definition.free.size();
+  if (!fit.valid || (known && !holds_more && known->fit.cost < fit.cost + kBetter)) return known;
   FittedModel model;
   model.model = std::move(candidate);
   model.fit = std::move(fit);
@@ -185,10 +188,12 @@ const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
   if (data_.task().keep) data_.task().keep(kept_);
   const FittedModel& kept = models_[members] = std::move(model);
   if (!hold_redundant_values(kept)) return &kept;
-  const FittedModel with_all = kept;
-  models_.erase(members);
-  if (!refine(with_all.model.added, with_all.values)) models_[members] = with_all;
-  return find(members);
+  return refine(std::vector<EffectEntry>(kept.model.added), NamedValues(kept.values));
+}
+
+std::vector<std::string> FittedModels::held_of(const EffectEntry& entry) const {
+  const auto held = held_.find(member_name(entry));
+  return held == held_.end() ? std::vector<std::string>{} : held->second;
 }
 
 /// Of values that act only together, such as an area and a density, factors stay where they begin: the data tell the

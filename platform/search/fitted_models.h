@@ -51,6 +51,7 @@ class FittedModels {
   const FittedModel* keep(Contender candidate, PredictionFit fit);
   void judge(FittedModel& model) const;
   bool hold_redundant_values(const FittedModel& single);
+  std::vector<std::string> held_of(const EffectEntry& entry) const;
 
   const SearchData& data_;
   const PredictionLadder& ladder_;
