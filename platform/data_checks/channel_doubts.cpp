@@ -134,7 +134,7 @@ Doubt too_little_doubt(double seconds, std::size_t trials, bool driven) {
   return {
       Severity::too_little,
       fmt::format("the fit files hold {:.3g} s, {} of {} s, which limits what they can tell: so few agree by chance "
-                  "too often for models to be compared by likelihood. {}",
+                  "too often. {}",
                   seconds, stretches == 1 ? "1 stretch" : fmt::format("{} stretches", stretches), kStretch, advice)};
 }
 
