@@ -20,6 +20,7 @@ constexpr double kFirstStep = 1e-6;  ///< of a value's range
 constexpr double kWanted = 0.3;      ///< of the residual, that a difference changes predictions by
 constexpr double kTolerated = 10.0;  ///< a step whose change is off by less than this factor stays
 constexpr int kStepRounds = 4;
+constexpr double kSmaller = 0.3;       ///< of the residuals that a step was chosen for, below which it is too long
 constexpr double kFarSteps = 1e3;      ///< times the first step, from which on curvature is looked at
 constexpr double kLeastOfHalf = 0.35;  ///< of a step's change, that half of it makes where there is a derivative
 constexpr std::size_t kForSteps = 3;   ///< stretches of a length, by which steps are chosen
@@ -52,7 +53,7 @@ LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const Trial
     steps_.push_back(kFirstStep * std::min(space.upper()(j) - space.lower()(j), 1e6));
   first_steps_ = steps_;
   is_steady_.assign(steps_.size(), 1);
-  has_step_.assign(steps_.size(), 0);
+  step_is_for_.assign(steps_.size(), 0.0);
   for (std::size_t k = 0; k < ladder.stretches.size(); ++k) all_.push_back(k);
   for (std::size_t h = 0; h < ladder.lengths.size(); ++h) {
     std::vector<std::size_t> own;
@@ -76,12 +77,12 @@ LadderPredictions::LadderPredictions(const PredictionLadder& ladder, const Trial
 void LadderPredictions::take_steps_of(const LadderPredictions& other) {
   steps_ = other.steps_;
   is_steady_ = other.is_steady_;
-  has_step_.assign(steps_.size(), 1);
+  step_is_for_ = other.step_is_for_;
   steps_are_taken_ = true;
 }
 
 void LadderPredictions::forget_steps() {
-  if (!steps_are_taken_) has_step_.assign(steps_.size(), 0);
+  if (!steps_are_taken_) step_is_for_.assign(steps_.size(), 0.0);
 }
 
 PredictionPoint LadderPredictions::at_smoothed_starts(const Eigen::VectorXd& values) const {
@@ -141,13 +142,19 @@ bool LadderPredictions::residuals(const PredictionPoint& point, std::vector<Eige
   return residuals_of(point.values, point.starts, all_, residuals);
 }
 
+/// Root mean square on the stretches by which steps are chosen, at least a reading's standard deviation.
+double LadderPredictions::size_on_few(const std::vector<Eigen::VectorXd>& residuals) const {
+  std::vector<Eigen::VectorXd> here;
+  for (const std::size_t k : few_) here.push_back(residuals[k]);
+  return std::max(1.0, root_mean_square(here));
+}
+
 /// The way to go from a value that changes predictions by about the wanted share of the residuals, found on a few
 /// stretches. False: it has no derivative, since half the way changes predictions by much less than half.
 bool LadderPredictions::choose_step(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals,
                                     Eigen::Index j) {
-  std::vector<Eigen::VectorXd> here, moved;
-  for (const std::size_t k : few_) here.push_back(residuals[k]);
-  const double target = kWanted * std::max(1.0, root_mean_square(here));
+  std::vector<Eigen::VectorXd> moved;
+  const double target = kWanted * size_on_few(residuals);
   // On all stretches where the few show nothing: a limit may be reached in others.
   const auto change_on = [&](double way, const std::vector<std::size_t>& which) {
     Eigen::VectorXd values = point.values;
@@ -180,9 +187,11 @@ void LadderPredictions::difference_value(const PredictionPoint& point, const std
   for (LinearStretch& stretch : stretches) stretch.values.col(j).setZero();
   char& is_steady = is_steady_[static_cast<std::size_t>(j)];
   if (!(space_.upper()(j) > space_.lower()(j))) return;
-  char& has_step = has_step_[static_cast<std::size_t>(j)];
-  if (!has_step) is_steady = choose_step(point, residuals, j) ? 1 : 0;
-  has_step = 1;
+  if (double& is_for = step_is_for_[static_cast<std::size_t>(j)];
+      size_on_few(residuals) < kSmaller * is_for || is_for == 0.0) {
+    is_steady = choose_step(point, residuals, j) ? 1 : 0;
+    is_for = size_on_few(residuals);
+  }
   if (!is_steady) return;
   const double step = steps_[static_cast<std::size_t>(j)];
   const double signed_step = point.values(j) + step <= space_.upper()(j) ? step : -step;

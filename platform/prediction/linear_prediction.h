@@ -73,6 +73,7 @@ class LadderPredictions {
                 Eigen::VectorXd& residual);
   bool residuals_of(const Eigen::VectorXd& values, const std::vector<Eigen::VectorXd>& starts,
                     const std::vector<std::size_t>& which, std::vector<Eigen::VectorXd>& residuals);
+  double size_on_few(const std::vector<Eigen::VectorXd>& residuals) const;
   bool choose_step(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals, Eigen::Index j);
   void difference_value(const PredictionPoint& point, const std::vector<Eigen::VectorXd>& residuals, Eigen::Index j,
                         std::vector<LinearStretch>& stretches);
@@ -86,7 +87,7 @@ class LadderPredictions {
   std::vector<std::optional<WarmUp>> warm_ups_;       ///< by stretch
   std::vector<double> steps_, first_steps_;           ///< by value, in coordinates
   std::vector<char> is_steady_;                       ///< by value: whether it has a derivative
-  std::vector<char> has_step_;                        ///< by value: the way was found
+  std::vector<double> step_is_for_;                   ///< by value: size of the residuals; 0: to be found
   bool steps_are_taken_ = false;
   std::vector<std::size_t> all_, few_;   ///< stretches
   std::vector<Prediction> predictions_;  ///< by worker

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
@@ -187,8 +188,9 @@ const FittedModel* FittedModels::keep(Contender candidate, PredictionFit fit) {
   kept_[kept_name(model.model.added)] = {model.values, model.fit.point.starts};
   if (data_.task().keep) data_.task().keep(kept_);
   const FittedModel& kept = models_[members] = std::move(model);
-  if (!hold_redundant_values(kept)) return &kept;
-  return refine(std::vector<EffectEntry>(kept.model.added), NamedValues(kept.values));
+  NamedValues values = kept.values;
+  if (!hold_redundant_values(kept, values)) return &kept;
+  return refine(std::vector<EffectEntry>(kept.model.added), values);
 }
 
 std::vector<std::string> FittedModels::held_of(const EffectEntry& entry) const {
@@ -197,23 +199,31 @@ std::vector<std::string> FittedModels::held_of(const EffectEntry& entry) const {
 }
 
 /// Of values that act only together, such as an area and a density, factors stay where they begin: the data tell the
-/// product. Whether there are such that were fitted.
-bool FittedModels::hold_redundant_values(const FittedModel& single) {
+/// product, which stays what it is in `values`. Whether there are such that were fitted.
+bool FittedModels::hold_redundant_values(const FittedModel& single, NamedValues& values) {
   if (single.model.added.size() != 1 || held_.contains(member_name(single.model.added.front()))) return false;
   const EffectEntry& entry = single.model.added.front();
   const Eigen::MatrixXd known = information(ladder_.layout, single.fit.products,
                                             least_cost(ladder_.layout, single.fit.products, single.fit.bounds));
   std::vector<std::string>& held = held_[member_name(entry)];
+  const std::vector<double> begin = single.model.definition.start_values();
   std::vector<Eigen::Index> free;
   for (std::size_t i = 0; i < single.model.definition.free.size(); ++i) {
     const std::string& address = single.model.definition.free[i].address;
     if (!is_of_effect(address, entry.id)) continue;
     const auto j = static_cast<Eigen::Index>(i);
     const bool is_factor = single.model.definition.free[i].scale == Scale::logarithmic;
-    if (is_factor && std::any_of(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); }))
-      held.push_back(address.substr(effect_address(entry.id, "").size()));
-    else
+    const auto as_one = std::find_if(free.begin(), free.end(), [&](Eigen::Index k) { return act_as_one(known, j, k); });
+    if (!is_factor || as_one == free.end()) {
       free.push_back(j);
+      continue;
+    }
+    held.push_back(address.substr(effect_address(entry.id, "").size()));
+    const auto k = static_cast<std::size_t>(*as_one);
+    double& other = values.at(name_of(single.model.definition.free[k], single.model.added));
+    const double change = known(j, *as_one) / known(*as_one, *as_one);  // of the other's coordinate, by a unit of this
+    const bool is_logarithmic = single.model.definition.free[k].scale == Scale::logarithmic;
+    if (other != 0.0) other *= std::pow(single.model.values[i] / begin[i], is_logarithmic ? change : change / other);
   }
   return !held.empty();
 }

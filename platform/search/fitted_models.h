@@ -50,7 +50,7 @@ class FittedModels {
   std::string kept_name(const std::vector<EffectEntry>& added) const;
   const FittedModel* keep(Contender candidate, PredictionFit fit);
   void judge(FittedModel& model) const;
-  bool hold_redundant_values(const FittedModel& single);
+  bool hold_redundant_values(const FittedModel& single, NamedValues& values);
   std::vector<std::string> held_of(const EffectEntry& entry) const;
 
   const SearchData& data_;

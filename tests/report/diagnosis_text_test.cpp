@@ -112,7 +112,7 @@ TEST(DiagnosisText, SaysWhichValueIsHeldBesideTheOneThatIsTold) {
       {"quadratic_drag", "body.arm", {{"area", "m^2", 0.02, 0.01, 0.03}}, {{"density", "kg/m^3", 1.2}}}};
   EXPECT_THAT(
       diagnosis_text(of_drag, "rig.toml"),
-      HasSubstr("quadratic_drag: area 0.020 [0.010, 0.030] m^2; density held at 1.20 kg/m^3: only its product with "
+      HasSubstr("quadratic_drag: area 0.02 [0.01, 0.03] m^2; density held at 1.20 kg/m^3: only its product with "
                 "area is determined"));
 }
 

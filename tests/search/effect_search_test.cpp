@@ -1,4 +1,5 @@
 #include "config/experiment_reader.h"
+#include "criterion/value_errors.h"
 #include "data_checks/recorded_pendulum.h"
 #include "search/effect_search.h"
 #include "plugins/built_catalog.h"
@@ -83,7 +84,11 @@ TEST_F(EffectSearchTest, HoldsTheDensityOfADragAndTellsItsArea) {
   EXPECT_EQ(drag->model.added.front().fixed, std::vector<std::string>{"density"});
   EXPECT_EQ(drag->judged.told, 1);
   EXPECT_EQ(drag->judged.values, 1);
-  EXPECT_GT(drag->values.at("quadratic_drag @ body.arm.area"), 0.0);
+  const double area = drag->values.at("quadratic_drag @ body.arm.area");
+  EXPECT_GT(area, 0.0);
+  const LinearCost least = least_cost(found.layout, drag->fit.products, drag->fit.bounds);
+  EXPECT_LT(std::abs(least.step(0)), 0.05 * area) << "it stands at its least cost";
+  EXPECT_LT(value_errors(found.layout, drag->fit.products, least).standard()(0), 0.3 * area);
 }
 
 /// No sensor's reading falls where what it reads rises: an error of an encoder that repeats is never that large.
