@@ -32,6 +32,7 @@ struct FoundParameter {
   std::string unit;
   double value = 0.0;
   double lower_95 = 0.0, upper_95 = 0.0;
+  std::optional<double> stated = {};  ///< by the robot file, of a fixed value that is wrong there
   bool operator==(const FoundParameter&) const = default;
 };
 
@@ -45,8 +46,8 @@ struct HeldParameter {
 };
 
 struct FoundEffect {
-  std::string effect;
-  std::string where;  ///< "joint.hinge"; "world"
+  std::string effect;  ///< or `wrong_value`
+  std::string where;   ///< "joint.hinge"; "world"; of a wrong value its address
   std::vector<FoundParameter> parameters;
   std::vector<HeldParameter> held = {};
   bool operator==(const FoundEffect&) const = default;

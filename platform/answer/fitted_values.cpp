@@ -1,7 +1,7 @@
 #include "answer/fitted_values.h"
 
+#include "candidates/wrong_value.h"
 #include "criterion/value_errors.h"
-#include "foundation/address.h"
 #include "foundation/guarded_call.h"
 
 #include <lacuna/physical_effect.h>
@@ -30,6 +30,12 @@ std::vector<HeldParameter> held_values(const ModelStructure& structure, const Ef
         held.push_back({one.name, one.unit, placed.values[i]});
   }
   return held;
+}
+
+/// What the robot file has where it may be wrong.
+double stated_value(const Contender& model, const EffectEntry& entry) {
+  const std::vector<FreeValue>& free = model.definition.free;
+  return std::find_if(free.begin(), free.end(), [&](const FreeValue& one) { return belongs_to(one, entry); })->start;
 }
 
 std::vector<FreeValue> all_values(const SearchResult& found, const FittedModel& set) {
@@ -74,10 +80,9 @@ std::vector<FoundEffect> FittedValues::effects() const {
   const std::vector<FreeValue>& free = set_.model.definition.free;
   for (const EffectEntry& entry : set_.model.added) {
     FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
-    const std::size_t name_begins = effect_address(entry.id, "").size();
     for (std::size_t i = 0; i < free.size(); ++i)
-      if (is_of_effect(free[i].address, entry.id))
-        effect.parameters.push_back(parameter(i, free[i].address.substr(name_begins)));
+      if (belongs_to(free[i], entry)) effect.parameters.push_back(parameter(i, last_name(free[i].address)));
+    if (is_wrong_value(entry)) effect.parameters.front().stated = stated_value(set_.model, entry);
     effect.held = held_values(set_.model.definition.structure, entry);
     effects.push_back(std::move(effect));
   }
@@ -88,10 +93,9 @@ std::vector<FoundParameter> FittedValues::own() const {
   std::vector<FoundParameter> values;
   const std::vector<EffectEntry>& added = set_.model.added;
   for (std::size_t i = 0; i < set_.model.definition.free.size(); ++i) {
-    const std::string& address = set_.model.definition.free[i].address;
-    if (std::none_of(added.begin(), added.end(),
-                     [&](const EffectEntry& entry) { return is_of_effect(address, entry.id); }))
-      values.push_back(parameter(i, address));
+    const FreeValue& free = set_.model.definition.free[i];
+    if (std::none_of(added.begin(), added.end(), [&](const EffectEntry& entry) { return belongs_to(free, entry); }))
+      values.push_back(parameter(i, free.address));
   }
   return values;
 }

@@ -37,7 +37,7 @@ class Told {
  public:
   explicit Told(const SearchResult& found)
       : found_(found), base_(found.sets.front()), answer_(found.sets[found.decision.answer]) {
-    if (!found.stopped) law_ = residual_law(found, answer_);
+    if (!found.stopped) law_ = residual_law(found, found.sets[found.decision.best]);
   }
 
   Diagnosis diagnosis() const {
@@ -134,9 +134,9 @@ class Told {
       return fmt::format("a force on joint.{} that no effect of the library describes is missing; it depends on {}",
                          law_.joint, law_.kind);
     return fmt::format(
-        "the residual of the first row has a force on joint.{} that no effect of the library describes: {:.0f} % of "
-        "the "
-        "total gain; it depends on {}",
+        "beside all that effects of the library explain, a force on joint.{} is left that none of them describes: "
+        "{:.0f} "
+        "% of the total gain; it depends on {}",
         law_.joint, 100.0 * law_.share, law_.kind);
   }
 

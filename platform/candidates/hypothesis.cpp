@@ -1,5 +1,6 @@
 #include "candidates/hypothesis.h"
 
+#include "candidates/wrong_value.h"
 #include "foundation/address.h"
 #include "foundation/guarded_call.h"
 #include "foundation/plugin_fault.h"
@@ -82,6 +83,25 @@ Hypothesis make(const Experiment& experiment, const PluginCatalog& catalog, cons
   return hypothesis;
 }
 
+/// A fixed number of the robot, fitted: neutral is what the file states.
+Hypothesis make_wrong_value(const Experiment& experiment, const PluginCatalog& catalog, const ModelDefinition& base,
+                            EffectEntry entry) {
+  Hypothesis hypothesis;
+  hypothesis.definition = define_model(with_free_value(experiment, entry), catalog);
+  const std::vector<FreeValue>& free = hypothesis.definition.free;
+  for (const FreeValue& value : base.free) hypothesis.base.push_back(index_of(free, value.address));
+  hypothesis.own = {index_of(free, entry.where.front())};
+  hypothesis.neutral = hypothesis.defaults = {free[hypothesis.own.front()].start};
+  hypothesis.entry = std::move(entry);
+  hypothesis.model = compile(hypothesis.definition.structure, hypothesis.definition.engine);
+  return hypothesis;
+}
+
+/// Whether fixed numbers of the robot are to be tried.
+bool asks_for_wrong_values(const std::vector<std::string>& among) {
+  return among.empty() || std::find(among.begin(), among.end(), kWrongValue) != among.end();
+}
+
 /// Without the plugin's file, which is this machine's concern.
 std::string reason_of(const PluginListing& listing) {
   const std::string component = to_string(ComponentOrigin{listing.kind, listing.name, listing.file}) + ": ";
@@ -91,8 +111,9 @@ std::string reason_of(const PluginListing& listing) {
 /// Those of plugins that cannot be used are added to `untestable`.
 std::vector<std::string> effect_names(const PluginCatalog& catalog, const std::vector<std::string>& among,
                                       std::vector<Untestable>& untestable) {
-  if (!among.empty()) return among;
-  std::vector<std::string> names;
+  std::vector<std::string> names = among;
+  std::erase(names, kWrongValue);
+  if (!among.empty()) return names;
   for (const PluginListing& listing : catalog.list()) {
     if (listing.kind != "effect") continue;
     if (listing.problem.empty())
@@ -157,6 +178,7 @@ Untestable without_probes(const Hypothesis& hypothesis, const std::string& failu
 }
 
 Experiment with_effect(Experiment experiment, EffectEntry entry) {
+  if (is_wrong_value(entry)) return with_free_value(std::move(experiment), entry);
   if (entry.id.empty()) entry.id = free_id(experiment.model.effects, entry.effect);
   experiment.model.effects.push_back(std::move(entry));
   return experiment;
@@ -189,6 +211,9 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
     std::stable_partition(reasons.begin(), reasons.end(), [](const Untestable& one) { return one.failed; });
     if (!reasons.empty() && (all.size() == before || reasons.front().failed)) untestable.push_back(reasons.front());
   }
+  if (asks_for_wrong_values(among))
+    for (EffectEntry& entry : wrong_values(base))
+      all.push_back(make_wrong_value(experiment, catalog, base, std::move(entry)));
   return all;
 }
 

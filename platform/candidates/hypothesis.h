@@ -10,7 +10,7 @@
 
 namespace lacuna {
 
-/// A base model with one more effect at one place: what the base may lack.
+/// A base model with one more effect at one place, or with one more value fitted: what the base may lack.
 struct Hypothesis {
   EffectEntry entry;  ///< the effect and where it is
   ModelDefinition definition;
@@ -46,8 +46,9 @@ struct Untestable {
 };
 
 /// Every effect of the catalog on every element that it can be placed on, one at a time, and on all of them together
-/// where there are several; what `base` has already at the same place is left out. `among`: names of effects; empty:
-/// all. What cannot be placed is added to `untestable`. Throws `Error` for a name that no plugin has.
+/// where there are several; what `base` has already at the same place is left out; then the robot's fixed numbers that
+/// may be wrong (`wrong_values`). `among`: names of effects, or `wrong_value`; empty: all. What cannot be placed is
+/// added to `untestable`. Throws `Error` for a name that no plugin has.
 std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const PluginCatalog& catalog,
                                         const ModelDefinition& base, const std::vector<std::string>& among,
                                         std::vector<Untestable>& untestable);
@@ -56,7 +57,7 @@ std::vector<Hypothesis> list_hypotheses(const Experiment& experiment, const Plug
 /// What the effect did wrong in a step is its plugin's failure.
 Untestable without_probes(const Hypothesis& hypothesis, const std::string& failure);
 
-/// The experiment with one effect more, under an id that is not taken.
+/// The experiment with one effect more, under an id that is not taken, or with one value more that is fitted.
 Experiment with_effect(Experiment experiment, EffectEntry entry);
 
 }  // namespace lacuna

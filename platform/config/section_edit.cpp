@@ -90,6 +90,14 @@ std::string without_section(const std::string& text, const TomlNode& effect) {
   return edited(text, {{span, ""}});
 }
 
+std::size_t end_of_section(const std::string& text, const TomlNode& section, const TomlNode& tree) {
+  const std::size_t begin = begin_of(text, section);
+  const std::size_t limit = is_section(text, section) ? next_section(text, tree, begin) : text.size();
+  std::size_t end = line_end(text, begin);
+  for (const TomlMember& member : section.members) end = std::max(end, last_character(text, member.value, limit));
+  return line_end(text, end);
+}
+
 std::string with_effects_key(const std::string& text, const TomlNode& model, const TomlNode& tree,
                              const std::string& item) {
   const std::string new_line = line_end_of(text);

@@ -14,6 +14,7 @@ constexpr double kAsGood = 0.05;         ///< of the whole gain, that a set may 
 constexpr double kPriceOfAValue = 0.04;  ///< of the whole gain, that a told value must earn
 constexpr double kMinorError = 0.2;      ///< of the model's error: what takes less is not named beside what takes more,
 constexpr double kMinorGain = 0.4;       ///< unless it makes so much of the whole gain
+constexpr double kAtNoise = 1.5;         ///< mean square of whitened residuals: what leaves no more is complete
 constexpr double kWorthNaming = 0.05;    ///< nats: what lowers the error by less than a twentieth is not named
 
 class Decider {
@@ -33,6 +34,7 @@ class Decider {
     const CandidateSet& largest = sets_[grown()];
     const int most = std::max(largest.told, static_cast<int>(largest.members.size()));
     const double gain = gain_of(largest, sets_[0]).nats;
+    decision.best = best(of_at_most_told(most), 0);
     std::vector<std::size_t> alternatives = simplest_like(best_priced(most, gain), most, gain);
     decision.answer = smallest(alternatives);
     const std::size_t whole = best(alternatives, 0), main = without_minor_effects(whole, gain);
@@ -51,6 +53,13 @@ class Decider {
     std::vector<std::size_t> found;
     for (const std::size_t i : every_)
       if (sets_[i].members.size() == members) found.push_back(i);
+    return found;
+  }
+
+  std::vector<std::size_t> of_at_most_told(int values) const {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : every_)
+      if (sets_[i].told <= values) found.push_back(i);
     return found;
   }
 
@@ -180,7 +189,9 @@ double share_of_error(const CandidateSet& set, const CandidateSet& over, const C
 }
 
 bool is_minor(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model, double whole_gain) {
-  return share_of_error(set, over, model) < kMinorError && gain_of(set, over).nats < kMinorGain * whole_gain;
+  const bool completes = set.mean_square.maxCoeff() < kAtNoise && over.mean_square.maxCoeff() >= kAtNoise;
+  return !completes && share_of_error(set, over, model) < kMinorError &&
+         gain_of(set, over).nats < kMinorGain * whole_gain;
 }
 
 double largest_gain(const CandidateSet& set, const CandidateSet& over) {

@@ -36,7 +36,8 @@ CostGain gain_elsewhere(const CandidateSet& set, const CandidateSet& over);
 double share_of_error(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model);
 
 /// Whether what a set has more than `over` is a minor matter: it takes less than a fifth of the model's error, and
-/// makes less than two fifths of `whole_gain`, nats.
+/// makes less than two fifths of `whole_gain`, nats. It is none where errors are at the noise with it and not without:
+/// then nothing is left that it could stand for.
 bool is_minor(const CandidateSet& set, const CandidateSet& over, const CandidateSet& model, double whole_gain);
 
 /// The gain at the length at which it is largest, nats of that length's own cost.
@@ -51,6 +52,7 @@ struct LookedBeside {
 /// What is missing.
 struct Decision {
   std::size_t answer = 0;  ///< which of the sets
+  std::size_t best = 0;    ///< the one that gains most of those that may be the answer: minor effects with it
   /// Other sets, of as many told values, that are indistinguishable from it on these data; none that holds it.
   std::vector<std::size_t> alike;
   double p = 1.0;           ///< how often chance alone would gain as much as the best set does
@@ -63,9 +65,9 @@ struct Decision {
 /// twentieth at one. A set of one more effect must pass the same against the best smaller one. Of the sets of at most
 /// as many told values that one is looked for which gains most once every told value is paid for; then, of those that
 /// gain as much but for a twentieth, the best of the fewest told values. The answer is its part without effects that
-/// take less than a fifth of the error and two fifths of the gain; where it has none, of others as good, within a
-/// twentieth of the gain or one standard error, with as many told values, the one of fewest values in all, then of
-/// fewest effects.
+/// take less than a fifth of the error and two fifths of the gain, unless errors are at the noise by them alone; where
+/// it has none, of others as good, within a twentieth of the gain or one standard error, with as many told values, the
+/// one of fewest values in all, then of fewest effects.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
 
 }  // namespace lacuna

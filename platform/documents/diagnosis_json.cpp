@@ -11,8 +11,11 @@ using nlohmann::ordered_json;
 
 ordered_json by_name(const std::vector<FoundParameter>& parameters) {
   ordered_json object = ordered_json::object();
-  for (const FoundParameter& one : parameters)
-    object[one.name] = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
+  for (const FoundParameter& one : parameters) {
+    ordered_json& value = object[one.name];
+    value = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
+    if (one.stated) value["stated"] = *one.stated;
+  }
   return object;
 }
 

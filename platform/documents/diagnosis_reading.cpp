@@ -62,8 +62,10 @@ std::vector<ChannelError> errors_of(const ordered_json& whole, const ordered_jso
 
 std::vector<FoundParameter> parameters_of(const ordered_json& json) {
   std::vector<FoundParameter> all;
-  for (const auto& [name, one] : json.items())
+  for (const auto& [name, one] : json.items()) {
     all.push_back({name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
+    if (one.contains("stated")) all.back().stated = figure(one["stated"]);
+  }
   return all;
 }
 

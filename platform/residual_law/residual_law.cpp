@@ -14,6 +14,7 @@ constexpr double kPresent = 0.05;  ///< probability by chance
 constexpr double kLeastShare = 0.05;
 constexpr double kWorthNaming = 0.05;  ///< nats at one length, as of an effect (criterion/decision.cpp)
 constexpr double kOfNoise = 1.2;       ///< mean square of whitened residuals, up to which nothing is left to a law
+constexpr double kLeastSpan = 8.0;     ///< shortest lengths, one after the other: a law follows an error that lasts
 constexpr std::uint64_t kSeed = 1;     ///< of signs drawn at random
 
 struct BestLaw {
@@ -39,6 +40,14 @@ BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints) {
   return best;
 }
 
+/// Whether the recordings are long enough to tell a force from an error of the readings that lasts.
+bool are_long_enough(const std::vector<Trial>& trials, double length) {
+  double seconds = 0.0;
+  for (const Trial& trial : trials)
+    if (!trial.held_out) seconds += trial.measured.times(trial.measured.times.size() - 1) - trial.measured.times(0);
+  return seconds >= kLeastSpan * length;
+}
+
 /// Of all lengths and channels the largest mean square.
 double most_left(const PredictionLadder& ladder, const LinearPrediction& linear) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(linear.products.values());
@@ -52,6 +61,7 @@ ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside) {
   const SearchData& data = *found.data;
   if (data.plain().definition.structure.robot.contact.ground) return result;
   const PredictionLadder& ladder = found.by_all_lengths ? data.ladder() : data.deciding();
+  if (!are_long_enough(data.task().trials, ladder.lengths.front())) return result;
   const std::vector<JointCourse> courses = joint_courses(data);
   const ModelBench bench = data.bench_for(beside.model);
   LadderPredictions predictions(ladder, bench.predictor(), bench.space(), data.starts(),

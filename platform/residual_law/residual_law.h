@@ -22,7 +22,8 @@ struct ResidualLaw {
 };
 
 /// Laws of free form on every joint, functions of position, velocity, command, time and their past, by the criterion of
-/// the search and at its answer's own lengths, cross-fitted as it is, beside one of its sets. Present: signs with the
+/// the search and at its answer's own lengths, cross-fitted as it is, beside one of its sets, where the recordings hold
+/// eight times the shortest length. Present: signs with the
 /// maximum over all laws below 5 %, more than its error, at more than one length, a twentieth of all that is gained,
 /// and a twentieth of the error at one length.
 ///

@@ -46,12 +46,13 @@ std::vector<PredictedStretch> extremes(const PredictionLadder& ladder, const std
 }  // namespace
 
 std::string joint_at(const RobotSpec& robot, const std::string& where) {
-  std::string name = where.substr(where.find('.') + 1);
-  if (where.starts_with("joint.")) return name;
+  const std::string kind = where.substr(0, where.find('.')), rest = where.substr(where.find('.') + 1);
+  std::string name = rest.substr(0, rest.find('.'));
+  if (kind == "joint") return name;
   for (const ActuatorSpec& actuator : robot.actuators)
-    if (where == "actuator." + actuator.name) return actuator.joint;
+    if (kind == "actuator" && name == actuator.name) return actuator.joint;
   for (const SensorSpec& sensor : robot.sensors)
-    if (where == "sensor." + sensor.name) return sensor.element;
+    if (kind == "sensor" && name == sensor.name) return sensor.element;
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "search/fitted_models.h"
 
 #include "candidates/hypothesis.h"
+#include "candidates/wrong_value.h"
 #include "foundation/address.h"
 
 #include <fmt/format.h>
@@ -15,15 +16,13 @@ namespace {
 constexpr int kMostIterations = 14, kMostIterationsOnAll = 6;
 constexpr std::size_t kSamplesOfDescent = 500;  ///< of a length, by which a model is fitted before all are asked
 constexpr double kBetter = 1e-4;                ///< nats
-constexpr std::size_t kReadingsOfAValue = 8;    ///< fewer tell nothing that can be told from chance
 constexpr double kProportion = 1e-2;            ///< of information, that two values which act as one do not share
 constexpr const char* kTiming = "timing";
 
 /// The name of a value by the member that it belongs to.
 std::string name_of(const FreeValue& free, const std::vector<EffectEntry>& added) {
   for (const EffectEntry& entry : added)
-    if (const std::string prefix = "effect." + entry.id + "."; free.address.starts_with(prefix))
-      return member_name(entry) + "." + free.address.substr(prefix.size());
+    if (belongs_to(free, entry)) return member_name(entry) + "." + last_name(free.address);
   return free.address;
 }
 
@@ -130,7 +129,7 @@ const FittedModel* FittedModels::fit(const std::vector<EffectEntry>& added, cons
                                      double least_share) {
   if (const KeptFit* known = known_fit(added)) return restore(added, *known);
   Contender model = model_with(added);
-  if (!added.empty() && kReadingsOfAValue * model.definition.free.size() > data_.readings()) return nullptr;
+  if (!added.empty() && !data_.tells(static_cast<double>(model.definition.free.size()))) return nullptr;
   const ModelBench bench = data_.bench_for(model);
   const bool of_readings = changes_readings(model.definition);
   const std::vector<std::string> names = value_names(model, data_.timing());

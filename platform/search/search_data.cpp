@@ -13,6 +13,7 @@ constexpr int kMostSubsteps = 64;
 constexpr double kMostSamples = 1500.0;  ///< of a length, in one channel: more tell hardly more
 constexpr double kMostStretches = 80.0;  ///< of a length: two in each block of time
 constexpr std::size_t kFewStretches = 40;
+constexpr double kReadingsOfAValue = 8.0;  ///< fewer tell nothing that can be told from chance
 
 Experiment coarse(Experiment experiment) {
   if (substeps_decided(experiment)) experiment.engine.substeps = 1;
@@ -67,11 +68,11 @@ SearchData::SearchData(const EffectSearchTask& task)
   choose_substeps();
 }
 
-std::size_t SearchData::readings() const {
-  std::size_t count = 0;
+bool SearchData::tells(double values) const {
+  double readings = 0.0;
   for (const Trial& trial : task_.trials)
-    if (!trial.held_out) count += static_cast<std::size_t>(trial.measured.samples.array().isFinite().count());
-  return count;
+    if (!trial.held_out) readings += static_cast<double>(trial.measured.samples.array().isFinite().count());
+  return kReadingsOfAValue * values <= readings;
 }
 
 void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {

@@ -19,7 +19,7 @@ CandidateSet set_of(std::set<std::string> members, double gain, int told, std::u
     for (Eigen::Index j = 0; j < kBlocks; ++j)
       set.cost.by_length(i, j) = (2.0 - gain) / (kLengths * kBlocks) + (seed == 0 ? 0.0 : normal(bits));
   set.cost.cost = set.cost.by_length.sum();
-  set.mean_square = Eigen::VectorXd::Constant(1, std::exp(2.0 * (2.0 - gain)));
+  set.mean_square = Eigen::VectorXd::Constant(1, 3.0 * std::exp(2.0 * (2.0 - gain)));  // 3: above the noise
   return set;
 }
 
@@ -59,6 +59,15 @@ TEST(Decision, NamesNothingBesideAnAnswerThatTakesLessThanAFifthOfTheError) {
 }
 
 /// Beside an offset far above all else what halves the rest again and again is no minor effect.
+/// The same where errors are at the noise with both, and not with one.
+TEST(Decision, NamesWhatCompletesAnAnswer) {
+  std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.6, 1, 1), set_of({"a", "b"}, 1.8, 2, 2)};
+  sets[2].mean_square.setConstant(1.05);
+  EXPECT_LT(share_of_error(sets[2], sets[1], sets[0]), 0.4);
+  EXPECT_EQ(decide(sets, {}, 1).answer, 2U);
+  EXPECT_EQ(decide(sets, {}, 1).best, 2U);
+}
+
 TEST(Decision, NamesASecondEffectThatMakesTwoFifthsOfTheGain) {
   std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.1, 1, 1), set_of({"a", "b"}, 2.0, 2, 2)};
   sets[0].mean_square(0) = 1e6;

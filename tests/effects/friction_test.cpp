@@ -143,6 +143,19 @@ TEST(DirectionalViscousFriction, WithEqualCoefficientsIsViscousFriction) {
               pushed("viscous_friction", {0.7}, 1e-3).last("position", 1.4), 1e-9);
 }
 
+/// Thrown without a force: v = v0/(1 + damping*v0*t/m).
+TEST(QuadraticDamping, SlowsAsItsLawSays) {
+  constexpr double kDamping = 0.8, kStart = -3.0, kEnd = 1.5;
+  const double expected = kStart / (1.0 + kDamping * std::abs(kStart) * kEnd / kMass);
+  const auto run = [&](double step) {
+    SimulationRun made(one_joint(JointKind::slider, kMass), step);
+    made.place(effect("quadratic_damping"), ElementKind::joint, {0}, {kDamping});
+    return made.from({0.0}, {kStart}).last("velocity", kEnd);
+  };
+  EXPECT_NEAR(run(1e-3), expected, 1e-6);
+  EXPECT_NEAR(run(1e-2), expected, 1e-4);
+}
+
 TEST(Hysteresis, AgreesWithAnIndependentIntegration) {
   constexpr double kForce = 0.7, kDistance = 0.02, kSharpness = 0.8;
   const Derivative motion = [](const ReferenceState& x, ReferenceState& dx, double time) {

@@ -91,6 +91,19 @@ TEST_F(EffectSearchTest, HoldsTheDensityOfADragAndTellsItsArea) {
   EXPECT_LT(value_errors(found.layout, drag->fit.products, least).standard()(0), 0.3 * area);
 }
 
+/// The value is told with what the file has instead of it, and no effect stands in for it.
+TEST_F(EffectSearchTest, NamesAFixedValueOfTheRobotFileThatIsWrong) {
+  std::erase_if(experiment_.model.free, [](const FreeRange& one) { return one.pattern == "joint.hinge.armature"; });
+  experiment_.model.set["joint.hinge.armature"] = 0.012;  // kg·m², of the one that was recorded less than half
+  const SearchResult found = search({recorded({.inertia = 0.03}, "one.csv", multisine, 5.0, 3),
+                                     recorded({.inertia = 0.03}, "two.csv", multisine, 5.0, 4)},
+                                    2, {"wrong_value", "joint_spring", "coulomb_friction", "torque_gain"});
+  const std::string name = "wrong_value @ joint.hinge.armature";
+  EXPECT_EQ(answer_of(found).judged.members, Members{name});
+  const double armature = answer_of(found).values.at(name + ".armature");
+  EXPECT_NEAR(armature, 0.005, 0.0005);
+}
+
 /// No sensor's reading falls where what it reads rises: an error of an encoder that repeats is never that large.
 TEST_F(EffectSearchTest, RefusesAReadingThatRunsBackwards) {
   const SearchResult found = search(two_recordings(kFriction), 2, {"encoder_eccentricity", "coulomb_friction"});
@@ -107,8 +120,9 @@ TEST_F(EffectSearchTest, RefusesAReadingThatRunsBackwards) {
 }
 
 TEST_F(EffectSearchTest, NeedsEightReadingsForAValue) {
-  const SearchResult found = search({recorded({.friction = kFriction}, "one.csv", multisine, 0.4, 3)});
-  const auto readings = static_cast<std::size_t>(found.data->readings());
+  const std::vector<Trial> trials = {recorded({.friction = kFriction}, "one.csv", multisine, 0.4, 3)};
+  const SearchResult found = search(trials);
+  const auto readings = static_cast<std::size_t>(trials.front().measured.samples.size());
   for (const FittedModel& set : found.sets) {
     const std::size_t values = set.judged.members.empty() ? 0 : set.model.definition.free.size();
     EXPECT_LE(8 * values, readings);

@@ -18,7 +18,8 @@ const Names kWay = {"position_friction", "coulomb_friction", "stribeck_friction"
 const Names kViscous = {"viscous_friction", "linear_drag", "directional_viscous_friction", "torque_speed_line"};
 const Names kThinning = {"viscous_friction", "linear_drag", "directional_viscous_friction", "coulomb_friction",
                          "torque_speed_line"};
-const Names kBetween = {"viscous_friction", "linear_drag", "directional_viscous_friction", "quadratic_drag"};
+const Names kBetween = {"viscous_friction", "linear_drag", "directional_viscous_friction", "quadratic_drag",
+                        "quadratic_damping"};
 const Names kLoad = {"load_friction", "gear_efficiency"};
 const Names kHardening = {"cubic_stiffness", "joint_spring", "hard_stop"};
 const Names kOffset = {"joint_offset_torque", "command_offset", "mount_tilt", "directional_friction"};

@@ -5,11 +5,14 @@
 #include "app/terminal/text_diff.h"
 #include "app/terminal/time_limit.h"
 #include "app/workspace/default_place.h"
+#include "app/workspace/asked_value.h"
 #include "app/workspace/diagnosed_start.h"
 #include "app/workspace/integration.h"
 #include "app/workspace/search_range.h"
 #include "app/workspace/workbench.h"
+#include "candidates/wrong_value.h"
 #include "config/effects_editor.h"
+#include "config/free_editor.h"
 #include "config/value.h"
 #include "evaluation/redundant_effect.h"
 #include "foundation/address.h"
@@ -126,14 +129,20 @@ void check_new(const AddOptions& options, const std::string& id, const EffectLis
   }
 }
 
-EffectEntry entry_of(const AddOptions& options, const EffectList& effects) {
+EffectEntry entry_of(const AddOptions& options, const Rig& before) {
+  if (options.effect == kWrongValue) return asked_value(options.where, options.id, options.fixed, before.definition);
+  const EffectList& effects = before.experiment.model.effects;
   EffectEntry entry{options.id.empty() ? free_id(options.effect, effects) : options.id,
                     options.effect,
                     options.where,
                     {},
                     options.fixed};
-  for (const std::string& start : options.start) entry.start.insert(parse_start(start));
   return entry;
+}
+
+/// The text with the effect in its list, or with the value among the free ones.
+std::string with_addition(const std::string& text, const EffectEntry& entry) {
+  return is_wrong_value(entry) ? insert_free_value(text, free_range(entry)) : insert_effect(text, entry);
 }
 
 bool evolves_models(const Rig& rig) {
@@ -167,21 +176,22 @@ void hold_others(const std::map<std::string, double>& found, const Rig& extended
 /// of those that are added.
 Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edited, std::vector<Addition>& added) {
   const bool says_where = !one.where.empty();
-  if (!says_where) one.where = default_place(before, one.effect);
+  if (!says_where && one.effect != kWrongValue) one.where = default_place(before, one.effect);
   check_id(one.id, before.experiment.model.effects);
-  EffectEntry entry = entry_of(one, before.experiment.model.effects);
+  EffectEntry entry = entry_of(one, before);
+  for (const std::string& start : one.start) entry.start.insert(parse_start(start));
   const std::string text = edited;
-  edited = insert_effect(text, entry);
+  edited = with_addition(text, entry);
   Rig extended = open_extended(one, edited, before);
-  check_new(one, entry.id, extended.definition.effects);
+  if (!is_wrong_value(entry)) check_new(one, entry.id, extended.definition.effects);
   std::map<std::string, double> found = diagnosed_start(one, base, extended, entry);
   if (!found.empty()) hold_others(found, extended, entry);
   for (const auto& [name, value] : entry.start) found[name] = value;
   const bool from_diagnosis = found.size() > entry.start.size();
   entry.start = std::move(found);
-  if (evolves_models(base)) entry.range = search_range(entry, extended.definition);
+  if (evolves_models(base) && !is_wrong_value(entry)) entry.range = search_range(entry, extended.definition);
   if (from_diagnosis || !entry.range.empty()) {
-    edited = insert_effect(text, entry);
+    edited = with_addition(text, entry);
     extended = open_extended(one, edited, before);
   }
   added.push_back({std::move(entry), from_diagnosis, !says_where && !one.where.empty()});
@@ -235,6 +245,7 @@ void run_add(const AddOptions& options) {
   std::vector<std::string> ids, redundancies;
   for (const Addition& addition : made.added) {
     ids.push_back(addition.entry.id);
+    if (is_wrong_value(addition.entry)) continue;
     if (std::string text = redundancy_of(made.extended.definition, addition.entry.id); !text.empty())
       redundancies.push_back(std::move(text));
   }
@@ -263,11 +274,16 @@ void add_add_command(CLI::App& program) {
   auto options = std::make_shared<AddOptions>();  // shared: CLI11 keeps the callback, which must own the options
   CLI::App* command = program.add_subcommand("add", "Add a physical effect to the model and fit it again");
   add_experiment_options(*command, *options);
-  command->add_option("effect", options->effect, "Name of the effect (see lacuna plugins list)")->option_text("NAME");
+  command
+      ->add_option("effect", options->effect,
+                   "Name of the effect (see lacuna plugins list); wrong_value: fit a fixed value of the robot file")
+      ->option_text("NAME");
   command->add_flag("--answer", options->answer, "Add the effects that the last diagnosis of this model found");
   command
       ->add_option("--where", options->where,
-                   "Element to place it on, such as joint.hinge; may be repeated (default: the only one possible)")
+                   "Element to place it on, such as joint.hinge; of a wrong_value its address, such as "
+                   "joint.hinge.armature; may "
+                   "be repeated (default: the only one possible)")
       ->allow_extra_args(false)
       ->option_text("ELEMENT");
   command->add_option("--id", options->id, "Name of this placement (default: the effect's)")->option_text("NAME");

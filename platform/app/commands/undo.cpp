@@ -5,6 +5,7 @@
 #include "app/terminal/text_diff.h"
 #include "app/workspace/workbench.h"
 #include "config/effects_editor.h"
+#include "config/free_editor.h"
 #include "report/text/change_text.h"
 #include "report/text/error_text.h"
 #include "report/text/times_floor_text.h"
@@ -27,22 +28,39 @@ std::vector<std::string> added_ids(const EffectList& now, const EffectList& then
   return ids;
 }
 
-/// What the step from the parent revision to this one added, to be taken back.
-std::vector<std::string> to_take_back(Workbench& bench, const CommonOptions& options) {
+/// Values of the robot that the file frees now by their own addresses, and that were fixed then.
+std::vector<std::string> freed_values(const std::vector<FreeRange>& now, const std::vector<FreeValueRecord>& then) {
+  std::vector<std::string> addresses;
+  for (const FreeRange& range : now)
+    if (range.pattern.find('*') == std::string::npos &&
+        std::none_of(then.begin(), then.end(),
+                     [&](const FreeValueRecord& old) { return old.address == range.pattern; }))
+      addresses.push_back(range.pattern);
+  return addresses;
+}
+
+/// What the step from the parent revision to this one added: ids of effects, addresses of values.
+struct Added {
+  std::vector<std::string> effects, values;
+};
+
+/// To be taken back.
+Added to_take_back(Workbench& bench, const CommonOptions& options) {
   const StoredRevision& revision = bench.revision();
   if (!revision.parent)
     throw Error(fmt::format("{}: revision {} is the first one that {} knows; there is nothing to undo",
                             options.experiment.string(), revision.number, bench.ledger().file().string()));
   const ResultStore& store = bench.ledger().store();
-  const EffectList parent =
-      store.revision_record(store.revision(bench.ledger().experiment(), *revision.parent)->id).effects;
-  std::vector<std::string> ids = added_ids(bench.rig().experiment.model.effects, parent);
-  if (ids.empty())
+  const RevisionRecord parent =
+      store.revision_record(store.revision(bench.ledger().experiment(), *revision.parent)->id);
+  const ModelSection& model = bench.rig().experiment.model;
+  Added added{added_ids(model.effects, parent.effects), freed_values(model.free, parent.free)};
+  if (added.effects.empty() && added.values.empty())
     throw Error(
-        fmt::format("{}: the step from revision {} to {} added no effect; undo takes back added effects only, edit the "
-                    "file for the rest",
+        fmt::format("{}: the step from revision {} to {} added no effect and freed no value; undo takes back nothing "
+                    "else, edit the file for the rest",
                     options.experiment.string(), *revision.parent, revision.number));
-  return ids;
+  return added;
 }
 
 void run_undo(const CommonOptions& options) {
@@ -53,7 +71,9 @@ void run_undo(const CommonOptions& options) {
   const std::shared_ptr<const PluginCatalog> catalog = now.catalog;
   Workbench bench(options, std::move(now));
   std::string edited = text;
-  for (const std::string& id : to_take_back(bench, options)) edited = remove_effect(edited, id);
+  const Added added = to_take_back(bench, options);
+  for (const std::string& id : added.effects) edited = remove_effect(edited, id);
+  for (const std::string& address : added.values) edited = remove_free_value(edited, address);
   Rig before = open_rig(options, edited, catalog);
   bench.ledger().done();
 
@@ -72,7 +92,7 @@ void run_undo(const CommonOptions& options) {
 
 void add_undo_command(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();  // shared: CLI11 keeps the callback, which must own the options
-  CLI::App* command = program.add_subcommand("undo", "Take back the effect that was added last");
+  CLI::App* command = program.add_subcommand("undo", "Take back the effect, or the freed value, that was added last");
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   command->callback([options] { run_undo(*options); });

@@ -2,7 +2,7 @@
 
 #include "app/terminal/short_number.h"
 #include "app/workspace/records.h"
-#include "foundation/address.h"
+#include "candidates/wrong_value.h"
 #include "storage/results/result_store.h"
 
 #include <algorithm>
@@ -37,9 +37,9 @@ std::map<std::string, double> diagnosed_start(const CommonOptions& options, cons
                                               const EffectEntry& entry) {
   std::map<std::string, double> start;
   for (const CandidateValueRecord& found : diagnosed_values(options, base, entry)) {
-    const std::string address = effect_address(entry.id, found.name);
     for (const FreeValue& free : extended.definition.free)
-      if (free.address == address) start[found.name] = std::clamp(short_number(found.value), free.lower, free.upper);
+      if (belongs_to(free, entry) && last_name(free.address) == found.name)
+        start[found.name] = std::clamp(short_number(found.value), free.lower, free.upper);
   }
   return start;
 }

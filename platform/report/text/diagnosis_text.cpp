@@ -82,11 +82,23 @@ std::string held_text(const FoundEffect& effect) {
                      effect.parameters.front().name);
 }
 
+/// "joint.hinge.armature: 0.010 [0.0098, 0.0103] kg*m^2 instead of 0.020"
+std::string wrong_value_text(const FoundEffect& effect) {
+  FoundParameter value = effect.parameters.front();
+  value.name = effect.where + ":";
+  return fmt::format("{} instead of {}", parameter_text(value), format_quantity(*value.stated, value.unit));
+}
+
+std::string effect_text(const FoundEffect& effect) {
+  const bool is_wrong_value = !effect.parameters.empty() && effect.parameters.front().stated;
+  return is_wrong_value ? wrong_value_text(effect)
+                        : fmt::format("{}: {}{}", effect.effect, parameters_text(effect.parameters), held_text(effect));
+}
+
 /// The answer's effects with their values, and what these data do not tell from the last of them.
 std::string answer_text(const RankedModel& answer) {
   std::string text;
-  for (const FoundEffect& effect : answer.effects)
-    text += fmt::format("   {}: {}{}\n", effect.effect, parameters_text(effect.parameters), held_text(effect));
+  for (const FoundEffect& effect : answer.effects) text += fmt::format("   {}\n", effect_text(effect));
   if (!answer.look_alikes.empty())
     text += fmt::format("   indistinguishable on these data: {}\n", fmt::join(answer.look_alikes, ", "));
   return text;

@@ -32,17 +32,32 @@ void append(std::string& sentence, const std::string& part) {
   sentence += (sentence.empty() ? "" : ", ") + part;
 }
 
-/// The robot's own free values: those of effects come and go with them.
-std::vector<FreeValueRecord> free_of_robot(const RevisionRecord& revision) {
+/// The free values of effects, which come and go with them, or the robot's own.
+std::vector<FreeValueRecord> free_values(const RevisionRecord& revision, bool of_effects) {
   std::vector<FreeValueRecord> free;
   std::copy_if(revision.free.begin(), revision.free.end(), std::back_inserter(free),
-               [](const FreeValueRecord& value) { return !is_of_effect(value.address); });
+               [&](const FreeValueRecord& value) { return is_of_effect(value.address) == of_effects; });
   return free;
+}
+
+std::vector<FreeValueRecord> free_of_robot(const RevisionRecord& revision) { return free_values(revision, false); }
+
+/// Addresses of the robot that are free in `after` alone; nothing where anything else of its free values differs.
+std::vector<std::string> newly_free(const RevisionRecord& before, const RevisionRecord& after) {
+  std::vector<FreeValueRecord> rest = free_of_robot(after);
+  std::vector<std::string> addresses;
+  std::erase_if(rest, [&](const FreeValueRecord& value) {
+    const bool is_known = std::any_of(before.free.begin(), before.free.end(),
+                                      [&](const FreeValueRecord& old) { return old.address == value.address; });
+    if (!is_known) addresses.push_back(value.address);
+    return !is_known;
+  });
+  return canonical_text(rest) == canonical_text(free_of_robot(before)) ? addresses : std::vector<std::string>{};
 }
 
 bool same_effect_values(const RevisionRecord& parent, const RevisionRecord& revision) {
   return canonical_text(parent.effects) == canonical_text(revision.effects) &&
-         canonical_text(parent.free) == canonical_text(revision.free);
+         canonical_text(free_values(parent, true)) == canonical_text(free_values(revision, true));
 }
 
 /// How many substeps a model takes follows from it, where a file leaves that open: no difference worth a word beside
@@ -53,7 +68,8 @@ bool same_engine(EngineSettings a, const EngineSettings& b) {
 }
 
 std::string other_differences(const RevisionRecord& parent, const RevisionRecord& revision, bool same_effects) {
-  const bool same_free = canonical_text(free_of_robot(parent)) == canonical_text(free_of_robot(revision));
+  const bool same_free = canonical_text(free_of_robot(parent)) == canonical_text(free_of_robot(revision)) ||
+                         !newly_free(parent, revision).empty() || !newly_free(revision, parent).empty();
   std::string parts;
   if (parent.robot_text != revision.robot_text) append(parts, "robot");
   if (!same_free) append(parts, "free values");
@@ -79,6 +95,8 @@ RevisionChange change_between(const RevisionRecord& parent, const RevisionRecord
   RevisionChange change{.added = only_in(after, before), .removed = only_in(before, after), .sentence = {}};
   append(change.sentence, names(change.added));
   if (!change.removed.empty()) append(change.sentence, "without " + names(change.removed));
+  for (const std::string& address : newly_free(parent, revision)) append(change.sentence, address + " fitted");
+  for (const std::string& address : newly_free(revision, parent)) append(change.sentence, address + " fixed");
   append(change.sentence, other_differences(parent, revision, change.added.empty() && change.removed.empty()));
   return change;
 }

@@ -10,7 +10,7 @@ EffectDescription ViscousFriction::describe() const {
           .equation = "tau = -damping*v",
           .literature = "B. Armstrong-Hélouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083-1138",
           .regime = "fast motion; a free swing that dies away by the same share in every period",
-          .look_alikes = {"linear_drag", "torque_speed_line"},
+          .look_alikes = {"linear_drag", "torque_speed_line", "quadratic_damping"},
           .placements = {ElementKind::joint},
           .parameters = {{"damping", "{force}*s/{position}", 0.0, 0.0, 1e4, Scale::linear,
                           "Friction torque per angular velocity, on a slider force per velocity"}},
