@@ -33,6 +33,7 @@ struct FoundParameter {
   double value = 0.0;
   double lower_95 = 0.0, upper_95 = 0.0;
   std::optional<double> stated = {};  ///< by the robot file, of a fixed value that is wrong there
+  bool at_bound = false;              ///< of its range
   bool operator==(const FoundParameter&) const = default;
 };
 

@@ -12,7 +12,8 @@ void add_doubts(const std::vector<Doubt>& doubts, Diagnosis& result) {
     result.findings.insert(is_fault ? result.findings.begin() + static_cast<std::ptrdiff_t>(faults++) : end,
                            doubt.sentence);
     if (!is_fault) continue;
-    if (result.verdict == Verdict::nothing_missing) result.verdict = Verdict::cannot_tell;
+    if (result.verdict == Verdict::nothing_missing || doubt.voids) result.verdict = Verdict::cannot_tell;
+    if (doubt.voids) result.formulas.clear();
     result.probability = std::numeric_limits<double>::quiet_NaN();
     result.calibrated = false;
   }

@@ -52,10 +52,8 @@ FittedValues::FittedValues(const SearchResult& found, const FittedModel& set)
   covariance_ = errors.covariance;
   const Eigen::VectorXd& at = set.fit.point.values;
   for (Eigen::Index j = 0; j < space_.size(); ++j) {
-    const double range = space_.upper()(j) - space_.lower()(j);
-    const bool is_inside = at(j) > space_.lower()(j) + kAtBound * range && at(j) < space_.upper()(j) - kAtBound * range;
-    const double untold = range / std::sqrt(12.0);  // anywhere within its bounds
-    if (is_inside && errors.is_told[static_cast<std::size_t>(j)] &&
+    const double untold = (space_.upper()(j) - space_.lower()(j)) / std::sqrt(12.0);  // anywhere within its bounds
+    if (!is_at_bound(j) && errors.is_told[static_cast<std::size_t>(j)] &&
         std::sqrt(covariance_(j, j)) < kSaysSomething * untold)
       continue;
     covariance_.row(j).setZero();
@@ -63,11 +61,17 @@ FittedValues::FittedValues(const SearchResult& found, const FittedModel& set)
   }
 }
 
+bool FittedValues::is_at_bound(Eigen::Index j) const {
+  const double at = set_.fit.point.values(j), lower = space_.lower()(j), upper = space_.upper()(j);
+  return at <= lower + kAtBound * (upper - lower) || at >= upper - kAtBound * (upper - lower);
+}
+
 FoundParameter FittedValues::parameter(std::size_t value, const std::string& name) const {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
   const auto j = static_cast<Eigen::Index>(value);
   const double at = set_.fit.point.values(j), deviation = std::sqrt(covariance_(j, j));
   FoundParameter found{name, set_.model.definition.free[value].unit, space_.to_value(j, at), kNothing, kNothing};
+  found.at_bound = is_at_bound(j);
   if (deviation > 0.0) {
     found.lower_95 = space_.to_value(j, std::max(space_.lower()(j), at - kOf95 * deviation));
     found.upper_95 = space_.to_value(j, std::min(space_.upper()(j), at + kOf95 * deviation));

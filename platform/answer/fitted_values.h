@@ -27,6 +27,7 @@ class FittedValues {
   const Eigen::MatrixXd& covariance() const { return covariance_; }
 
  private:
+  bool is_at_bound(Eigen::Index value) const;
   FoundParameter parameter(std::size_t value, const std::string& name) const;
 
   const FittedModel& set_;

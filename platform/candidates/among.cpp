@@ -1,6 +1,7 @@
 #include "candidates/among.h"
 
 #include "candidates/hypothesis.h"
+#include "candidates/wrong_value.h"
 #include "foundation/address.h"
 
 #include <lacuna/physical_effect.h>
@@ -26,6 +27,8 @@ std::string reason_against(const EffectDescription& description, const ModelDefi
 
 std::string objection(const std::string& name, const Experiment& experiment, const PluginCatalog& catalog,
                       const ModelDefinition& base) {
+  if (name == kWrongValue)
+    return wrong_values(base).empty() ? "--among wrong_value: the robot states no fixed value; leave it out" : "";
   try {
     const EffectDescription description = catalog.get<PhysicalEffect>(name).describe();
     std::vector<Untestable> tried;

@@ -59,7 +59,8 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
         {Severity::fault,
          fmt::format("{} accelerates against the command {} ({:.3g} times what the model says): the sign of a column "
                      "or the joint's axis is wrong, or the column is a measurement, which lags the motion",
-                     data.channel, actuator, times)});
+                     data.channel, actuator, times),
+         true});
   } else if (responds && (times > kBeyondEffects || times < 1.0 / kBeyondEffects)) {
     doubts.push_back(
         {Severity::fault,
@@ -71,7 +72,8 @@ void doubt_response(const StackedAccelerations& data, Eigen::Index u, const std:
                       fmt::format("{} does not follow the command {}: of {} (RMS) that it should make, the file shows "
                                   "{:.1f} %; check that the column is the command of this joint and its unit",
                                   data.channel, actuator, format_quantity(rms(own) * data.deviation, data.unit),
-                                  100.0 * std::abs(times))});
+                                  100.0 * std::abs(times)),
+                      true});
   }
 }
 

@@ -12,7 +12,7 @@ namespace lacuna {
 /// How much a doubt takes from a verdict.
 enum class Severity {
   note,        ///< to be said beside the verdict
-  too_little,  ///< likelihoods tell nothing from data of this length; predictions may
+  too_little,  ///< the data are short: a limit to be said
   fault        ///< what looks like an effect may be this
 };
 
@@ -21,6 +21,7 @@ enum class Severity {
 struct Doubt {
   Severity severity = Severity::note;
   std::string sentence;
+  bool voids = false;  ///< no model is right of such data: what is found is no answer
 };
 
 /// What is looked at. Everything referred to must live until the doubts are told.

@@ -190,7 +190,7 @@ void doubt_agreement(const AccelerationTable& table, std::vector<const ChannelAc
       place = i;
     }
     if (place == channels.size()) return;
-    doubts.push_back({Severity::fault, contradiction_sentence(table, worst, count > 2)});
+    doubts.push_back({Severity::fault, contradiction_sentence(table, worst, count > 2), true});
     channels.erase(channels.begin() + static_cast<std::ptrdiff_t>(place));
   }
 }

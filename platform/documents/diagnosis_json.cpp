@@ -15,6 +15,7 @@ ordered_json by_name(const std::vector<FoundParameter>& parameters) {
     ordered_json& value = object[one.name];
     value = {{"value", one.value}, {"ci95", {one.lower_95, one.upper_95}}, {"unit", one.unit}};
     if (one.stated) value["stated"] = *one.stated;
+    if (one.at_bound) value["at_bound"] = true;
   }
   return object;
 }

@@ -65,6 +65,7 @@ std::vector<FoundParameter> parameters_of(const ordered_json& json) {
   for (const auto& [name, one] : json.items()) {
     all.push_back({name, one["unit"], figure(one["value"]), figure(one["ci95"][0]), figure(one["ci95"][1])});
     if (one.contains("stated")) all.back().stated = figure(one["stated"]);
+    all.back().at_bound = one.value("at_bound", false);
   }
   return all;
 }

@@ -29,6 +29,17 @@ TEST(DoubtedData, KeepsAnAnswerAndStatesNoProbability) {
   EXPECT_THAT(diagnosis.findings, ElementsAre("a fault", "a finding", "a note"));
 }
 
+/// A command of the wrong sign, files of two rigs.
+TEST(DoubtedData, LetsNothingBeAnAnswerThatNoModelCanGive) {
+  for (const Verdict verdict : {Verdict::effect_found, Verdict::not_in_library, Verdict::nothing_missing}) {
+    Diagnosis diagnosis = sure(verdict);
+    diagnosis.formulas.resize(1);
+    add_doubts({{Severity::fault, "the sign is wrong", true}}, diagnosis);
+    EXPECT_EQ(diagnosis.verdict, Verdict::cannot_tell);
+    EXPECT_TRUE(diagnosis.formulas.empty());
+  }
+}
+
 TEST(DoubtedData, DoesNotLetNothingBeMissing) {
   Diagnosis diagnosis = sure(Verdict::nothing_missing);
   add_doubts({kFault}, diagnosis);

@@ -65,6 +65,17 @@ TEST(DeadZone, TakesItsWidthOffTheCommand) {
   EXPECT_EQ(impulse(mass_with("dead_zone", {0.5}), 0.5, 0.4), 0.0);
 }
 
+TEST(CommandBend, AddsTheSquareOfTheCommand) {
+  EXPECT_NEAR(impulse(mass_with("command_bend", {0.3}), 2.0, 0.4), 3.2 * 0.4, kRounding);
+  EXPECT_NEAR(impulse(mass_with("command_bend", {0.3}), -2.0, 0.4), -3.2 * 0.4, kRounding);
+  EXPECT_NEAR(impulse(mass_with("command_bend", {-0.1}), 2.0, 0.4), 1.6 * 0.4, kRounding);
+}
+
+TEST(CommandBend, NeverGivesLessForMore) {
+  EXPECT_NEAR(impulse(mass_with("command_bend", {-0.5}), 1.0, 0.4), 0.5 * 0.4, kRounding);
+  EXPECT_NEAR(impulse(mass_with("command_bend", {-0.5}), 3.0, 0.4), 0.5 * 0.4, kRounding);
+}
+
 TEST(CommandQuantisation, RoundsTheCommandToWholeSteps) {
   EXPECT_NEAR(impulse(mass_with("command_quantisation", {0.7}), 2.0, 0.4), 2.1 * 0.4, kRounding);
   EXPECT_NEAR(impulse(mass_with("command_quantisation", {0.7}), -2.0, 0.4), -2.1 * 0.4, kRounding);

@@ -100,7 +100,7 @@ TEST(DiagnosisText, SaysWhatToAddWithItsValueAndInterval) {
   EXPECT_THAT(text, HasSubstr("indistinguishable on these data: stribeck_friction @ joint.hinge"));
   EXPECT_THAT(text, HasSubstr("−50 % [−60 %, −38 %]  1.1 × floor"));
   EXPECT_THAT(text,
-              HasSubstr("43 effects were tried; chance gives as large a gain as the best of them with p = 0.0005"));
+              HasSubstr("43 candidates were tried; chance gives as large a gain as the best of them with p = 0.0005"));
   EXPECT_THAT(text, HasSubstr("slope (the robot has no ground to touch)"));
   EXPECT_THAT(text, HasSubstr("triangle motor 0.3 N*m 0.1 Hz 20 s: 12 nats a trial"));
   EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml coulomb_friction --where joint.hinge\n"));
@@ -114,6 +114,26 @@ TEST(DiagnosisText, SaysWhichValueIsHeldBesideTheOneThatIsTold) {
       diagnosis_text(of_drag, "rig.toml"),
       HasSubstr("quadratic_drag: area 0.02 [0.01, 0.03] m^2; density held at 1.20 kg/m^3: only its product with "
                 "area is determined"));
+}
+
+TEST(DiagnosisText, SaysWhatTheRobotFileHasInsteadOfAWrongValue) {
+  Diagnosis of_value = diagnosis(Verdict::effect_found);
+  of_value.ranking.front().effects = {
+      {"wrong_value", "joint.hinge.armature", {{"armature", "kg*m^2", 0.01, 0.0095, 0.0105, 0.02}}}};
+  const std::string text = diagnosis_text(of_value, "rig.toml");
+  EXPECT_THAT(text, HasSubstr("1  wrong_value @ joint.hinge.armature"));
+  EXPECT_THAT(text, HasSubstr("joint.hinge.armature: 0.01 [0.0095, 0.0105] kg*m^2 instead of 0.0200 kg*m^2"));
+  EXPECT_THAT(text, HasSubstr("→ lacuna add rig.toml wrong_value --where joint.hinge.armature\n"));
+  EXPECT_EQ(read_diagnosis(diagnosis_json(of_value)).ranking.front().effects, of_value.ranking.front().effects);
+}
+
+TEST(DiagnosisText, SaysThatAValueIsAtABound) {
+  Diagnosis at_bound = diagnosis(Verdict::effect_found);
+  FoundParameter& torque = at_bound.ranking.front().effects.front().parameters.front();
+  torque.lower_95 = torque.upper_95 = std::nan("");
+  torque.at_bound = true;
+  EXPECT_THAT(diagnosis_text(at_bound, "rig.toml"), HasSubstr("torque 0.131 N*m (at a bound of its range)"));
+  EXPECT_TRUE(read_diagnosis(diagnosis_json(at_bound)).ranking.front().effects.front().parameters.front().at_bound);
 }
 
 TEST(DiagnosisText, ProposesATestInItsSetup) {

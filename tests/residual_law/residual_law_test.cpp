@@ -17,8 +17,8 @@ class ResidualLawTest : public testing::Test {
     experiment_.model.effects = {};
   }
 
-  ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true) {
-    trials_ = {recorded(truth, "one.csv", multisine, 6.0, 3), recorded(truth, "two.csv", steps, 6.0, 4)};
+  ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true, double seconds = 6.0) {
+    trials_ = {recorded(truth, "one.csv", multisine, seconds, 3), recorded(truth, "two.csv", steps, seconds, 4)};
     const ModelDefinition definition = define_model(experiment_, built_catalog());
     const SearchResult found = search_effects({.experiment = experiment_,
                                                .catalog = built_catalog(),
@@ -56,6 +56,14 @@ TEST_F(ResidualLawTest, IsDrawnOverTheQuantityThatItGoesWith) {
   EXPECT_EQ(curve->unit, "rad");
   EXPECT_GT(curve->force.front(), curve->force.back());
   for (const double error : curve->standard_error) EXPECT_LT(error, curve->force.front() - curve->force.back());
+}
+
+/// In less than eight of the shortest length a law follows whatever lasts.
+TEST_F(ResidualLawTest, IsNotLookedForInShortRecordings) {
+  constexpr double kSeconds = 0.16;
+  const ResidualLaw law = left_of({.inertia = 0.03, .damping = 0.02, .cubic = 5.0}, false, kSeconds);
+  EXPECT_FALSE(law.is_present);
+  EXPECT_EQ(law.p, 1.0);
 }
 
 TEST_F(ResidualLawTest, IsNotPresentWhereNothingIsMissing) {

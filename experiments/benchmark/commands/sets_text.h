@@ -3,6 +3,7 @@
 namespace hidden_effects {
 
 /// What `--set` takes, in the help of the commands.
-inline constexpr const char* kSets = "tuning, reporting, fixed, dirty-tuning, dirty-reporting or dirty-quick";
+inline constexpr const char* kSets =
+    "tuning, reporting, fixed, dirty-tuning, dirty-reporting, dirty-quick or dirty-values";
 
 }  // namespace hidden_effects

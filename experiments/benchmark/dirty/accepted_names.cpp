@@ -79,7 +79,7 @@ std::vector<std::string> accepted_at(const std::vector<std::string>& effects, co
 }
 
 std::vector<std::string> accepted_for(const RobotValue& value, double factor, const PlantSpec& spec) {
-  std::vector<std::string> names = {"value " + value.address(spec)};
+  std::vector<std::string> names = {"wrong_value @ " + value.address(spec)};
   const std::vector<std::string> effects = accepted_at(stand_ins(value, factor), spec, value.joint(spec));
   names.insert(names.end(), effects.begin(), effects.end());
   return names;

@@ -174,7 +174,7 @@ class EffectChooser {
       (one.kind->reading ? readings : laws).push_back(one);
     }
     add_small(laws, plan_.small, Role::small);
-    if (draw_.chance(0.5)) add_small(readings, 1, Role::reading);
+    if (plan_.small > 0 && draw_.chance(0.5)) add_small(readings, 1, Role::reading);
   }
 
   void add_small(std::vector<PlacedKind>& from, int wanted, Role role) {

@@ -24,7 +24,7 @@ const Names kLoad = {"load_friction", "gear_efficiency"};
 const Names kHardening = {"cubic_stiffness", "joint_spring", "hard_stop"};
 const Names kOffset = {"joint_offset_torque", "command_offset", "mount_tilt", "directional_friction"};
 const Names kLate = {"command_delay", "actuator_lag", "sensor_delay", "sensor_lag"};
-const Names kWeaker = {"supply_sag", "torque_saturation", "thermal_fade", "torque_gain"};
+const Names kWeaker = {"supply_sag", "torque_saturation", "thermal_fade", "torque_gain", "command_bend"};
 
 /// s, the time scale of a motion.
 double time_of(const Scales& at) { return at.position / at.velocity; }

@@ -8,7 +8,7 @@ namespace hidden_effects::dirty {
 
 /// What a case is to be, before anything is simulated. All that is random in it follows from `seed`.
 struct DirtyPlan {
-  std::string set;  ///< "dirty-tuning", "dirty-reporting" or "dirty-quick"
+  std::string set;  ///< "dirty-tuning", "dirty-reporting", "dirty-quick" or "dirty-values"
   int number = 0;   ///< within the set
   std::uint64_t seed = 0;
   std::string family;     ///< of `families()`
@@ -26,8 +26,9 @@ const std::vector<std::string>& families();
 
 bool is_dirty_set(const std::string& set);
 
-/// All cases of a set: 300 for tuning, 300 for reporting, 60 of `dirty-quick`. Families take turns; how many main
-/// effects there are is balanced over the set. Throws `std::invalid_argument` for another name.
+/// All cases of a set: 300 for tuning, 300 for reporting, 60 of `dirty-quick`, 40 of `dirty-values`, in which a value
+/// of the robot file is wrong and nothing else. Families take turns; how many main effects there are is balanced over
+/// the set. Throws `std::invalid_argument` for another name.
 std::vector<DirtyPlan> plan_dirty_cases(const std::string& set);
 
 }  // namespace hidden_effects::dirty

@@ -16,7 +16,8 @@ void add_diagnose_command(CLI::App& program) {
   add_experiment_options(*command, *options);
   add_work_options(*command, *options);
   add_time_limit_option(*command);
-  command->add_option("--among", options->among, "Try these effects only (default: all)")->option_text("EFFECT ...");
+  command->add_option("--among", options->among, "Try these effects only; wrong_value: fixed values (default: all)")
+      ->option_text("EFFECT ...");
   command->add_option("--out", options->out, "Folder for pictures (SVG)")->option_text("FOLDER");
   command->callback([options] {
     try {

@@ -19,6 +19,7 @@ constexpr std::size_t kMostShown = 5;
 
 std::string parameter_text(const FoundParameter& one) {
   const std::string unit = one.unit == "1" ? "" : " " + one.unit;
+  if (one.at_bound) return fmt::format("{} {:.3g}{} (at a bound of its range)", one.name, one.value, unit);
   if (!std::isfinite(one.lower_95)) return fmt::format("{} {:.3g} (undetermined){}", one.name, one.value, unit);
   const int digits = interval_digits(one.value, one.upper_95 - one.lower_95);
   return fmt::format("{0} {1:.{4}g} [{2:.{4}g}, {3:.{4}g}]{5}", one.name, one.value, one.lower_95, one.upper_95, digits,
@@ -156,7 +157,7 @@ std::string untestable_text(const Diagnosis& diagnosis) {
 
 /// What was tried, and whether chance does as much.
 std::string chance_text(const Diagnosis& diagnosis) {
-  std::string text = fmt::format("{} effects were tried", diagnosis.hypotheses);
+  std::string text = fmt::format("{} candidates were tried", diagnosis.hypotheses);
   if (diagnosis.p_by_chance)
     text += fmt::format("; chance gives as large a gain as the best of them with p = {:.2g}", *diagnosis.p_by_chance);
   return text + fmt::format("; the model alone has an error of {:.3g} × floor\n", diagnosis.base_times_floor);

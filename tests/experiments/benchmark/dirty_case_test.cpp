@@ -112,7 +112,7 @@ TEST(DirtyKind, EveryAcceptedNameStandsSomewhere) {
 TEST(DirtyKind, AWrongMassIsNamedByItsAddressAndItsStandIns) {
   const PlantSpec stated = draw_rig(plan_dirty_cases("dirty-quick")[8]).stated;
   const std::vector<std::string> heavier = accepted_for({Quantity::mass, 0}, 2.0, stated);
-  EXPECT_EQ(heavier.front(), "value body.arm.mass");
+  EXPECT_EQ(heavier.front(), "wrong_value @ body.arm.mass");
   EXPECT_NE(std::find(heavier.begin(), heavier.end(), "payload @ body.arm"), heavier.end());
   const std::vector<std::string> lighter = accepted_for({Quantity::mass, 0}, 0.5, stated);
   EXPECT_EQ(std::find(lighter.begin(), lighter.end(), "payload @ body.arm"), lighter.end());

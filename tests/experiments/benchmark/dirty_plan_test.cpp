@@ -39,6 +39,7 @@ TEST(DirtyPlan, HasItsNumbersOfCases) {
   EXPECT_EQ(plan_dirty_cases("dirty-tuning").size(), 300U);
   EXPECT_EQ(plan_dirty_cases("dirty-reporting").size(), 300U);
   EXPECT_EQ(plan_dirty_cases("dirty-quick").size(), 60U);
+  EXPECT_EQ(plan_dirty_cases("dirty-values").size(), 40U);
   EXPECT_THROW(plan_dirty_cases("tuning"), std::invalid_argument);
 }
 

@@ -20,6 +20,7 @@ import {
   type DiagnosisDocument,
   type DiagnosisRow,
   type Effect,
+  type Parameter,
   type Ranked,
 } from './diagnose_data';
 import { Features } from './diagnose_features';
@@ -216,13 +217,17 @@ function saveCandidates(ranking: Ranked[]): void {
   );
 }
 
-const kNoInterval = 'at its bound, or not told';
-
 interface CandidateProps {
   rank: number;
   model: Ranked;
   inPercent: boolean; // its gain
   length: number | null; // s, of the answer's segments; errors over others are no measure beside its own
+}
+
+function parameterText(name: string, one: Parameter): string {
+  const noInterval = one.at_bound ? 'at a bound of its range' : 'not told';
+  const value = `${name} ${valueText(one.value, one.ci95[0], one.ci95[1], one.unit, noInterval)}`;
+  return one.stated === undefined ? value : `${value} instead of ${quantity(one.stated, one.unit)}`;
 }
 
 /** Parameters that only act together with those found. */
@@ -241,7 +246,7 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
         {model.effects.map((effect) => (
           <span key={effect.effect + effect.where} class="small">
             {Object.entries(effect.parameters)
-              .map(([name, one]) => `${name} ${valueText(one.value, one.ci95[0], one.ci95[1], one.unit, kNoInterval)}`)
+              .map(([name, one]) => parameterText(name, one))
               .concat(heldTexts(effect))
               .join(' · ')}
           </span>

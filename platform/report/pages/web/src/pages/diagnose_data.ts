@@ -2,6 +2,8 @@ export interface Parameter {
   value: number | null;
   ci95: [number | null, number | null];
   unit: string;
+  stated?: number; // by the robot file, of a value that is wrong there
+  at_bound?: boolean;
 }
 
 export interface Effect {

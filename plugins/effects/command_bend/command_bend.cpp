@@ -1,0 +1,35 @@
+#include "command_bend.h"
+
+#include <lacuna/element_checks.h>
+#include <lacuna/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+
+EffectDescription CommandBend::describe() const {
+  return {.summary = "A drive whose force grows more, or less, than in proportion to its command",
+          .equation = "u_out = u + bend*|u|*u; for bend < 0 it stays at its top beyond |u| = -1/(2*bend)",
+          .literature = "T. I. Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control, Wiley 2011",
+          .regime = "large commands beside small ones",
+          .look_alikes = {"torque_gain", "torque_saturation", "supply_sag"},
+          .placements = {ElementKind::actuator},
+          .parameters = {{"bend", "1/{command}", 0.0, -10000.0, 10000.0, Scale::linear,
+                          "By how much of itself a command counts more, over the command"}}};
+}
+
+void CommandBend::amend(RobotSpec& robot, const EffectContext& context) const {
+  for (const int actuator : context.elements) actuator_of_force(robot, actuator);
+}
+
+double CommandBend::command(double value, int, const StepView&, const EffectContext& context, std::span<double>) const {
+  const double bend = context.parameters[0];
+  double size = std::abs(value);
+  if (bend < 0.0) size = std::min(size, -0.5 / bend);
+  return std::copysign(size + bend * size * size, value);
+}
+
+}  // namespace lacuna
+
+LACUNA_PLUGIN(lacuna::component<lacuna::PhysicalEffect, lacuna::CommandBend>("command_bend"))
