@@ -25,6 +25,15 @@ bool may_be_tried(const std::string& address) {
   return std::any_of(kTried.begin(), kTried.end(), begins) && std::none_of(kNotTried.begin(), kNotTried.end(), ends);
 }
 
+/// Whether some recording has a value of its own.
+bool is_of_setups(const ModelDefinition& base, const std::string& address) {
+  const std::vector<Setup>& setups = base.structure.setups;
+  return std::any_of(setups.begin(), setups.end(), [&](const Setup& setup) {
+    return std::any_of(setup.values.begin(), setup.values.end(),
+                       [&](const auto& value) { return matches(value.address, address); });
+  });
+}
+
 std::pair<double, double> range_of(const AddressedValue& value) {
   const double number = *value.value;
   if (value.lower == 0.0) return {0.0, std::min(value.upper, number * kTimes)};
@@ -44,7 +53,8 @@ std::vector<EffectEntry> wrong_values(const ModelDefinition& base) {
     const bool is_free = std::any_of(base.free.begin(), base.free.end(), [&](const FreeValue& free) {
       return without_setup(free.address) == value.address;
     });
-    if (is_free || !states_something(value) || !may_be_tried(value.address)) continue;
+    if (is_free || is_of_setups(base, value.address) || !states_something(value) || !may_be_tried(value.address))
+      continue;
     EffectEntry entry;
     entry.id = value.address;
     entry.effect = kWrongValue;

@@ -2,6 +2,7 @@
 
 #include "foundation/interrupt.h"
 #include "search/fit_starts.h"
+#include "search/promise_order.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,17 +20,21 @@ constexpr std::size_t kKinds = 5;     ///< best effects that do not do the same,
 constexpr std::size_t kBesidePair = 3;
 constexpr std::size_t kSwapped = 3;  ///< effects that are tried in a member's place
 constexpr std::size_t kMostMembers = 3;
-constexpr double kWorthOfAValue = 0.1;  ///< of the whole gain, for the order in which sets lead to larger ones
 constexpr double kWorthATriple = 0.05;  ///< of the whole gain, that a pair adds
-constexpr double kNearlyAsMuch = 0.3;   ///< of what a simpler effect of its kind promises: less is not fitted
-constexpr double kLeastPromise = 1e-3;  ///< nats, that an effect must promise to be fitted
-constexpr double kLeastShare = 0.1;     ///< of what the best effect promises
 constexpr double kSame = 0.1;           ///< of the gain by blocks, within which two effects do the same
 constexpr double kNested = 1e-3;        ///< nats by which a set may cost more than its part
 constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
 
 /// Members of one model: "b" beside "a".
 using Entries = std::vector<EffectEntry>;
+
+/// The model as it is first.
+std::vector<CandidateSet> judged_sets(const FittedModels& models) {
+  std::vector<CandidateSet> sets = {models.base().judged};
+  for (const auto& [members, model] : models.all())
+    if (!members.empty()) sets.push_back(model.judged);
+  return sets;
+}
 
 class EffectSearch {
  public:
@@ -52,6 +57,7 @@ class EffectSearch {
     refit_parts();
     refit_nearly_as_good();
     mend_nesting();
+    fit_twins_of_answer();
   }
 
   /// Whether an effect gains more than its error.
@@ -80,36 +86,6 @@ class EffectSearch {
     if (!found) return nullptr;
     say(fmt::format("{}", fmt::join(found->judged.members, " + ")));
     return found;
-  }
-
-  /// Promises by what they leave and what their values are worth.
-  static std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_of_value) {
-    std::vector<EffectPromise> promises = look.promises;
-    const auto price = [&](const EffectPromise& one) {
-      return one.cost + worth_of_value * static_cast<double>(look.hypotheses[one.hypothesis].own.size());
-    };
-    std::stable_sort(promises.begin(), promises.end(),
-                     [&](const EffectPromise& a, const EffectPromise& b) { return price(a) < price(b); });
-    return promises;
-  }
-
-  std::vector<EffectPromise> best_promises(const EffectLook& look, const FittedModels::Members& beside,
-                                           std::size_t most) const {
-    std::vector<EffectPromise> chosen;
-    const double most_gain = look.promises.empty() ? 0.0 : look.cost - look.promises.front().cost;
-    for (const EffectPromise& promise : cheapest_first(look, kWorthOfAValue * most_gain)) {
-      if (chosen.size() == most) break;
-      const Hypothesis& one = look.hypotheses[promise.hypothesis];
-      if (beside.contains(member_name(one.entry))) continue;
-      const double gain = look.cost - promise.cost;
-      const bool is_outdone = std::any_of(chosen.begin(), chosen.end(), [&](const EffectPromise& other) {
-        const Hypothesis& simpler = look.hypotheses[other.hypothesis];
-        return simpler.own.size() < one.own.size() && of_one_kind(simpler, one) &&
-               gain < kNearlyAsMuch * (look.cost - other.cost);
-      });
-      if (!is_outdone && gain >= std::max(kLeastPromise, kLeastShare * most_gain)) chosen.push_back(promise);
-    }
-    return chosen;
   }
 
   void fit_singles() {
@@ -201,6 +177,15 @@ class EffectSearch {
     return gain;
   }
 
+  /// Whether a pair gains more than each of its effects alone.
+  bool gains_by_both(const FittedModel& pair) const {
+    const double worth = kWorthATriple * whole_gain();
+    return std::all_of(pair.model.added.begin(), pair.model.added.end(), [&](const EffectEntry& entry) {
+      const FittedModel* part = models_.find({member_name(entry)});
+      return !part || gain_of(pair.judged, part->judged).nats > worth;
+    });
+  }
+
   /// Beside the leading pairs, where a pair gains more than one effect does.
   void fit_triples() {
     const std::vector<const FittedModel*> pairs = ordered(2), singles = ordered(1);
@@ -212,7 +197,7 @@ class EffectSearch {
       const bool is_like = std::any_of(leading.begin(), leading.end(), [&](const Entries& other) {
         return does_the_same(*pair, *models_.find(members_of(other)));
       });
-      if (leading.size() < kLeading && !is_like) leading.push_back(pair->model.added);
+      if (leading.size() < kLeading && !is_like && gains_by_both(*pair)) leading.push_back(pair->model.added);
     }
     for (const Entries& pair : leading) look_beside(pair, kBesidePair);
   }
@@ -325,6 +310,18 @@ class EffectSearch {
       }
   }
 
+  /// The answer with a member exchanged for what promises the same: the effects that these data do not tell from it.
+  void fit_twins_of_answer() {
+    const std::vector<CandidateSet> sets = judged_sets(models_);
+    const FittedModel& answer = *models_.find(sets[decide(sets, looked_, kSeed).answer].members);
+    const Entries added = answer.model.added;
+    const NamedValues values = answer.values;
+    for (std::size_t i = 0; i < added.size(); ++i)
+      for (const EffectPromise& twin : twins_of(look_, member_name(added[i])))
+        if (!members_of(added).contains(member_name(look_.hypotheses[twin.hypothesis].entry)))
+          fit_in_place(without_member(added, i), {twin}, values);
+  }
+
   static FittedModels::Members members_of(const Entries& added) {
     FittedModels::Members members;
     for (const EffectEntry& entry : added) members.insert(member_name(entry));
@@ -354,10 +351,8 @@ void conclude(const EffectSearch& search, SearchResult& result) {
   result.sets = {models.base()};
   for (const auto& [members, model] : models.all())
     if (!members.empty()) result.sets.push_back(model);
-  std::vector<CandidateSet> sets;
-  for (const FittedModel& set : result.sets) sets.push_back(set.judged);
   result.looked = search.looked();
-  result.decision = decide(sets, result.looked, kSeed);
+  result.decision = decide(judged_sets(models), result.looked, kSeed);
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;
   result.fits += models.fits();

@@ -64,6 +64,29 @@ TEST(Loop, TheErrorFallsToTheFloorWhenTheMissingFrictionIsAddedAndUndoRestoresFi
   EXPECT_TRUE(revision(program, 1)["current"]);
 }
 
+/// A fixed number of the robot file is fitted, and fixed again, as an effect comes and goes.
+TEST(Loop, AWrongValueIsFreedAndUndoFixesIt) {
+  const Program program;
+  program.copy_first_steps();
+  std::string text = program.read("first-steps.toml");
+  const std::string line = "\"joint.hinge.armature\" = [0.0, 0.02]\n";
+  ASSERT_NE(text.find(line), std::string::npos);
+  text.erase(text.find(line), line.size());
+  program.write("first-steps.toml", text);
+  const Outcome add = program.run(
+      {"add", "first-steps.toml", "wrong_value", "--where", "joint.hinge.armature", "--start", "armature=0.004"});
+  ASSERT_EQ(add.exit_code, 0) << add.errors;
+  EXPECT_THAT(program.read("first-steps.toml"),
+              HasSubstr("\"joint.hinge.armature\" = { range = [0.0, 0.05], start = 0.004 }\n"));
+  EXPECT_THAT(program.run({"history", "first-steps.toml"}).output, HasSubstr("joint.hinge.armature fitted"));
+  ASSERT_EQ(program.run({"undo", "first-steps.toml"}).exit_code, 0);
+  EXPECT_EQ(program.read("first-steps.toml"), text);
+
+  const Outcome unknown = program.run({"add", "first-steps.toml", "wrong_value", "--where", "joint.hinge.armatur"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.errors, HasSubstr("did you mean \"joint.hinge.armature\"?"));
+}
+
 TEST(Loop, AnAddedEffectStartsWhereTheDiagnosisLeftItUnlessAStartIsTyped) {
   const Program program;
   program.copy_first_steps();
