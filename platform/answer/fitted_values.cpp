@@ -50,7 +50,6 @@ FittedValues::FittedValues(const SearchResult& found, const FittedModel& set)
   const LinearCost least = least_cost(found.layout, set.fit.products, set.fit.bounds);
   const ValueErrors errors = value_errors(found.layout, set.fit.products, least);
   covariance_ = errors.covariance;
-  const Eigen::VectorXd& at = set.fit.point.values;
   for (Eigen::Index j = 0; j < space_.size(); ++j) {
     const double untold = (space_.upper()(j) - space_.lower()(j)) / std::sqrt(12.0);  // anywhere within its bounds
     if (!is_at_bound(j) && errors.is_told[static_cast<std::size_t>(j)] &&

@@ -188,7 +188,7 @@ LookedLaws look_at(std::size_t h, const Hypothesis& hypothesis, const std::vecto
     const StageWithLaw with(stage, responses, law);
     looked.costs.push_back(with.cross_fitted());
     if (looked.best && with.least().cost >= looked.best->cost) continue;
-    looked.best = EffectPromise{h, with.least().cost, {}, with.least().step};
+    looked.best = EffectPromise{h, with.least().cost, {}, with.least().step, looked.costs.back()};
     for (const std::size_t r : law) looked.best->probes.push_back(responses[r].probe);
   }
   return looked;
@@ -203,7 +203,10 @@ void promise(const SearchData& data, EffectLook& look) {
     looked[h] = look_at(h, look.hypotheses[h], look.responses->at(h), *look.stage);
   });
   for (LookedLaws& one : looked) {
-    if (one.best) look.promises.push_back(std::move(*one.best));
+    if (one.best) {
+      one.best->gains = before - one.best->gains;
+      look.promises.push_back(std::move(*one.best));
+    }
     for (const Eigen::VectorXd& cost : one.costs) look.gains.push_back(before - cost);
   }
   std::stable_sort(look.promises.begin(), look.promises.end(),

@@ -17,6 +17,7 @@ struct EffectPromise {
   double cost = 0.0;               ///< that is left, nats
   std::vector<SizedProbe> probes;  ///< of the effect's values: alike but for the one that each was sized by
   Eigen::VectorXd step;            ///< of the model's values, then times each probe
+  Eigen::VectorXd gains = {};      ///< nats by block of time, cross-fitted
 };
 
 struct LookStage;

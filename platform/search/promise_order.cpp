@@ -1,14 +1,13 @@
 #include "search/promise_order.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kNearlyAsMuch = 0.3;   ///< of what a simpler effect of its kind promises: less is not fitted
 constexpr double kLeastPromise = 1e-3;  ///< nats
-constexpr double kSamePromise = 5e-3;   ///< of the gain, within which two effects promise the same
+constexpr double kSamePromise = 0.03;   ///< of the gains by blocks of time, within which two effects promise the same
 
 std::vector<EffectPromise> cheapest_first(const EffectLook& look, double worth_of_value) {
   std::vector<EffectPromise> promises = look.promises;
@@ -34,7 +33,7 @@ struct Compared {
            gain_of(promise) < kNearlyAsMuch * gain_of(other);
   }
   bool is_twin_of(const EffectPromise& other) const {
-    return std::abs(promise.cost - other.cost) < kSamePromise * gain_of(promise);
+    return (promise.gains - other.gains).norm() < kSamePromise * promise.gains.norm();
   }
 };
 
