@@ -7,7 +7,8 @@ namespace lacuna::articulated {
 namespace {
 
 constexpr int kMostTrials = 60;
-constexpr double kLocated = 4e-16;  ///< of the step, which is never shorter, or of the distance at its start
+constexpr double kLocated = 4e-16;     ///< of the step, which is never shorter, or of the distance at its start
+constexpr double kSameMoment = 1e-12;  ///< of the way to an event, within which another one comes with it
 
 }  // namespace
 
@@ -77,6 +78,10 @@ std::optional<EventSearch::Found> EventSearch::first(const Setting& setting, dou
   for (std::optional<Event> event = earliest(setting); event; event = earliest(setting)) {
     if (found && found->event.coordinate == event->coordinate && found->event.kind == event->kind) break;
     const double shorter = locate(*event, setting, found ? found->length : length);
+    if (found && shorter >= (1.0 - kSameMoment) * found->length) {  // two at once would take turns for ever
+      take(setting, found->length);
+      break;
+    }
     found = Found{*event, shorter};
   }
   return found;
