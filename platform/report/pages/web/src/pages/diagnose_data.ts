@@ -153,6 +153,16 @@ export const timesFloor = (one: RatioToFloor) => one.ratio_to_floor ?? one.fitte
 export const effectName = (effect: Effect) => `${effect.effect} @ ${effect.where}`;
 export const modelName = (model: Ranked) => model.effects.map(effectName).join(' + ');
 
+/** Effects that are missing, and fixed values of the robot file that are wrong. */
+function foundSentence(best: Ranked): string {
+  const values = best.effects.filter((one) => one.effect === 'wrong_value').map((one) => one.where);
+  const effects = best.effects.filter((one) => one.effect !== 'wrong_value').map(effectName);
+  const sentences = [];
+  if (effects.length > 0) sentences.push(`The model lacks ${effects.join(' + ')}.`);
+  if (values.length > 0) sentences.push(`The robot file has a wrong value of ${values.join(' and of ')}.`);
+  return sentences.join(' ');
+}
+
 /** The verdict in one sentence. */
 export function verdictSentence(document: DiagnosisDocument): string {
   const best = document.ranking[0];
@@ -160,7 +170,7 @@ export function verdictSentence(document: DiagnosisDocument): string {
     case 'nothing_missing':
       return 'Nothing is missing: no effect of the library predicts what was left out better than the model alone.';
     case 'effect_found':
-      return `The model lacks ${best ? modelName(best) : 'an effect'}.`;
+      return best ? foundSentence(best) : 'The model lacks an effect.';
     case 'not_in_library':
       return `The model lacks something that no effect of the library explains${document.formulas[0] ? `; a force like ${document.formulas[0].text} would` : ''}.`;
     default:
