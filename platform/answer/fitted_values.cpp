@@ -33,8 +33,7 @@ std::vector<HeldParameter> held_values(const ModelStructure& structure, const Ef
 }
 
 /// What the robot file has where it may be wrong.
-double stated_value(const Contender& model, const EffectEntry& entry) {
-  const std::vector<FreeValue>& free = model.definition.free;
+double stated_value(const std::vector<FreeValue>& free, const EffectEntry& entry) {
   return std::find_if(free.begin(), free.end(), [&](const FreeValue& one) { return belongs_to(one, entry); })->start;
 }
 
@@ -85,7 +84,7 @@ std::vector<FoundEffect> FittedValues::effects() const {
     FoundEffect effect{entry.effect, entry.where.empty() ? "world" : entry.where.front(), {}};
     for (std::size_t i = 0; i < free.size(); ++i)
       if (belongs_to(free[i], entry)) effect.parameters.push_back(parameter(i, last_name(free[i].address)));
-    if (is_wrong_value(entry)) effect.parameters.front().stated = stated_value(set_.model, entry);
+    if (is_wrong_value(entry)) effect.parameters.front().stated = stated_value(free, entry);
     effect.held = held_values(set_.model.definition.structure, entry);
     effects.push_back(std::move(effect));
   }

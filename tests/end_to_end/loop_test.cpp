@@ -85,6 +85,15 @@ TEST(Loop, AWrongValueIsFreedAndUndoFixesIt) {
   const Outcome unknown = program.run({"add", "first-steps.toml", "wrong_value", "--where", "joint.hinge.armatur"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.errors, HasSubstr("did you mean \"joint.hinge.armature\"?"));
+  const auto refusal = [&](const std::string& where, const std::string& start) {
+    const Outcome refused = program.run({"add", "first-steps.toml", "wrong_value", "--where", where, "--start", start});
+    EXPECT_EQ(refused.exit_code, 2);
+    return refused.errors;
+  };
+  EXPECT_THAT(refusal("joint.hinge.damping", "damping=0.1"), HasSubstr("joint.hinge.damping is fitted already"));
+  EXPECT_THAT(refusal("joint.hinge.armature", "inertia=0.1"), HasSubstr("the value is called armature"));
+  EXPECT_THAT(refusal("joint.hinge.armature", "armature=9"), HasSubstr("begin between 0 and 0.05"));
+  EXPECT_EQ(program.read("first-steps.toml"), text);
 }
 
 TEST(Loop, AnAddedEffectStartsWhereTheDiagnosisLeftItUnlessAStartIsTyped) {

@@ -130,13 +130,13 @@ void check_new(const AddOptions& options, const std::string& id, const EffectLis
 }
 
 EffectEntry entry_of(const AddOptions& options, const Rig& before) {
-  if (options.effect == kWrongValue) return asked_value(options.where, options.id, options.fixed, before.definition);
+  std::map<std::string, double> starts;
+  for (const std::string& start : options.start) starts.insert(parse_start(start));
+  if (options.effect == kWrongValue)
+    return asked_value(options.where, options.id, options.fixed, starts, before.definition);
   const EffectList& effects = before.experiment.model.effects;
-  EffectEntry entry{options.id.empty() ? free_id(options.effect, effects) : options.id,
-                    options.effect,
-                    options.where,
-                    {},
-                    options.fixed};
+  EffectEntry entry{options.id.empty() ? free_id(options.effect, effects) : options.id, options.effect, options.where,
+                    std::move(starts), options.fixed};
   return entry;
 }
 
@@ -179,7 +179,6 @@ Rig extend(AddOptions one, const Rig& base, const Rig& before, std::string& edit
   if (!says_where && one.effect != kWrongValue) one.where = default_place(before, one.effect);
   check_id(one.id, before.experiment.model.effects);
   EffectEntry entry = entry_of(one, before);
-  for (const std::string& start : one.start) entry.start.insert(parse_start(start));
   const std::string text = edited;
   edited = with_addition(text, entry);
   Rig extended = open_extended(one, edited, before);

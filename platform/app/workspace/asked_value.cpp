@@ -4,12 +4,40 @@
 #include "candidates/wrong_value.h"
 #include "foundation/problem.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace lacuna {
+namespace {
+
+/// Why an address is no fixed value of the robot.
+std::string objection(const std::string& wanted, const std::vector<std::string>& addresses,
+                      const ModelDefinition& base) {
+  if (wanted.empty()) return "";
+  for (const FreeValue& free : base.free)
+    if (free.address == wanted) return "; " + wanted + " is fitted already";
+  return "; " + wanted + " is none" + did_you_mean(wanted, addresses);
+}
+
+void check_start(const std::map<std::string, double>& start, const std::string& name,
+                 const std::pair<double, double>& range) {
+  for (const auto& [key, value] : start) {
+    if (key != name)
+      throw_problem({}, fmt::format("add wrong_value: --start {}: the value is called {}: write --start {}=NUMBER", key,
+                                    name, name));
+    if (value < range.first || value > range.second)
+      throw_problem(
+          {}, fmt::format("add wrong_value: --start {}={}: begin between {} and {}, where the value is looked for", key,
+                          value, range.first, range.second));
+  }
+}
+
+}  // namespace
 
 EffectEntry asked_value(const std::vector<std::string>& where, const std::string& id,
-                        const std::vector<std::string>& fixed, const ModelDefinition& base) {
+                        const std::vector<std::string>& fixed, const std::map<std::string, double>& start,
+                        const ModelDefinition& base) {
   if (!id.empty() || !fixed.empty())
     throw_problem({},
                   "add wrong_value: a value of the robot has its own name and is fitted; leave out --id and --fixed");
@@ -21,9 +49,11 @@ EffectEntry asked_value(const std::vector<std::string>& where, const std::string
   if (found == addresses.end())
     throw_problem({}, "add wrong_value: name one fixed value that the robot file states, such as --where " +
                           (addresses.empty() ? "joint.hinge.armature" : addresses.front()) +
-                          (wanted.empty() ? "" : "; " + wanted + " is none" + did_you_mean(wanted, addresses)));
+                          objection(wanted, addresses, base));
   EffectEntry entry = entries[static_cast<std::size_t>(found - addresses.begin())];
   for (auto& [name, range] : entry.range) range = {short_number(range.first), short_number(range.second)};
+  check_start(start, entry.range.begin()->first, entry.range.begin()->second);
+  entry.start = start;
   return entry;
 }
 

@@ -2,14 +2,16 @@
 
 #include "evaluation/model_definition.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace lacuna {
 
 /// The fixed value of the robot file that `add wrong_value` names. Throws `BadInput` where the options do not name one
-/// of the robot.
+/// of the robot, or a start that is none of it.
 EffectEntry asked_value(const std::vector<std::string>& where, const std::string& id,
-                        const std::vector<std::string>& fixed, const ModelDefinition& base);
+                        const std::vector<std::string>& fixed, const std::map<std::string, double>& start,
+                        const ModelDefinition& base);
 
 }  // namespace lacuna
