@@ -1,19 +1,24 @@
 #include "search/probed_laws.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kLeastSize = 1e-6;
 
-/// The value by which a probe was sized, so many times as far from where it changes nothing.
+/// The value by which a probe was sized, so many times as far from where it changes nothing. A factor goes as many
+/// times, up or down; what changes nothing at an end of its range acts in proportion to it, or to its reciprocal: what
+/// is stiff does little.
 double value_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, double size) {
   const std::size_t i = *probe.sized;
   const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
   const double neutral = hypothesis.neutral[i], probed = probe.own[i];
+  const bool is_factor = free.scale == Scale::logarithmic && neutral > free.lower && neutral < free.upper;
   const double value = free.scale == Scale::linear ? neutral + size * (probed - neutral)
-                       : probed < neutral          ? probed / std::max(size, kLeastSize)  // what is stiff does little
+                       : is_factor                 ? neutral * std::pow(probed / neutral, size)
+                       : probed < neutral          ? probed / std::max(size, kLeastSize)
                                                    : probed * size;
   return std::clamp(value, free.lower, free.upper);
 }
