@@ -25,6 +25,14 @@ double slope_at(const DenseReadings& dense, std::size_t k) {
   return (dense.values[after] - dense.values[before]) / (dense.interval * static_cast<double>(after - before));
 }
 
+/// Whether a sensor says what the joint does, just here and from step to step.
+bool shows_motion(const DenseReadings& dense, const PlantSensor& sensor, const Motion& motion, std::size_t k) {
+  const std::vector<double>& position = motion.position[static_cast<std::size_t>(sensor.joint)];
+  const std::size_t before = k == 0 ? 0 : k - 1, after = std::min(k + 1, dense.values.size() - 1);
+  return dense.values[before] == sensor.scale * position[before] && dense.values[k] == sensor.scale * position[k] &&
+         dense.values[after] == sensor.scale * position[after];
+}
+
 std::size_t compared(std::size_t length) { return std::min(length, kPoints); }
 
 }  // namespace
@@ -84,7 +92,7 @@ PlantState OwnerError::start(const Simulation& plant, const OwnerModel& model, c
       continue;
     }
     const double shown = dense.values[k] / sensor.scale;
-    if (shown == position[sensor.joint]) continue;  // a difference would only lose digits
+    if (shows_motion(dense, sensor, trial.motion, k)) continue;  // a difference would only lose digits
     position[sensor.joint] = shown;
     velocity[sensor.joint] = slope_at(dense, k) / sensor.scale;
   }
