@@ -4,6 +4,6 @@ namespace hidden_effects {
 
 /// What `--set` takes, in the help of the commands.
 inline constexpr const char* kSets =
-    "tuning, reporting, fixed, dirty-tuning, dirty-reporting, dirty-quick or dirty-values";
+    "tuning, reporting, fixed, dirty-tuning, dirty-reporting, dirty-quick, dirty-values or dirty-loops";
 
 }  // namespace hidden_effects

@@ -73,7 +73,10 @@ class EffectChooser {
       main_error_ = 0.0;
       return;
     }
-    if (!plan_.gross || !choose_gross()) choose_laws();
+    if (!plan_.gross || !choose_gross()) {
+      if (plan_.must_be_gross) throw std::runtime_error("no value of the robot file shows");
+      choose_laws();
+    }
     main_error_ = bench_.error(effects_);
     if (!(main_error_ >= kLeastMain) || main_error_ > 1e4) throw std::runtime_error("no main effect comes out");
   }

@@ -29,6 +29,12 @@ LoggedUnit unit_of_sensor(const DirtyCase& made, std::size_t sensor) {
   return unit;
 }
 
+LoggedUnit unit_of_reference(const DirtyCase& made, std::size_t drive) {
+  LoggedUnit unit = unit_of_position(made, made.rig.stated.drives[drive].joint);
+  if (made.rig.driving == Driving::velocity_loop) unit.name += "/s";
+  return unit;
+}
+
 LoggedUnit unit_of_command(const DirtyCase& made, std::size_t drive) {
   const PlantDrive& what = made.rig.stated.drives[drive];
   if (what.servo || made.rig.driving == Driving::imposed) return unit_of_position(made, what.joint);

@@ -12,6 +12,8 @@ struct LoggedUnit {
 
 LoggedUnit unit_of_time(const Recording& recording);
 LoggedUnit unit_of_sensor(const DirtyCase& made, std::size_t sensor);
+/// Of what a drive's controller is to follow.
+LoggedUnit unit_of_reference(const DirtyCase& made, std::size_t drive);
 LoggedUnit unit_of_command(const DirtyCase& made, std::size_t drive);
 
 /// "angle_deg": the column of a channel.

@@ -36,6 +36,7 @@ class DirtyMaker {
   DirtyCase run() {
     SizingBench bench(rig_, true_spec_, seed_, is_quiet());
     made_.recording = draw_recording(rig_, bench.range(), bench.speed(), seed_);
+    made_.recording.logs_reference = made_.plan.disturbance > 0.0;
     made_.noise = reading_noise(made_.recording, rig_, bench.speed());
     bench.set_noise(made_.noise);
     made_.effects = choose_effects(made_.plan, rig_, bench, draw_);
@@ -48,11 +49,26 @@ class DirtyMaker {
   /// A case that hides nothing is quiet at all lengths of prediction.
   bool is_quiet() const { return made_.plan.mains == 0; }
 
-  std::vector<TrueTrial> carry_out_all() const {
+  std::vector<TrueTrial> carry_out_all(const Disturbance& disturbance = {}) const {
     std::vector<TrueTrial> trials;
     for (std::size_t t = 0; t < rig_.trials.size(); ++t)
-      trials.push_back(carry_out(rig_, made_.truth, rig_.trials[t], made_.recording.white, mixed(seed_, 40 + t)));
+      trials.push_back(
+          carry_out(rig_, made_.truth, rig_.trials[t], made_.recording.white, mixed(seed_, 40 + t), disturbance));
     return trials;
+  }
+
+  /// Of the plan's share of what the drives exert when nothing disturbs them.
+  Disturbance draw_disturbance() {
+    Disturbance disturbance{std::vector<double>(rig_.stated.joints.size(), 0.0), 0.0};
+    for (std::size_t d = 0; d < rig_.stated.drives.size(); ++d) {
+      double squares = 0.0, count = 0.0;
+      for (const TrueTrial& trial : trials_)
+        for (const double force : trial.applied.commands[d]) squares += force * force, count += 1.0;
+      disturbance.forces[static_cast<std::size_t>(rig_.stated.drives[d].joint)] =
+          made_.plan.disturbance * std::sqrt(squares / count);
+    }
+    disturbance.memory = draw_.log_between(2.0 * rig_.interval, 1.0 / rig_.rate);
+    return disturbance;
   }
 
   /// The base with one effect taken in.
@@ -141,7 +157,9 @@ class DirtyMaker {
     return changed;
   }
 
+  /// Shares are those of the undisturbed trials; what is recorded may be disturbed.
   void record_all() {
+    if (made_.plan.disturbance > 0.0) trials_ = carry_out_all(draw_disturbance());
     for (std::size_t t = 0; t < trials_.size(); ++t)
       made_.recorded.push_back(
           record(rig_, made_.truth, trials_[t], rig_.trials[t], made_.recording, mixed(seed_, 60 + t)));

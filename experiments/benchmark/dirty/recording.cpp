@@ -141,7 +141,9 @@ RecordedTrial record(const DirtyRig& rig, const Truth& truth, const TrueTrial& t
     sensors.emplace_back(dense[s], recording, s, second ? recording.second_interval : rig.interval, seed);
   }
   for (const PlantDrive& drive : rig.stated.drives) done.table.columns.push_back(drive.name);
+  const std::size_t wanted = recording.logs_reference ? rig.loops.size() : 0;
   for (std::size_t s = first; s < dense.size(); ++s) done.table.columns.push_back(rig.stated.sensors[s].name);
+  for (std::size_t d = 0; d < wanted; ++d) done.table.columns.push_back("wanted_" + rig.stated.drives[d].name);
   const Stamps stamps = draw_stamps(plan.samples, rig.interval, recording, seed);
   for (std::size_t k = 0; k < plan.samples; ++k) {
     std::vector<double> row = {stamps.said[k]};
@@ -150,6 +152,7 @@ RecordedTrial record(const DirtyRig& rig, const Truth& truth, const TrueTrial& t
                                                     : logged_command(rig, trial, plan, d, k));
     for (std::size_t s = first; s < dense.size(); ++s)
       row.push_back(rig.driving == Driving::imposed && s == 0 ? row[1] : sensors[s].read(stamps.taken[k]));
+    for (std::size_t d = 0; d < wanted; ++d) row.push_back(plan.reference[d][k]);
     if (!stamps.dropped[k]) done.table.rows.push_back(std::move(row));
   }
   if (recording.two_devices)

@@ -22,7 +22,8 @@ struct Recording {
   double second_offset = 0.0;    ///< s, that its stamps are behind; the owner knows it
   double second_interval = 0.0;  ///< s
   std::string time_unit = "s", angle_unit = "rad", length_unit = "m";
-  double amperes = 0.0;  ///< N·m/A or N/A: forces are logged as currents; 0: as forces
+  bool logs_reference = false;  ///< of a controller outside: what it was to follow
+  double amperes = 0.0;         ///< N·m/A or N/A: forces are logged as currents; 0: as forces
 };
 
 /// A file of numbers.
@@ -34,7 +35,7 @@ struct Table {
 struct RecordedTrial {
   std::string name;
   bool held_out = false;
-  Table table;   ///< t, commands by drive, sensors
+  Table table;   ///< t, commands by drive, sensors, references by drive
   Table second;  ///< of the second device: t and the first sensor; empty without one
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kStepShare = 0.05;  ///< of 1 over the fastest rate: an integration step
 constexpr double kTooFast = 1e4;     ///< rad/s or m/s
+constexpr double kKnots = 0.1;       ///< of the time in which a random force forgets
 
 /// The controllers outside of a rig's drives, sample by sample.
 class Controllers {
@@ -73,6 +74,18 @@ void keep(const PlantState& state, Motion& motion) {
   }
 }
 
+/// By joint, one a knot.
+std::vector<std::vector<double>> random_forces(const Disturbance& disturbance, double duration, std::uint64_t seed) {
+  std::vector<std::vector<double>> forces;
+  const double interval = kKnots * disturbance.memory;
+  for (std::size_t j = 0; j < disturbance.forces.size(); ++j) {
+    bench::Disturbance force(disturbance.forces[j], disturbance.memory, interval, mixed(seed, 100 + j));
+    std::vector<double>& values = forces.emplace_back();
+    for (double time = -interval; time < duration; time += interval, force.next()) values.push_back(force.value());
+  }
+  return forces;
+}
+
 TrueTrial impose(const DirtyRig& rig, const Truth& truth, const TrialPlan& trial) {
   const std::vector<double>& positions = trial.reference[0];
   TrueTrial done;
@@ -93,12 +106,14 @@ int steps_a_sample(const DirtyRig& rig, int finer) {
 }
 
 TrueTrial carry_out(const DirtyRig& rig, const Truth& truth, const TrialPlan& trial,
-                    const std::vector<double>& reading_noise, std::uint64_t seed) {
+                    const std::vector<double>& reading_noise, std::uint64_t seed, const Disturbance& disturbance) {
   if (rig.driving == Driving::imposed) return impose(rig, truth, trial);
   TrueTrial done;
   done.applied.interval = rig.interval;
   done.applied.commands = trial.reference;
   const int steps = steps_a_sample(rig, truth.finer);
+  done.applied.forces = random_forces(disturbance, rig.interval * static_cast<double>(trial.samples), seed);
+  done.applied.knot_interval = kKnots * disturbance.memory;
   Simulation plant(truth.spec, truth.laws, done.applied, rig.interval / steps);
   Controllers controllers(rig, reading_noise, seed);
   done.motion = empty_motion(truth.spec, plant);

@@ -26,10 +26,16 @@ struct TrueTrial {
 /// Integration steps of a sample interval.
 int steps_a_sample(const DirtyRig& rig, int finer);
 
+/// Random forces of a trial; none: it is not disturbed.
+struct Disturbance {
+  std::vector<double> forces = {};  ///< standard deviation by joint, N·m or N
+  double memory = 0.0;              ///< s, in which they forget
+};
+
 /// Carries a trial out. A controller outside reads positions or velocities with noise of the standard deviations
 /// `reading_noise` (by sensor), which follows from `seed`. Throws `std::runtime_error` where the plant runs away.
 TrueTrial carry_out(const DirtyRig& rig, const Truth& truth, const TrialPlan& trial,
-                    const std::vector<double>& reading_noise, std::uint64_t seed);
+                    const std::vector<double>& reading_noise, std::uint64_t seed, const Disturbance& disturbance = {});
 
 /// What a motion of joint 0 takes, N·m or N at each sample: inertia, springs, friction and all laws.
 std::vector<double> force_needed(const PlantSpec& spec, const Laws& laws, const std::vector<double>& positions,

@@ -14,7 +14,8 @@
 namespace hidden_effects::dirty {
 namespace {
 
-constexpr double kLongestStep = 0.01;  ///< s, of the model
+constexpr double kLongestStep = 0.01;   ///< s, of the model
+constexpr double kFilterSamples = 1.5;  ///< time constant of the controllers' low-pass (true_trial.cpp)
 
 void write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
@@ -84,6 +85,38 @@ std::string command_columns(const DirtyCase& made) {
   return text + "\n";
 }
 
+/// Whether the owner can state the controller's law: it reads what it controls.
+bool states_controllers(const DirtyCase& made) {
+  const bool by_rate = made.rig.driving == Driving::velocity_loop;
+  return made.plan.states_controller && !made.recording.two_devices && made.rig.stated.sensors[0].velocity == by_rate;
+}
+
+std::string controller_laws(const DirtyCase& made) {
+  if (!states_controllers(made)) return "";
+  std::string text = "[target.controllers]\n";
+  const bool by_rate = made.rig.driving == Driving::velocity_loop;
+  for (std::size_t d = 0; d < made.rig.loops.size(); ++d) {
+    const Loop& loop = made.rig.loops[d];
+    const PlantDrive& drive = made.rig.stated.drives[d];
+    const bool slides = made.rig.stated.joints[static_cast<std::size_t>(drive.joint)].slides;
+    const std::string force = slides ? "N" : "N*m", way = slides ? "m" : "rad";
+    const LoggedUnit unit = unit_of_reference(made, d);
+    text += fmt::format("{} = {{ reads = \"{}\", reference = {{ column = \"{}\", unit = \"{}\" }}", drive.name,
+                        made.rig.stated.sensors[static_cast<std::size_t>(drive.joint)].name,
+                        column_name("wanted_" + drive.name, unit), unit.name);
+    text +=
+        fmt::format(", proportional = \"{} {}{}/{}\"", toml_number(loop.proportional), force, by_rate ? "*s" : "", way);
+    if (loop.integral > 0.0)
+      text += fmt::format(", integral = \"{} {}/{}\"", toml_number(loop.integral), force,
+                          by_rate ? way : fmt::format("({}*s)", way));
+    if (loop.derivative > 0.0)
+      text += fmt::format(", derivative = \"{} {}*s/{}\", filter = \"{} s\"", toml_number(loop.derivative), force, way,
+                          toml_number(kFilterSamples * made.rig.interval));
+    text += " }\n";
+  }
+  return text + "\n";
+}
+
 std::string free_values(const DirtyCase& made) {
   std::string text = "[model.free]\n";
   for (const OwnerFree& one : made.rig.free) {
@@ -119,6 +152,8 @@ void write_table(const DirtyCase& made, const Table& table, bool second, const s
     for (std::size_t d = 0; d < spec.drives.size(); ++d) add(spec.drives[d].name, unit_of_command(made, d));
   const std::size_t first = made.recording.two_devices && !second ? 1 : 0;
   for (std::size_t s = first; s < spec.sensors.size(); ++s) add(spec.sensors[s].name, unit_of_sensor(made, s));
+  for (std::size_t d = 0; made.recording.logs_reference && !second && d < made.rig.loops.size(); ++d)
+    add("wanted_" + spec.drives[d].name, unit_of_reference(made, d));
   write_file(file, table_text(table, names, per_si));
 }
 
@@ -128,10 +163,10 @@ std::string experiment_text(const DirtyCase& made) {
   const double interval = made.rig.interval;
   const double step = interval / std::ceil(interval / kLongestStep - 1e-9);
   return fmt::format(
-      "[experiment]\nname = \"{}\"\nseed = 1\n\n{}{}{}[model]\nfile = \"robot.toml\"\neffects = []\n\n{}\n"
+      "[experiment]\nname = \"{}\"\nseed = 1\n\n{}{}{}{}[model]\nfile = \"robot.toml\"\neffects = []\n\n{}\n"
       "[engine]\nstep = {}\n",
-      made.plan.name(), target_text(made), sensor_columns(made), command_columns(made), free_values(made),
-      toml_number(step));
+      made.plan.name(), target_text(made), sensor_columns(made), command_columns(made), controller_laws(made),
+      free_values(made), toml_number(step));
 }
 
 void write_dirty_case(const DirtyCase& made, const std::filesystem::path& folder) {
