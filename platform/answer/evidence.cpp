@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 namespace lacuna {
@@ -9,29 +10,67 @@ namespace {
 
 constexpr double kMostSure = 10.0;  ///< standard errors; more is no surer
 constexpr double kSmallest = 1e-3;  ///< nats
+constexpr std::uint64_t kSeed = 1;  ///< of draws of blocks
 
 double sureness(const CostGain& gain) {
   if (!(gain.error > 0.0)) return gain.nats > 0.0 ? kMostSure : 0.0;
-  return std::clamp(gain.nats / gain.error, 0.0, kMostSure);
+  return std::clamp(gain.nats / gain.error, -kMostSure, kMostSure);
 }
 
 const FittedModel& answer_of(const SearchResult& found) { return found.sets[found.decision.answer]; }
 
-/// By how much, in standard errors, the answer is ahead of the nearest set that says something else with no more
-/// values.
+bool has_all_of(const FittedModel& set, const FittedModel& part) {
+  const std::set<std::string>&own = set.judged.members, &of_part = part.judged.members;
+  return std::includes(own.begin(), own.end(), of_part.begin(), of_part.end());
+}
+
+/// Whether a set is the answer or a look-alike, perhaps with more beside it.
+bool says_the_same(const SearchResult& found, const FittedModel& set) {
+  const std::vector<std::size_t>& alike = found.decision.alike;
+  return has_all_of(set, answer_of(found)) ||
+         std::any_of(alike.begin(), alike.end(), [&](std::size_t i) { return has_all_of(set, found.sets[i]); });
+}
+
+/// By how much, in standard errors, the answer is ahead of the nearest set that says something else; negative where
+/// such a set gains more by more values.
 double lead(const SearchResult& found) {
-  const FittedModel& answer = answer_of(found);
-  std::set<std::string> of_class = answer.judged.members;
-  for (const std::string& name : look_alikes_of(found)) of_class.insert(name);
   double least = kMostSure;
-  for (const FittedModel& set : found.sets) {
-    const std::set<std::string>& members = set.judged.members;
-    const bool is_other =
-        std::any_of(members.begin(), members.end(), [&](const std::string& name) { return !of_class.contains(name); });
-    if (is_other && set.judged.told <= answer.judged.told)
-      least = std::min(least, sureness(gain_of(answer.judged, set.judged)));
-  }
+  for (const FittedModel& set : found.sets)
+    if (!says_the_same(found, set)) least = std::min(least, sureness(gain_of(answer_of(found).judged, set.judged)));
   return least;
+}
+
+/// The share of lengths and folds, which are recordings or thirds of time, at which the answer lowers the cost.
+double share_of_help(const SearchResult& found) {
+  const Eigen::MatrixXd gains = found.sets.front().judged.cost.by_length - answer_of(found).judged.cost.by_length;
+  Eigen::MatrixXd by_fold = Eigen::MatrixXd::Zero(gains.rows(), static_cast<Eigen::Index>(found.layout.folds));
+  for (Eigen::Index block = 0; block < gains.cols(); ++block)
+    by_fold.col(static_cast<Eigen::Index>(found.layout.fold_of_block[static_cast<std::size_t>(block)])) +=
+        gains.col(block);
+  return static_cast<double>((by_fold.array() > 0.0).count()) / static_cast<double>(by_fold.size());
+}
+
+/// What the least of the answer's effects adds to the others, of the gain of all.
+double least_part(const SearchResult& found) {
+  const FittedModel& answer = answer_of(found);
+  double least = 1.0;
+  for (const FittedModel& part : found.sets)
+    if (part.judged.members.size() + 1 == answer.judged.members.size() && has_all_of(answer, part))
+      least = std::min(least, gain_of(answer.judged, part.judged).nats / found.decision.gain.nats);
+  return std::clamp(least, 0.0, 1.0);
+}
+
+double readings_of(const SearchResult& found) {
+  double readings = 0.0;
+  for (const Trial& trial : found.data->task().trials)
+    if (!trial.held_out) readings += static_cast<double>(trial.measured.samples.array().isFinite().count());
+  return readings;
+}
+
+std::vector<CandidateSet> judged_sets(const SearchResult& found) {
+  std::vector<CandidateSet> sets;
+  for (const FittedModel& set : found.sets) sets.push_back(set.judged);
+  return sets;
 }
 
 }  // namespace
@@ -50,11 +89,16 @@ Evidence evidence_of(const SearchResult& found) {
   Evidence evidence = {{"surprise", -std::log10(found.decision.p)},
                        {"base_cost", before},
                        {"nested_sets", found.nested},
-                       {"unnested_sets", found.unnested}};
+                       {"unnested_sets", found.unnested},
+                       {"log_readings", std::log10(std::max(1.0, readings_of(found)))}};
   if (found.decision.answer == 0) return evidence;
   evidence["log_gain"] = std::log10(std::max(kSmallest, found.decision.gain.nats));
   evidence["sureness"] = sureness(found.decision.gain);
   evidence["lead"] = lead(found);
+  evidence["stability"] = choice_stability(judged_sets(found), found.decision, kSeed);
+  evidence["help"] = share_of_help(found);
+  evidence["least_part"] = least_part(found);
+  evidence["left_cost"] = std::max(0.0, after);
   evidence["left"] = before > 0.0 ? std::clamp(after / before, 0.0, 1.0) : 0.0;
   evidence["share"] = found.decision.gain.nats / std::max(kSmallest, found.decision.whole_gain);
   evidence["further_effects"] = static_cast<double>(answer.judged.members.size()) - 1.0;

@@ -134,5 +134,38 @@ TEST(Decision, TakesTheSetOfFewestValuesOfThoseThatTellAsMany) {
   EXPECT_EQ(decide(sets, {}, 1).answer, 1U);
 }
 
+TEST(ChoiceStability, IsOneWhereEveryTimeSaysTheSame) {
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.1, 1, 2)};
+  EXPECT_DOUBLE_EQ(choice_stability(sets, decide(sets, {}, 1), 1), 1.0);
+}
+
+/// One is ahead by 1.5 standard errors: which is chosen is a matter of which blocks are drawn.
+TEST(ChoiceStability, IsLessWhereTimesDisagree) {
+  std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.65, 1, 2)};
+  for (Eigen::Index block = 0; block < kBlocks; ++block) {
+    const double more = (block % 4 < 2 ? 0.5 : -0.5) / (kLengths * kBlocks);
+    sets[1].cost.by_length.col(block).array() += more;
+    sets[2].cost.by_length.col(block).array() -= more;
+  }
+  const Decision decision = decide(sets, {}, 1);
+  ASSERT_EQ(decision.answer, 1U);
+  ASSERT_TRUE(decision.alike.empty());
+  const double stability = choice_stability(sets, decision, 1);
+  EXPECT_GT(stability, 0.5);
+  EXPECT_LT(stability, 1.0);
+}
+
+TEST(ChoiceStability, CountsLookAlikesAsTheSame) {
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 1.0, 1, 1), set_of({"b"}, 0.97, 1, 2)};
+  const Decision decision = decide(sets, {}, 1);
+  ASSERT_EQ(decision.alike, std::vector<std::size_t>{2U});
+  EXPECT_DOUBLE_EQ(choice_stability(sets, decision, 1), 1.0);
+}
+
+TEST(ChoiceStability, IsUnknownWhereNothingIsPresent) {
+  const std::vector<CandidateSet> sets{set_of({}, 0.0, 0), set_of({"a"}, 0.0, 1, 1)};
+  EXPECT_TRUE(std::isnan(choice_stability(sets, decide(sets, {}, 1), 1)));
+}
+
 }  // namespace
 }  // namespace lacuna::decision_test

@@ -1,6 +1,8 @@
 #include "calibration/calibrate.h"
 
 #include "calibration/logistic_regression.h"
+#include "figures/dirty_scores.h"
+#include "runs/dirty_store.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -113,19 +115,16 @@ lacuna::VerdictCalibration calibrated(const Verdicts& verdicts) {
 
 }  // namespace
 
-std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::vector<std::string>& versions,
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
                                            const std::string& set) {
   std::vector<JudgedVerdict> verdicts;
-  for (const Row& row : database.query(
-           "WITH v AS MATERIALIZED (SELECT * FROM verdict_right) SELECT j.rig, j.noise, j.strength, j.effect, "
-           "j.form, v.verdict, d.json, v.is_right FROM v CROSS JOIN judged j USING (version, set_name, number) "
-           "JOIN diagnosis d ON (d.version, d.set_name, d.number, d.round) = (v.version, v.set_name, v.number, 1) "
-           "WHERE +v.version IN (SELECT value FROM json_each(?)) AND +v.set_name = ? AND v.verdict <> 'cannot_tell' "
-           "AND j.group_name <> 'contact' ORDER BY v.number, v.version",
-           {list_cell(versions), set})) {
-    const nlohmann::json diagnosis = nlohmann::json::parse(text(row[6]));
-    verdicts.push_back({text(row[0]), text(row[1]), fmt::format("{:g}", real(row[2])), text(row[3]), text(row[4]),
-                        text(row[5]), diagnosis.value("evidence", lacuna::Evidence{}), real(row[7])});
+  for (const CaseResult& one : read_dirty_results(database, version, set)) {
+    const DirtyGrade grade = grade_of(one);
+    if (grade == DirtyGrade::failed || grade == DirtyGrade::undecided) continue;
+    const DiagnosisRecord& answer = one.diagnoses.front();
+    verdicts.push_back({one.about.rig, answer.verdict,
+                        nlohmann::json::parse(answer.json).value("evidence", lacuna::Evidence{}),
+                        is_true(one) ? 1.0 : 0.0});
   }
   return verdicts;
 }

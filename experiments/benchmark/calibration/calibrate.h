@@ -8,16 +8,16 @@
 
 namespace hidden_effects {
 
-/// A first verdict with what spoke for it, and whether it is right (view `verdict_right`).
+/// A first verdict with what spoke for it, and whether it is right.
 struct JudgedVerdict {
-  std::string rig, noise, strength, effect, form;  ///< of the case, as `FigureValue` has them
+  std::string rig;  ///< family of rigs
   std::string verdict;
   lacuna::Evidence evidence;
   double is_right = 0.0;
 };
 
-/// All of some versions and a set but `cannot_tell`, which states no probability.
-std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::vector<std::string>& versions,
+/// All of a version and a dirty set but `cannot_tell`, which states no probability. See `is_true`.
+std::vector<JudgedVerdict> judged_verdicts(const Database& database, const std::string& version,
                                            const std::string& set);
 
 /// Fits the log odds of each verdict, whose slopes have the sign that each figure of evidence must have, with the

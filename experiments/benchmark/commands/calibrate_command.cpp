@@ -2,6 +2,7 @@
 #include "commands/not_empty.h"
 
 #include "calibration/calibrate.h"
+#include "dirty/dirty_plan.h"
 #include "figures/figure_values.h"
 #include "foundation/whole_file.h"
 
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CalibrateOptions {
-  std::string set = "tuning", version;
+  std::string set = "dirty-tuning", version;
   fs::path database, out;
 };
 
@@ -53,23 +54,22 @@ void tell_errors(const Told& told) {
 }
 
 void calibrate(const CalibrateOptions& options) {
-  if (options.set == "reporting")
-    throw std::invalid_argument(
-        "--set reporting: probabilities are judged on that set, so they are not fitted to it; take tuning");
+  if (!dirty::is_dirty_set(options.set) || options.set == "dirty-reporting")
+    throw std::invalid_argument(fmt::format(
+        "--set {}: probabilities are fitted to a dirty set, and judged on dirty-reporting; take dirty-tuning",
+        options.set));
   if (!fs::exists(options.database))
     throw std::invalid_argument(options.database.string() + ": no such database; `run` makes one");
   const Database database(options.database, Access::read);
-  std::vector<std::string> versions;
-  if (!options.version.empty()) versions.push_back(options.version);
-  const FigureValues all = read_figures(database, versions, options.set);
-  const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, all.versions, all.set);
+  const std::string version = options.version.empty() ? last_version(database, options.set) : options.version;
+  const std::vector<JudgedVerdict> verdicts = judged_verdicts(database, version, options.set);
   if (verdicts.empty()) throw std::invalid_argument("the database has no verdict to calibrate on");
   const lacuna::ShippedCalibration calibration = calibrate_and_leave_out(verdicts);
   if (calibration.without.size() < 2)
     throw std::invalid_argument("the verdicts are of one rig alone; what is fitted to it cannot be tried on another");
   const Told told = told_by(verdicts, calibration);
   const std::string source = fmt::format("lacuna-benchmark hidden-effects calibrate --set {} --version {}: {} verdicts",
-                                         all.set, fmt::join(all.versions, " "), verdicts.size());
+                                         options.set, version, verdicts.size());
   lacuna::write_whole(options.out, lacuna::calibration_json(calibration, source), lacuna::Link::followed);
   tell_errors(told);
 }
@@ -84,7 +84,8 @@ void add_calibrate_command(CLI::App& program) {
       ->required()
       ->check(not_empty())
       ->option_text("FILE");
-  command->add_option("--set", options->set, "tuning or fixed (default: tuning)")->option_text("SET");
+  command->add_option("--set", options->set, "A dirty set but dirty-reporting (default: dirty-tuning)")
+      ->option_text("SET");
   command->add_option("--version", options->version, "Version of the method (default: the one begun last)")
       ->check(not_empty())
       ->option_text("TEXT");

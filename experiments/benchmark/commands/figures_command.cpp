@@ -28,16 +28,6 @@ struct FiguresOptions {
   fs::path database, out;
 };
 
-/// The version that was begun last among those that have the set.
-std::string last_version(const Database& database, const std::string& set) {
-  const std::vector<Row> rows = database.query(
-      "SELECT version FROM version WHERE version IN (SELECT version FROM bench_case WHERE set_name = ?) ORDER BY begun "
-      "DESC LIMIT 1",
-      {set});
-  if (rows.empty()) throw std::invalid_argument(fmt::format("the database has no case of {}", set));
-  return text(rows[0][0]);
-}
-
 void show_dirty(const Database& database, const FiguresOptions& options) {
   if (options.every_version || options.versions.size() > 1)
     throw std::invalid_argument("the figures of a dirty set are those of one --version");

@@ -1,5 +1,9 @@
 #include "figures/dirty_scores.h"
 
+#include "answer/calibration.h"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,6 +48,17 @@ DirtyGrade grade_found(const CaseResult& result, const RankedModelRecord& model)
   return all && naming.strangers <= 1 ? DirtyGrade::right : DirtyGrade::half;
 }
 
+/// What the shipped calibration says of an answer that was fitted without its family; NaN where it says nothing.
+double probability_without_family(const CaseResult& result) {
+  const lacuna::ShippedCalibration& shipped = lacuna::shipped_calibration();
+  const auto family = shipped.without.find(result.about.rig);
+  const lacuna::Calibration& calibration = family == shipped.without.end() ? shipped.all : family->second;
+  const DiagnosisRecord& answer = result.diagnoses.front();
+  const auto verdict = calibration.find(answer.verdict);
+  if (verdict == calibration.end()) return kUnknown;
+  return verdict->second.probability(nlohmann::json::parse(answer.json).value("evidence", lacuna::Evidence{}));
+}
+
 }  // namespace
 
 const char* to_string(DirtyGrade grade) {
@@ -86,21 +101,29 @@ DirtyGrade grade_of(const CaseResult& result) {
   return grade_found(result, answer.ranking.front());
 }
 
+bool is_true(const CaseResult& result) {
+  const DirtyGrade grade = grade_of(result);
+  const bool ends_library = grade == DirtyGrade::half && result.diagnoses.front().verdict == "not_in_library";
+  return grade == DirtyGrade::right || ends_library;
+}
+
 BrierScores brier_of(const std::vector<CaseResult>& results) {
-  double squares = 0.0, right = 0.0;
+  double squares = 0.0, of_left_out = 0.0, right = 0.0;
   BrierScores scores;
   for (const CaseResult& one : results) {
     const DirtyGrade grade = grade_of(one);
     if (grade == DirtyGrade::failed || grade == DirtyGrade::undecided) continue;
-    const double probability = one.diagnoses.front().probability, outcome = grade == DirtyGrade::right ? 1.0 : 0.0;
+    const double probability = one.diagnoses.front().probability, outcome = is_true(one) ? 1.0 : 0.0;
     if (std::isnan(probability)) continue;
-    squares += (probability - outcome) * (probability - outcome);
+    squares += std::pow(probability - outcome, 2);
+    of_left_out += std::pow(probability_without_family(one) - outcome, 2);
     right += outcome;
     ++scores.count;
   }
   if (scores.count == 0) return scores;
   const double share = right / scores.count;
   scores.stated = squares / scores.count;
+  scores.left_out = of_left_out / scores.count;
   scores.constant = share * (1.0 - share);
   return scores;
 }

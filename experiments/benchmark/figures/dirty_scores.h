@@ -31,10 +31,13 @@ std::vector<const DirtyEffectRecord*> needed_effects(const CaseResult& result);
 /// for a needed effect which only a look-alike names.
 DirtyGrade grade_of(const CaseResult& result);
 
-/// Brier's score of the stated probabilities, of answers but `cannot_tell`, where `right` alone counts as such; and
-/// that of the constant that fits best. NaN where none is stated.
+/// Whether a verdict with a probability is true: everything needed is named, or the library ends where it says so.
+bool is_true(const CaseResult& result);
+
+/// Brier's score of the stated probabilities, of answers but `cannot_tell`; of those that a calibration without the
+/// case's family of rigs would state; and of the constant that fits best. NaN where none is stated.
 struct BrierScores {
-  double stated = kUnknown, constant = kUnknown;
+  double stated = kUnknown, left_out = kUnknown, constant = kUnknown;
   int count = 0;
 };
 BrierScores brier_of(const std::vector<CaseResult>& results);

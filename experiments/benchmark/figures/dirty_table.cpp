@@ -78,8 +78,11 @@ std::string grades_table(const std::vector<CaseResult>& results) {
 std::string brier_text(const std::vector<CaseResult>& results) {
   const BrierScores scores = brier_of(results);
   if (scores.count == 0) return "\nNo answer states a probability.\n";
-  return fmt::format("\nBrier score of {} stated probabilities: {:.3f}; of the best constant: {:.3f}.\n", scores.count,
-                     scores.stated, scores.constant);
+  return fmt::format(
+      "\nBrier score of {} stated probabilities: {:.3f}; fitted without the case's family: {:.3f}; of the best "
+      "constant: "
+      "{:.3f}.\n",
+      scores.count, scores.stated, scores.left_out, scores.constant);
 }
 
 std::string needed_text(const CaseResult& result) {

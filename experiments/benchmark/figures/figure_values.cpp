@@ -1,7 +1,5 @@
 #include "figures/figure_values.h"
 
-#include "figures/left_out.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,6 +90,12 @@ std::vector<std::string> versions_of(const Database& database, const std::string
   return versions;
 }
 
+std::string last_version(const Database& database, const std::string& set) {
+  const std::vector<std::string> versions = versions_of(database, set);
+  if (versions.empty()) throw std::invalid_argument(fmt::format("the database has no case of {}", set));
+  return versions.back();
+}
+
 FigureValues read_figures(const Database& database, const std::vector<std::string>& versions, const std::string& set) {
   const std::vector<std::string> known = known_versions(database, versions, set);
   FigureValues all;
@@ -103,7 +107,6 @@ FigureValues read_figures(const Database& database, const std::vector<std::strin
   for (const Row& row : database.query("SELECT figure, title, kind, least, most FROM figure ORDER BY position"))
     all.figures.push_back({text(row[0]), text(row[1]), text(row[2]), real(row[3]), real(row[4])});
   read_values(database, all);
-  add_left_out(database, all);
   return all;
 }
 

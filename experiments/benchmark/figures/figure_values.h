@@ -41,6 +41,9 @@ std::string version_text(const FigureValues& all);
 /// Of a set, oldest first.
 std::vector<std::string> versions_of(const Database& database, const std::string& set);
 
+/// The version that was begun last among those that have the set. Throws `std::invalid_argument` where none has.
+std::string last_version(const Database& database, const std::string& set);
+
 /// Without any version: of the one that was begun last. Throws `std::invalid_argument` where the database has no case
 /// of one of them.
 FigureValues read_figures(const Database& database, const std::vector<std::string>& versions, const std::string& set);

@@ -262,8 +262,7 @@ FROM oracle_rival WHERE told_apart AND effect <> '' GROUP BY version, set_name, 
 
 -- The figures. `kind`: share (values from 0 to 1; Wilson), mean and median (bootstrap), calibration (expected error of a
 -- stated probability over ten bins; bootstrap), and what that is by chance (draws of who is right). `least` and `most`
--- are the goal. The values of rigs left out are no rows of `figure_value`: they take the program's calibration
--- (figures/left_out.h).
+-- are the goal.
 CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (1, 'top1_1.5', 'first class right, strength 1.5 (score 1/(1 + k))', 'share', 0.85, NULL),
   (2, 'top1_3', 'first class right, strength 3 (score 1/(1 + k))', 'share', 0.95, NULL),
@@ -284,8 +283,6 @@ CREATE TEMP VIEW figure (position, figure, title, kind, least, most) AS VALUES
   (17, 'value_width', 'width of the free values'' intervals over the oracle''s, where the model is right', 'median', NULL, 1.5),
   (18, 'brier', 'Brier score of the verdict''s probability', 'mean', NULL, NULL),
   (19, 'calibration', 'calibration error of the verdict''s probability', 'calibration', NULL, NULL),
-  (20, 'brier_left_out', 'Brier score on rigs that the calibration left out', 'mean', NULL, NULL),
-  (21, 'calibration_left_out', 'calibration error on rigs that the calibration left out', 'calibration', NULL, 0.05),
   (22, 'calibration_by_chance', 'what that would be by chance, were these probabilities exact', 'calibration by chance', NULL, NULL),
   (23, 'cannot_tell', 'cannot_tell where the oracle can tell', 'share', NULL, NULL),
   (24, 'tests_chosen', 'tests until the answer is told from its closest look-alike, chosen (7: not with six)', 'median', NULL, 2),
@@ -352,6 +349,9 @@ SELECT version, set_name, number, 'brier', (probability - is_right) * (probabili
   FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
 UNION ALL
 SELECT version, set_name, number, 'calibration', is_right, probability
+  FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
+UNION ALL
+SELECT version, set_name, number, 'calibration_by_chance', is_right, probability
   FROM verdict_right WHERE verdict <> 'cannot_tell' AND probability IS NOT NULL
 UNION ALL
 SELECT j.version, j.set_name, j.number, 'cannot_tell', coalesce(j.verdict = 'cannot_tell', 1), NULL

@@ -43,7 +43,7 @@ TEST(LogisticFit, GivesNoWeightTheSignThatItCannotHave) {
 }
 
 JudgedVerdict verdict(const char* rig, double lead, bool right) {
-  return {rig, "white", "3", "cogging", "the library's form", "effect_found", {{"lead", lead}}, right ? 1.0 : 0.0};
+  return {rig, "effect_found", {{"lead", lead}}, right ? 1.0 : 0.0};
 }
 
 TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
