@@ -31,15 +31,6 @@ bool says_the_same(const SearchResult& found, const FittedModel& set) {
          std::any_of(alike.begin(), alike.end(), [&](std::size_t i) { return has_all_of(set, found.sets[i]); });
 }
 
-/// By how much, in standard errors, the answer is ahead of the nearest set that says something else; negative where
-/// such a set gains more by more values.
-double lead(const SearchResult& found) {
-  double least = kMostSure;
-  for (const FittedModel& set : found.sets)
-    if (!says_the_same(found, set)) least = std::min(least, sureness(gain_of(answer_of(found).judged, set.judged)));
-  return least;
-}
-
 /// The share of lengths and folds, which are recordings or thirds of time, at which the answer lowers the cost.
 double share_of_help(const SearchResult& found) {
   const Eigen::MatrixXd gains = found.sets.front().judged.cost.by_length - answer_of(found).judged.cost.by_length;
@@ -83,6 +74,16 @@ std::vector<std::string> look_alikes_of(const SearchResult& found) {
   return {names.begin(), names.end()};
 }
 
+OtherSet nearest_other(const SearchResult& found) {
+  OtherSet nearest{nullptr, kMostSure};
+  for (const FittedModel& set : found.sets) {
+    if (says_the_same(found, set)) continue;
+    const double lead = sureness(gain_of(answer_of(found).judged, set.judged));
+    if (!nearest.set || lead < nearest.lead) nearest = {&set, lead};
+  }
+  return nearest;
+}
+
 Evidence evidence_of(const SearchResult& found) {
   const FittedModel& answer = answer_of(found);
   const double before = found.sets.front().judged.cost.cost, after = answer.judged.cost.cost;
@@ -94,7 +95,7 @@ Evidence evidence_of(const SearchResult& found) {
   if (found.decision.answer == 0) return evidence;
   evidence["log_gain"] = std::log10(std::max(kSmallest, found.decision.gain.nats));
   evidence["sureness"] = sureness(found.decision.gain);
-  evidence["lead"] = lead(found);
+  evidence["lead"] = nearest_other(found).lead;
   evidence["stability"] = choice_stability(judged_sets(found), found.decision, kSeed);
   evidence["help"] = share_of_help(found);
   evidence["least_part"] = least_part(found);

@@ -48,7 +48,7 @@ void look_for_feedback(const DiagnosisTask& task, const SearchResult& found, Pro
   if (!has_controller(task.trials)) return;
   meter.end_part();
   meter.begin_part("the controller in the loop");
-  const Contender& answer = found.sets[found.decision.answer].model;
+  const Contender& answer = found.answer().model;
   std::vector<std::string> findings;
   try {
     findings =

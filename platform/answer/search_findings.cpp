@@ -35,9 +35,8 @@ double longest_trial(const std::vector<Trial>& trials) {
 
 class Told {
  public:
-  explicit Told(const SearchResult& found)
-      : found_(found), base_(found.sets.front()), answer_(found.sets[found.decision.answer]) {
-    if (!found.stopped) law_ = residual_law(found, found.sets[found.decision.best]);
+  explicit Told(const SearchResult& found) : found_(found), base_(found.sets.front()), answer_(found.answer()) {
+    if (!found.stopped) law_ = residual_law(found, found.spread ? *found.spread : found.sets[found.decision.best]);
   }
 
   Diagnosis diagnosis() const {
@@ -77,7 +76,7 @@ class Told {
   std::vector<const FittedModel*> shown() const {
     std::vector<const FittedModel*> sets;
     for (const FittedModel& set : found_.sets)
-      if (&set != &base_ && &set != &answer_) sets.push_back(&set);
+      if (&set != &base_ && &set != &found_.sets[found_.decision.answer]) sets.push_back(&set);
     std::stable_sort(sets.begin(), sets.end(), [](const FittedModel* a, const FittedModel* b) {
       return a->judged.cost.cost < b->judged.cost.cost;
     });

@@ -1,5 +1,6 @@
 #include "answer/settling_test.h"
 
+#include "answer/evidence.h"
 #include "answer/fitted_values.h"
 #include "experiment_design/propose_test.h"
 
@@ -12,12 +13,17 @@
 namespace lacuna {
 namespace {
 
-/// Of the sets that are not told apart from the answer, the one that costs least; null: there is none.
+constexpr double kSurelyBehind = 3.0;  ///< standard errors
+
+/// Of the sets that are not told apart from the answer, the one that costs least; where there are none, the nearest
+/// that says something else, unless it is surely behind. Null: there is none.
 const FittedModel* rival_of(const SearchResult& found) {
   const FittedModel* least = nullptr;
   for (const std::size_t i : found.decision.alike)
     if (!least || found.sets[i].judged.cost.cost < least->judged.cost.cost) least = &found.sets[i];
-  return least;
+  if (least) return least;
+  const OtherSet other = nearest_other(found);
+  return other.set && !other.set->model.added.empty() && other.lead < kSurelyBehind ? other.set : nullptr;
 }
 
 /// As the first recording begins. What the answer leaves of the shortest predictions is noise of single readings; what
@@ -73,7 +79,7 @@ void state(const NextTest& test, Diagnosis& diagnosis) {
 void propose_settling_test(const DiagnosisTask& task, const SearchResult& found, Diagnosis& result) {
   const FittedModel* other = rival_of(found);
   if (found.decision.answer == 0 || !other) return;
-  const FittedModel& answer = found.sets[found.decision.answer];
+  const FittedModel& answer = found.answer();
   const FittedValues of_answer(found, answer), of_other(found, *other);
   const std::optional<NextTest> test = propose_test(
       task.catalog, task.experiment, rival(answer, of_answer), rival(*other, of_other), task.trials,

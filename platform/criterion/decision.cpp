@@ -10,7 +10,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kPresent = 0.05;  ///< probability by chance below which something is there
 constexpr std::size_t kMostMembers = 3;
 constexpr double kAsGood = 0.05;         ///< of the whole gain, that a set may be behind
 constexpr double kPriceOfAValue = 0.04;  ///< of the whole gain, that a told value must earn
@@ -18,6 +17,13 @@ constexpr double kMinorError = 0.2;      ///< of the model's error: what takes l
 constexpr double kMinorGain = 0.4;       ///< unless it makes so much of the whole gain
 constexpr double kAtNoise = 1.5;         ///< mean square of whitened residuals: what leaves no more is complete
 constexpr double kWorthNaming = 0.05;    ///< nats: what lowers the error by less than a twentieth is not named
+
+/// Effects, wherever they are.
+std::set<std::string> kinds_of(const CandidateSet& set) {
+  std::set<std::string> kinds;
+  for (const std::string& member : set.members) kinds.insert(member.substr(0, member.find(" @ ")));
+  return kinds;
+}
 
 class Decider {
  public:
@@ -165,6 +171,8 @@ class Decider {
     return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) {
       if (sets_[a].values != sets_[b].values) return sets_[a].values < sets_[b].values;
       if (sets_[a].members.size() != sets_[b].members.size()) return sets_[a].members.size() < sets_[b].members.size();
+      const std::size_t kinds_of_a = kinds_of(sets_[a]).size(), kinds_of_b = kinds_of(sets_[b]).size();
+      if (kinds_of_a != kinds_of_b) return kinds_of_a < kinds_of_b;
       return sets_[a].cost.cost < sets_[b].cost.cost;
     });
   }

@@ -68,7 +68,7 @@ struct Decision {
 /// gain as much but for a twentieth, the best of the fewest told values. The answer is its part without effects that
 /// take less than a fifth of the error and two fifths of the gain, unless errors are at the noise by them alone; where
 /// it has none, of others as good, within a twentieth of the gain or one standard error, with as many told values, the
-/// one of fewest values in all, then of fewest effects.
+/// one of fewest values in all, then of fewest members, then of fewest effects: friction in three joints is one thing.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
 
 /// How often the same effects, or look-alikes of as many, would be chosen had other times been recorded: the share of

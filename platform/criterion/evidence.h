@@ -8,6 +8,9 @@
 
 namespace lacuna {
 
+/// Probability by chance below which something is there.
+inline constexpr double kPresent = 0.05;
+
 /// Neighbouring blocks of time may err together: so many are taken for one, and the worst counts.
 inline constexpr std::array<Eigen::Index, 3> kBlocksTogether = {1, 2, 4};
 

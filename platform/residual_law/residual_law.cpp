@@ -10,7 +10,6 @@
 namespace lacuna {
 namespace {
 
-constexpr double kPresent = 0.05;  ///< probability by chance
 constexpr double kLeastShare = 0.05;
 constexpr double kWorthNaming = 0.05;  ///< nats at one length, as of an effect (criterion/decision.cpp)
 constexpr double kOfNoise = 1.2;       ///< mean square of whitened residuals, up to which nothing is left to a law

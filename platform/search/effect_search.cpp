@@ -3,6 +3,7 @@
 #include "foundation/interrupt.h"
 #include "search/fit_starts.h"
 #include "search/promise_order.h"
+#include "search/spread.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,11 +29,17 @@ constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
 /// Members of one model: "b" beside "a".
 using Entries = std::vector<EffectEntry>;
 
-/// The model as it is first.
-std::vector<CandidateSet> judged_sets(const FittedModels& models) {
-  std::vector<CandidateSet> sets = {models.base().judged};
+/// The model as it is first; without those that have a value for each of many joints.
+std::vector<const FittedModel*> sets_of(const FittedModels& models) {
+  std::vector<const FittedModel*> sets = {&models.base()};
   for (const auto& [members, model] : models.all())
-    if (!members.empty()) sets.push_back(model.judged);
+    if (!members.empty() && members.size() <= kMostMembers) sets.push_back(&model);
+  return sets;
+}
+
+std::vector<CandidateSet> judged_sets(const FittedModels& models) {
+  std::vector<CandidateSet> sets;
+  for (const FittedModel* set : sets_of(models)) sets.push_back(set->judged);
   return sets;
 }
 
@@ -58,6 +65,7 @@ class EffectSearch {
     refit_nearly_as_good();
     mend_nesting();
     fit_twins_of_answer();
+    spread_answer();
   }
 
   /// Whether an effect gains more than its error.
@@ -71,6 +79,11 @@ class EffectSearch {
   const FittedModels& models() const { return models_; }
   const EffectLook& look() const { return look_; }
   const std::vector<LookedBeside>& looked() const { return looked_; }
+  /// In place of the set with these members.
+  const std::optional<FittedModel>& spread_from(const FittedModels::Members& members) const {
+    static const std::optional<FittedModel> kNone;
+    return members == spread_from_ ? spread_ : kNone;
+  }
 
  private:
   void say(const std::string& what) const {
@@ -322,6 +335,13 @@ class EffectSearch {
           fit_in_place(without_member(added, i), {twin}, values);
   }
 
+  void spread_answer() {
+    const std::vector<CandidateSet> sets = judged_sets(models_);
+    spread_from_ = sets[decide(sets, looked_, kSeed).answer].members;
+    spread_ = spread_over_places(models_, look_, *models_.find(spread_from_), whole_gain());
+    if (spread_) say("a value for each joint");
+  }
+
   static FittedModels::Members members_of(const Entries& added) {
     FittedModels::Members members;
     for (const EffectEntry& entry : added) members.insert(member_name(entry));
@@ -332,6 +352,8 @@ class EffectSearch {
   FittedModels models_;
   EffectLook look_;
   std::vector<LookedBeside> looked_;
+  FittedModels::Members spread_from_;
+  std::optional<FittedModel> spread_;
 };
 
 void count_nesting(SearchResult& result) {
@@ -348,11 +370,11 @@ void count_nesting(SearchResult& result) {
 void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();
   result.layout = models.ladder().layout;
-  result.sets = {models.base()};
-  for (const auto& [members, model] : models.all())
-    if (!members.empty()) result.sets.push_back(model);
+  result.sets.clear();
+  for (const FittedModel* set : sets_of(models)) result.sets.push_back(*set);
   result.looked = search.looked();
   result.decision = decide(judged_sets(models), result.looked, kSeed);
+  result.spread = search.spread_from(result.sets[result.decision.answer].judged.members);
   result.hypotheses = search.look().hypotheses.size();
   result.untestable = search.look().untestable;
   result.fits += models.fits();

@@ -1,0 +1,130 @@
+#include "search/spread.h"
+
+#include "candidates/wrong_value.h"
+#include "criterion/evidence.h"
+#include "criterion/value_errors.h"
+#include "search/fit_starts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna {
+namespace {
+
+constexpr double kTold = 1.96;             ///< standard errors
+constexpr std::uint64_t kSeedOfSigns = 1;  ///< of signs drawn at random
+constexpr const char* kOfEach = ".*";
+constexpr int kRounds = 4;             ///< of fits
+constexpr double kSettled = 0.01;      ///< nats
+constexpr double kWorthAPlace = 0.01;  ///< of the whole gain, for a told value
+
+bool is_tied(const EffectEntry& entry) { return entry.where.size() == 1 && entry.where.front().ends_with(kOfEach); }
+
+/// "joint." of "joint.elbow" and "joint.*".
+std::string kind_of_place(const std::string& where) { return where.substr(0, where.find('.') + 1); }
+
+/// The same effect on each single element of the kind, where the library has it as a candidate.
+std::vector<EffectEntry> on_each(const EffectEntry& entry, const EffectLook& look) {
+  std::vector<EffectEntry> each;
+  if (entry.where.size() != 1 || is_wrong_value(entry)) return each;
+  for (const Hypothesis& one : look.hypotheses)
+    if (one.entry.effect == entry.effect && !is_tied(one.entry) &&
+        kind_of_place(one.where()) == kind_of_place(entry.where.front()))
+      each.push_back(one.entry);
+  return each;
+}
+
+bool has_member(const std::vector<EffectEntry>& entries, const EffectEntry& one) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const EffectEntry& other) { return member_name(other) == member_name(one); });
+}
+
+struct SpreadSet {
+  std::vector<EffectEntry> entries;
+  NamedValues start;
+};
+
+/// Where an effect was on all at once, each begins with the values that all had; elsewhere near nothing.
+SpreadSet spread_set(const FittedModel& answer, const EffectLook& look) {
+  SpreadSet set{{}, answer.values};
+  NamedValues near_nothing;
+  for (const EffectEntry& entry : answer.model.added)
+    if (!is_tied(entry)) set.entries.push_back(entry);
+  for (const EffectEntry& entry : answer.model.added)
+    for (const EffectEntry& one : on_each(entry, look)) {
+      if (has_member(set.entries, one)) continue;
+      set.entries.push_back(one);
+      const std::string known = member_name(entry) + ".";
+      for (const auto& [name, value] : answer.values)
+        if (name.starts_with(known))
+          (is_tied(entry) ? set.start : near_nothing)[member_name(one) + name.substr(name.rfind('.'))] = value;
+    }
+  set.start = slightly(near_nothing, set.start, look);
+  return set;
+}
+
+const Hypothesis& hypothesis_of(const EffectEntry& entry, const EffectLook& look) {
+  return *std::find_if(look.hypotheses.begin(), look.hypotheses.end(),
+                       [&](const Hypothesis& one) { return member_name(one.entry) == member_name(entry); });
+}
+
+/// Whether a value of the effect is surely not where it changes nothing.
+bool is_told(const EffectEntry& entry, const FittedModel& set, const FittedModels& models, const EffectLook& look) {
+  const CellLayout& layout = models.ladder().layout;
+  const Eigen::VectorXd errors =
+      value_errors(layout, set.fit.products, least_cost(layout, set.fit.products, set.fit.bounds)).standard();
+  const Hypothesis& hypothesis = hypothesis_of(entry, look);
+  const ParameterSpace space(set.model.definition.free);
+  for (std::size_t i = 0; i < set.model.definition.free.size(); ++i) {
+    const FreeValue& free = set.model.definition.free[i];
+    const EffectEntry& own = *std::find_if(set.model.added.begin(), set.model.added.end(), [&](const EffectEntry& one) {
+      return member_name(one) == member_name(entry);
+    });
+    if (!belongs_to(free, own)) continue;
+    for (std::size_t k = 0; k < hypothesis.own.size(); ++k) {
+      if (last_name(hypothesis.definition.free[hypothesis.own[k]].address) != last_name(free.address)) continue;
+      const auto j = static_cast<Eigen::Index>(i);
+      const double way = set.fit.point.values(j) - space.to_coordinate(j, hypothesis.neutral[k]);
+      if (errors(j) > 0.0 && std::abs(way) > kTold * errors(j)) return true;
+    }
+  }
+  return false;
+}
+
+/// As long as that lowers the cost.
+const FittedModel* refined(FittedModels& models, const std::vector<EffectEntry>& entries, const NamedValues& start) {
+  const FittedModel* set = models.refine(entries, start);
+  for (int round = 1; set && round < kRounds; ++round) {
+    const double before = set->fit.cost;
+    set = models.refine(entries, NamedValues(set->values));
+    if (before - set->fit.cost < kSettled) break;
+  }
+  return set;
+}
+
+bool is_better(const CandidateSet& set, const CandidateSet& than, double whole_gain) {
+  const CostGain gain = gain_of(set, than);
+  return gain.is_told() && gain.nats > kWorthAPlace * whole_gain * (set.told - than.told) &&
+         gain_elsewhere(set, than).is_told() &&
+         sign_probability({than.cost.by_block() - set.cost.by_block()}, kSeedOfSigns) < kPresent;
+}
+
+}  // namespace
+
+std::optional<FittedModel> spread_over_places(FittedModels& models, const EffectLook& look, const FittedModel& answer,
+                                              double whole_gain) {
+  const SpreadSet all = spread_set(answer, look);
+  if (all.entries.size() <= answer.model.added.size()) return std::nullopt;
+  const FittedModel before = answer;
+  const FittedModel* set = refined(models, all.entries, all.start);
+  if (!set) return std::nullopt;
+  std::vector<EffectEntry> told;
+  std::copy_if(all.entries.begin(), all.entries.end(), std::back_inserter(told),
+               [&](const EffectEntry& entry) { return is_told(entry, *set, models, look); });
+  if (told.empty()) return std::nullopt;
+  if (told.size() < all.entries.size()) set = refined(models, told, NamedValues(set->values));
+  if (!set || !is_better(set->judged, before.judged, whole_gain)) return std::nullopt;
+  return *set;
+}
+
+}  // namespace lacuna
