@@ -17,13 +17,14 @@ namespace lacuna {
 namespace {
 
 constexpr std::size_t kMostRanked = 8;
-constexpr double kFarAboveFloor = 3.0;  ///< of the model's error: what leaves so much is not right
-constexpr double kMostLeft = 0.25;      ///< of all that is gained, that a law of no effect may gain beside an answer
-constexpr double kBeyond = 1.96;        ///< standard errors
-constexpr double kMoved = 2.0;          ///< standard errors
-constexpr double kNoticeable = 0.01;    ///< of a value
-constexpr double kOffTime = 0.1;        ///< command intervals
-constexpr double kLongEnough = 0.3;     ///< of the longest trial
+constexpr double kAboveFloor = 3.0;      ///< of the model's error: what leaves more is no noise of readings
+constexpr double kFarAboveFloor = 20.0;  ///< of the same: what leaves so much is not right
+constexpr double kMostLeft = 0.25;       ///< of all that is gained, that a law of no effect may gain beside an answer
+constexpr double kBeyond = 1.96;         ///< standard errors
+constexpr double kMoved = 2.0;           ///< standard errors
+constexpr double kNoticeable = 0.01;     ///< of a value
+constexpr double kOffTime = 0.1;         ///< command intervals
+constexpr double kLongEnough = 0.3;      ///< of the longest trial
 
 double longest_trial(const std::vector<Trial>& trials) {
   double longest = 0.0;
@@ -106,6 +107,12 @@ class Told {
         add("only predictions over the longest times show it; shorter ones are as good without it");
     }
     add(left());
+    if (result.verdict == Verdict::nothing_missing && result.base_times_floor > kAboveFloor)
+      add(fmt::format(
+          "predictions are off by {:.3g} × floor, which is more than readings scatter, and neither an effect of the "
+          "library nor a law of what the joints do lowers that where it was not fitted: it is as random forces or "
+          "something that was not recorded would make it",
+          result.base_times_floor));
     if (result.verdict == Verdict::cannot_tell && !found_.stopped)
       add(fmt::format(
           "predictions are off by {:.3g} × floor, and neither an effect of the library nor a law of what the "

@@ -188,6 +188,8 @@ class RobotChecker {
       problem(path + ".joint", name +
                                    " is a free joint; sensors of its body read how it moves (body_position, "
                                    "body_orientation, body_velocity, body_angular_velocity)");
+    if (sensor.spec.kind != SensorKind::accelerometer && locations_.contains(path + ".at"))
+      problem(path + ".at", "only an accelerometer is at a point of its body");
     if (sensor.spec.kind == SensorKind::beacon_range && !locations_.contains(path + ".beacon"))
       problem(path + ".beacon", "is missing: the place from which distance is measured, [x, y, z] in m");
   }

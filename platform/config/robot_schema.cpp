@@ -228,10 +228,12 @@ Table<SensorInFile> sensor_keys() {
                                         {"contact_force", SensorKind::contact_force},
                                         {"drive_force", SensorKind::drive_force},
                                         {"link_angle", SensorKind::link_angle},
-                                        {"link_velocity", SensorKind::link_velocity}}),
+                                        {"link_velocity", SensorKind::link_velocity},
+                                        {"accelerometer", SensorKind::accelerometer}}),
                     "what it reads")
           .key("beacon", &SensorSpec::beacon, vector3("m"),
                "of beacon_range: the place from which distance is measured")
+          .key("at", &SensorSpec::at, vector3("m"), "of accelerometer: where it is, in the body's frame")
           .key("delay", &SensorSpec::delay, number("s").at_least(0.0), "before the start the initial value is read")
           .key("scale", &SensorSpec::scale, number("1"), "multiplies the reading")
           .key("relative", &SensorSpec::relative, boolean(),

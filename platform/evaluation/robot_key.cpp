@@ -85,6 +85,7 @@ void append(std::string& key, const SensorSpec& sensor) {
   append(key, static_cast<double>(sensor.kind));
   append(key, sensor.element);
   append(key, sensor.beacon);
+  append(key, sensor.at);
 }
 
 void append(std::string& key, const ContactSpec& contact) {

@@ -134,6 +134,11 @@ void collect_sensor(Collector& collector, Sensor& sensor, const std::string& uni
   collector.add("offset", unit, sensor.offset);
   collector.add("noise", unit, sensor.noise, 0.0);
   collector.add("quantum", unit, sensor.quantum, 0.0);
+  if (sensor.kind == SensorKind::accelerometer) {
+    collector.add("at.x", "m", sensor.at.x());
+    collector.add("at.y", "m", sensor.at.y());
+    collector.add("at.z", "m", sensor.at.z());
+  }
   if (sensor.kind != SensorKind::beacon_range) return;
   collector.add("beacon.x", "m", sensor.beacon.x());
   collector.add("beacon.y", "m", sensor.beacon.y());
@@ -164,6 +169,7 @@ std::string channel_unit(const SensorSpec& sensor, JointKind joint) {
     case SensorKind::contact_force: return "N";
     case SensorKind::link_angle: return "rad";
     case SensorKind::link_velocity: return "rad/s";
+    case SensorKind::accelerometer: return "m/s^2";
   }
   return "1";
 }
@@ -256,6 +262,7 @@ std::vector<Channel> sensor_channels(const RobotSpec& robot, const SensorSpec& s
     case SensorKind::body_position:
     case SensorKind::body_velocity:
     case SensorKind::body_angular_velocity:
+    case SensorKind::accelerometer:
     case SensorKind::contact_force: suffixes = {".x", ".y", ".z"}; break;
     case SensorKind::body_orientation: suffixes = {".w", ".x", ".y", ".z"}; break;
     case SensorKind::joint_position:

@@ -41,6 +41,7 @@ ColumnRole role_of(SensorKind kind) {
     case SensorKind::joint_force:
     case SensorKind::drive_force:
     case SensorKind::contact_force:
+    case SensorKind::accelerometer:
     case SensorKind::touch:
     case SensorKind::body_orientation: return ColumnRole::other;
   }

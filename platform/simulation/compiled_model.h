@@ -27,7 +27,8 @@ struct State {
 };
 
 struct StateSection {
-  /// "clock", "positions", "velocities", "bodies", "actuators", "effects", "sensors", "sensor_delays", "commands"
+  /// "clock", "positions", "velocities", "bodies", "actuators", "effects", "sensors", "sensor_delays",
+  /// "accelerometers", "commands"
   std::string name;
   std::size_t offset = 0;
   std::size_t size = 0;

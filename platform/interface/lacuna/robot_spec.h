@@ -140,7 +140,9 @@ enum class SensorKind {
   contact_force,          ///< force of the ground on the body in the last step (0 at first), world, N: x, y, z
   drive_force,            ///< of actuators alone along the coordinate in the last step (0 at first), N·m or N
   link_angle,             ///< of a hinge's child about its axis, from the zero configuration, turns counted, rad
-  link_velocity           ///< its rate, rad/s
+  link_velocity,          ///< its rate, rad/s
+  accelerometer  ///< acceleration of the point `at` of a body less gravity, along the body's axes, over the last
+                 ///< step (at first as if at rest), m/s²: x, y, z
 };
 
 /// A sensor reads `element` (a joint's or a body's name). Its channels are called by its
@@ -151,6 +153,7 @@ struct SensorSpec {
   SensorKind kind = SensorKind::joint_position;
   std::string element;
   Eigen::Vector3d beacon{0.0, 0.0, 0.0};  ///< world, m
+  Eigen::Vector3d at{0.0, 0.0, 0.0};      ///< of an accelerometer: where it is, in the body frame, m
   double delay = 0.0;                     ///< s; before the start the initial value is read
   double scale = 1.0;
   bool relative = false;  ///< the channels have no unit: `scale` makes a share of 1 of what is read

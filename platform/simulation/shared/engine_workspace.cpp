@@ -34,10 +34,10 @@ void EngineWorkspace::build(std::span<const double> parameters, const ParameterS
 std::vector<std::pair<std::string, std::size_t>> EngineWorkspace::sections() const {
   std::vector<std::pair<std::string, std::size_t>> sections{{"clock", 2}};
   for (const auto& section : motion->sections()) sections.push_back(section);
-  const std::size_t readings = sensors.readings().size();
   sections.insert(sections.end(), {{"effects", model_.effects().state_size()},
-                                   {"sensors", readings},
-                                   {"sensor_delays", sensors.memory_size() - readings},
+                                   {"sensors", sensors.readings().size()},
+                                   {"sensor_delays", sensors.delays_size()},
+                                   {"accelerometers", sensors.last_motions_size()},
                                    {"commands", last_commands.size() + drive.lines_size()}});
   return sections;
 }

@@ -36,7 +36,8 @@ SensorBank::SensorBank(const RobotSpec& robot, std::span<const Delay> longest) :
     const std::size_t channels = sensor_channels(robot, sensor).size();
     readings_.resize(readings_.size() + channels);
     for (std::size_t channel = 0; channel < channels; ++channel) lines_.emplace_back(longest[i]);
-    has_memory_ = has_memory_ || !longest[i].none();
+    if (sensor.kind == SensorKind::accelerometer) last_.resize(robot.sensors.size());
+    has_memory_ = has_memory_ || !longest[i].none() || sensor.kind == SensorKind::accelerometer;
     reads_bodies_ = reads_bodies_ || reads_motion_of_body(sensor.kind);
   }
   first_channel_.push_back(readings_.size());
@@ -56,6 +57,7 @@ void SensorBank::configure(const RobotSpec& robot, const EngineSettings& setting
 }
 
 void SensorBank::start(const StepView& view, const SensedForces& forces, EffectRunner& effects) {
+  remember(view);
   read(view, forces);
   for (std::size_t channel = 0; channel < lines_.size(); ++channel) lines_[channel].fill(readings_[channel]);
   refine(view, effects);
@@ -63,6 +65,7 @@ void SensorBank::start(const StepView& view, const SensedForces& forces, EffectR
 
 void SensorBank::advance(const StepView& view, const SensedForces& forces, EffectRunner& effects) {
   read(view, forces);
+  remember(view);
   for (std::size_t i = 0; i < delays_.size(); ++i) {
     for (std::size_t channel = first_channel_[i]; channel < first_channel_[i + 1]; ++channel) {
       lines_[channel].push(readings_[channel]);
@@ -76,6 +79,26 @@ void SensorBank::read(const StepView& view, const SensedForces& forces) {
   for (std::size_t i = 0; i < elements_.size(); ++i)
     read_one(i, view, forces,
              std::span(readings_).subspan(first_channel_[i], first_channel_[i + 1] - first_channel_[i]));
+}
+
+void SensorBank::remember(const StepView& view) {
+  for (std::size_t i = 0; i < last_.size(); ++i)
+    if (robot_->sensors[i].kind == SensorKind::accelerometer) last_[i] = {velocity_of_point(i, view), view.time};
+}
+
+Eigen::Vector3d SensorBank::velocity_of_point(std::size_t index, const StepView& view) const {
+  const std::size_t body = elements_[index];
+  const Eigen::Vector3d from_centre =
+      view.body_orientations[body] * (robot_->sensors[index].at - robot_->bodies[body].com);
+  return view.body_velocities[body] + view.body_angular_velocities[body].cross(from_centre);
+}
+
+/// At the start, where no time has passed, that of rest.
+Eigen::Vector3d SensorBank::specific_force(std::size_t index, const StepView& view) const {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  if (const double passed = view.time - last_[index].time; passed > 0.0)
+    acceleration = (velocity_of_point(index, view) - last_[index].velocity) / passed;
+  return view.body_orientations[elements_[index]].conjugate() * (acceleration - robot_->gravity);
 }
 
 void SensorBank::read_one(std::size_t index, const StepView& view, const SensedForces& forces,
@@ -121,6 +144,7 @@ void SensorBank::read_one(std::size_t index, const StepView& view, const SensedF
       out[0] = (view.body_positions[element] - arm(*robot_, element, view) - sensor.beacon).norm();
       break;
     case SensorKind::contact_force: put(forces.contact_forces[element], out); break;
+    case SensorKind::accelerometer: put(specific_force(index, view), out); break;
   }
 }
 
@@ -137,15 +161,23 @@ void SensorBank::refine(const StepView& view, EffectRunner& effects) {
 void SensorBank::save(StateWriter& writer) const {
   writer.put(readings_);
   for (const DelayLine& line : lines_) line.save(writer);
+  for (const LastMotion& last : last_) {
+    writer.put(std::span(last.velocity.data(), 3));
+    writer.put(last.time);
+  }
 }
 
 void SensorBank::load(StateReader& reader) {
   reader.get(readings_);
   for (DelayLine& line : lines_) line.load(reader);
+  for (LastMotion& last : last_) {
+    reader.get(std::span(last.velocity.data(), 3));
+    last.time = reader.get();
+  }
 }
 
-std::size_t SensorBank::memory_size() const {
-  std::size_t size = readings_.size();
+std::size_t SensorBank::delays_size() const {
+  std::size_t size = 0;
   for (const DelayLine& line : lines_) size += line.size();
   return size;
 }

@@ -51,10 +51,22 @@ class SensorBank {
 
   void save(StateWriter& writer) const;
   void load(StateReader& reader);
-  std::size_t memory_size() const;
+  /// Of all that `save` writes: readings, what is on its way through delays, what accelerometers remember.
+  std::size_t delays_size() const;
+  std::size_t last_motions_size() const { return kLastMotion * last_.size(); }
 
  private:
+  static constexpr std::size_t kLastMotion = 4;  ///< numbers
+  /// What an accelerometer remembers: the velocity of its point in the last step, world, m/s.
+  struct LastMotion {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    double time = 0.0;  ///< s
+  };
+
   void read(const StepView& view, const SensedForces& forces);
+  void remember(const StepView& view);
+  Eigen::Vector3d velocity_of_point(std::size_t index, const StepView& view) const;
+  Eigen::Vector3d specific_force(std::size_t index, const StepView& view) const;
   void read_one(std::size_t index, const StepView& view, const SensedForces& forces, std::span<double> out) const;
   void refine(const StepView& view, EffectRunner& effects);
 
@@ -65,6 +77,7 @@ class SensorBank {
   std::vector<DelayLine> lines_;              // per channel
   std::vector<Delay> delays_;                 // per sensor
   std::vector<double> readings_;              // per channel
+  std::vector<LastMotion> last_;              // per sensor; empty: none is an accelerometer
   bool reads_bodies_ = false;
   bool has_memory_ = false;
 };

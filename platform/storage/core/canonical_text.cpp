@@ -113,6 +113,7 @@ Json sensor(const SensorSpec& s) {
                {"noise", number(s.noise)},
                {"quantum", number(s.quantum)}};
   if (s.relative) text["relative"] = true;
+  if (s.kind == SensorKind::accelerometer) text["at"] = vector(s.at);
   return text;
 }
 

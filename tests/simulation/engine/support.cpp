@@ -90,11 +90,13 @@ void add_everything_sensors(RobotSpec& robot) {
                    sensor("eye_orientation", SensorKind::body_orientation, "eye"),
                    sensor("wheel_rate", SensorKind::body_angular_velocity, "wheel"),
                    sensor("range", SensorKind::beacon_range, "hand"),
-                   sensor("ground_force", SensorKind::contact_force, "box")};
+                   sensor("ground_force", SensorKind::contact_force, "box"),
+                   sensor("hand_acceleration", SensorKind::accelerometer, "hand")};
   robot.sensors[0].delay = 0.0071;
   robot.sensors[5].delay = 0.02;
   robot.sensors[7].delay = 0.0005;
   robot.sensors[10].beacon = {1.0, 1.0, 0.0};
+  robot.sensors[12].at = {0.02, 0.0, 0.1};
 }
 
 }  // namespace

@@ -67,6 +67,29 @@ TEST(BodySensors, ReadTheFramesOriginInTheWorld) {
   }
 }
 
+/// Towards the axis by the square of the rate, and away from the ground as if the whole room rose.
+TEST(BodySensors, AnAccelerometerReadsItsPointLessGravityAlongTheBodysAxes) {
+  const TurningLink link;
+  const Eigen::Vector3d at(0.3, -0.2, 0.1);
+  RobotSpec robot = link.robot();
+  robot.gravity = {0.5, 0.0, -9.81};
+  robot.actuators[0].kind = ActuatorKind::velocity_servo;
+  robot.actuators[0].kd = 1e9;
+  robot.sensors = {make_sensor("imu", SensorKind::accelerometer, "body")};
+  robot.sensors[0].at = at;
+  const SimulationRun run = SimulationRun(robot, kStep).from({0.0}, {link.rate}).command("motor", link.rate);
+  const TimeSeries readings = run.run(evenly_spaced(2.0, 20)).readings;
+  const auto expected = [&](double time) {
+    const Eigen::Quaterniond orientation = link.turn(time) * link.pose;
+    const Eigen::Vector3d arm = link.turn(time) * (link.origin - link.anchor) + orientation * at;
+    const Eigen::Vector3d spin = link.rate * link.axis;
+    return Eigen::Vector3d(orientation.conjugate() * (spin.cross(spin.cross(arm)) - robot.gravity));
+  };
+  EXPECT_NEAR((vector_at(readings, "imu", 0) - link.pose.conjugate() * -robot.gravity).norm(), 0.0, 1e-9) << "at rest";
+  for (Eigen::Index row = 1; row < readings.times.size(); ++row)
+    EXPECT_NEAR((vector_at(readings, "imu", row) - expected(readings.times(row))).norm(), 0.0, 0.05);  // m/s²
+}
+
 TEST(BodySensors, OrientationKeepsItsSignConvention) {
   const TurningLink link;
   const SimulationRun run = SimulationRun(link.robot(), kStep).from({0.0}, {link.rate});
