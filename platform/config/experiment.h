@@ -39,6 +39,7 @@ struct ModelSection {
   std::filesystem::path file;                          ///< of a declared robot
   std::string file_digest;                             ///< SHA-256 of its text
   std::optional<RobotSpec> declared;                   ///< its content
+  std::optional<std::string> foreign_text;             ///< of a file that is not TOML, until a format has read it
   std::map<std::string, SourceLocation> robot_places;  ///< where its keys stand: "body.arm.mass"
   std::map<std::string, double> set;                   ///< address pattern → value, fixed
   std::vector<FreeRange> free;                         ///< of a target: what is hidden, drawn uniformly

@@ -12,6 +12,8 @@
 namespace lacuna {
 namespace {
 
+constexpr const char* kOwnEnding = ".toml";
+
 void append(const BadInput& bad, ProblemList& problems) {
   for (const Problem& problem : bad.problems()) problems.add(problem);
 }
@@ -31,6 +33,10 @@ void read_declared_robot(const TomlNode& tree, const std::string& section, const
   try {
     const std::string text = read_text_file(path);
     into.file_digest = sha256(text);
+    if (path.extension() != kOwnEnding) {
+      into.foreign_text = text;
+      return;
+    }
     into.declared = read_robot_text(text, path, &into.robot_places);
   } catch (const BadInput& bad) {
     append(bad, problems);

@@ -97,6 +97,15 @@ std::string declaration_problem(const ParameterDeclarations& parameters) {
   return first_problem(parameters, [](const ParameterDeclaration& parameter) { return unit_problem(parameter); });
 }
 
+std::string endings_problem(const std::vector<std::string>& endings) {
+  if (endings.empty()) return "it names no ending of the files that it reads; name one, such as \".urdf\"";
+  for (const std::string& ending : endings)
+    if (ending.size() < 2 || ending.front() != '.' || ending == ".toml")
+      return fmt::format("it reads files that end with \"{}\"; an ending begins with a dot, and .toml is taken",
+                         ending);
+  return {};
+}
+
 std::string effect_problem(const EffectDescription& description, const EffectStages& stages,
                            const OverriddenHooks& overridden) {
   if (description.placements.empty())

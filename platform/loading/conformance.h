@@ -4,12 +4,16 @@
 #include <lacuna/physical_effect.h>
 
 #include <string>
+#include <vector>
 
 namespace lacuna {
 
 /// What is wrong with the parameters that a component declares: names, units, bounds, defaults. Empty: nothing; else
 /// the first fault and what to do about it.
 std::string declaration_problem(const ParameterDeclarations& parameters);
+
+/// The same for the endings of files that a format reads.
+std::string endings_problem(const std::vector<std::string>& endings);
 
 /// The same for what an effect says of itself: its parameters with units that may depend on the placement, its
 /// placements and neutral values, and the stages of the hooks that it overrides.

@@ -74,6 +74,10 @@ EffectFindings findings_about(const Interface& component, const ComponentOrigin&
     if (!problem.empty()) return {problem, {}};
     const PluginCall call(on_page(origin), "its hooks");
     return try_effect(component, description);
+  } else if constexpr (std::is_same_v<Interface, RobotFormat>) {
+    guarded_call(origin, "summary", [&] { return component.summary(); });
+    guarded_call(origin, "read", [&] { return component.read({"nothing", ""}); });
+    return {endings_problem(guarded_call(origin, "endings", [&] { return component.endings(); })), {}};
   } else {
     guarded_call(origin, "summary", [&] { return component.summary(); });
     return {declaration_problem(guarded_call(origin, "parameters", [&] { return component.parameters(); })), {}};

@@ -4,6 +4,7 @@
 #include "config/robot_reader.h"
 #include "config/text_file.h"
 #include "config/toml_parser.h"
+#include "evaluation/robot_files.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
 #include "foundation/problem.h"
@@ -77,8 +78,20 @@ std::string read_recordings(RigDraft& draft) {
   return {};
 }
 
+/// A robot file of others, with what was guessed, repaired and left out.
+RobotSpec read_foreign_robot(const std::filesystem::path& file) {
+  Experiment experiment;
+  experiment.model.file = file;
+  experiment.model.foreign_text = read_text_file(file);
+  const PluginCatalog catalog(plugin_search_path({}));
+  for (const RobotFileNote& note : read_robot_files(experiment, catalog))
+    fmt::print(stderr, "{}: {}\n", to_string(note.location), note.text);
+  return *experiment.model.declared;
+}
+
 /// Refuses an experiment file, which is the file that is named by mistake most often, in one sentence.
 RobotSpec read_known_robot(const std::filesystem::path& file) {
+  if (file.extension() != ".toml") return read_foreign_robot(file);
   const std::string text = read_text_file(file);
   const TomlNode tree = parse_toml(text, file.string());
   for (const TomlMember& member : tree.members)

@@ -26,7 +26,7 @@ std::vector<std::string> placement_names(const EffectDescription& effect) {
 ParameterDeclarations parameters_of(const PluginCatalog& catalog, const PluginListing& listing) {
   ParameterDeclarations parameters;
   for_each_component_kind([&]<class Interface>(std::type_identity<Interface>) {
-    if constexpr (!std::is_same_v<Interface, PhysicalEffect>) {
+    if constexpr (requires(const Interface& one) { one.parameters(); }) {
       if (listing.kind != ComponentKind<Interface>::noun) return;
       const auto component = catalog.make<Interface>(listing.name);
       parameters =

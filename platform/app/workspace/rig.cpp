@@ -5,6 +5,7 @@
 #include "config/decided.h"
 #include "config/experiment_reader.h"
 #include "config/result_setting.h"
+#include "evaluation/robot_files.h"
 #include "evaluation/step_count.h"
 #include "foundation/counted.h"
 #include "foundation/guarded_call.h"
@@ -31,6 +32,8 @@ Rig define(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog) 
   Rig rig;
   rig.experiment = std::move(experiment);
   rig.catalog = std::move(catalog);
+  for (RobotFileNote& note : read_robot_files(rig.experiment, *rig.catalog))
+    rig.notes.push_back({note.location, std::move(note.text)});
   rig.definition = define_model(rig.experiment, *rig.catalog);
   return rig;
 }

@@ -7,6 +7,7 @@
 #include <lacuna/overridden_hooks.h>
 #include <lacuna/physical_effect.h>
 #include <lacuna/robot_definition.h>
+#include <lacuna/robot_format.h>
 #include <lacuna/search_strategy.h>
 #include <lacuna/target_system.h>
 #include <lacuna/test_encoding.h>
@@ -22,7 +23,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 10;
+inline constexpr std::uint32_t kInterfaceVersion = 11;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -87,6 +88,8 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(ContactSpec),
     LACUNA_LAYOUT_(RobotSpec),
     LACUNA_LAYOUT_(RobotRequest),
+    LACUNA_LAYOUT_(RobotText),
+    LACUNA_LAYOUT_(ReadRobot),
     LACUNA_LAYOUT_(EffectDescription),
     LACUNA_LAYOUT_(EffectStages),
     LACUNA_LAYOUT_(OverriddenHooks),
@@ -129,6 +132,11 @@ template <>
 struct ComponentKind<RobotDefinition> {
   static constexpr const char* name = "robot_definition";
   static constexpr const char* noun = "robot";
+};
+template <>
+struct ComponentKind<RobotFormat> {
+  static constexpr const char* name = "robot_format";
+  static constexpr const char* noun = "robot format";
 };
 template <>
 struct ComponentKind<TargetSystem> {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "config/experiment.h"
+#include "foundation/problem.h"
+#include "loading/plugin_catalog.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// What was done with something in a robot file of others, and where it stands.
+struct RobotFileNote {
+  SourceLocation location;
+  std::string text;
+};
+
+/// Has the robot files of an experiment that are not TOML read by the format plugins whose endings they have; from then
+/// on they are like declared robots. Throws `BadInput` with all that is wrong with them, `Error` where no format has
+/// the ending.
+std::vector<RobotFileNote> read_robot_files(Experiment& experiment, const PluginCatalog& catalog);
+
+}  // namespace lacuna

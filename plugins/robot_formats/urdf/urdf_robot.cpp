@@ -1,0 +1,263 @@
+#include "urdf_robot.h"
+
+#include "inertia_repair.h"
+
+#include <algorithm>
+#include <map>
+
+namespace lacuna::urdf {
+namespace {
+
+constexpr double kLeastMass = 1e-3;  ///< kg, of a body that moves and has none
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// Where a link is, and with which other it moves.
+struct Placed {
+  Pose pose;                    ///< in the world, all joints at zero
+  std::size_t carrier = kNone;  ///< the link whose joint moves it; the root of what stands still
+  std::size_t joint = kNone;    ///< by which it is held; the root has none
+};
+
+InertiaSpec spec_of(const Eigen::Matrix3d& inertia) {
+  return {inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2)};
+}
+
+/// What a mass elsewhere adds to the inertia about a point `away` from it.
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& away) {
+  return mass * (away.squaredNorm() * Eigen::Matrix3d::Identity() - away * away.transpose());
+}
+
+LinkMass joined(const std::vector<LinkMass>& parts) {
+  LinkMass whole;
+  for (const LinkMass& part : parts) {
+    whole.mass += part.mass;
+    whole.com += part.mass * part.com;
+  }
+  if (whole.mass > 0.0) whole.com /= whole.mass;
+  for (const LinkMass& part : parts) whole.inertia += part.inertia + point_inertia(part.mass, part.com - whole.com);
+  return whole;
+}
+
+/// A mass of a frame that stands at `pose` in another.
+LinkMass moved(const LinkMass& mass, const Pose& pose) {
+  const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
+  return {mass.mass, pose.position + pose.orientation * mass.com, turn * mass.inertia * turn.transpose()};
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+class RobotMaker {
+ public:
+  explicit RobotMaker(const File& file) : file_(file), made_{{}, file.remarks, file.problems} {
+    for (std::size_t i = 0; i < file.links.size(); ++i) link_of_name_.try_emplace(file.links[i].name, i);
+    placed_.resize(file.links.size());
+  }
+
+  ReadRobot make() {
+    if (!made_.problems.empty()) return std::move(made_);
+    hold_links();
+    if (made_.problems.empty()) place_links();
+    if (!made_.problems.empty()) return std::move(made_);
+    made_.robot.name = file_.name;
+    for (const std::size_t link : order_)
+      if (placed_[link].carrier == link && placed_[link].joint != kNone) add_body(link);
+    add_couplings();
+    note_what_is_left_out();
+    return std::move(made_);
+  }
+
+ private:
+  void problem(int line, std::string text) { made_.problems.push_back({line, std::move(text)}); }
+  void remark(RobotRemarkKind kind, int line, std::string text) {
+    made_.remarks.push_back({kind, line, std::move(text)});
+  }
+
+  std::size_t link_of(const std::string& name, const Joint& joint) {
+    const auto found = link_of_name_.find(name);
+    if (found != link_of_name_.end()) return found->second;
+    problem(joint.line, "joint " + joint.name + " names the link \"" + name + "\", which there is not");
+    return kNone;
+  }
+
+  /// Which joint holds which link, and which hang on it.
+  void hold_links() {
+    hanging_.resize(file_.links.size());
+    for (std::size_t j = 0; j < file_.joints.size(); ++j) {
+      const Joint& joint = file_.joints[j];
+      const std::size_t parent = link_of(joint.parent, joint), child = link_of(joint.child, joint);
+      if (parent == kNone || child == kNone) continue;
+      if (placed_[child].joint != kNone)
+        problem(joint.line, "link " + joint.child + " hangs on two joints, " + file_.joints[placed_[child].joint].name +
+                                " and " + joint.name + "; a URDF is a tree");
+      placed_[child].joint = j;
+      hanging_[parent].push_back(child);
+    }
+  }
+
+  void place_links() {
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (placed_[i].joint == kNone) roots.push_back(i);
+    if (roots.empty()) return problem(0, "its joints form a loop, and no link stands still; a URDF is a tree");
+    if (roots.size() > 1)
+      return problem(file_.links[roots[1]].line, "links " + file_.links[roots[0]].name + " and " +
+                                                     file_.links[roots[1]].name +
+                                                     " both hang on no joint; join them, or leave one out");
+    order_ = roots;
+    placed_[roots.front()].carrier = roots.front();
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      for (const std::size_t child : hanging_[order_[i]]) {
+        place(child, order_[i]);
+        order_.push_back(child);
+      }
+    if (order_.size() < placed_.size()) problem(0, "some of its joints form a loop; a URDF is a tree");
+  }
+
+  void place(std::size_t link, std::size_t parent) {
+    const Joint& joint = file_.joints[placed_[link].joint];
+    placed_[link].pose = placed_[parent].pose * joint.origin;
+    placed_[link].pose.orientation.normalize();
+    placed_[link].carrier = joint.type == JointType::fixed ? placed_[parent].carrier : link;
+  }
+
+  std::size_t root() const { return order_.front(); }
+  std::string name_of(std::size_t carrier) const { return carrier == root() ? kWorld : file_.links[carrier].name; }
+
+  void add_body(std::size_t link) {
+    const Pose& pose = placed_[link].pose;
+    const LinkMass mass = mass_of(link);
+    BodySpec body;
+    body.name = file_.links[link].name;
+    body.mass = mass.mass;
+    body.com = mass.com;
+    body.inertia = spec_of(mass.inertia);
+    body.position = pose.position;
+    body.orientation = pose.orientation;
+    made_.robot.bodies.push_back(std::move(body));
+    add_joint(link);
+  }
+
+  /// Of all links that a joint moves together, in the frame of the first.
+  LinkMass mass_of(std::size_t carrier) {
+    std::vector<LinkMass> parts;
+    for (const std::size_t link : order_)
+      if (placed_[link].carrier == carrier && file_.links[link].mass) {
+        const Pose& own = placed_[carrier].pose;
+        const Eigen::Quaterniond back = own.orientation.conjugate();
+        const Pose in_carrier{back * (placed_[link].pose.position - own.position),
+                              back * placed_[link].pose.orientation};
+        parts.push_back(moved(possible(file_.links[link]), in_carrier));
+      }
+    LinkMass whole = joined(parts);
+    if (whole.mass > 0.0) return whole;
+    remark(RobotRemarkKind::guessed, file_.links[carrier].line,
+           "link " + file_.links[carrier].name + " moves and has no mass; 1 g is taken");
+    whole.mass = kLeastMass;
+    whole.inertia = repaired(Eigen::Matrix3d::Zero(), kLeastMass);
+    return whole;
+  }
+
+  LinkMass possible(const Link& link) {
+    LinkMass mass = *link.mass;
+    if (mass.mass == 0.0 || can_be(mass.inertia)) return mass;
+    mass.inertia = repaired(mass.inertia, mass.mass);
+    remark(RobotRemarkKind::repaired, link.line,
+           "no body has the inertia of link " + link.name +
+               ": a principal moment is not above 0, or above the sum of "
+               "the others; the nearest that can be is taken");
+    return mass;
+  }
+
+  void add_joint(std::size_t link) {
+    const Joint& joint = file_.joints[placed_[link].joint];
+    const std::size_t parent = placed_[link_of_name_.at(joint.parent)].carrier;
+    if (joint.type == JointType::planar)
+      return problem(joint.line, "joint " + joint.name + " is planar; write two prismatic joints and a revolute one");
+    if (joint.type == JointType::floating && parent != root())
+      return problem(joint.line,
+                     "joint " + joint.name + " floats on a link that moves; a body floats in the world alone");
+    JointSpec spec;
+    spec.name = joint.name;
+    spec.parent = name_of(parent);
+    spec.child = file_.links[link].name;
+    spec.anchor = placed_[link].pose.position;
+    spec.axis = placed_[link].pose.orientation * joint.axis;
+    spec.kind = joint.type == JointType::prismatic  ? JointKind::slider
+                : joint.type == JointType::floating ? JointKind::free
+                                                    : JointKind::hinge;
+    if (spec.kind != JointKind::free) {
+      spec.lower = joint.lower;
+      spec.upper = joint.upper;
+      spec.damping = joint.damping;
+      spec.dry_friction = joint.friction;
+      add_channels(joint);
+    }
+    made_.robot.joints.push_back(std::move(spec));
+  }
+
+  void add_channels(const Joint& joint) {
+    for (const auto& [kind, what] :
+         {std::pair{SensorKind::joint_position, "_position"}, std::pair{SensorKind::joint_velocity, "_velocity"}}) {
+      SensorSpec sensor;
+      sensor.name = joint.name + what;
+      sensor.kind = kind;
+      sensor.element = joint.name;
+      made_.robot.sensors.push_back(std::move(sensor));
+    }
+    if (joint.mimic) return;
+    ActuatorSpec motor;
+    motor.name = joint.name;
+    motor.joint = joint.name;
+    if (joint.effort > 0.0) motor.force_limit = joint.effort;
+    made_.robot.actuators.push_back(std::move(motor));
+  }
+
+  const Joint* joint_called(const std::string& name) const {
+    const auto found =
+        std::find_if(file_.joints.begin(), file_.joints.end(), [&](const Joint& joint) { return joint.name == name; });
+    return found == file_.joints.end() ? nullptr : &*found;
+  }
+
+  void add_couplings() {
+    for (const Joint& joint : file_.joints) {
+      if (!joint.mimic) continue;
+      const Joint* followed = joint_called(joint.mimic->joint);
+      if (!followed || followed->type == JointType::fixed)
+        problem(joint.line,
+                "joint " + joint.name + " follows \"" + joint.mimic->joint + "\", which is no joint that moves");
+      else if (followed->mimic)
+        problem(joint.line,
+                "joint " + joint.name + " follows " + followed->name + ", which follows another; follow that one");
+      else
+        made_.robot.couplings.push_back(
+            {joint.name, joint.name, followed->name, joint.mimic->multiplier, joint.mimic->offset});
+    }
+  }
+
+  void note_what_is_left_out() {
+    std::size_t collisions = 0, velocities = 0;
+    for (const Link& link : file_.links) collisions += link.collisions;
+    for (const Joint& joint : file_.joints) velocities += joint.velocity > 0.0 ? 1 : 0;
+    if (collisions > 0)
+      remark(RobotRemarkKind::left_out, 0, counted(collisions, "collision shape") + ": the robot touches nothing");
+    if (velocities > 0)
+      remark(RobotRemarkKind::left_out, 0, counted(velocities, "velocity limit") + ": nothing in a model holds them");
+    remark(RobotRemarkKind::guessed, file_.links[root()].line,
+           "link " + file_.links[root()].name + " is held to the world");
+  }
+
+  const File& file_;
+  ReadRobot made_;
+  std::map<std::string, std::size_t> link_of_name_;
+  std::vector<Placed> placed_;                     ///< by link
+  std::vector<std::vector<std::size_t>> hanging_;  ///< by link
+  std::vector<std::size_t> order_;                 ///< of links, each behind the one that it hangs on
+};
+
+}  // namespace
+
+ReadRobot robot_of(const File& file) { return RobotMaker(file).make(); }
+
+}  // namespace lacuna::urdf

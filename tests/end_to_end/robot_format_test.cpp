@@ -1,0 +1,100 @@
+#include "end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* kArm = R"(<robot name="arm">
+  <link name="base"/>
+  <link name="arm">
+    <inertial><origin xyz="0 0 -0.2"/><mass value="1.0"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/></inertial>
+  </link>
+  <joint name="hinge" type="continuous">
+    <parent link="base"/><child link="arm"/><axis xyz="0 1 0"/><limit effort="5" velocity="2"/>
+  </joint>
+</robot>
+)";
+
+constexpr const char* kExperiment = R"([experiment]
+name = "arm"
+seed = 1
+[target]
+kind = "simulated"
+file = "arm.urdf"
+noise = { "sensor.hinge_position" = "1 mrad" }
+effects = [ { id = "stick", effect = "coulomb_friction", where = "joint.hinge", start = { torque = 0.1 } } ]
+[model]
+file = "arm.urdf"
+free = { "body.arm.mass" = [0.5, 2.0] }
+effects = []
+[engine]
+step = "4 ms"
+)";
+
+class RobotFormatFiles : public testing::Test {
+ protected:
+  RobotFormatFiles() {
+    program_.write("arm.urdf", kArm);
+    program_.write("arm.toml", kExperiment);
+  }
+  const Program program_;
+};
+
+TEST_F(RobotFormatFiles, AreCheckedWithWhatWasGuessedRepairedAndLeftOut) {
+  const Outcome check = program_.run({"check", "arm.toml"});
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output,
+              AllOf(HasSubstr("joints    hinge"), HasSubstr("arm.urdf:3: repaired: no body has the inertia"),
+                    HasSubstr("left out: 1 velocity limit"), HasSubstr("guessed: link base is held")));
+  const std::size_t first = check.output.find("repaired");
+  EXPECT_EQ(check.output.find("repaired", first + 1), std::string::npos) << "model and target have one file";
+}
+
+TEST_F(RobotFormatFiles, AreDiagnosedLikeOthers) {
+  ASSERT_EQ(program_.run({"trial", "arm.toml", "--test", "multisine hinge 1 N*m 0.2-2 Hz 5 s seed 3"}).exit_code, 0);
+  const Outcome diagnosis = program_.run({"diagnose", "arm.toml", "--among", "coulomb_friction", "viscous_friction"});
+  ASSERT_EQ(diagnosis.exit_code, 0) << diagnosis.errors;
+  EXPECT_THAT(diagnosis.output, HasSubstr("1  coulomb_friction @ joint.hinge"));
+}
+
+TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
+  std::string bad = kArm;
+  bad.replace(bad.find("1.0"), 3, "1,0");
+  bad.replace(bad.find("continuous"), 10, "elastic");
+  program_.write("arm.urdf", bad);
+  const Outcome check = program_.run({"check", "arm.toml"});
+  EXPECT_EQ(check.exit_code, 2);
+  EXPECT_THAT(check.errors, AllOf(HasSubstr("arm.urdf:4: mass's value \"1,0\" is no number"),
+                                  HasSubstr("arm.urdf:6: joint's type \"elastic\" is none")));
+  program_.write("arm.urdf", "");
+  EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is no whole XML document"));
+  program_.write("arm.xml", kArm);
+  const Outcome other = program_.run({"check", "arm.toml", "--set", "model.file=\"arm.xml\""});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, HasSubstr("its name ends with none of .toml, .urdf"));
+}
+
+/// Columns find the joints of the robot by name.
+TEST_F(RobotFormatFiles, AreWhatNewDraftsARigFor) {
+  std::string log = "time_s,hinge_position_rad,hinge_effort_Nm\n";
+  for (int i = 0; i < 400; ++i)
+    log += std::to_string(0.01 * i) + "," + std::to_string(0.3 * std::sin(0.03 * i)) + "," +
+           std::to_string(0.5 * std::sin(0.03 * i + 0.4)) + "\n";
+  program_.write("log.csv", log);
+  const Outcome drafted = program_.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", "log.csv"});
+  ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
+  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position column hinge_position_rad in rad"),
+                                    HasSubstr("actuator.hinge     column hinge_effort_Nm in N*m")));
+  EXPECT_EQ(program_.run({"compare", "rig.toml"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace lacuna

@@ -1,0 +1,185 @@
+#include "plugins/built_catalog.h"
+
+#include <lacuna/robot_format.h>
+
+#include <Eigen/Eigenvalues>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+ReadRobot read(const std::string& text) { return built_catalog().get<RobotFormat>("urdf").read({"robot.urdf", text}); }
+
+std::string link(const std::string& name, const std::string& inside = "") {
+  return "<link name=\"" + name + "\">" + inside + "</link>\n";
+}
+
+std::string joint(const std::string& name, const std::string& type, const std::string& parent, const std::string& child,
+                  const std::string& inside = "") {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+         "\"/>" + inside + "</joint>\n";
+}
+
+std::string robot(const std::string& inside) { return "<robot name=\"arm\">\n" + inside + "</robot>\n"; }
+
+constexpr const char* kInertial =
+    "<inertial><origin xyz=\"0 0 0.1\"/><mass value=\"2\"/>"
+    "<inertia ixx=\"0.02\" ixy=\"0\" ixz=\"0\" iyy=\"0.03\" iyz=\"0\" izz=\"0.04\"/></inertial>";
+
+std::string one_link(const std::string& inertial, const std::string& of_joint = "", const char* type = "continuous") {
+  return robot(link("base") + link("arm", inertial) + joint("hinge", type, "base", "arm", of_joint));
+}
+
+std::string only_problem(const std::string& text) {
+  const ReadRobot made = read(text);
+  EXPECT_EQ(made.problems.size(), 1U) << text;
+  return made.problems.empty() ? "" : made.problems.front().text;
+}
+
+bool says(const ReadRobot& made, RobotRemarkKind kind, const std::string& text) {
+  for (const RobotRemark& remark : made.remarks)
+    if (remark.kind == kind && remark.text.find(text) != std::string::npos) return true;
+  return false;
+}
+
+/// The joint's frame is turned by a quarter about x, so that its z lies along −y of the world.
+TEST(Urdf, PlacesJointsAndLinksInTheWorld) {
+  const ReadRobot made = read(one_link(kInertial,
+                                       "<origin xyz=\"0.1 0 0.5\" rpy=\"1.5707963267948966 0 0\"/><axis xyz=\"0 0 2\"/>"
+                                       "<limit lower=\"-1\" upper=\"2\" effort=\"30\" velocity=\"3\"/>"
+                                       "<dynamics damping=\"0.5\" friction=\"0.2\"/>",
+                                       "revolute"));
+  ASSERT_THAT(made.problems, IsEmpty());
+  ASSERT_EQ(made.robot.bodies.size(), 1U) << "the root is the world";
+  const JointSpec& hinge = made.robot.joints.at(0);
+  EXPECT_EQ(hinge.parent, kWorld);
+  EXPECT_EQ(hinge.kind, JointKind::hinge);
+  EXPECT_TRUE(hinge.anchor.isApprox(Eigen::Vector3d(0.1, 0.0, 0.5)));
+  EXPECT_TRUE(hinge.axis.isApprox(Eigen::Vector3d(0.0, -1.0, 0.0)));
+  EXPECT_DOUBLE_EQ(hinge.lower, -1.0);
+  EXPECT_DOUBLE_EQ(hinge.upper, 2.0);
+  EXPECT_DOUBLE_EQ(hinge.damping, 0.5);
+  EXPECT_DOUBLE_EQ(hinge.dry_friction, 0.2);
+  EXPECT_DOUBLE_EQ(made.robot.actuators.at(0).force_limit, 30.0);
+  const BodySpec& arm = made.robot.bodies.at(0);
+  EXPECT_TRUE((arm.position + arm.orientation * arm.com).isApprox(Eigen::Vector3d(0.1, -0.1, 0.5)));
+  EXPECT_TRUE(says(made, RobotRemarkKind::left_out, "1 velocity limit"));
+  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "base is held to the world"));
+}
+
+/// Two balls of 1 kg, half a metre apart: the centre lies between, and the inertia is that of both.
+TEST(Urdf, JoinsWhatFixedJointsHold) {
+  const std::string ball =
+      "<inertial><mass value=\"1\"/><inertia ixx=\"0.01\" ixy=\"0\" ixz=\"0\" iyy=\"0.01\" iyz=\"0\" izz=\"0.01\"/>"
+      "</inertial>";
+  const ReadRobot made =
+      read(robot(link("base") + link("arm", ball) + link("tool", ball) + joint("hinge", "continuous", "base", "arm") +
+                 joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0.5 0 0\"/>")));
+  ASSERT_THAT(made.problems, IsEmpty());
+  ASSERT_EQ(made.robot.bodies.size(), 1U);
+  const BodySpec& arm = made.robot.bodies[0];
+  EXPECT_DOUBLE_EQ(arm.mass, 2.0);
+  EXPECT_TRUE(arm.com.isApprox(Eigen::Vector3d(0.25, 0.0, 0.0)));
+  EXPECT_NEAR(arm.inertia.xx, 0.02, 1e-12);
+  EXPECT_NEAR(arm.inertia.yy, 0.02 + 2.0 * 0.25 * 0.25, 1e-12);
+  EXPECT_EQ(made.robot.joints.size(), 1U);
+}
+
+TEST(Urdf, RepairsInertiasThatNoBodyHas) {
+  const ReadRobot made = read(one_link(
+      "<inertial><mass value=\"1\"/><inertia ixx=\"0.01\" ixy=\"0\" ixz=\"0\" iyy=\"0.01\" iyz=\"0\" izz=\"0.05\"/>"
+      "</inertial>"));
+  ASSERT_THAT(made.problems, IsEmpty());
+  const InertiaSpec& inertia = made.robot.bodies.at(0).inertia;
+  EXPECT_NEAR(inertia.xx, 0.02, 1e-12);
+  EXPECT_NEAR(inertia.yy, 0.02, 1e-12);
+  EXPECT_NEAR(inertia.zz, 0.04, 1e-12);
+  EXPECT_TRUE(says(made, RobotRemarkKind::repaired, "link arm"));
+  const ReadRobot none = read(one_link("<inertial><mass value=\"1\"/></inertial>"));
+  EXPECT_NEAR(none.robot.bodies.at(0).inertia.xx, 0.4 * 0.05 * 0.05, 1e-12) << "a ball of 5 cm";
+}
+
+TEST(Urdf, GivesAMassToWhatMovesAndHasNone) {
+  const ReadRobot made = read(one_link(""));
+  EXPECT_DOUBLE_EQ(made.robot.bodies.at(0).mass, 1e-3);
+  EXPECT_TRUE(says(made, RobotRemarkKind::guessed, "1 g is taken"));
+}
+
+TEST(Urdf, MakesCouplingsOfMimics) {
+  const ReadRobot made = read(robot(
+      link("base") + link("left", kInertial) + link("right", kInertial) + joint("l", "prismatic", "base", "left") +
+      joint("r", "prismatic", "base", "right", "<mimic joint=\"l\" multiplier=\"-1\" offset=\"0.01\"/>")));
+  ASSERT_THAT(made.problems, IsEmpty());
+  ASSERT_EQ(made.robot.couplings.size(), 1U);
+  EXPECT_EQ(made.robot.couplings[0].joint, "r");
+  EXPECT_EQ(made.robot.couplings[0].follows, "l");
+  EXPECT_DOUBLE_EQ(made.robot.couplings[0].ratio, -1.0);
+  EXPECT_DOUBLE_EQ(made.robot.couplings[0].offset, 0.01);
+  EXPECT_EQ(made.robot.actuators.size(), 1U) << "what follows has no motor";
+  EXPECT_EQ(made.robot.sensors.size(), 4U);
+}
+
+TEST(Urdf, NamesElementsAsTheProgramCan) {
+  const ReadRobot made =
+      read(robot(link("base") + link("arm.1", kInertial) + joint("j/1", "continuous", "base", "arm.1")));
+  ASSERT_THAT(made.problems, IsEmpty());
+  EXPECT_EQ(made.robot.bodies.at(0).name, "arm_1");
+  EXPECT_EQ(made.robot.joints.at(0).child, "arm_1");
+  EXPECT_TRUE(says(made, RobotRemarkKind::repaired, "\"arm.1\" is called arm_1"));
+}
+
+TEST(Urdf, TakesNothingForANumberThatIsNone) {
+  const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
+  EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is no number"));
+  EXPECT_THAT(only_problem(one_link("<inertial><mass value=\"nan\"/></inertial>")), HasSubstr("is no number"));
+  EXPECT_THAT(only_problem(one_link(kInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("is to be three numbers"));
+  EXPECT_THAT(only_problem(one_link(kInertial, "<axis xyz=\"0 0 0\"/>")), HasSubstr("has no direction"));
+  EXPECT_EQ(read(one_link(comma)).problems.front().line, 3);
+}
+
+TEST(Urdf, SaysWhatIsWrongWithATree) {
+  EXPECT_THAT(only_problem(robot(link("a") + link("b", kInertial) + joint("j", "continuous", "a", "c"))),
+              HasSubstr("names the link \"c\", which there is not"));
+  EXPECT_THAT(only_problem(robot(link("a") + link("b"))), HasSubstr("both hang on no joint"));
+  EXPECT_THAT(
+      only_problem(robot(link("a") + link("b") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a"))),
+      HasSubstr("form a loop"));
+  EXPECT_THAT(only_problem(robot(link("a") + link("b") + link("c") + joint("j", "fixed", "a", "c") +
+                                 joint("k", "fixed", "b", "c"))),
+              HasSubstr("hangs on two joints"));
+  EXPECT_THAT(only_problem(robot(link("a") + link("b") + joint("j", "elastic", "a", "b"))),
+              HasSubstr("\"elastic\" is none"));
+}
+
+TEST(Urdf, RefusesWhatIsNoUrdf) {
+  EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\">"), HasSubstr("is no whole XML document"));
+  EXPECT_THAT(only_problem("<mujoco/>"), HasSubstr("its root is not <robot>"));
+  EXPECT_THAT(only_problem("<robot xmlns:xacro=\"http://wiki.ros.org/xacro\"><xacro:include filename=\"a\"/></robot>"),
+              HasSubstr("is a xacro file"));
+  EXPECT_THAT(only_problem("<robot name=\"x\"/>"), HasSubstr("has no <link>"));
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  EXPECT_THAT(only_problem(deep), HasSubstr("is no whole XML document"));
+}
+
+/// A chain of as many links as nobody builds ends, too.
+TEST(Urdf, ReadsTwentyThousandJoints) {
+  std::string text = link("l0");
+  for (int i = 1; i <= 20000; ++i) {
+    const std::string before = "l" + std::to_string(i - 1), name = "l" + std::to_string(i);
+    text += link(name, kInertial) + joint("j" + std::to_string(i), "continuous", before, name);
+  }
+  const ReadRobot made = read(robot(text));
+  EXPECT_THAT(made.problems, IsEmpty());
+  EXPECT_EQ(made.robot.joints.size(), 20000U);
+}
+
+}  // namespace
+}  // namespace lacuna
