@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 
 namespace lacuna {
@@ -10,7 +9,6 @@ namespace {
 
 constexpr double kMostSure = 10.0;  ///< standard errors; more is no surer
 constexpr double kSmallest = 1e-3;  ///< nats
-constexpr std::uint64_t kSeed = 1;  ///< of draws of blocks
 
 double sureness(const CostGain& gain) {
   if (!(gain.error > 0.0)) return gain.nats > 0.0 ? kMostSure : 0.0;
@@ -58,12 +56,6 @@ double readings_of(const SearchResult& found) {
   return readings;
 }
 
-std::vector<CandidateSet> judged_sets(const SearchResult& found) {
-  std::vector<CandidateSet> sets;
-  for (const FittedModel& set : found.sets) sets.push_back(set.judged);
-  return sets;
-}
-
 }  // namespace
 
 std::vector<std::string> look_alikes_of(const SearchResult& found) {
@@ -96,10 +88,8 @@ Evidence evidence_of(const SearchResult& found) {
   evidence["log_gain"] = std::log10(std::max(kSmallest, found.decision.gain.nats));
   evidence["sureness"] = sureness(found.decision.gain);
   evidence["lead"] = nearest_other(found).lead;
-  evidence["stability"] = choice_stability(judged_sets(found), found.decision, kSeed);
   evidence["help"] = share_of_help(found);
   evidence["least_part"] = least_part(found);
-  evidence["left_cost"] = std::max(0.0, after);
   evidence["left"] = before > 0.0 ? std::clamp(after / before, 0.0, 1.0) : 0.0;
   evidence["share"] = found.decision.gain.nats / std::max(kSmallest, found.decision.whole_gain);
   evidence["further_effects"] = static_cast<double>(answer.judged.members.size()) - 1.0;

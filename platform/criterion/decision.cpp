@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
 
 namespace lacuna {
 namespace {
@@ -39,14 +37,7 @@ class Decider {
     decision.whole_gain = gain_of(sets_[top], sets_[0]).nats;
     decision.p = probability(every_, 0);
     if (!passes(top, 0, decision.p)) return decision;
-    decision.largest = grown();
-    choose(decision);
-    return decision;
-  }
-
-  /// Answer, look-alikes and gain, with `largest` known.
-  void choose(Decision& decision) const {
-    const CandidateSet& largest = sets_[decision.largest];
+    const CandidateSet& largest = sets_[grown()];
     const int most = std::max(largest.told, static_cast<int>(largest.members.size()));
     const double gain = gain_of(largest, sets_[0]).nats;
     decision.best = best(of_at_most_told(most), 0);
@@ -57,10 +48,10 @@ class Decider {
       decision.answer = main;
       alternatives = as_good_of_as_many_values(main, gain);
     }
-    decision.alike.clear();
     for (const std::size_t i : alternatives)
       if (!holds(i, decision.answer)) decision.alike.push_back(i);
     decision.gain = gain_of(sets_[decision.answer], sets_[0]);
+    return decision;
   }
 
  private:
@@ -183,28 +174,6 @@ class Decider {
   std::vector<std::size_t> every_;
 };
 
-constexpr int kResamples = 200;
-constexpr Eigen::Index kBlocksOfADraw = 2;  ///< blocks
-
-/// Which blocks a draw has, pairs of them with replacement.
-std::vector<Eigen::Index> drawn_blocks(Eigen::Index blocks, std::mt19937_64& bits) {
-  const Eigen::Index pairs = (blocks + kBlocksOfADraw - 1) / kBlocksOfADraw;
-  std::vector<Eigen::Index> drawn;
-  for (Eigen::Index i = 0; i < pairs; ++i) {
-    const auto pair = static_cast<Eigen::Index>(bits() % static_cast<std::uint64_t>(pairs));
-    for (Eigen::Index b = pair * kBlocksOfADraw; b < std::min(blocks, (pair + 1) * kBlocksOfADraw); ++b)
-      drawn.push_back(b);
-  }
-  return drawn;
-}
-
-/// Names of an answer and of its look-alikes.
-std::set<std::string> class_of(const std::vector<CandidateSet>& sets, const Decision& decision) {
-  std::set<std::string> names = sets[decision.answer].members;
-  for (const std::size_t i : decision.alike) names.insert(sets[i].members.begin(), sets[i].members.end());
-  return names;
-}
-
 }  // namespace
 
 CostGain gain_of(const CandidateSet& set, const CandidateSet& over) {
@@ -240,28 +209,6 @@ double largest_gain(const CandidateSet& set, const CandidateSet& over) {
 
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed) {
   return Decider(sets, looked, seed).decide();
-}
-
-double choice_stability(const std::vector<CandidateSet>& sets, const Decision& decision, std::uint64_t seed) {
-  if (decision.answer == 0) return std::numeric_limits<double>::quiet_NaN();
-  const std::set<std::string> names = class_of(sets, decision);
-  const std::size_t size = sets[decision.answer].members.size();
-  std::mt19937_64 bits(seed);
-  const std::vector<LookedBeside> none;
-  std::vector<CandidateSet> drawn = sets;
-  int same = 0;
-  for (int draw = 0; draw < kResamples; ++draw) {
-    const std::vector<Eigen::Index> blocks = drawn_blocks(sets.front().cost.by_length.cols(), bits);
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      drawn[i].cost.by_length = sets[i].cost.by_length(Eigen::all, blocks);
-      drawn[i].cost.cost = drawn[i].cost.by_length.sum();
-    }
-    Decision again = decision;
-    Decider(drawn, none, seed).choose(again);
-    const std::set<std::string>& members = drawn[again.answer].members;
-    same += members.size() == size && std::includes(names.begin(), names.end(), members.begin(), members.end()) ? 1 : 0;
-  }
-  return static_cast<double>(same) / kResamples;
 }
 
 }  // namespace lacuna

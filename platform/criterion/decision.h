@@ -51,9 +51,8 @@ struct LookedBeside {
 
 /// What is missing.
 struct Decision {
-  std::size_t answer = 0;   ///< which of the sets
-  std::size_t largest = 0;  ///< the set of most effects that each step in size allows
-  std::size_t best = 0;     ///< the one that gains most of those that may be the answer: minor effects with it
+  std::size_t answer = 0;  ///< which of the sets
+  std::size_t best = 0;    ///< the one that gains most of those that may be the answer: minor effects with it
   /// Other sets, of as many told values, that are indistinguishable from it on these data; none that holds it.
   std::vector<std::size_t> alike;
   double p = 1.0;           ///< how often chance alone would gain as much as the best set does
@@ -70,10 +69,5 @@ struct Decision {
 /// it has none, of others as good, within a twentieth of the gain or one standard error, with as many told values, the
 /// one of fewest values in all, then of fewest members, then of fewest effects: friction in three joints is one thing.
 Decision decide(const std::vector<CandidateSet>& sets, const std::vector<LookedBeside>& looked, std::uint64_t seed);
-
-/// How often the same effects, or look-alikes of as many, would be chosen had other times been recorded: the share of
-/// 200 draws of the blocks, in pairs that follow each other, with replacement (B. Efron, Annals of Statistics 7, 1979,
-/// 1-26). The largest set is the decision's. NaN where nothing is present.
-double choice_stability(const std::vector<CandidateSet>& sets, const Decision& decision, std::uint64_t seed);
 
 }  // namespace lacuna

@@ -30,18 +30,18 @@ struct KnownFigure {
   double sign;
 };
 
-/// Those that say most first.
-constexpr std::array kFigures = {KnownFigure{"lead", 1.0},         KnownFigure{"left", -1.0},
-                                 KnownFigure{"share", 1.0},        KnownFigure{"sureness", 1.0},
-                                 KnownFigure{"log_gain", 1.0},     KnownFigure{"look_alikes", -1.0},
-                                 KnownFigure{"all_lengths", -1.0}, KnownFigure{"further_effects", -1.0},
-                                 KnownFigure{"surprise", 1.0},     KnownFigure{"base_cost", -1.0}};
+constexpr std::size_t kMostFigures = 4;
+
+/// What the least of an answer's effects adds; what the answer leaves; at how many lengths and recordings it helps; how
+/// many readings there are. Of a verdict without an answer: what the model itself leaves.
+constexpr std::array kFigures = {KnownFigure{"least_part", 1.0}, KnownFigure{"left", -1.0}, KnownFigure{"help", 1.0},
+                                 KnownFigure{"log_readings", 1.0}, KnownFigure{"base_cost", -1.0}};
 
 /// Figures that all of them have, as many as there are cases for.
 std::vector<KnownFigure> common_evidence(const Verdicts& verdicts) {
   std::vector<KnownFigure> figures;
   for (const KnownFigure& figure : kFigures)
-    if ((figures.size() + 1) * kCasesPerFigure <= verdicts.size() &&
+    if (figures.size() < kMostFigures && (figures.size() + 1) * kCasesPerFigure <= verdicts.size() &&
         std::all_of(verdicts.begin(), verdicts.end(),
                     [&](const JudgedVerdict* one) { return one->evidence.contains(figure.name); }))
       figures.push_back(figure);

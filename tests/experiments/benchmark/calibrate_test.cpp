@@ -43,7 +43,7 @@ TEST(LogisticFit, GivesNoWeightTheSignThatItCannotHave) {
 }
 
 JudgedVerdict verdict(const char* rig, double lead, bool right) {
-  return {rig, "effect_found", {{"lead", lead}}, right ? 1.0 : 0.0};
+  return {rig, "effect_found", {{"least_part", lead}}, right ? 1.0 : 0.0};
 }
 
 TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
@@ -64,10 +64,10 @@ TEST(Calibrate, TellsSureVerdictsFromOthersAndLeavesRigsOut) {
   EXPECT_FALSE(calibration.all.contains("not_in_library")) << "two are too few";
   EXPECT_NEAR(calibration.all.at("nothing_missing").probability({}), 2.5 / 4.0, 1e-6) << "two of three were right";
   const auto without = calibration.without.at("cart_pole").at("effect_found");
-  EXPECT_NEAR(without.probability({{"lead", 2.0}}), 0.9, 0.03);
-  EXPECT_NEAR(without.probability({{"lead", 0.0}}), 0.3, 0.03);
-  EXPECT_LT(calibration.all.at("effect_found").probability({{"lead", 1.0}}), 0.5);
-  EXPECT_LT(calibration.without.at("servo_pendulum").at("effect_found").probability({{"lead", 1.0}}), 0.05);
+  EXPECT_NEAR(without.probability({{"least_part", 2.0}}), 0.9, 0.03);
+  EXPECT_NEAR(without.probability({{"least_part", 0.0}}), 0.3, 0.03);
+  EXPECT_LT(calibration.all.at("effect_found").probability({{"least_part", 1.0}}), 0.5);
+  EXPECT_LT(calibration.without.at("servo_pendulum").at("effect_found").probability({{"least_part", 1.0}}), 0.05);
 }
 
 /// A figure that speaks for one thing on one rig and for the other on the next is worth nothing on a third.
@@ -79,7 +79,7 @@ TEST(Calibrate, WeighsLittleWhatDoesNotHoldFromRigToRig) {
     verdicts.push_back(verdict("cart_pole", lead, lead < 0.5 || i % 5 == 0));
   }
   const auto found = calibrate(verdicts).at("effect_found");
-  EXPECT_NEAR(found.probability({{"lead", 0.0}}), found.probability({{"lead", 1.0}}), 0.05);
+  EXPECT_NEAR(found.probability({{"least_part", 0.0}}), found.probability({{"least_part", 1.0}}), 0.05);
 }
 
 }  // namespace
