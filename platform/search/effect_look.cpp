@@ -7,7 +7,6 @@
 #include "search/probed_laws.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,7 +17,6 @@ namespace {
 
 constexpr std::size_t kForPromises = 400;  ///< samples of a length
 constexpr WantedChange kWantedChange = {0.2, 0.6, true};
-constexpr std::array kPartsOfAPromise = {1.0, 0.5, 0.25, 0.1};  ///< from which a fit may begin
 constexpr double kFarthestSize = 20.0;  ///< times its probe's size that an effect may be promised at
 
 }  // namespace
@@ -282,10 +280,8 @@ NamedValues start_of_fit(const SearchData& data, const FittedModel& model, const
   double least = std::numeric_limits<double>::infinity();
   NamedValues start = model.values;
   const Eigen::VectorXd sizes = promise.step.tail(promise.step.size() - own);
-  std::vector<std::vector<double>> tried = {promise.probes.front().own};
-  for (const double part : kPartsOfAPromise) tried.push_back(values_at_sizes(hypothesis, promise.probes, part * sizes));
   for (const std::vector<double>& of_model : {as_is, moved})
-    for (const std::vector<double>& of_effect : tried) {
+    for (const std::vector<double>& of_effect : starting_values(hypothesis, promise.probes, sizes)) {
       const double cost = probed.cost(of_model, of_effect, stage.linear);
       if (!(cost < least)) continue;
       least = cost;

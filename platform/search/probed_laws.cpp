@@ -1,12 +1,22 @@
 #include "search/probed_laws.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lacuna {
 namespace {
 
 constexpr double kLeastSize = 1e-6;
+constexpr std::array kPartsOfAFactor = {0.25, 0.1};  ///< of what it promises to first order, which ends soon
+
+/// Whether a probe was sized by a number that multiplies, and that changes nothing within its range.
+bool is_factor(const Hypothesis& hypothesis, const SizedProbe& probe) {
+  if (!probe.sized) return false;
+  const FreeValue& free = hypothesis.definition.free[hypothesis.own[*probe.sized]];
+  const double neutral = hypothesis.neutral[*probe.sized];
+  return free.scale == Scale::logarithmic && neutral > free.lower && neutral < free.upper;
+}
 
 /// The value by which a probe was sized, so many times as far from where it changes nothing. A factor goes as many
 /// times, up or down; what changes nothing at an end of its range acts in proportion to it, or to its reciprocal: what
@@ -15,11 +25,10 @@ double value_at_size(const Hypothesis& hypothesis, const SizedProbe& probe, doub
   const std::size_t i = *probe.sized;
   const FreeValue& free = hypothesis.definition.free[hypothesis.own[i]];
   const double neutral = hypothesis.neutral[i], probed = probe.own[i];
-  const bool is_factor = free.scale == Scale::logarithmic && neutral > free.lower && neutral < free.upper;
-  const double value = free.scale == Scale::linear ? neutral + size * (probed - neutral)
-                       : is_factor                 ? neutral * std::pow(probed / neutral, size)
-                       : probed < neutral          ? probed / std::max(size, kLeastSize)
-                                                   : probed * size;
+  const double value = free.scale == Scale::linear    ? neutral + size * (probed - neutral)
+                       : is_factor(hypothesis, probe) ? neutral * std::pow(probed / neutral, size)
+                       : probed < neutral             ? probed / std::max(size, kLeastSize)
+                                                      : probed * size;
   return std::clamp(value, free.lower, free.upper);
 }
 
@@ -36,6 +45,16 @@ bool act_together(const Hypothesis& hypothesis, const SizedProbe& one, const Siz
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> starting_values(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
+                                                 const Eigen::VectorXd& sizes) {
+  const Eigen::VectorXd between = sizes.cwiseSign().cwiseProduct(sizes.cwiseAbs().cwiseSqrt());
+  std::vector<std::vector<double>> starts = {values_at_sizes(hypothesis, probes, sizes),
+                                             values_at_sizes(hypothesis, probes, between), probes.front().own};
+  if (std::any_of(probes.begin(), probes.end(), [&](const SizedProbe& probe) { return is_factor(hypothesis, probe); }))
+    for (const double part : kPartsOfAFactor) starts.push_back(values_at_sizes(hypothesis, probes, part * sizes));
+  return starts;
+}
 
 std::vector<double> values_at_sizes(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
                                     const Eigen::VectorXd& sizes) {

@@ -19,6 +19,11 @@ struct ProbeResponse {
 std::vector<double> values_at_sizes(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
                                     const Eigen::VectorXd& sizes);
 
+/// Values from which a fit of the effect may begin where it is promised at these sizes. What a factor promises to first
+/// order is too much where it is far from 1: smaller parts are tried of it, too.
+std::vector<std::vector<double>> starting_values(const Hypothesis& hypothesis, const std::vector<SizedProbe>& probes,
+                                                 const Eigen::VectorXd& sizes);
+
 /// By law the responses that act together: those of one form of the effect, each sized by another value of it. Equal
 /// probes count once.
 std::vector<std::vector<std::size_t>> laws_of(const Hypothesis& hypothesis,
