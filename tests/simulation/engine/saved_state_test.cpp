@@ -98,7 +98,7 @@ TEST_P(SavedState, TheScenarioUsesWhatItClaimsTo) {
   const auto& samples = rig.result.readings.samples;
   EXPECT_LT(samples.col(0).minCoeff(), -0.2);  // the arm swings
   if (GetParam() == "ode") {
-    EXPECT_GT(samples.col(8).maxCoeff(), 0.0);         // box_touch
+    EXPECT_GT(samples.col(8).maxCoeff(), 0.0);                     // box_touch
     EXPECT_GT(samples.rightCols(4).leftCols(1).maxCoeff(), 20.0);  // the ground bears the box
   }
   for (const StateSection& section : rig.model->state_layout()) EXPECT_GT(section.size, 0U) << section.name;
