@@ -49,13 +49,6 @@ double least_part(const SearchResult& found) {
   return std::clamp(least, 0.0, 1.0);
 }
 
-double readings_of(const SearchResult& found) {
-  double readings = 0.0;
-  for (const Trial& trial : found.data->task().trials)
-    if (!trial.held_out) readings += static_cast<double>(trial.measured.samples.array().isFinite().count());
-  return readings;
-}
-
 }  // namespace
 
 std::vector<std::string> look_alikes_of(const SearchResult& found) {
@@ -83,7 +76,7 @@ Evidence evidence_of(const SearchResult& found) {
                        {"base_cost", before},
                        {"nested_sets", found.nested},
                        {"unnested_sets", found.unnested},
-                       {"log_readings", std::log10(std::max(1.0, readings_of(found)))}};
+                       {"log_readings", std::log10(std::max(1.0, found.data->readings()))}};
   if (found.decision.answer == 0) return evidence;
   evidence["log_gain"] = std::log10(std::max(kSmallest, found.decision.gain.nats));
   evidence["sureness"] = sureness(found.decision.gain);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSurelyBehind = 3.0;  ///< standard errors
 
-/// Of the sets that are not told apart from the answer, the one that costs least; where there are none, the nearest
+/// Of the sets that are indistinguishable from the answer, the one that costs least; where there are none, the nearest
 /// that says something else, unless it is surely behind. Null: there is none.
 const FittedModel* rival_of(const SearchResult& found) {
   const FittedModel* least = nullptr;

@@ -2,6 +2,7 @@
 
 #include "foundation/interrupt.h"
 #include "search/fit_starts.h"
+#include "search/nesting.h"
 #include "search/promise_order.h"
 #include "search/spread.h"
 
@@ -23,7 +24,6 @@ constexpr std::size_t kSwapped = 3;  ///< effects that are tried in a member's p
 constexpr std::size_t kMostMembers = 3;
 constexpr double kWorthATriple = 0.05;  ///< of the whole gain, that a pair adds
 constexpr double kSame = 0.1;           ///< of the gain by blocks, within which two effects do the same
-constexpr double kNested = 1e-3;        ///< nats by which a set may cost more than its part
 constexpr std::uint64_t kSeed = 1;      ///< of signs drawn at random
 
 /// Members of one model: "b" beside "a".
@@ -323,12 +323,16 @@ class EffectSearch {
       }
   }
 
+  const FittedModel& answer() const {
+    const std::vector<const FittedModel*> sets = sets_of(models_);
+    return *sets[decide(judged_sets(models_), looked_, kSeed).answer];
+  }
+
   /// The answer with a member exchanged for what promises the same: the effects that these data do not tell from it.
   void fit_twins_of_answer() {
-    const std::vector<CandidateSet> sets = judged_sets(models_);
-    const FittedModel& answer = *models_.find(sets[decide(sets, looked_, kSeed).answer].members);
-    const Entries added = answer.model.added;
-    const NamedValues values = answer.values;
+    const FittedModel& found = answer();
+    const Entries added = found.model.added;
+    const NamedValues values = found.values;
     for (std::size_t i = 0; i < added.size(); ++i)
       for (const EffectPromise& twin : twins_of(look_, member_name(added[i])))
         if (!members_of(added).contains(member_name(look_.hypotheses[twin.hypothesis].entry)))
@@ -336,9 +340,9 @@ class EffectSearch {
   }
 
   void spread_answer() {
-    const std::vector<CandidateSet> sets = judged_sets(models_);
-    spread_from_ = sets[decide(sets, looked_, kSeed).answer].members;
-    spread_ = spread_over_places(models_, look_, *models_.find(spread_from_), whole_gain());
+    const FittedModel& from = answer();
+    spread_from_ = from.judged.members;
+    spread_ = spread_over_places(models_, look_, from, whole_gain());
     if (spread_) say("a value for each joint");
   }
 
@@ -355,17 +359,6 @@ class EffectSearch {
   FittedModels::Members spread_from_;
   std::optional<FittedModel> spread_;
 };
-
-void count_nesting(SearchResult& result) {
-  result.nested = result.unnested = 0;
-  for (const FittedModel& set : result.sets)
-    for (const FittedModel& part : result.sets) {
-      const auto &whole = set.judged.members, &some = part.judged.members;
-      if (some.size() >= whole.size() || !std::includes(whole.begin(), whole.end(), some.begin(), some.end())) continue;
-      ++result.nested;
-      if (set.fit.cost > part.fit.cost + kNested) ++result.unnested;
-    }
-}
 
 void conclude(const EffectSearch& search, SearchResult& result) {
   const FittedModels& models = search.models();

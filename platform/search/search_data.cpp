@@ -68,12 +68,14 @@ SearchData::SearchData(const EffectSearchTask& task)
   choose_substeps();
 }
 
-bool SearchData::tells(double values) const {
+double SearchData::readings() const {
   double readings = 0.0;
   for (const Trial& trial : task_.trials)
     if (!trial.held_out) readings += static_cast<double>(trial.measured.samples.array().isFinite().count());
-  return kReadingsOfAValue * values <= readings;
+  return readings;
 }
+
+bool SearchData::tells(double values) const { return kReadingsOfAValue * values <= readings(); }
 
 void SearchData::bound(std::vector<Hypothesis>& hypotheses) const {
   for (Hypothesis& one : hypotheses) {

@@ -75,6 +75,7 @@ class SearchData {
   /// Keeps values of added effects within what the readings resolve.
   void bound(Contender& model) const { bound_by_resolution(model.added, scales_, model.definition.free); }
   void bound(std::vector<Hypothesis>& hypotheses) const;
+  double readings() const;  ///< that are fitted
   /// Whether there are readings enough for so many values: eight for each.
   bool tells(double values) const;
   bool timing() const { return timing_; }  ///< when commands act is fitted, as a last value beside the model's
