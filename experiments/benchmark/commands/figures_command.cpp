@@ -6,6 +6,7 @@
 #include "figures/dirty_table.h"
 #include "figures/pictures.h"
 #include "figures/tables.h"
+#include "figures/withheld_table.h"
 #include "foundation/whole_file.h"
 #include "runs/dirty_store.h"
 #include "runs/work_folder.h"
@@ -32,7 +33,9 @@ void show_dirty(const Database& database, const FiguresOptions& options) {
   if (options.every_version || options.versions.size() > 1)
     throw std::invalid_argument("the figures of a dirty set are those of one --version");
   const std::string version = options.versions.empty() ? last_version(database, options.set) : options.versions.front();
-  const std::string page = dirty_tables(read_dirty_results(database, version, options.set));
+  const std::vector<CaseResult> results = read_dirty_results(database, version, options.set);
+  const bool is_withheld = dirty::plan_dirty_cases(options.set).front().must_be_force;
+  const std::string page = is_withheld ? withheld_tables(results) : dirty_tables(results);
   if (options.out.empty()) return fmt::print("{}", page);
   make_folder(options.out);
   lacuna::write_whole(options.out / "figures.md", page, lacuna::Link::replaced);

@@ -110,6 +110,8 @@ class EffectChooser {
   /// Laws that reach the strength; where too few do, those that come nearest to it.
   void choose_laws() {
     std::vector<PlacedKind> candidates = placed_kinds(rig_);
+    if (plan_.must_be_force)
+      std::erase_if(candidates, [](const PlacedKind& one) { return goes_with(*one.kind).empty(); });
     std::vector<TriedLaw> spare;
     const double part = plan_.mains == 2 ? draw_.between(0.35, 0.65) : 1.0;
     const int most = rig_.stated.joints.size() > 3 ? kMostCandidates / 2 : kMostCandidates;

@@ -19,6 +19,15 @@ struct DirtyKind {
   double most_size = 8.0;             ///< beyond it the law is no longer one of several things that a rig does
 };
 
+/// What the force of a kind goes with: for each quantity the words of an answer that name it ("position",
+/// "velocity, by the position", see residual_law/law_family.h); any of them is right. Empty: the kind is no force that
+/// could be told from a position, a velocity, a command or a time, such as an inertia, a constant or a reading's error.
+/// Fixed before any method was asked.
+std::vector<std::string> goes_with(const DirtyKind& kind);
+
+/// All effects of the library that could stand for a kind, near ones with them: withheld, nothing names it.
+std::vector<std::string> effects_like(const DirtyKind& kind);
+
 /// All of them. The accepted names were fixed before any method was asked.
 const std::vector<DirtyKind>& dirty_kinds();
 

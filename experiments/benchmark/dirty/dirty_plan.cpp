@@ -13,8 +13,9 @@ namespace {
 
 enum class Theme {
   all,
-  values,  ///< in each the main effect is a value of the robot file, and nothing small is round it
-  loops    ///< a controller outside answers random forces; one main effect or none, and nothing small
+  values,   ///< in each the main effect is a value of the robot file, and nothing small is round it
+  loops,    ///< a controller outside answers random forces; one main effect or none, and nothing small
+  withheld  ///< the main effect is a force, which the library does not have in every second case; nothing small
 };
 
 struct DirtySet {
@@ -29,7 +30,8 @@ constexpr DirtySet kDirtySets[] = {{"dirty-tuning", 51207, 300},
                                    {"dirty-reporting", 90481, 300},
                                    {"dirty-quick", 61803, 60},
                                    {"dirty-values", 27183, 40, Theme::values},
-                                   {"dirty-loops", 14142, 30, Theme::loops}};
+                                   {"dirty-loops", 14142, 30, Theme::loops},
+                                   {"dirty-withheld", 16180, 80, Theme::withheld}};
 
 constexpr double kLeastStrength = 2.0, kLargestStrength = 100.0;
 constexpr double kLeastDisturbance = 0.01, kLargestDisturbance = 0.1;
@@ -42,6 +44,9 @@ struct Mains {
 
 /// No stated value of a wheel that runs down shows in its motion: what scales the angle scales the law, too.
 std::vector<std::string> families_of(Theme theme) {
+  if (theme == Theme::withheld)
+    return {"free_pendulum",   "driven_slider",     "controlled_axis",    "two_link_arm",
+            "driven_pendulum", "spring_oscillator", "wheel_running_down", "velocity_axis"};
   if (theme == Theme::loops) return {"controlled_axis", "velocity_axis", "upright_pendulum"};
   std::vector<std::string> all = families();
   if (theme == Theme::values) std::replace(all.begin(), all.end(), std::string("wheel_running_down"), all.front());
@@ -51,6 +56,7 @@ std::vector<std::string> families_of(Theme theme) {
 std::vector<Mains> mains_of(Theme theme) {
   if (theme == Theme::values) return {{1, true}};
   if (theme == Theme::loops) return {{0, false}, {1, false}};
+  if (theme == Theme::withheld) return {{1, false}};
   std::vector<Mains> all;
   all.insert(all.end(), 4, {0, false});
   all.insert(all.end(), 9, {1, false});
@@ -70,6 +76,7 @@ std::vector<DirtyPlan> plan_of(const DirtySet& set) {
     plan.number = k;
     plan.seed = mixed(set.seed, 1000 + static_cast<std::uint64_t>(k));
     plan.family = of_set[static_cast<std::size_t>(k) % of_set.size()];
+    const int turn = k / static_cast<int>(of_set.size());
     const Mains& wanted = mains.next();
     Draw own(plan.seed, 1);
     plan.mains = wanted.count;
@@ -79,10 +86,13 @@ std::vector<DirtyPlan> plan_of(const DirtySet& set) {
     plan.small = 2 + static_cast<int>(own.below(3));
     plan.misstated = static_cast<int>(own.below(3));
     if (set.theme != Theme::all) plan.small = plan.misstated = 0;
-    if (set.theme == Theme::loops) {
+    const bool disturbed =
+        set.theme == Theme::loops || (set.theme == Theme::withheld && (turn % 4 == 1 || turn % 4 == 2));
+    if (disturbed)
       plan.disturbance = kLeastDisturbance * std::pow(kLargestDisturbance / kLeastDisturbance, own.uniform());
-      plan.states_controller = k % 2 == 1;
-    }
+    plan.states_controller = set.theme == Theme::loops && k % 2 == 1;
+    plan.must_be_force = set.theme == Theme::withheld;
+    plan.withheld = plan.must_be_force && (k + turn) % 2 == 0;
   }
   return plans;
 }

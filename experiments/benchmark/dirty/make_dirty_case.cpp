@@ -41,7 +41,7 @@ class DirtyMaker {
     bench.set_noise(made_.noise);
     made_.effects = choose_effects(made_.plan, rig_, bench, draw_);
     settle_shares(bench);
-    record_all();
+    record_all(bench);
     return std::move(made_);
   }
 
@@ -57,9 +57,13 @@ class DirtyMaker {
     return trials;
   }
 
-  /// Of the plan's share of what the drives exert when nothing disturbs them.
-  Disturbance draw_disturbance() {
+  /// Of the plan's share of what the drives exert when nothing disturbs them; where none does, of what moves the
+  /// joints.
+  Disturbance draw_disturbance(const SizingBench& bench) {
     Disturbance disturbance{std::vector<double>(rig_.stated.joints.size(), 0.0), 0.0};
+    for (std::size_t j = 0; rig_.stated.drives.empty() && j < disturbance.forces.size(); ++j)
+      disturbance.forces[j] =
+          made_.plan.disturbance * bench.scales({&dirty_kind("coulomb_friction"), static_cast<int>(j)}).force;
     for (std::size_t d = 0; d < rig_.stated.drives.size(); ++d) {
       double squares = 0.0, count = 0.0;
       for (const TrueTrial& trial : trials_)
@@ -158,8 +162,8 @@ class DirtyMaker {
   }
 
   /// Shares are those of the undisturbed trials; what is recorded may be disturbed.
-  void record_all() {
-    if (made_.plan.disturbance > 0.0) trials_ = carry_out_all(draw_disturbance());
+  void record_all(const SizingBench& bench) {
+    if (made_.plan.disturbance > 0.0) trials_ = carry_out_all(draw_disturbance(bench));
     for (std::size_t t = 0; t < trials_.size(); ++t)
       made_.recorded.push_back(
           record(rig_, made_.truth, trials_[t], rig_.trials[t], made_.recording, mixed(seed_, 60 + t)));

@@ -7,6 +7,21 @@
 #include <exception>
 
 namespace hidden_effects {
+namespace {
+
+/// Names of the effects that the library is not to have: all that could stand for a main effect.
+std::vector<std::string> withheld_effects(const CaseResult& made, const CasePlan& plan) {
+  std::vector<std::string> names;
+  if (!dirty_plan_of(plan).withheld) return names;
+  for (const DirtyEffectRecord& effect : made.dirty) {
+    if (effect.role != "main") continue;
+    const std::vector<std::string> alike = effects_like(dirty::dirty_kind(effect.what));
+    names.insert(names.end(), alike.begin(), alike.end());
+  }
+  return names;
+}
+
+}  // namespace
 
 CaseResult run_dirty_case(const CasePlan& plan, const std::string& version, const std::filesystem::path& work,
                           bool keep, const ProgramSettings& settings) {
@@ -23,7 +38,7 @@ CaseResult run_dirty_case(const CasePlan& plan, const std::string& version, cons
     return result;
   }
   try {
-    result.diagnoses.push_back(UserSession(settings, folder.path(), {}).diagnose());
+    result.diagnoses.push_back(UserSession(settings, folder.path(), withheld_effects(result, plan)).diagnose());
   } catch (const CaseFailure& error) {
     result.failure = error.what();
   }

@@ -40,6 +40,8 @@ TEST(DirtyPlan, HasItsNumbersOfCases) {
   EXPECT_EQ(plan_dirty_cases("dirty-reporting").size(), 300U);
   EXPECT_EQ(plan_dirty_cases("dirty-quick").size(), 60U);
   EXPECT_EQ(plan_dirty_cases("dirty-values").size(), 40U);
+  EXPECT_EQ(plan_dirty_cases("dirty-loops").size(), 30U);
+  EXPECT_EQ(plan_dirty_cases("dirty-withheld").size(), 80U);
   EXPECT_THROW(plan_dirty_cases("tuning"), std::invalid_argument);
 }
 
@@ -86,6 +88,13 @@ TEST(DirtyPlan, MeetsTheRangesOfRealRigs) {
     EXPECT_LE(ranges.strength.least, 4.0) << set;
     EXPECT_GE(ranges.strength.most, 60.0) << set;
   }
+}
+
+TEST(DirtyPlan, WithholdsHalfOfTheLawsEachUnderRandomForcesAndNot) {
+  std::map<std::pair<bool, bool>, int> met;
+  for (const DirtyPlan& plan : plan_dirty_cases("dirty-withheld")) ++met[{plan.withheld, plan.disturbance > 0.0}];
+  ASSERT_EQ(met.size(), 4U);
+  for (const auto& [kind, count] : met) EXPECT_EQ(count, 20) << kind.first << kind.second;
 }
 
 TEST(DirtyPlan, DrawsTheSameRigFromTheSameSeed) {
