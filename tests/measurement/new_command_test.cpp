@@ -144,6 +144,39 @@ TEST_F(NewCommand, DraftsAServo) {
   EXPECT_EQ(expect_a_draft_that_works().trials[0].commands.series.channels[0].unit, "rad");
 }
 
+/// An angle, what it was to follow, and a torque that `command` makes of step and error in rad.
+template <class Command>
+std::string controlled(const Command& command) {
+  std::string text = "t_s,angle_deg,angle_ref_deg,torque_Nm\n";
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 0.7 * std::sin(0.1 * i), wanted = 0.8 * std::sin(0.1 * i + 0.2);
+    const double degrees = 180.0 / 3.141592653589793;
+    text += fmt::format("{},{:.6f},{:.6f},{:.6f}\n", 0.01 * i, degrees * angle, degrees * wanted,
+                        command(i, wanted - angle));
+  }
+  return text;
+}
+
+TEST_F(NewCommand, DraftsTheLawOfAController) {
+  const std::string text = controlled([](int, double error) { return 2.5 * error; });
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  EXPECT_THAT(text_of(rig()), HasSubstr("# motor = { reads = \"angle\", reference = { column = \"angle_ref_deg\", unit "
+                                        "= \"deg\" }, proportional = \"2.5 N*m/rad\" }\n"));
+  std::string stated =
+      std::regex_replace(text_of(rig()), std::regex("# \\[target.controllers\\]"), "[target.controllers]");
+  stated = std::regex_replace(stated, std::regex("# motor = "), "motor = ");
+  std::ofstream(rig()) << stated;
+  const Recording recording = expect_a_draft_that_works();
+  EXPECT_NE(recording.trials[0].controller, nullptr);
+}
+
+TEST_F(NewCommand, LeavesGainsBlankThatDoNotMakeTheCommand) {
+  const std::string text = controlled([](int i, double) { return std::sin(0.37 * i); });
+  ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
+  EXPECT_THAT(text_of(rig()), HasSubstr("make these commands of these readings: state yours"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("proportional = \"FILL IN N*m/rad\" }"));
+}
+
 TEST_F(NewCommand, DraftsAVoltageOnAMotor) {
   std::string text = "t [s],angle [deg],motor voltage [V]\n";
   for (int i = 0; i < 100; ++i) text += fmt::format("{},{:.4f},{:.3f}\n", 0.01 * i, 40.0 * std::sin(0.1 * i), 0.1 * i);

@@ -1,5 +1,6 @@
 #include "app/workspace/rig_draft.h"
 
+#include "app/workspace/controller_draft.h"
 #include "config/toml_node.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
@@ -275,7 +276,7 @@ std::string experiment_text(const RigDraft& draft) {
       "[experiment]\nname = {4}\nseed = 1\n\n",
       name, counted(draft.files.size(), "recording"), kBlank,
       plain_text(shell_word(draft.experiment.filename().string())), toml_text(name));
-  text += target_text(draft) + columns_text(draft);
+  text += target_text(draft) + columns_text(draft) + controllers_text(draft);
   text +=
       fmt::format("\n[model]\nfile = {}\neffects = []\n{}{}\n[engine]\n",
                   toml_text(path_in_file(draft.robot, draft.experiment)), free_text(robot_of(draft)), fit_text(draft));
