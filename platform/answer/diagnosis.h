@@ -114,11 +114,13 @@ struct Diagnosis {
   /// The model's own free values, by address, fitted beside the answer; empty where no verdict says that the model is
   /// right with it.
   std::vector<FoundParameter> values;
-  std::optional<double> p_by_chance;       ///< how often noise alone gains as much as the best set of effects
-  std::optional<Gain> answer_gain;         ///< over the model without any effect
-  std::vector<ForceCurve> residual_force;  ///< what no effect explains, where that is more than noise
-  std::vector<ForceFormula> formulas;      ///< of it, one a joint, the largest gain first
-  std::size_t hypotheses = 0;              ///< effect × place
+  std::optional<double> p_by_chance;            ///< how often noise alone gains as much as the best set of effects
+  std::optional<Gain> answer_gain;              ///< over the model without any effect
+  std::vector<ForceCurve> missing_force;        ///< of the model as it is, with what the answer makes of it
+  std::optional<UnexplainedForce> unexplained;  ///< by the answer, or by the model where there is none
+  std::vector<ForceCurve> residual_force;       ///< what no effect explains, where that is more than noise
+  std::vector<ForceFormula> formulas;           ///< of it, one a joint, the largest gain first
+  std::size_t hypotheses = 0;                   ///< effect × place
   std::vector<Untestable> untestable;
   std::vector<std::string> findings;  ///< sentences
   std::string next_test;              ///< as `lacuna trial --test` takes it; empty: nothing to be settled by a test

@@ -5,6 +5,7 @@
 #include "answer/fitted_values.h"
 #include "foundation/unit.h"
 #include "residual_law/joint_laws.h"
+#include "residual_law/missing_force.h"
 #include "residual_law/residual_law.h"
 
 #include <fmt/format.h>
@@ -38,6 +39,8 @@ class Told {
  public:
   explicit Told(const SearchResult& found) : found_(found), base_(found.sets.front()), answer_(found.answer()) {
     if (!found.stopped) law_ = residual_law(found, found.spread ? *found.spread : found.sets[found.decision.best]);
+    if (has_answer() && ends_library()) lacking_ = residual_law(found, base_);
+    if (!lacking_.is_present) lacking_ = law_;
   }
 
   Diagnosis diagnosis() const {
@@ -66,9 +69,11 @@ class Told {
  private:
   bool has_answer() const { return found_.decision.answer != 0; }
 
+  /// Whether what no effect explains is more than a remainder beside an answer.
+  bool ends_library() const { return law_.is_present && (!has_answer() || (law_.share > kMostLeft && !law_.is_minor)); }
+
   Verdict verdict(double base_times_floor) const {
-    if (law_.is_present && (!has_answer() || (law_.share > kMostLeft && !law_.is_minor)))
-      return Verdict::not_in_library;
+    if (ends_library()) return Verdict::not_in_library;
     if (has_answer()) return Verdict::effect_found;
     return found_.stopped || base_times_floor > kFarAboveFloor ? Verdict::cannot_tell : Verdict::nothing_missing;
   }
@@ -127,10 +132,10 @@ class Told {
 
   /// Where the library is not enough, of what the model lacks; else of what the answer leaves.
   void tell_law(Diagnosis& result) const {
-    const bool of_model = result.verdict == Verdict::not_in_library && has_answer();
-    const ResidualLaw law = of_model ? residual_law(found_, base_) : law_;
-    result.residual_force = law.curves;
-    result.formulas = law.formulas;
+    result.residual_force = lacking_.curves;
+    result.formulas = lacking_.formulas;
+    if (result.verdict == Verdict::effect_found && !found_.stopped) result.missing_force = missing_force(found_);
+    if (law_.is_present) result.unexplained = {lacking_.joint, lacking_.kind, law_.share, in_nats(law_.gain)};
   }
 
   /// What no effect of the library explains.
@@ -139,6 +144,12 @@ class Told {
     if (!has_answer())
       return fmt::format("a force on joint.{} that no effect of the library describes is missing; it depends on {}",
                          law_.joint, law_.kind);
+    if (ends_library())
+      return fmt::format(
+          "a force on joint.{} is missing that no effect of the library describes; it depends on {}; the best effects "
+          "of "
+          "the library leave {:.0f} % of the total gain to it",
+          lacking_.joint, lacking_.kind, 100.0 * law_.share);
     return fmt::format(
         "beside all that effects of the library explain, a force on joint.{} is left that none of them describes: "
         "{:.0f} "
@@ -193,7 +204,8 @@ class Told {
   const SearchResult& found_;
   const FittedModel& base_;
   const FittedModel& answer_;
-  ResidualLaw law_;
+  ResidualLaw law_;      ///< beside the answer, or the best set
+  ResidualLaw lacking_;  ///< the same, but of the model as it is where the library ends
 };
 
 }  // namespace

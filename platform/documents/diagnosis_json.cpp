@@ -85,7 +85,13 @@ ordered_json document(const ForceCurve& curve) {
                            {"force", curve.force},
                            {"standard_error", curve.standard_error}};
   if (curve.position) document["position"] = *curve.position;
+  if (!curve.by_answer.empty()) document["by_answer"] = curve.by_answer;
   return document;
+}
+
+ordered_json document(const UnexplainedForce& force) {
+  return {
+      {"joint", force.joint}, {"goes_with", force.goes_with}, {"share", force.share}, {"gain", document(force.gain)}};
 }
 
 ordered_json document(const Untestable& one) {
@@ -123,6 +129,8 @@ void add_search(const Diagnosis& diagnosis, ordered_json& whole) {
   whole["horizons"] = list(diagnosis.horizons);
   if (diagnosis.p_by_chance) whole["p_by_chance"] = *diagnosis.p_by_chance;
   if (diagnosis.answer_gain) whole["answer_gain"] = document(*diagnosis.answer_gain);
+  if (!diagnosis.missing_force.empty()) whole["missing_force"] = list(diagnosis.missing_force);
+  if (diagnosis.unexplained) whole["unexplained"] = document(*diagnosis.unexplained);
   if (!diagnosis.formulas.empty()) whole["formulas"] = list(diagnosis.formulas);
   if (!diagnosis.residual_force.empty()) whole["residual_force"] = list(diagnosis.residual_force);
 }

@@ -116,7 +116,12 @@ ForceCurve curve_of(const ordered_json& json) {
                       numbers(json["force"]),
                       numbers(json["standard_error"])};
   if (json.contains("position")) curve.position = figure(json["position"]);
+  if (json.contains("by_answer")) curve.by_answer = numbers(json["by_answer"]);
   return curve;
+}
+
+UnexplainedForce unexplained_of(const ordered_json& json) {
+  return {json["joint"], json["goes_with"], figure(json["share"]), gain_of(json["gain"])};
 }
 
 /// Documents of before do not name it: then what they have tells it. Nothing: nothing was searched.
@@ -153,6 +158,8 @@ Diagnosis read_diagnosis(const std::string& document) {
     diagnosis.answer_gain = gain_of(whole["answer_gain"]);
   else if (!whole.contains("method") && !diagnosis.ranking.empty())  // documents of before have that gain alone
     diagnosis.answer_gain = diagnosis.ranking.front().gain;
+  for (const ordered_json& one : list_of(whole, "missing_force")) diagnosis.missing_force.push_back(curve_of(one));
+  if (whole.contains("unexplained")) diagnosis.unexplained = unexplained_of(whole["unexplained"]);
   for (const ordered_json& one : list_of(whole, "formulas")) diagnosis.formulas.push_back(formula_of(one));
   for (const ordered_json& one : list_of(whole, "residual_force")) diagnosis.residual_force.push_back(curve_of(one));
   diagnosis.hypotheses = whole["hypotheses"];

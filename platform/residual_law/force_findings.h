@@ -17,7 +17,17 @@ struct ForceCurve {
   std::vector<double> at, force, standard_error;
   /// Of a slice: the whole force where the joint is at this position. Without it: what this quantity alone adds.
   std::optional<double> position = {};
+  std::vector<double> by_answer = {};  ///< what the answer makes of it, at the same places; empty: not asked
   bool operator==(const ForceCurve&) const = default;
+};
+
+/// That a force is left which no effect has.
+struct UnexplainedForce {
+  std::string joint;
+  std::string goes_with;  ///< "velocity", "the past of the command" (law_family.h)
+  double share = 0.0;     ///< of all that the answer and this force gain together
+  Gain gain;              ///< where it was not fitted, over the answer
+  bool operator==(const UnexplainedForce&) const = default;
 };
 
 /// A force law of a few physical terms that explains what a model leaves of one joint's motion.

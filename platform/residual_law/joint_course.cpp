@@ -44,6 +44,7 @@ void remember(std::vector<JointMoment>& moments, const Memories& constants) {
       const JointMoment& before = moments[i == 0 ? 0 : i - 1];
       moments[i].slow_velocity[m] = mix(before.slow_velocity[m], moments[i].velocity);
       moments[i].slow_direction[m] = mix(before.slow_direction[m], direction(moments[i].velocity));
+      moments[i].slow_command[m] = mix(before.slow_command[m], moments[i].command);
     }
 }
 

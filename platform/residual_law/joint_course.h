@@ -18,6 +18,7 @@ struct JointMoment {
   double time = 0.0;                               ///< s, since its recording began
   std::array<double, kMemories> slow_velocity{};   ///< low-passed, a time constant each
   std::array<double, kMemories> slow_direction{};  ///< the same of the sign of the velocity
+  std::array<double, kMemories> slow_command{};    ///< the same of the command
 };
 
 /// The course of one hinge or slider through the trials that are fitted.

@@ -13,6 +13,7 @@ constexpr double kTermRidge = 1e-6;
 constexpr std::size_t kMostTerms = 3;
 constexpr double kWorthATerm = 0.1;                ///< of what the law gains
 constexpr std::array kSlices = {0.03, 0.5, 0.97};  ///< of the positions, at which the force is drawn over velocity ...
+constexpr double kDriving = 0.1;                   ///< correlation of a force with the velocity
 constexpr int kSliceKnots = 9;                     ///< ... at so many velocities
 constexpr double kNear = 0.1, kSeen = 0.05;        ///< of the range of positions; of the velocities there
 constexpr const char* kMotion = "position and velocity";
@@ -31,6 +32,13 @@ bool is_of_motion(const LawFamily& family) {
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// Where a curve of a family of one quantity is told.
+std::vector<JointMoment> moments_at(const LawFamily& family) {
+  std::vector<JointMoment> moments(family.places.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) moments[i].*family.of = family.places[i];
+  return moments;
 }
 
 /// The law with one term more, of those with which it costs least.
@@ -62,8 +70,10 @@ JointLaws::JointLaws(const SearchData& data, const FittedModel& model, const Pre
       pulses_(force_pulses(data, model, ladder, course)) {
   if (pulses_.responses.empty()) return;
   families_ = law_families(course);
-  for (const LawFamily& family : families_)
+  for (const LawFamily& family : families_) {
     functions_.insert(functions_.end(), family.functions.begin(), family.functions.end());
+    is_of_velocity_.resize(functions_.size(), family.follows_velocity ? 1 : 0);
+  }
   bench_.emplace(ladder_, linear_, model_.fit.bounds, course_, pulses_, functions_);
   plain_ = bench_->fit("", {}, 0.0);
   std::vector<std::size_t> of_motion;
@@ -89,6 +99,22 @@ const FittedLaw& JointLaws::best_of(const std::string& kind) const {
   });
 }
 
+bool JointLaws::drives(const FittedLaw& law) const {
+  const Eigen::VectorXd sizes = bench_->sizes(law);
+  double power = 0.0, force_squares = 0.0, velocity_squares = 0.0;
+  for (const std::vector<JointMoment>& moments : course_.trials)
+    for (const JointMoment& moment : moments) {
+      double force = 0.0;
+      for (std::size_t f = 0; f < law.functions.size(); ++f)
+        if (is_of_velocity_[law.functions[f]])
+          force += sizes(static_cast<Eigen::Index>(f)) * functions_[law.functions[f]](moment);
+      power += force * moment.velocity;
+      force_squares += force * force;
+      velocity_squares += moment.velocity * moment.velocity;
+    }
+  return power > kDriving * std::sqrt(force_squares * velocity_squares);
+}
+
 std::vector<ForceCurve> JointLaws::curves() const {
   std::vector<ForceCurve> all;
   for (const LawFamily& family : families_)
@@ -103,12 +129,41 @@ std::vector<ForceCurve> JointLaws::curves() const {
   return all;
 }
 
+std::vector<ForceCurve> JointLaws::curves_beside(const LinearPrediction& part) const {
+  std::vector<ForceCurve> all;
+  if (!bench_) return all;
+  const LawBench other(ladder_, part, model_.fit.bounds, course_, pulses_, functions_);
+  for (const LawFamily& family : families_) {
+    const FittedLaw& law = best_of(family.kind);
+    if (!family.of || !gain(law).is_told()) continue;
+    all.push_back(curve_over(family, law));
+    const Eigen::VectorXd sizes = other.sizes(other.fit(law.kind, law.functions, law.ridge));
+    for (const JointMoment& moment : moments_at(family))
+      all.back().by_answer.push_back(functions_at(law, moment).dot(sizes));
+  }
+  return all;
+}
+
+Eigen::VectorXd JointLaws::functions_at(const FittedLaw& law, const JointMoment& moment) const {
+  Eigen::VectorXd at(static_cast<Eigen::Index>(law.functions.size()));
+  for (std::size_t f = 0; f < law.functions.size(); ++f)
+    at(static_cast<Eigen::Index>(f)) = functions_[law.functions[f]](moment);
+  return at;
+}
+
+void JointLaws::trace(const FittedLaw& law, const std::vector<JointMoment>& moments, ForceCurve& curve) const {
+  const Eigen::VectorXd sizes = bench_->sizes(law);
+  const Eigen::MatrixXd covariance = bench_->covariance(law);
+  for (const JointMoment& moment : moments) {
+    const Eigen::VectorXd at = functions_at(law, moment);
+    curve.force.push_back(at.dot(sizes));
+    curve.standard_error.push_back(std::sqrt(std::max(0.0, at.dot(covariance * at))));
+  }
+}
+
 ForceCurve JointLaws::curve_over(const LawFamily& family, const FittedLaw& law) const {
   ForceCurve curve{course_.joint, family.quantity, family.unit, course_.force_unit, family.places, {}, {}};
-  const Eigen::VectorXd sizes = bench_->sizes(law);
-  const Eigen::VectorXd errors = bench_->covariance(law).diagonal().cwiseMax(0.0).cwiseSqrt();
-  curve.force.assign(sizes.begin(), sizes.end());
-  curve.standard_error.assign(errors.begin(), errors.end());
+  trace(law, moments_at(family), curve);
   return curve;
 }
 
@@ -123,18 +178,13 @@ std::optional<ForceCurve> JointLaws::slice_at(double position, const FittedLaw& 
   const double low = quantile(seen, kSeen), high = quantile(seen, 1.0 - kSeen);
   if (!(low < high)) return std::nullopt;
   ForceCurve slice{course_.joint, "velocity", course_.position_unit + "/s", course_.force_unit, {}, {}, {}, position};
-  const Eigen::VectorXd sizes = bench_->sizes(law);
-  const Eigen::MatrixXd covariance = bench_->covariance(law);
-  Eigen::VectorXd at(sizes.size());
+  std::vector<JointMoment> moments;
   for (int i = 0; i < kSliceKnots; ++i) {
-    const JointMoment moment{.position = position,
-                             .velocity = std::lerp(low, high, static_cast<double>(i) / (kSliceKnots - 1))};
-    for (std::size_t f = 0; f < law.functions.size(); ++f)
-      at(static_cast<Eigen::Index>(f)) = functions_[law.functions[f]](moment);
-    slice.at.push_back(moment.velocity);
-    slice.force.push_back(at.dot(sizes));
-    slice.standard_error.push_back(std::sqrt(std::max(0.0, at.dot(covariance * at))));
+    moments.push_back(
+        {.position = position, .velocity = std::lerp(low, high, static_cast<double>(i) / (kSliceKnots - 1))});
+    slice.at.push_back(moments.back().velocity);
   }
+  trace(law, moments, slice);
   return slice;
 }
 

@@ -23,9 +23,15 @@ class JointLaws {
   const JointCourse& course() const { return course_; }
   const std::vector<FittedLaw>& laws() const { return laws_; }  ///< none where the model cannot feel such a force
   const FittedLaw& plain() const { return plain_; }             ///< the model without one
+  /// Whether what a law has of the velocity, now or before, feeds the joint with energy. Nothing of a robot does;
+  /// random forces do, since the joint moves where they push it.
+  bool drives(const FittedLaw& law) const;
 
   /// The force over each quantity that alone gains more than its error, and over velocity at some positions.
   std::vector<ForceCurve> curves() const;
+  /// The force over each quantity that alone gains more than its error, with what the same law makes of other residuals
+  /// of the model, `part`, as `by_answer`.
+  std::vector<ForceCurve> curves_beside(const LinearPrediction& part) const;
   /// Physical terms one by one, each the one with which most is gained, while that is worth it; `whole_gain`: nats, of
   /// the best law. None where no term is.
   std::vector<ForceFormula> formulas(double whole_gain) const;
@@ -35,6 +41,9 @@ class JointLaws {
   CostGain gain(const FittedLaw& law) const { return gain_of(law.judged, plain_.judged); }
   const FittedLaw& best_of(const std::string& kind) const;
   ForceCurve curve_over(const LawFamily& family, const FittedLaw& law) const;
+  void trace(const FittedLaw& law, const std::vector<JointMoment>& moments, ForceCurve& curve) const;
+  /// What each function of a law is at a moment.
+  Eigen::VectorXd functions_at(const FittedLaw& law, const JointMoment& moment) const;
   std::optional<ForceCurve> slice_at(double position, const FittedLaw& law) const;
   ForceFormula formula_of(const LawBench& bench, const FittedLaw& law, const std::vector<ForceTerm>& terms) const;
 
@@ -44,7 +53,8 @@ class JointLaws {
   const JointCourse& course_;
   ForcePulses pulses_;
   std::vector<LawFamily> families_;
-  LawBench::Functions functions_;  ///< of all families
+  LawBench::Functions functions_;     ///< of all families
+  std::vector<char> is_of_velocity_;  ///< by function: of a family that follows the velocity
   std::optional<LawBench> bench_;
   FittedLaw plain_;
   std::vector<FittedLaw> laws_;

@@ -12,7 +12,9 @@ namespace {
 constexpr int kPositions = 9, kVelocities = 11, kCommands = 7, kTimes = 7;  ///< knots
 constexpr int kWaves = 12;                                                  ///< periods of a turn
 constexpr int kDampingWaves = 4;
-constexpr int kDegrees = 4;  ///< of the position, in products with the velocity
+constexpr double kBesideJump = 1e-3;  ///< of the largest velocity
+constexpr int kDriftDegrees = 3;      ///< of the time
+constexpr int kDegrees = 4;           ///< of the position, in products with the velocity
 
 double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
@@ -36,13 +38,25 @@ double hat(const std::vector<double>& at, std::size_t i, double x) {
   return 1.0;
 }
 
+/// Friction jumps where the velocity is none: a function that does, and a place on either side of it.
+void add_jump(LawFamily& family) {
+  family.functions.emplace_back([](const JointMoment& at) { return sign(at.velocity); });
+  std::vector<double>& places = family.places;
+  if (!(places.front() < 0.0 && places.back() > 0.0)) return;
+  const double beside = kBesideJump * std::max(-places.front(), places.back());
+  std::erase_if(places, [&](double place) { return std::abs(place) <= beside; });
+  const auto after = std::upper_bound(places.begin(), places.end(), 0.0);
+  places.insert(after, {-beside, beside});
+}
+
 void add_hats(const JointCourse& course, const std::string& quantity, const std::string& unit, double JointMoment::*of,
               int count, std::vector<LawFamily>& all) {
   const auto at = std::make_shared<const std::vector<double>>(knots(course.all(of), count));
   if (at->size() < 3) return;
-  LawFamily family{quantity, {}, quantity, unit, *at, of};
+  LawFamily family{quantity, {}, quantity, unit, *at, of, of == &JointMoment::velocity};
   for (std::size_t i = 0; i < at->size(); ++i)
     family.functions.emplace_back([at, i, of](const JointMoment& moment) { return hat(*at, i, moment.*of); });
+  if (family.follows_velocity) add_jump(family);
   all.push_back(std::move(family));
 }
 
@@ -63,8 +77,15 @@ std::function<double(const JointMoment&)> scaled_position(const JointCourse& cou
   return [middle, half](const JointMoment& at) { return std::clamp((at.position - middle) / half, -1.0, 1.0); };
 }
 
+/// A family of no one quantity.
+LawFamily empty_family(const std::string& kind, bool follows_velocity) {
+  LawFamily family{kind, {}};
+  family.follows_velocity = follows_velocity;
+  return family;
+}
+
 LawFamily velocity_by_position(const JointCourse& course) {
-  LawFamily family{"velocity, by the position", {}};
+  LawFamily family = empty_family("velocity, by the position", true);
   const auto scaled = scaled_position(course);
   for (unsigned degree = 1; degree <= kDegrees; ++degree) {
     const auto of_position = [scaled, degree](const JointMoment& at) { return std::legendre(degree, scaled(at)); };
@@ -77,7 +98,7 @@ LawFamily velocity_by_position(const JointCourse& course) {
 }
 
 LawFamily periodic_damping() {
-  LawFamily family{"velocity, by the position periodically", {}};
+  LawFamily family = empty_family("velocity, by the position periodically", true);
   for (int n = 1; n <= kDampingWaves; ++n)
     for (const bool dry : {false, true}) {
       const auto of_velocity = [dry](const JointMoment& at) { return dry ? sign(at.velocity) : at.velocity; };
@@ -88,12 +109,29 @@ LawFamily periodic_damping() {
 }
 
 LawFamily memory() {
-  LawFamily family{"the past of the motion", {}};
+  LawFamily family = empty_family("the past of the motion", true);
   for (std::size_t m = 0; m < kMemories; ++m) {
     family.functions.emplace_back([m](const JointMoment& at) { return at.slow_velocity[m]; });
     family.functions.emplace_back([m](const JointMoment& at) { return at.slow_direction[m]; });
     family.functions.emplace_back([m](const JointMoment& at) { return std::abs(at.slow_velocity[m]) * at.velocity; });
   }
+  return family;
+}
+
+LawFamily memory_of_command() {
+  LawFamily family{"the past of the command", {}};
+  for (std::size_t m = 0; m < kMemories; ++m)
+    family.functions.emplace_back([m](const JointMoment& at) { return at.slow_command[m] - at.command; });
+  return family;
+}
+
+/// A force that fades or grows in a recording.
+LawFamily drifting(LawFamily family, const JointCourse& course, double JointMoment::*of) {
+  const std::vector<double> times = course.all(&JointMoment::time);
+  const double last = times.empty() ? 1.0 : std::max(*std::max_element(times.begin(), times.end()), 1e-12);
+  for (unsigned degree = 1; degree <= kDriftDegrees; ++degree)
+    family.functions.emplace_back(
+        [=](const JointMoment& at) { return at.*of * std::legendre(degree, 2.0 * at.time / last - 1.0); });
   return family;
 }
 
@@ -195,7 +233,11 @@ std::vector<LawFamily> law_families(const JointCourse& course) {
   }
   all.push_back(velocity_by_position(course));
   all.push_back(memory());
-  if (!course.command_unit.empty()) all.push_back(command_and_velocity());
+  all.push_back(drifting(empty_family("time and velocity", true), course, &JointMoment::velocity));
+  if (course.command_unit.empty()) return all;
+  all.push_back(memory_of_command());
+  all.push_back(command_and_velocity());
+  all.push_back(drifting(empty_family("command and time", false), course, &JointMoment::command));
   return all;
 }
 

@@ -16,11 +16,13 @@ struct LawFamily {
   std::string quantity = {}, unit = {};
   std::vector<double> places = {};
   double JointMoment::*of = nullptr;
+  bool follows_velocity = false;  ///< now or before: a thing of the robot then takes energy from the joint
 };
 
 /// The kinds of force that a joint may feel: of position (by hats between knots at quantiles, and periodic on a hinge),
-/// of velocity, of command and of time; of position and velocity together, damping that is periodic in the position;
-/// of the past of velocity and direction; of command and velocity together.
+/// of velocity, with a jump where it is none, of command and of time; of position and velocity together, damping that
+/// is periodic in the position; of the past of velocity and direction; of the past of the command, which is late; of
+/// command and velocity together; of the command and the time, and the velocity and the time, which drift.
 std::vector<LawFamily> law_families(const JointCourse& course);
 
 /// A physical term of a force law.

@@ -31,6 +31,7 @@ BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints) {
   std::vector<Eigen::VectorXd> gains;
   for (const std::unique_ptr<JointLaws>& joint : joints)
     for (const FittedLaw& law : joint->laws()) {
+      if (joint->drives(law)) continue;
       gains.push_back(joint->plain().judged.cost.by_block() - law.judged.cost.by_block());
       const double gain = gains.back().sum();
       if (!best.law || gain > most) best = {joint.get(), &law, 1.0}, most = gain;

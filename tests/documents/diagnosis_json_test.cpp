@@ -48,6 +48,9 @@ Diagnosis filled() {
   whole.values = {{"body.arm.mass", "kg", 1.5, 1.4, 1.6}};
   whole.p_by_chance = 0.0005;
   whole.answer_gain = {9.0, 0.75, 7.5, 10.5};
+  whole.missing_force = {
+      {"elbow", "position", "rad", "N*m", {-2.0, 2.0}, {0.3, 0.4}, {0.03, 0.04}, std::nullopt, {0.5, 0.6}}};
+  whole.unexplained = {"hinge", "velocity", 0.125, {2.0, 1.0, 0.04, 3.96}};
   whole.residual_force = {{"hinge", "velocity", "rad/s", "N*m", {-1.0, 1.0}, {0.1, 0.2}, {0.01, 0.02}, 0.3}};
   whole.formulas = {formula()};
   whole.hypotheses = 47;
@@ -65,8 +68,9 @@ Diagnosis filled() {
 TEST(DiagnosisJson, KeepsEveryField) {
   const Diagnosis whole = filled();
   const auto [verdict, probability, calibrated, method, evidence, horizons, base, base_times_floor, base_segment,
-              ranking, values, p_by_chance, answer_gain, residual_force, formulas, hypotheses, untestable, findings,
-              next_test, next_test_setup, next_test_worth, stopped, seconds] = read_diagnosis(diagnosis_json(whole));
+              ranking, values, p_by_chance, answer_gain, missing_force, unexplained, residual_force, formulas,
+              hypotheses, untestable, findings, next_test, next_test_setup, next_test_worth, stopped, seconds] =
+      read_diagnosis(diagnosis_json(whole));
   EXPECT_EQ(verdict, whole.verdict);
   EXPECT_EQ(probability, whole.probability);
   EXPECT_EQ(calibrated, whole.calibrated);
@@ -80,6 +84,8 @@ TEST(DiagnosisJson, KeepsEveryField) {
   EXPECT_EQ(values, whole.values);
   EXPECT_EQ(p_by_chance, whole.p_by_chance);
   EXPECT_EQ(answer_gain, whole.answer_gain);
+  EXPECT_EQ(missing_force, whole.missing_force);
+  EXPECT_EQ(unexplained, whole.unexplained);
   EXPECT_EQ(residual_force, whole.residual_force);
   ASSERT_EQ(formulas.size(), 1U);
   EXPECT_EQ(formulas.front().joint, formula().joint);

@@ -32,7 +32,8 @@ void add_curve(const ForceCurve& curve, const std::string& label, const char* co
 }
 
 Panel empty_panel(const ForceCurve& curve) {
-  Panel panel{"unexplained force [" + curve.force_unit + "]", {{"", Mark::level, kInk, {}, {0.0}, {}}}, 1.0, {}};
+  const char* which = curve.by_answer.empty() ? "unexplained" : "missing";
+  Panel panel{fmt::format("{} force [{}]", which, curve.force_unit), {{"", Mark::level, kInk, {}, {0.0}, {}}}, 1.0, {}};
   panel.x_label = curve.of + " [" + curve.unit + "]";
   return panel;
 }
@@ -47,7 +48,9 @@ std::vector<Panel> force_panels(const std::vector<ForceCurve>& curves, const std
     if (curve.joint != joint) continue;
     if (!curve.position) {
       panels.push_back(empty_panel(curve));
-      add_curve(curve, "", kOrange, panels.back());
+      add_curve(curve, curve.by_answer.empty() ? "" : "force that the model lacks, ± 95 %", kOrange, panels.back());
+      if (!curve.by_answer.empty())
+        panels.back().series.push_back({"by the answer", Mark::line, kBlue, curve.at, curve.by_answer, {}});
       continue;
     }
     if (!slices) slices = empty_panel(curve);
@@ -59,12 +62,9 @@ std::vector<Panel> force_panels(const std::vector<ForceCurve>& curves, const std
   return panels;
 }
 
-/// The force on one joint, and the formula for it if there is one.
-Figure force_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
-  Figure figure{fmt::format("{} · force on joint.{}", title, joint), "", {}};
-  for (const ForceFormula& formula : diagnosis.formulas)
-    if (formula.joint == joint) figure.title += fmt::format(": {} {}", formula.text(), formula.unit);
-  figure.panels = force_panels(diagnosis.residual_force, joint);
+/// Forces on one joint.
+Figure force_figure(const std::vector<ForceCurve>& curves, const std::string& joint, const std::string& title) {
+  Figure figure{title, "", force_panels(curves, joint)};
   figure.columns = figure.panels.size() == 4 ? 2 : static_cast<int>(figure.panels.size());
   figure.x_label = figure.panels.front().x_label;  // where there is one column only
   figure.same_y = true;
@@ -72,9 +72,22 @@ Figure force_figure(const Diagnosis& diagnosis, const std::string& joint, const 
   return figure;
 }
 
-std::vector<std::string> joints_of(const Diagnosis& diagnosis) {
+/// What the model lacks, and what the answer makes of it.
+Figure missing_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
+  return force_figure(diagnosis.missing_force, joint, fmt::format("{} · missing force on joint.{}", title, joint));
+}
+
+/// What no effect explains, and the formula for it if there is one.
+Figure residual_figure(const Diagnosis& diagnosis, const std::string& joint, const std::string& title) {
+  std::string whole = fmt::format("{} · force on joint.{}", title, joint);
+  for (const ForceFormula& formula : diagnosis.formulas)
+    if (formula.joint == joint) whole += fmt::format(": {} {}", formula.text(), formula.unit);
+  return force_figure(diagnosis.residual_force, joint, whole);
+}
+
+std::vector<std::string> joints_of(const std::vector<ForceCurve>& curves) {
   std::vector<std::string> joints;
-  for (const ForceCurve& curve : diagnosis.residual_force)
+  for (const ForceCurve& curve : curves)
     if (std::find(joints.begin(), joints.end(), curve.joint) == joints.end()) joints.push_back(curve.joint);
   return joints;
 }
@@ -176,8 +189,10 @@ std::vector<std::filesystem::path> draw_diagnosis(const Diagnosis& diagnosis, co
   };
   if (!diagnosis.horizons.empty()) draw(horizons_figure(diagnosis, title), "errors-by-horizon.svg");
   if (!ranked_rows(diagnosis).empty()) draw(ranking_figure(diagnosis, title), "ranking.svg");
-  for (const std::string& joint : joints_of(diagnosis))
-    draw(force_figure(diagnosis, joint, title), "residual-force-" + joint + ".svg");
+  for (const std::string& joint : joints_of(diagnosis.missing_force))
+    draw(missing_figure(diagnosis, joint, title), "missing-force-" + joint + ".svg");
+  for (const std::string& joint : joints_of(diagnosis.residual_force))
+    draw(residual_figure(diagnosis, joint, title), "residual-force-" + joint + ".svg");
   return files;
 }
 

@@ -266,11 +266,12 @@ function Candidate({ rank, model, inPercent, length }: CandidateProps) {
 }
 
 function Force({ document }: { document: DiagnosisDocument }) {
-  if (document.residual_force.length === 0 && document.formulas.length === 0) return null;
+  if (document.missing_force.length + document.residual_force.length + document.formulas.length === 0) return null;
   return (
     <>
       <div class="two">
-        <ForceMap curves={document.residual_force} />
+        <ForceMap curves={document.missing_force} kind="missing" />
+        <ForceMap curves={document.residual_force} kind="unexplained" />
       </div>
       {document.formulas.length > 0 && (
         <Figure

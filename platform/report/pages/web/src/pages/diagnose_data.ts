@@ -56,6 +56,8 @@ export interface ForceCurve {
   force: number[];
   standard_error: number[];
   position?: number;
+  /** What the answer makes of it, at the same places. */
+  by_answer?: number[];
 }
 
 /** What `lacuna diagnose --json` writes, as far as it is shown. */
@@ -86,6 +88,8 @@ export interface DiagnosisDocument {
     terms: { text: string; coefficient: number; standard_error: number; unit: string }[];
   }[];
   formulas_of_rest: boolean;
+  /** Of the model as it is, with what the answer makes of it. */
+  missing_force: ForceCurve[];
   residual_force: ForceCurve[];
   hypotheses: number;
   findings: string[];
@@ -195,6 +199,7 @@ export function readDocument(text: string): DiagnosisDocument {
     answer_gain: { value: null, standard_error: null, ci95: [null, null] },
     formulas: [],
     formulas_of_rest: false,
+    missing_force: [],
     residual_force: [],
     hypotheses: 0,
     findings: [],

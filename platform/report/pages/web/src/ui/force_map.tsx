@@ -13,8 +13,13 @@ function heat(share: number): string {
   return `rgb(${mix(r)}, ${mix(g)}, ${mix(b)})`;
 }
 
+/** Of the model as it is, or what no effect explains. */
+type Kind = 'missing' | 'unexplained';
+
+const titleOf = (kind: Kind, name: string) => (kind === 'missing' ? `Missing force on ${name}` : `Force on ${name}`);
+
 /** The force that the residual shows: a curve a feature, and a map where it is known over velocity at several positions. */
-export function ForceMap({ curves }: { curves: ForceCurve[] }) {
+export function ForceMap({ curves, kind }: { curves: ForceCurve[]; kind: Kind }) {
   const groups = grouped(curves);
   return (
     <>
@@ -23,7 +28,7 @@ export function ForceMap({ curves }: { curves: ForceCurve[] }) {
         return placed.length > 2 ? (
           <Heat key={name} title={`Force on ${name} and position`} curves={placed} />
         ) : (
-          <Curve key={name} title={`Force on ${name}`} curves={members} />
+          <Curve key={name} title={titleOf(kind, name)} curves={members} />
         );
       })}
     </>
@@ -46,7 +51,7 @@ const withUnit = (label: string, unit: string) => (unitText(unit) ? `${label} / 
 
 const keep = (curves: ForceCurve[], title: string) =>
   saveCsv(
-    ['joint', 'of', 'at', 'unit', 'position', 'position_unit', 'force', 'standard_error', 'force_unit'],
+    ['joint', 'of', 'at', 'unit', 'position', 'position_unit', 'force', 'standard_error', 'by_answer', 'force_unit'],
     curves.flatMap((one) =>
       one.at.map((at, i) => [
         one.joint,
@@ -57,6 +62,7 @@ const keep = (curves: ForceCurve[], title: string) =>
         positionUnit(one),
         one.force[i],
         one.standard_error[i],
+        one.by_answer?.[i] ?? null,
         one.force_unit,
       ]),
     ),
@@ -71,7 +77,11 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
       title={title}
       x={{ label: first.of, unit: first.unit }}
       y={{ label: 'force', unit: first.force_unit, include: [0] }}
-      note="A force of free form that explains the residual best, with twice its standard error."
+      note={
+        first.by_answer
+          ? 'The force that the model lacks, of free form, with twice its standard error, and what the answer makes of it. Where they part, the law has another form.'
+          : 'A force of free form that explains the residual best, with twice its standard error.'
+      }
       series={curves.flatMap((one, i) => [
         {
           name: '',
@@ -83,12 +93,15 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
           upper: one.force.map((f, k) => f + 2 * one.standard_error[k]),
         },
         {
-          name: one.position === undefined ? one.of : `at position ${quantity(one.position, positionUnit(one))}`,
+          name: one.by_answer ? 'missing' : one.position === undefined ? one.of : `at position ${quantity(one.position, positionUnit(one))}`,
           kind: 'both' as const,
           colour: colours[i % 3],
           x: one.at,
           y: one.force,
         },
+        ...(one.by_answer
+          ? [{ name: 'by the answer', kind: 'line' as const, colour: 'predicted' as const, x: one.at, y: one.by_answer }]
+          : []),
       ])}
     />
   );
