@@ -35,6 +35,10 @@ double longest_trial(const std::vector<Trial>& trials) {
   return longest;
 }
 
+double norm(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).norm();
+}
+
 class Told {
  public:
   explicit Told(const SearchResult& found) : found_(found), base_(found.sets.front()), answer_(found.answer()) {
@@ -111,7 +115,7 @@ class Told {
       if (found_.by_all_lengths)
         add("only predictions over the longest times show it; shorter ones are as good without it");
     }
-    add(left());
+    add(left(result));
     if (result.verdict == Verdict::nothing_missing && result.base_times_floor > kAboveFloor)
       add(fmt::format(
           "predictions are off by {:.3g} × floor, which is more than readings scatter, and neither an effect of the "
@@ -139,7 +143,7 @@ class Told {
   }
 
   /// What no effect of the library explains.
-  std::string left() const {
+  std::string left(const Diagnosis& result) const {
     if (!law_.is_present) return "";
     if (!has_answer())
       return fmt::format("a force on joint.{} that no effect of the library describes is missing; it depends on {}",
@@ -151,10 +155,19 @@ class Told {
           "the library leave {:.0f} % of the total gain to it",
           lacking_.joint, lacking_.kind, 100.0 * law_.share);
     return fmt::format(
-        "beside all that effects of the library explain, a force on joint.{} is left that none of them describes: "
-        "{:.0f} "
-        "% of the total gain; it depends on {}",
-        law_.joint, 100.0 * law_.share, law_.kind);
+               "beside all that effects of the library explain, a force on joint.{} is left that none of them "
+               "describes: "
+               "{:.0f} "
+               "% of the total gain; it depends on {}",
+               law_.joint, 100.0 * law_.share, law_.kind) +
+           (has_another_form(result) ? ", as the answer does, whose law has another form than the library's" : "");
+  }
+
+  /// Whether what is left goes with the quantity over which the answer makes most of the missing force.
+  bool has_another_form(const Diagnosis& result) const {
+    return std::any_of(result.missing_force.begin(), result.missing_force.end(), [&](const ForceCurve& curve) {
+      return curve.joint == law_.joint && curve.of == law_.kind && 2.0 * norm(curve.by_answer) > norm(curve.force);
+    });
   }
 
   /// Own values that the answer moves.

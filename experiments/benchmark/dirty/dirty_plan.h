@@ -22,7 +22,7 @@ struct DirtyPlan {
   double disturbance = 0.0;        ///< random forces, over what the drives exert, RMS
   bool states_controller = false;  ///< the experiment file has the law of the controller
   bool must_be_force = false;      ///< the main effect is a force that goes with something (goes_with.cpp)
-  bool withheld = false;           ///< the program is asked without the effects that could stand for the main one (goes_with.cpp)
+  bool withheld = false;  ///< the program is asked without all effects that are like the main one (goes_with.cpp)
 
   std::string name() const;  ///< "dirty-quick-0042"
 };
