@@ -145,22 +145,19 @@ class Told {
   /// What no effect of the library explains.
   std::string left(const Diagnosis& result) const {
     if (!law_.is_present) return "";
+    const std::string where = "joint." + lacking_.joint;
     if (!has_answer())
-      return fmt::format("a force on joint.{} that no effect of the library describes is missing; it depends on {}",
-                         law_.joint, law_.kind);
+      return fmt::format("no effect of the library describes the missing force on {}, which depends on {}", where,
+                         lacking_.kind);
     if (ends_library())
       return fmt::format(
-          "a force on joint.{} is missing that no effect of the library describes; it depends on {}; the best effects "
-          "of "
-          "the library leave {:.0f} % of the total gain to it",
-          lacking_.joint, lacking_.kind, 100.0 * law_.share);
-    return fmt::format(
-               "beside all that effects of the library explain, a force on joint.{} is left that none of them "
-               "describes: "
-               "{:.0f} "
-               "% of the total gain; it depends on {}",
-               law_.joint, 100.0 * law_.share, law_.kind) +
-           (has_another_form(result) ? ", as the answer does, whose law has another form than the library's" : "");
+          "no effect of the library describes the missing force on {}, which depends on {}: the best effects leave "
+          "{:.0f} % "
+          "of the total gain",
+          where, lacking_.kind, 100.0 * law_.share);
+    const char* form = has_another_form(result) ? ", as the answer does: its law probably has another form" : "";
+    return fmt::format("an unexplained force remains on {}, {:.0f} % of the total gain; it depends on {}{}", where,
+                       100.0 * law_.share, law_.kind, form);
   }
 
   /// Whether what is left goes with the quantity over which the answer makes most of the missing force.

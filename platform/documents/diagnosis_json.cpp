@@ -91,7 +91,7 @@ ordered_json document(const ForceCurve& curve) {
 
 ordered_json document(const UnexplainedForce& force) {
   return {
-      {"joint", force.joint}, {"goes_with", force.goes_with}, {"share", force.share}, {"gain", document(force.gain)}};
+      {"joint", force.joint}, {"depends_on", force.depends_on}, {"share", force.share}, {"gain", document(force.gain)}};
 }
 
 ordered_json document(const Untestable& one) {

@@ -121,7 +121,7 @@ ForceCurve curve_of(const ordered_json& json) {
 }
 
 UnexplainedForce unexplained_of(const ordered_json& json) {
-  return {json["joint"], json["goes_with"], figure(json["share"]), gain_of(json["gain"])};
+  return {json["joint"], json["depends_on"], figure(json["share"]), gain_of(json["gain"])};
 }
 
 /// Documents of before do not name it: then what they have tells it. Nothing: nothing was searched.

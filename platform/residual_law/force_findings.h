@@ -24,9 +24,9 @@ struct ForceCurve {
 /// That a force is left which no effect has.
 struct UnexplainedForce {
   std::string joint;
-  std::string goes_with;  ///< "velocity", "the past of the command" (law_family.h)
-  double share = 0.0;     ///< of all that the answer and this force gain together
-  Gain gain;              ///< where it was not fitted, over the answer
+  std::string depends_on;  ///< "velocity", "the past of the command" (law_family.h)
+  double share = 0.0;      ///< of all that the answer and this force gain together
+  Gain gain;               ///< where it was not fitted, over the answer
   bool operator==(const UnexplainedForce&) const = default;
 };
 

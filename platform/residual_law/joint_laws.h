@@ -23,8 +23,8 @@ class JointLaws {
   const JointCourse& course() const { return course_; }
   const std::vector<FittedLaw>& laws() const { return laws_; }  ///< none where the model cannot feel such a force
   const FittedLaw& plain() const { return plain_; }             ///< the model without one
-  /// Whether what a law has of the velocity, now or before, feeds the joint with energy. Nothing of a robot does;
-  /// random forces do, since the joint moves where they push it.
+  /// Whether the part of a law that depends on the velocity, now or before, adds energy to the joint. Random forces
+  /// produce such laws, because a joint moves where they push it; friction does not.
   bool drives(const FittedLaw& law) const;
 
   /// The force over each quantity that alone gains more than its error, and over velocity at some positions.

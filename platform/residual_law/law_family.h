@@ -16,7 +16,7 @@ struct LawFamily {
   std::string quantity = {}, unit = {};
   std::vector<double> places = {};
   double JointMoment::*of = nullptr;
-  bool follows_velocity = false;  ///< now or before: a thing of the robot then takes energy from the joint
+  bool follows_velocity = false;  ///< now or before: friction of this kind takes energy from the joint
 };
 
 /// The kinds of force that a joint may feel: of position (by hats between knots at quantiles, and periodic on a hinge),

@@ -25,7 +25,7 @@ struct ResidualLaw {
 /// the search and at its answer's own lengths, cross-fitted as it is, beside one of its sets, where the recordings hold
 /// eight times the shortest length. Present: signs with the
 /// maximum over all laws below 5 %, more than its error, at more than one length, a twentieth of all that is gained,
-/// and a twentieth of the error at one length. A law that follows the velocity and feeds the joint with energy is none.
+/// and a twentieth of the error at one length. Laws of the velocity that add energy to the joint are rejected.
 ///
 /// The formula: sparse regression over candidate terms (S. L. Brunton, J. L. Proctor and J. N. Kutz, PNAS 113 (2016)
 /// 3932-3937), here through the model's own responses, so that nothing is differentiated.

@@ -173,7 +173,7 @@ TEST_F(NewCommand, DraftsTheLawOfAController) {
 TEST_F(NewCommand, LeavesGainsBlankThatDoNotMakeTheCommand) {
   const std::string text = controlled([](int i, double) { return std::sin(0.37 * i); });
   ASSERT_EQ(run_new({folder_.write("run.csv", text)}).code, 0);
-  EXPECT_THAT(text_of(rig()), HasSubstr("make these commands of these readings: state yours"));
+  EXPECT_THAT(text_of(rig()), HasSubstr("gains explain these commands"));
   EXPECT_THAT(text_of(rig()), HasSubstr("proportional = \"FILL IN N*m/rad\" }"));
 }
 

@@ -83,6 +83,20 @@ TEST(DiagnosisPictures, ShowTheForceOfEachJointAndTheRanking) {
   EXPECT_THAT(wrist, Not(HasSubstr("at 0.80 rad")));
 }
 
+TEST(DiagnosisPictures, ShowTheMissingForceWithThatOfTheAnswer) {
+  const TestFolder folder;
+  Diagnosis found;
+  found.verdict = Verdict::effect_found;
+  found.missing_force = {drag("hinge", "velocity", "rad/s")};
+  found.missing_force.front().by_answer = found.missing_force.front().force;
+  const auto files = draw_diagnosis(found, "rig", folder.path());
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(files[0].filename(), "missing-force-hinge.svg");
+  const std::string picture = read_bytes(files[0]);
+  for (const char* words : {"missing force [N*m]", "missing force, 95 % band", "answer", "velocity [rad/s]"})
+    EXPECT_THAT(picture, HasSubstr(words));
+}
+
 TEST(DiagnosisPictures, ShowNothingWhereThereIsNothing) {
   const TestFolder folder;
   EXPECT_TRUE(draw_diagnosis(Diagnosis{}, "bench", folder.path()).empty());

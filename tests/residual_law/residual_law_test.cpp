@@ -3,6 +3,7 @@
 #include "config/experiment_reader.h"
 #include "data_checks/recorded_pendulum.h"
 #include "plugins/built_catalog.h"
+#include "residual_law/missing_force.h"
 
 #include <gmock/gmock.h>
 
@@ -17,15 +18,19 @@ class ResidualLawTest : public testing::Test {
     experiment_.model.effects = {};
   }
 
-  ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true, double seconds = 6.0) {
+  SearchResult search(const PendulumTruth& truth, double seconds = 6.0) {
     trials_ = {recorded(truth, "one.csv", multisine, seconds, 3), recorded(truth, "two.csv", steps, seconds, 4)};
     const ModelDefinition definition = define_model(experiment_, built_catalog());
-    const SearchResult found = search_effects({.experiment = experiment_,
-                                               .catalog = built_catalog(),
-                                               .trials = trials_,
-                                               .values = definition.start_values(),
-                                               .among = {"coulomb_friction"},
-                                               .threads = 2});
+    return search_effects({.experiment = experiment_,
+                           .catalog = built_catalog(),
+                           .trials = trials_,
+                           .values = definition.start_values(),
+                           .among = {"coulomb_friction"},
+                           .threads = 2});
+  }
+
+  ResidualLaw left_of(const PendulumTruth& truth, bool beside_answer = true, double seconds = 6.0) {
+    const SearchResult found = search(truth, seconds);
     return residual_law(found, found.sets[beside_answer ? found.decision.answer : 0]);
   }
 
@@ -68,6 +73,33 @@ TEST_F(ResidualLawTest, IsNotLookedForInShortRecordings) {
 
 TEST_F(ResidualLawTest, IsNotPresentWhereNothingIsMissing) {
   EXPECT_FALSE(left_of({.inertia = 0.03, .damping = 0.02}).is_present);
+}
+
+/// Random forces push the joint where it then moves, as a damping would that adds energy.
+TEST_F(ResidualLawTest, IsNotPresentWhereRandomForcesAct) {
+  for (const double disturbance : {0.01, 0.05})
+    EXPECT_FALSE(left_of({.inertia = 0.03, .damping = 0.02, .disturbance = disturbance}).is_present) << disturbance;
+}
+
+TEST_F(ResidualLawTest, TheMissingForceIsTheAnswersWhereThatIsRight) {
+  constexpr double kFriction = 0.04;  // N*m
+  const std::vector<ForceCurve> curves =
+      missing_force(search({.inertia = 0.03, .damping = 0.02, .friction = kFriction}));
+  const auto curve =
+      std::find_if(curves.begin(), curves.end(), [](const ForceCurve& one) { return one.of == "velocity"; });
+  ASSERT_NE(curve, curves.end());
+  EXPECT_EQ(curve->joint, "hinge");
+  ASSERT_EQ(curve->by_answer.size(), curve->at.size());
+  for (std::size_t i = 0; i < curve->at.size(); ++i)
+    EXPECT_NEAR(curve->by_answer[i], curve->force[i], 0.25 * kFriction) << curve->at[i];
+  const auto zero = std::upper_bound(curve->at.begin(), curve->at.end(), 0.0);
+  ASSERT_TRUE(zero != curve->at.begin() && zero != curve->at.end());
+  const auto after = static_cast<std::size_t>(zero - curve->at.begin());
+  EXPECT_GT(curve->force[after - 1] - curve->force[after], kFriction) << "it jumps by twice the friction";
+}
+
+TEST_F(ResidualLawTest, NoForceIsMissingWhereNothingIs) {
+  EXPECT_TRUE(missing_force(search({.inertia = 0.03, .damping = 0.02})).empty());
 }
 
 TEST_F(ResidualLawTest, IsNotPresentBesideARightAnswer) {

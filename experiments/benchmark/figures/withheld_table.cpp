@@ -27,7 +27,7 @@ const DirtyEffectRecord* main_effect(const CaseResult& result) {
 std::string told_words(const CaseResult& result) {
   if (result.diagnoses.empty()) return "";
   const auto document = nlohmann::json::parse(result.diagnoses.front().json);
-  return document.contains("unexplained") ? document["unexplained"]["goes_with"].get<std::string>() : "";
+  return document.contains("unexplained") ? document["unexplained"]["depends_on"].get<std::string>() : "";
 }
 
 struct Counts {

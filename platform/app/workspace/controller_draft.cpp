@@ -150,16 +150,17 @@ std::string controllers_text(const RigDraft& draft) {
   if (all.empty()) return "";
   const FileSample sample = sample_file(draft.files.front());
   std::string text =
-      "\n# A controller seems to have made these commands. They answer what disturbs the rig, and values that are "
-      "fitted\n"
-      "# under them are biased. State its law: remove the \"# \" of the lines below, and models have it in the loop.\n"
-      "# [target.controllers]\n";
+      "\n# A set point is recorded, so a controller probably made these commands. Disturbances bias what is fitted to "
+      "them.\n"
+      "# Check the law and remove the \"# \": diagnose then tests for this bias, and drive = \"controllers\" in "
+      "[target]\n"
+      "# simulates models with the controller.\n# [target.controllers]\n";
   for (const ControlledColumns& one : all) {
     const std::optional<FittedLaw> law = law_of(sample, draft.guess.time, one);
-    text +=
-        law ? fmt::format("# fitted to {}: all but {:.2g} % of the command; check it\n",
-                          plain_text(draft.files.front().filename().string()), 100.0 * law->left)
-            : "# no proportional, integral and derivative gains make these commands of these readings: state yours\n";
+    text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command\n",
+                              plain_text(draft.files.front().filename().string()), 100.0 * law->left)
+                : "# no proportional, integral and derivative gains explain these commands: fill in the law of the "
+                  "controller\n";
     text += text_of(one, law);
   }
   return text;

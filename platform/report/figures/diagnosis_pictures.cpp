@@ -48,9 +48,9 @@ std::vector<Panel> force_panels(const std::vector<ForceCurve>& curves, const std
     if (curve.joint != joint) continue;
     if (!curve.position) {
       panels.push_back(empty_panel(curve));
-      add_curve(curve, curve.by_answer.empty() ? "" : "force that the model lacks, ± 95 %", kOrange, panels.back());
+      add_curve(curve, curve.by_answer.empty() ? "" : "missing force, 95 % band", kOrange, panels.back());
       if (!curve.by_answer.empty())
-        panels.back().series.push_back({"by the answer", Mark::line, kBlue, curve.at, curve.by_answer, {}});
+        panels.back().series.push_back({"answer", Mark::line, kBlue, curve.at, curve.by_answer, {}});
       continue;
     }
     if (!slices) slices = empty_panel(curve);

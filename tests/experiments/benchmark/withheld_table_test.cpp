@@ -30,7 +30,7 @@ CaseResult result_of(bool withheld, const std::string& verdict, const std::strin
   result.dirty = {{"smooth_dry_friction", kCoulomb, "main", false, 0.9, {"coulomb_friction @ joint.hinge"}, {}}};
   result.diagnoses = {small_diagnosis(1, verdict, kUnknown, {kCoulomb}, {})};
   result.diagnoses.front().json =
-      goes_with.empty() ? "{}" : fmt::format(R"({{"unexplained": {{"goes_with": "{}"}}}})", goes_with);
+      goes_with.empty() ? "{}" : fmt::format(R"({{"unexplained": {{"depends_on": "{}"}}}})", goes_with);
   return result;
 }
 

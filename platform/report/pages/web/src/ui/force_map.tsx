@@ -79,7 +79,7 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
       y={{ label: 'force', unit: first.force_unit, include: [0] }}
       note={
         first.by_answer
-          ? 'The force that the model lacks, of free form, with twice its standard error, and what the answer makes of it. Where they part, the law has another form.'
+          ? 'Missing force of the model (free form, with twice its standard error), and the force of the answer. Where they differ, the law has another form.'
           : 'A force of free form that explains the residual best, with twice its standard error.'
       }
       series={curves.flatMap((one, i) => [
@@ -100,7 +100,7 @@ function Curve({ title, curves }: { title: string; curves: ForceCurve[] }) {
           y: one.force,
         },
         ...(one.by_answer
-          ? [{ name: 'by the answer', kind: 'line' as const, colour: 'predicted' as const, x: one.at, y: one.by_answer }]
+          ? [{ name: 'answer', kind: 'line' as const, colour: 'predicted' as const, x: one.at, y: one.by_answer }]
           : []),
       ])}
     />
