@@ -139,6 +139,8 @@ Table<FurtherFile> further_file_keys() {
   return Table<FurtherFile>()
       .required("file", &FurtherFile::path, existing_file(),
                 "a further file of the same trial, with a clock of its own")
+      .key("table", &FurtherFile::table, text(0),
+           "of a file that has several, such as the topics of a bag: the one to be joined; empty: the only one")
       .key("columns", &FurtherFile::columns, list_of(text()),
            "the columns to be taken from it; empty: those of the experiment that it alone has")
       .key("time_column", &FurtherFile::time_column, text(), "its column of time stamps, where that is another")
@@ -161,6 +163,9 @@ Table<FurtherFile> further_file_keys() {
 Table<MeasuredFile> recorded_file_keys() {
   return Table<MeasuredFile>()
       .required("file", &MeasuredFile::path, existing_file(), "the measured file")
+      .key("table", &MeasuredFile::table, text(0),
+           "of a file that has several, such as the topics of a bag: the one whose times the trial has; empty: that of "
+           "the first sensor's column")
       .key("with", &MeasuredFile::with, list_of(further_file_keys().value()),
            "further files of the same trial, written by other devices at times of their own")
       .key("role", &MeasuredFile::held_out, choice<bool>({{"fit", false}, {"holdout", true}}),

@@ -52,6 +52,13 @@ const char* word_of(RobotRemarkKind kind) {
   return "";
 }
 
+RobotFileNote note_on(const std::string& file, const RobotRemark& remark) {
+  RobotFileNote note;
+  note.location = {file, remark.line, 0};
+  note.text = fmt::format("{}: {}", word_of(remark.kind), remark.text);
+  return note;
+}
+
 void read_one(ModelSection& section, const PluginCatalog& catalog, const std::vector<NamedFormat>& formats,
               std::vector<RobotFileNote>& notes, ProblemList& problems) {
   const NamedFormat& format = format_for(section.file, formats);
@@ -61,7 +68,7 @@ void read_one(ModelSection& section, const PluginCatalog& catalog, const std::ve
       guarded_call(catalog.origin<RobotFormat>(format.name), "read", [&] { return format.format->read(text); });
   for (const RobotFileProblem& problem : read.problems) problems.add({file, problem.line, 0}, problem.text);
   for (const RobotRemark& remark : read.remarks)
-    notes.push_back({{file, remark.line, 0}, fmt::format("{}: {}", word_of(remark.kind), remark.text)});
+    notes.push_back(note_on(file, remark));
   section.declared = std::move(read.robot);
   section.foreign_text.reset();
 }

@@ -72,6 +72,7 @@ using KnownOrFound = std::optional<double>;
 /// first file is t − offset − skew·(t since this file's first sample), both small.
 struct FurtherFile {
   std::filesystem::path path = {};
+  std::string table = {};                 ///< of a file with several, such as a topic; empty: the only one
   std::vector<std::string> columns = {};  ///< taken from this file, also where the first has them; empty: what it has
   std::string time_column = {};           ///< empty: as `RecordingSource::time_column`
   std::string time_unit = {};             ///< empty: as `RecordingSource::time_unit`
@@ -94,6 +95,7 @@ struct MeasuredFile {
   std::map<std::string, KnownStart> initial = {};  ///< of this file, where they differ from `RecordingSource::initial`
   std::string key = {};                            ///< "target.recording[0]"
   std::vector<FurtherFile> with = {};              ///< of the same trial
+  std::string table = {};  ///< of a file with several: whose rows the trial has; empty: the first sensor's
 };
 
 struct RecordingSource {

@@ -14,6 +14,7 @@ void for_each_component_kind(Visitor&& visit) {
   visit(std::type_identity<PhysicalEffect>());
   visit(std::type_identity<RobotDefinition>());
   visit(std::type_identity<RobotFormat>());
+  visit(std::type_identity<RecordingFormat>());
   visit(std::type_identity<TargetSystem>());
   visit(std::type_identity<FitnessMetric>());
   visit(std::type_identity<ModelEncoding>());

@@ -97,12 +97,12 @@ std::string declaration_problem(const ParameterDeclarations& parameters) {
   return first_problem(parameters, [](const ParameterDeclaration& parameter) { return unit_problem(parameter); });
 }
 
-std::string endings_problem(const std::vector<std::string>& endings) {
+std::string endings_problem(const std::vector<std::string>& endings, std::string_view taken) {
   if (endings.empty()) return "it names no ending of the files that it reads; name one, such as \".urdf\"";
   for (const std::string& ending : endings)
-    if (ending.size() < 2 || ending.front() != '.' || ending == ".toml")
-      return fmt::format("it reads files that end with \"{}\"; an ending begins with a dot, and .toml is taken",
-                         ending);
+    if (ending.size() < 2 || ending.front() != '.' || ending == taken)
+      return fmt::format("it reads files that end with \"{}\"; an ending begins with a dot, and {} is taken", ending,
+                         taken);
   return {};
 }
 

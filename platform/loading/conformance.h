@@ -4,6 +4,7 @@
 #include <lacuna/physical_effect.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lacuna {
@@ -12,8 +13,8 @@ namespace lacuna {
 /// the first fault and what to do about it.
 std::string declaration_problem(const ParameterDeclarations& parameters);
 
-/// The same for the endings of files that a format reads.
-std::string endings_problem(const std::vector<std::string>& endings);
+/// The same for the endings of files that a format reads; `taken` is what the host reads itself.
+std::string endings_problem(const std::vector<std::string>& endings, std::string_view taken);
 
 /// The same for what an effect says of itself: its parameters with units that may depend on the placement, its
 /// placements and neutral values, and the stages of the hooks that it overrides.

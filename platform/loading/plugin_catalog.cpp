@@ -77,7 +77,12 @@ EffectFindings findings_about(const Interface& component, const ComponentOrigin&
   } else if constexpr (std::is_same_v<Interface, RobotFormat>) {
     guarded_call(origin, "summary", [&] { return component.summary(); });
     guarded_call(origin, "read", [&] { return component.read({"nothing", ""}); });
-    return {endings_problem(guarded_call(origin, "endings", [&] { return component.endings(); })), {}};
+    return {endings_problem(guarded_call(origin, "endings", [&] { return component.endings(); }), ".toml"), {}};
+  } else if constexpr (std::is_same_v<Interface, RecordingFormat>) {
+    guarded_call(origin, "summary", [&] { return component.summary(); });
+    guarded_call(origin, "contents", [&] { return component.contents(""); });
+    guarded_call(origin, "read", [&] { return component.read("", {}); });
+    return {endings_problem(guarded_call(origin, "endings", [&] { return component.endings(); }), ".csv"), {}};
   } else {
     guarded_call(origin, "summary", [&] { return component.summary(); });
     return {declaration_problem(guarded_call(origin, "parameters", [&] { return component.parameters(); })), {}};

@@ -67,6 +67,7 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index, const st
   guess.unit = unit_in_name(core);
   const bool in_row = guess.unit.empty() && index < sample.format.units.size();
   if (in_row) guess.unit = sample.format.units[index];
+  guess.in_si = guess.unit.empty() && sample.is_in_si(index);
   const std::vector<std::string> words = words_of(core);
   guess.joint = joint_in_words(words);
   guess.of_voltage = guess.unit.empty() ? tell_voltage(words) : same_dimension_as(guess.unit, "V");
@@ -171,7 +172,7 @@ void apply_hint(const FileSample& sample, const std::vector<std::string>& names,
   for (const std::string& name : names) {
     const int index = sample.find(name);
     if (index < 0)
-      throw_problem({sample.path.string(), 1, 0},
+      throw_problem({sample.path.string(), sample.first_place(), 0},
                     fmt::format("no column `{}`{}; the columns are {}", name, did_you_mean(name, sample.format.names),
                                 listed(sample.format.names)));
     GuessedColumn& column = columns[static_cast<std::size_t>(index)];

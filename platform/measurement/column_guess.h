@@ -26,6 +26,7 @@ struct GuessedColumn {
   std::string reason;  ///< why this role, half a sentence
   bool of_velocity = false;  ///< its words speak of a velocity; of a reference: the velocity is what it wants
   bool of_voltage = false;   ///< a voltage, by its unit or its words
+  bool in_si = false;        ///< its unit is not known, but it is SI
   bool named_by_user = false;
   bool passed_over = false;  ///< the user named others for what it seemed to be
 };

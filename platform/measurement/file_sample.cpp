@@ -5,6 +5,7 @@
 #include "measurement/date_stamp.h"
 #include "measurement/measured_text.h"
 #include "measurement/number_cell.h"
+#include "measurement/recording_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,10 +67,15 @@ int FileSample::find(const std::string& name) const {
   return place == format.names.end() ? -1 : static_cast<int>(place - format.names.begin());
 }
 
-FileSample sample_file(const std::filesystem::path& path) {
+FileSample sample_file(const std::filesystem::path& path, const RecordingFormats* formats) {
   FileReport report(path.string());
   FileSample sample;
   sample.path = path;
+  if (formats && formats->reads(path)) {
+    sample = sample_recording(path, *formats, report);
+    throw_problems(report);
+    return sample;
+  }
   const std::string text = read_measured_text(path, report);
   if (!report.has_problems()) sample.format = find_csv_format(text, {}, report);
   throw_problems(report);

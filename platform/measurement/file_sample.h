@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measurement/csv_format.h"
+#include "measurement/recording_formats.h"
 
 #include <filesystem>
 #include <string>
@@ -15,13 +16,19 @@ struct FileSample {
   /// One a column name: up to some ten thousand values; NaN where a cell is no number.
   std::vector<std::vector<double>> columns;
   std::vector<double> numeric_share;  ///< of the cells that are not empty
+  std::vector<bool> in_si = {};       ///< columns without a unit that is known, but SI; empty: none
 
   /// Index of a column, or -1.
   int find(const std::string& name) const;
   bool is_numeric(std::size_t column) const { return numeric_share[column] > 0.5; }
+  bool is_in_si(std::size_t column) const { return column < in_si.size() && in_si[column]; }
+  /// Where what is wrong with its columns is said: its first line, if it has lines.
+  int first_place() const { return format.header_line > 0 ? 1 : 0; }
 };
 
-/// Throws `BadInput` for a file that is not readable as CSV.
-FileSample sample_file(const std::filesystem::path& path);
+/// Throws `BadInput` for a file that is readable neither as CSV nor by one of the other `formats`. Of a file with
+/// several tables, which have clocks of their own, the columns are those of the one with most joint positions, and the
+/// others' as they are at its times.
+FileSample sample_file(const std::filesystem::path& path, const RecordingFormats* formats = nullptr);
 
 }  // namespace lacuna

@@ -71,6 +71,7 @@ std::vector<Part> parts_of(const RecordingSource& source, const RecordingPlan& p
   for (std::size_t i = 0; i < file.with.size(); ++i) {
     const std::string& unit = file.with[i].time_unit.empty() ? source.time_unit : file.with[i].time_unit;
     parts.push_back(part_of(std::move(tables[i + 1]), file.with[i].path, parse_unit(unit)->to_si));
+    if (!file.with[i].table.empty()) parts.back().name += " " + file.with[i].table;
     check_clock_of(file.with[i], plan, source, parts.back());
   }
   return parts;

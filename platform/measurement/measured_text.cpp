@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -56,15 +58,22 @@ struct BinaryFormat {
 };
 using namespace std::string_view_literals;
 constexpr BinaryFormat kBinaryFormats[] = {
-    {"PK\x03\x04"sv, "is a spreadsheet or a ZIP archive, not CSV; export the sheet as CSV (UTF-8)"},
+    {"PK\x03\x04"sv,
+     "is a spreadsheet or a ZIP archive, not CSV; export the sheet as CSV (UTF-8), or give arrays of NumPy a name that "
+     "ends with .npz"},
     {"\xd0\xcf\x11\xe0"sv, "is an old Excel workbook, not CSV; export the sheet as CSV (UTF-8)"},
     {"\x1f\x8b"sv, "is compressed with gzip; unpack it with gunzip"},
     {"\x28\xb5\x2f\xfd"sv, "is compressed with zstd; unpack it with unzstd"},
-    {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write its signals as CSV, in MATLAB with writetable"},
-    {"\x89HDF\r\n\x1a\n"sv, "is an HDF5 or MATLAB 7.3 file; write its signals as CSV, in MATLAB with writetable"},
-    {"PAR1"sv, "is a Parquet file; write it as CSV"},
-    {"SQLite format 3"sv, "is an SQLite database; write the recording as CSV"},
-    {"#ROSBAG"sv, "is a ROS bag; write its topics as CSV"},
+    {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; give it a name that ends with .mat"},
+    {"MATLAB 7.3 MAT-file"sv, "is a MATLAB file of version 7.3; in MATLAB write save('run.mat', '-v7')"},
+    {"\x89HDF\r\n\x1a\n"sv,
+     "is an HDF5 file; in Python write numpy.savez('run.npz', **{name: f[name][:] for name in ('t', 'q')}) with "
+     "f = h5py.File('run.h5')"},
+    {"PAR1"sv, "is a Parquet file; in Python write pandas.read_parquet('run.parquet').to_csv('run.csv', index=False)"},
+    {"SQLite format 3"sv, "is an SQLite database; give a bag of ROS 2 a name that ends with .db3"},
+    {"\x89MCAP0\r\n"sv, "is an MCAP file; give it a name that ends with .mcap"},
+    {"\x93NUMPY"sv, "is an array of NumPy; give it a name that ends with .npy"},
+    {"#ROSBAG"sv, "is a bag of ROS 1; convert it with rosbags-convert --src run.bag --dst run"},
     {"\xff\xfe"sv, "is UTF-16 text; save it as UTF-8"},
     {"\xfe\xff"sv, "is UTF-16 text; save it as UTF-8"},
 };
@@ -87,6 +96,13 @@ std::string not_text(const std::string& bytes) {
 }
 
 }  // namespace
+
+std::string why_no_file(const std::filesystem::path& path) {
+  if (std::string reason = without_access(path); !reason.empty()) return reason;
+  if (is_unnamed_pipe(path)) return "is a pipe, from which CSV alone is read; name a file";
+  if (::access(path.c_str(), R_OK) != 0) return fmt::format("cannot be opened: {}", std::strerror(errno));
+  return {};
+}
 
 std::string read_measured_text(const std::filesystem::path& path, FileReport& report) {
   std::string complaint;

@@ -7,6 +7,9 @@
 
 namespace lacuna {
 
+/// Why there is no file of that name that can be read from any place in it, half a sentence; empty: there is one.
+std::string why_no_file(const std::filesystem::path& path);
+
 /// Reads a text file as UTF-8 with lines that end in \n or \r\n (those of old Macintosh programs,
 /// \r alone, are turned into \n, with a note; a byte order mark is taken off). What is not a text
 /// file becomes a problem that says what it is and what to do: a folder, a file without permission,

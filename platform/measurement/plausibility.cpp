@@ -65,9 +65,10 @@ void check_unit(const PlannedColumn& column, const CsvFormat& format, const Name
     });
   const std::size_t index = names.find(mapping.column).value_or(format.names.size());
   if (index < format.units.size() && !format.units[index].empty() && !same_unit(format.units[index], mapping.unit))
-    report.doubt("units row of " + mapping.column, format.first_line - 1, [&] {
-      return fmt::format("the row of units says {} for column `{}`, which is read in {}", format.units[index],
-                         mapping.column, mapping.unit);
+    report.doubt("units row of " + mapping.column, std::max(format.first_line - 1, 0), [&] {
+      return fmt::format("the {} says {} for column `{}`, which is read in {}",
+                         format.header_line > 0 ? "row of units" : "file", format.units[index], mapping.column,
+                         mapping.unit);
     });
   if (mapping.unit == "1" && mapping.gain_unit.empty() && column.channel.unit == "rad")
     report.doubt("no unit of " + mapping.column, format.header_line, [&] {

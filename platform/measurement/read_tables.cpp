@@ -1,42 +1,21 @@
 #include "measurement/read_tables.h"
 
-#include "foundation/name_index.h"
 #include "foundation/unit.h"
 #include "measurement/clock_wraps.h"
-#include "measurement/csv_format.h"
 #include "measurement/decode_tables.h"
+#include "measurement/foreign_table.h"
 #include "measurement/join_tables.h"
-#include "measurement/measured_text.h"
-#include "measurement/plausibility.h"
-#include "measurement/unread_drives.h"
+#include "measurement/opened_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
+#include <optional>
 
 namespace lacuna {
 namespace {
-
-/// A file whose header is known.
-struct OpenedFile {
-  std::filesystem::path path;
-  FileReport report;
-  std::string time_column;
-  std::string time_unit;
-  Encoding time_encoding;
-  std::vector<std::string> only;  ///< the columns to be taken from it; empty: those that are wanted
-  std::string text = {};
-  CsvFormat format = {};
-  NameIndex columns = {};               ///< of the format's names
-  std::vector<std::size_t> given = {};  ///< which of the wanted columns it gives
-  std::set<std::string> told = {};      ///< columns whose absence was told
-
-  bool has(const std::string& name) const { return columns.count(name) > 0; }
-  bool is_named(const std::string& name) const { return std::find(only.begin(), only.end(), name) != only.end(); }
-};
 
 std::vector<std::string> names_of_columns(const RecordingPlan& plan) {
   std::vector<std::string> names;
@@ -45,34 +24,10 @@ std::vector<std::string> names_of_columns(const RecordingPlan& plan) {
   return names;
 }
 
-void open(const RecordingSource& source, const RecordingPlan& plan, OpenedFile& file) {
-  file.text = read_measured_text(file.path, file.report);
-  if (file.report.has_problems()) return;
-  file.format = find_csv_format(file.text, {file.time_column, source.delimiter, source.decimal_comma}, file.report);
-  file.columns = NameIndex(file.format.names);
-  if (file.report.has_problems()) return;
-  check_units(plan, file.format, file.report);
-  note_unread_drives(source, file.format, file.report);
-}
-
-std::vector<OpenedFile> open_files(const RecordingSource& source, const RecordingPlan& plan, const MeasuredFile& file) {
-  std::vector<OpenedFile> files = {
-      {file.path, FileReport(file.path.string()), source.time_column, source.time_unit, source.time_encoding, {}}};
-  for (const FurtherFile& further : file.with)
-    files.push_back({further.path,
-                     FileReport(further.path.string()),
-                     further.time_column.empty() ? source.time_column : further.time_column,
-                     further.time_unit.empty() ? source.time_unit : further.time_unit,
-                     {},
-                     further.columns});
-  for (OpenedFile& one : files) open(source, plan, one);
-  return files;
-}
-
 /// Columns that are not there are the experiment's mistake as often as the file's: the line says both.
 void check_column(const std::string& name, OpenedFile& file) {
-  const std::vector<std::string>& names = file.format.names;
-  const std::size_t count = file.columns.count(name);
+  const std::vector<std::string>& names = file.paths.empty() ? file.format.names : file.paths;
+  const std::size_t count = file.count(name);
   if (count == 1 || !file.told.insert(name).second) return;
   file.report.problem("column " + name, file.format.header_line, [&] {
     if (count > 1) return fmt::format("{} columns are called `{}`; rename all but one", count, excerpt(name));
@@ -135,27 +90,75 @@ void note_fraction(const OpenedFile& file, const CsvQuery& query, FileReport& re
   });
 }
 
-/// Empties the file's text, which is of no more use. Without `allotted` columns there is nothing to be read.
-ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted, bool allotted,
-                     OpenedFile& file) {
-  ReadTable read{std::move(file.report), {}};
-  const std::string text = std::move(file.text);
-  read.table.columns.resize(wanted.size());
-  if (read.report.has_problems() || !allotted) return read;
-  CsvQuery query;
-  query.time_column = file.time_column;
-  query.trial_column = source.trial_column;
+double seconds_per_unit_of(const OpenedFile& file) {
   const std::optional<Unit> unit = parse_unit(file.time_unit);
-  const double seconds_per_unit = unit ? unit->to_si : 1.0;
-  name_fraction(file, seconds_per_unit, query);
-  for (const std::size_t c : file.given) query.columns.push_back({wanted[c]});
-  read.table = read_csv_table(text, file.format, query, read.report);
+  return unit ? unit->to_si : 1.0;
+}
+
+/// What is wanted of a file, in its own words.
+CsvQuery query_for(const RecordingSource& source, const std::vector<std::string>& wanted, const OpenedFile& file) {
+  CsvQuery query;
+  query.time_column = file.own_name(file.time_column);
+  if (!source.trial_column.empty()) query.trial_column = file.own_name(source.trial_column);
+  name_fraction(file, seconds_per_unit_of(file), query);
+  for (const std::size_t c : file.given) query.columns.push_back({file.own_name(wanted[c])});
+  return query;
+}
+
+/// Empties the file's text, which is of no more use.
+CsvTable table_of(const CsvQuery& query, std::optional<RecordedRows>& rows, OpenedFile& file) {
+  if (rows) return table_of_rows(std::move(*rows), query, file.report);
+  const std::string text = std::move(file.text);
+  return read_csv_table(text, file.format, query, file.report);
+}
+
+/// Of a file that is not read: what is said of it.
+ReadTable unread(std::size_t columns, OpenedFile& file) {
+  ReadTable read{std::move(file.report), {}};
+  read.table.columns.resize(columns);
+  return read;
+}
+
+/// `rows`: of a file that is not CSV.
+ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted,
+                     std::optional<RecordedRows> rows, OpenedFile& file) {
+  if (file.report.has_problems()) return unread(wanted.size(), file);
+  const CsvQuery query = query_for(source, wanted, file);
+  CsvTable table = table_of(query, rows, file);
+  ReadTable read{std::move(file.report), std::move(table)};
+  const double seconds_per_unit = seconds_per_unit_of(file);
   if (read.table.has_fractions) note_fraction(file, query, read.report);
   std::vector<std::vector<double>> columns(wanted.size());
   for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);
   read.table.columns = std::move(columns);
   if (!read.report.has_problems()) decode_clock({file.time_column, file.time_encoding, seconds_per_unit}, read);
   return read;
+}
+
+/// Asks each file that is not CSV once for the rows of all of its tables.
+std::vector<std::optional<RecordedRows>> read_formats(const RecordingSource& source,
+                                                      const std::vector<std::string>& wanted,
+                                                      const RecordingFormats* formats,
+                                                      std::vector<OpenedFile>& tables) {
+  std::vector<std::optional<RecordedRows>> rows(tables.size());
+  for (std::size_t t = 0; t < tables.size(); ++t) {
+    if (!tables[t].table || rows[t]) continue;
+    bool is_good = true;
+    std::vector<std::size_t> of_file;
+    std::vector<TableQuery> queries;
+    for (std::size_t other = t; other < tables.size(); ++other) {
+      if (!tables[other].table || tables[other].path != tables[t].path) continue;
+      is_good = is_good && !tables[other].report.has_problems();
+      of_file.push_back(other);
+      queries.push_back(rows_query(query_for(source, wanted, tables[other]), *tables[other].table));
+    }
+    if (!is_good) continue;
+    ReadRows read = formats->read(tables[t].path, queries);
+    report_reading(read, tables[t].report);
+    read.tables.resize(of_file.size());
+    for (std::size_t i = 0; i < of_file.size(); ++i) rows[of_file[i]] = std::move(read.tables[i]);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -179,20 +182,26 @@ std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table) {
   return rows;
 }
 
-std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan) {
+std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan,
+                                       const RecordingFormats* formats) {
   const std::vector<std::string> wanted = names_of_columns(plan);
   std::vector<ReadTable> tables;
+  std::vector<MeasuredFile> files;
   for (const MeasuredFile& file : source.files) {
-    std::vector<OpenedFile> files = open_files(source, plan, file);
-    const bool all_open =
-        std::none_of(files.begin(), files.end(), [](const OpenedFile& one) { return one.report.has_problems(); });
-    if (all_open) allot_columns(wanted, source.trial_column, files);
-    for (OpenedFile& one : files) tables.push_back(read_table(source, wanted, all_open, one));
+    OpenedRecording opened = open_recording(source, plan, file, wanted, formats);
+    const bool all_open = !opened.has_problems();
+    if (all_open) allot_columns(wanted, source.trial_column, opened.tables);
+    std::vector<std::optional<RecordedRows>> rows(opened.tables.size());
+    if (all_open) rows = read_formats(source, wanted, formats, opened.tables);
+    for (std::size_t t = 0; t < rows.size(); ++t)
+      tables.push_back(all_open ? read_table(source, wanted, std::move(rows[t]), opened.tables[t])
+                                : unread(wanted.size(), opened.tables[t]));
+    files.push_back(std::move(opened.file));
   }
   decode_tables(plan, tables);
   std::vector<ReadRecording> recordings;
   auto next = std::make_move_iterator(tables.begin());
-  for (const MeasuredFile& file : source.files) {
+  for (const MeasuredFile& file : files) {
     const auto end = next + static_cast<std::ptrdiff_t>(file.with.size()) + 1;
     recordings.push_back(join_tables(source, plan, file, std::vector<ReadTable>(next, end)));
     next = end;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measurement/csv_table.h"
+#include "measurement/recording_formats.h"
 #include "measurement/trial_builder.h"
 
 #include <cstddef>
@@ -29,8 +30,9 @@ std::vector<const PlannedColumn*> columns_of(const RecordingPlan& plan);
 /// Row numbers of each trial in a table.
 std::vector<std::vector<std::size_t>> rows_by_trial(const CsvTable& table);
 
-/// Reads the recordings of a source, as the devices meant them (decode_tables.h). Files of one recording become one
-/// table on the first one's clock (join_tables.h).
-std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan);
+/// Reads the recordings of a source, in CSV or one of the other `formats`, as the devices meant them (decode_tables.h).
+/// Files of one recording become one table on the first one's clock (join_tables.h).
+std::vector<ReadRecording> read_tables(const RecordingSource& source, const RecordingPlan& plan,
+                                       const RecordingFormats* formats);
 
 }  // namespace lacuna

@@ -184,17 +184,23 @@ std::vector<std::string> names_of_files(const std::vector<MeasuredFile>& files) 
   return names;
 }
 
-/// A file that is both fitted to and held out would make every held-out error look good.
+/// A file that is both fitted to and held out would make every held-out error look good. Of one with tables a recording
+/// may join several.
 void check_files_differ(const std::vector<MeasuredFile>& files, ProblemList& problems) {
-  std::set<std::filesystem::path> seen;
-  const auto look = [&](const std::filesystem::path& path, const SourceLocation& location) {
-    std::error_code ignored;
-    if (!seen.insert(std::filesystem::weakly_canonical(path, ignored)).second)
-      problems.add(location, fmt::format("{} is named twice; a file is fitted to or held out, once", path.string()));
-  };
+  std::set<std::filesystem::path> before;
   for (const MeasuredFile& file : files) {
-    look(file.path, file.location);
-    for (const FurtherFile& further : file.with) look(further.path, further.location);
+    std::set<std::filesystem::path> paths;
+    std::set<std::pair<std::filesystem::path, std::string>> tables;
+    const auto look = [&](const std::filesystem::path& path, const std::string& table, const SourceLocation& location) {
+      std::error_code ignored;
+      const std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
+      paths.insert(whole);
+      if (before.contains(whole) || !tables.emplace(whole, table).second)
+        problems.add(location, fmt::format("{} is named twice; a file is fitted to or held out, once", path.string()));
+    };
+    look(file.path, file.table, file.location);
+    for (const FurtherFile& further : file.with) look(further.path, further.table, further.location);
+    before.merge(paths);
   }
 }
 
@@ -273,7 +279,8 @@ void check_holdout(const WholeSource& whole, const std::vector<Trial>& trials, c
 }  // namespace
 
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
-                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates) {
+                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates,
+                         const RecordingFormats* formats) {
   ProblemList problems;
   const SourceLocation location{source.files.empty() ? "" : source.files.front().location.file, 0, 0};
   if (source.files.empty()) problems.add(location, "no measured files; name at least one in target.files");
@@ -293,7 +300,7 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   whole.has_one_trial = source.may_split && source.files.size() == 1 && !source.files.front().held_out &&
                         source.files.front().holdout.empty();
   Recording recording;
-  std::vector<ReadRecording> tables = read_tables(source, plan);
+  std::vector<ReadRecording> tables = read_tables(source, plan, formats);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     take_own_ranges(source, source.files[i], whole.source);
     if (!source.files[i].initial.empty())
@@ -312,23 +319,23 @@ Recording read_recording(const RecordingSource& source, const std::vector<Channe
   return recording;
 }
 
-Recording read_recording(const RecordingSource& source, const RobotSpec& robot) {
+Recording read_recording(const RecordingSource& source, const RobotSpec& robot, const RecordingFormats* formats) {
   std::vector<std::string> coordinates;
   for (const JointSpec& joint : robot.joints) {
     const int count = coordinate_count(joint.kind);
     for (int i = 1; i <= count; ++i)
       coordinates.push_back("joint." + joint.name + (count > 1 ? "." + std::to_string(i) : ""));
   }
-  return read_recording(source, sensor_channels(robot), command_channels(robot), coordinates);
+  return read_recording(source, sensor_channels(robot), command_channels(robot), coordinates, formats);
 }
 
 RecordingReader::RecordingReader(RecordingSource source, RobotSpec robot,
-                                 std::function<void(const ReadingNote&)> on_note)
-    : source_(std::move(source)), robot_(std::move(robot)), on_note_(std::move(on_note)) {}
+                                 std::function<void(const ReadingNote&)> on_note, const RecordingFormats* formats)
+    : source_(std::move(source)), robot_(std::move(robot)), on_note_(std::move(on_note)), formats_(formats) {}
 
 std::vector<Trial> RecordingReader::read() const {
   const HostCall call;
-  Recording recording = read_recording(source_, robot_);
+  Recording recording = read_recording(source_, robot_, formats_);
   if (on_note_)
     for (const ReadingNote& note : recording.notes) on_note_(note);
   return std::move(recording.trials);

@@ -5,6 +5,7 @@
 #include <lacuna/time_series.h>
 
 #include "foundation/recording_source.h"
+#include "measurement/recording_formats.h"
 
 #include <functional>
 #include <string>
@@ -31,24 +32,29 @@ struct Recording {
 ///
 /// Channels of a trial stand in the robot's order, whatever the order of the mappings; channels
 /// without a mapping are left out. Commands and measured channels share the file's own time stamps,
-/// shifted so that a trial starts at 0 s. docs/reference/measurements.md says what is accepted.
+/// shifted so that a trial starts at 0 s. docs/reference/measurements.md says what is accepted. Files are CSV or of one
+/// of the other `formats`, if there are any.
 Recording read_recording(const RecordingSource& source, const std::vector<Channel>& channels,
-                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates = {});
+                         const std::vector<Channel>& actuators, const std::vector<std::string>& coordinates = {},
+                         const RecordingFormats* formats = nullptr);
 
 /// The same for a robot.
-Recording read_recording(const RecordingSource& source, const RobotSpec& robot);
+Recording read_recording(const RecordingSource& source, const RobotSpec& robot,
+                         const RecordingFormats* formats = nullptr);
 
 /// The service that the host hands to targets: reads the source anew at each call.
 class RecordingReader : public TrialReader {
  public:
-  /// `on_note` hears every reading note; it may be empty.
-  RecordingReader(RecordingSource source, RobotSpec robot, std::function<void(const ReadingNote&)> on_note = {});
+  /// `on_note` hears every reading note; it may be empty. `formats` as above, and outlives the reader.
+  RecordingReader(RecordingSource source, RobotSpec robot, std::function<void(const ReadingNote&)> on_note = {},
+                  const RecordingFormats* formats = nullptr);
   std::vector<Trial> read() const override;
 
  private:
   RecordingSource source_;
   RobotSpec robot_;
   std::function<void(const ReadingNote&)> on_note_;
+  const RecordingFormats* formats_;
 };
 
 }  // namespace lacuna

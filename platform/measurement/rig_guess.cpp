@@ -165,7 +165,7 @@ Columns common_columns(const std::vector<FileSample>& samples, const ColumnHints
     for (GuessedColumn& column : columns) {
       if (sample.find(column.name) >= 0) continue;
       if (column.role == ColumnRole::time)
-        throw_problem({sample.path.string(), 1, 0},
+        throw_problem({sample.path.string(), sample.first_place(), 0},
                       fmt::format("no column `{}`, which is the time in {}; recordings of one rig need the same "
                                   "columns",
                                   column.name, samples.front().path.string()));
@@ -183,9 +183,9 @@ bool has_no_rows(const FileSample& sample) {
 RigGuess guess_clock(const Columns& columns, const FileSample& first) {
   RigGuess guess;
   const Columns times = with_role(columns, ColumnRole::time);
-  if (has_no_rows(first)) throw_problem({first.path.string(), 1, 0}, "has a header but no samples");
+  if (has_no_rows(first)) throw_problem({first.path.string(), first.first_place(), 0}, "has a header but no samples");
   if (times.empty())
-    throw_problem({first.path.string(), 1, 0},
+    throw_problem({first.path.string(), first.first_place(), 0},
                   "no column rises as time does; name it with --time. The columns are " + listed(first.format.names));
   guess.time = times.front();
   settle_time_unit(guess, first);
@@ -200,6 +200,20 @@ void match_joints(RigGuess& guess) {
     if (joint.position) guess.sensors.push_back({{joint.position_sensor(), position_unit(joint)}, *joint.position});
     if (joint.velocity) guess.sensors.push_back({{joint.velocity_sensor(), velocity_unit(joint)}, *joint.velocity});
     if (joint.command) guess.commands.push_back({{joint.motor(), command_unit(joint)}, *joint.command});
+  }
+}
+
+/// A column that is SI has the unit of what it is taken to be.
+void settle_units(RigGuess& guess) {
+  const auto settle = [](GuessedColumn& column, const std::string& unit) {
+    if (column.in_si && column.unit.empty()) column.unit = unit;
+  };
+  for (auto* matches : {&guess.sensors, &guess.commands})
+    for (MatchedColumn& match : *matches) settle(match.column, match.channel.unit);
+  for (GuessedJoint& joint : guess.joints) {
+    if (joint.position) settle(*joint.position, position_unit(joint));
+    if (joint.velocity) settle(*joint.velocity, velocity_unit(joint));
+    if (joint.command) settle(*joint.command, command_unit(joint));
   }
 }
 
@@ -227,7 +241,7 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   RigGuess guess = guess_clock(columns, first);
   make_joints(guess, columns);
   if (guess.joints.empty())
-    throw_problem({first.path.string(), 1, 0},
+    throw_problem({first.path.string(), first.first_place(), 0},
                   "no column looks like a position or velocity; name one with --position or --velocity. The columns "
                   "are " +
                       listed(first.format.names));
@@ -235,6 +249,7 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   name_joints(guess);
   match_joints(guess);
   settle_hold(guess);
+  settle_units(guess);
   for (const GuessedColumn& column : with_role(columns, ColumnRole::other)) guess.unused.push_back(column);
   return guess;
 }
@@ -245,7 +260,7 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   RigGuess guess = guess_clock(columns, first);
   RobotMatch match = match_robot(robot, columns);
   if (match.sensors.empty())
-    throw_problem({first.path.string(), 1, 0},
+    throw_problem({first.path.string(), first.first_place(), 0},
                   fmt::format("no column fits a sensor of the robot ({}); name one with --position or --velocity. The "
                               "columns are {}",
                               sensors_in_words(robot), listed(first.format.names)));
@@ -254,6 +269,7 @@ RigGuess guess_rig(const std::vector<FileSample>& samples, const ColumnHints& hi
   guess.unmatched = std::move(match.unmatched);
   guess.unused = std::move(match.unused);
   settle_hold(guess);
+  settle_units(guess);
   return guess;
 }
 

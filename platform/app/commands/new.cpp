@@ -4,6 +4,7 @@
 #include "config/robot_reader.h"
 #include "config/text_file.h"
 #include "config/toml_parser.h"
+#include "evaluation/recording_files.h"
 #include "evaluation/robot_files.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
@@ -63,10 +64,30 @@ class NewFiles {
   std::vector<std::pair<std::filesystem::path, std::unique_ptr<WholeFile>>> drafts_;
 };
 
+/// The plugins, loaded when a file needs them: CSV files and robots in TOML do not.
+class FormatPlugins {
+ public:
+  const PluginCatalog& catalog() {
+    if (!catalog_) catalog_ = std::make_unique<PluginCatalog>(plugin_search_path({}));
+    return *catalog_;
+  }
+  /// Null where all files are CSV by their names.
+  const RecordingFormats* recording_formats(const std::vector<std::filesystem::path>& files) {
+    if (std::all_of(files.begin(), files.end(), [](const auto& file) { return file.extension() == ".csv"; }))
+      return nullptr;
+    if (!formats_) formats_ = std::make_unique<PluginRecordingFormats>(catalog());
+    return formats_.get();
+  }
+
+ private:
+  std::unique_ptr<const PluginCatalog> catalog_;
+  std::unique_ptr<const PluginRecordingFormats> formats_;
+};
+
 /// Reads the recordings as guessed. Their problems do not stop the draft; they are returned.
-std::string read_recordings(RigDraft& draft) {
+std::string read_recordings(RigDraft& draft, const RecordingFormats* formats) {
   try {
-    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft));
+    draft.recording = read_recording(source_of(draft.guess, draft.files), robot_of(draft), formats);
   } catch (const BadInput& error) {
     return error.what();
   }
@@ -79,19 +100,18 @@ std::string read_recordings(RigDraft& draft) {
 }
 
 /// A robot file of others, with what was guessed, repaired and left out.
-RobotSpec read_foreign_robot(const std::filesystem::path& file) {
+RobotSpec read_foreign_robot(const std::filesystem::path& file, FormatPlugins& plugins) {
   Experiment experiment;
   experiment.model.file = file;
   experiment.model.foreign_text = read_text_file(file);
-  const PluginCatalog catalog(plugin_search_path({}));
-  for (const RobotFileNote& note : read_robot_files(experiment, catalog))
+  for (const RobotFileNote& note : read_robot_files(experiment, plugins.catalog()))
     fmt::print(stderr, "{}: {}\n", to_string(note.location), note.text);
   return *experiment.model.declared;
 }
 
 /// Refuses an experiment file, which is the file that is named by mistake most often, in one sentence.
-RobotSpec read_known_robot(const std::filesystem::path& file) {
-  if (file.extension() != ".toml") return read_foreign_robot(file);
+RobotSpec read_known_robot(const std::filesystem::path& file, FormatPlugins& plugins) {
+  if (file.extension() != ".toml") return read_foreign_robot(file, plugins);
   const std::string text = read_text_file(file);
   const TomlNode tree = parse_toml(text, file.string());
   for (const TomlMember& member : tree.members)
@@ -102,7 +122,7 @@ RobotSpec read_known_robot(const std::filesystem::path& file) {
   return read_robot_text(text, file);
 }
 
-RigDraft make_draft(const NewOptions& options) {
+RigDraft make_draft(const NewOptions& options, FormatPlugins& plugins) {
   RigDraft draft;
   draft.experiment = options.experiment;
   draft.files = options.files;
@@ -110,9 +130,10 @@ RigDraft make_draft(const NewOptions& options) {
   if (options.robot.empty())
     draft.robot = draft.experiment.parent_path() / (draft.experiment.stem().string() + "-robot.toml");
   else
-    draft.known_robot = read_known_robot(options.robot);
+    draft.known_robot = read_known_robot(options.robot, plugins);
   std::vector<FileSample> samples;
-  for (const std::filesystem::path& file : draft.files) samples.push_back(sample_file(file));
+  for (const std::filesystem::path& file : draft.files)
+    samples.push_back(sample_file(file, plugins.recording_formats(draft.files)));
   draft.guess =
       draft.known_robot ? guess_rig(samples, options.hints, *draft.known_robot) : guess_rig(samples, options.hints);
   return draft;
@@ -175,10 +196,11 @@ void print_blanks(const std::filesystem::path& file, const std::string& text) {
 void make_new(const NewOptions& options) {
   refuse_existing(options.experiment);
   check_output(options.experiment.string());
-  RigDraft draft = make_draft(options);
+  FormatPlugins plugins;
+  RigDraft draft = make_draft(options, plugins);
   const bool writes_robot = !draft.known_robot;
   if (writes_robot) refuse_existing(draft.robot);
-  const std::string problems = read_recordings(draft);
+  const std::string problems = read_recordings(draft, plugins.recording_formats(draft.files));
   const std::string experiment = experiment_text(draft);
   const std::string robot = writes_robot ? robot_text(draft) : "";
   NewFiles files;
@@ -209,7 +231,7 @@ void add_new_command(CLI::App& program) {
   command->add_option("experiment", options->experiment, "Experiment file to write (TOML)")
       ->required()
       ->option_text("FILE");
-  command->add_option("--from", options->files, "Measured files (CSV), required; the last of several is held out")
+  command->add_option("--from", options->files, "Measured files, required; the last of several is held out")
       ->required()
       ->option_text("FILE ...");
   command

@@ -5,6 +5,7 @@
 #include "config/decided.h"
 #include "config/experiment_reader.h"
 #include "config/result_setting.h"
+#include "evaluation/recording_files.h"
 #include "evaluation/robot_files.h"
 #include "evaluation/step_count.h"
 #include "foundation/counted.h"
@@ -47,8 +48,10 @@ Rig assemble(Experiment experiment, std::shared_ptr<const PluginCatalog> catalog
   Rig rig = define(std::move(experiment), std::move(catalog));
   const std::string& target = rig.experiment.target.kind;
   check_step_count(rig.experiment, {}, rig.catalog->make<TargetSystem>(target)->takes_tests());
-  const RecordingReader reader(rig.experiment.target.recording, rig.definition.structure.robot,
-                               [&rig](const ReadingNote& note) { rig.notes.push_back(note); });
+  const PluginRecordingFormats formats(*rig.catalog);
+  const RecordingReader reader(
+      rig.experiment.target.recording, rig.definition.structure.robot,
+      [&rig](const ReadingNote& note) { rig.notes.push_back(note); }, &formats);
   rig.trials = guarded_call(rig.catalog->origin<TargetSystem>(target), "reading the recorded trials",
                             [&] { return rig.catalog->make<TargetSystem>(target)->recorded({.trials = &reader}); });
   check_step_count(rig.experiment, rig.trials, false);

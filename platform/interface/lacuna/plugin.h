@@ -6,6 +6,7 @@
 #include <lacuna/objective_metric.h>
 #include <lacuna/overridden_hooks.h>
 #include <lacuna/physical_effect.h>
+#include <lacuna/recording_format.h>
 #include <lacuna/robot_definition.h>
 #include <lacuna/robot_format.h>
 #include <lacuna/search_strategy.h>
@@ -23,7 +24,7 @@
 namespace lacuna {
 
 /// Raised by every change of this folder that a built plugin would notice.
-inline constexpr std::uint32_t kInterfaceVersion = 11;
+inline constexpr std::uint32_t kInterfaceVersion = 12;
 inline constexpr char kPluginMagic[8] = {'L', 'A', 'C', 'U', 'N', 'A', 'P', '\0'};
 inline constexpr const char* kPluginSymbol = "lacuna_plugin";
 
@@ -90,6 +91,11 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(RobotRequest),
     LACUNA_LAYOUT_(RobotText),
     LACUNA_LAYOUT_(ReadRobot),
+    LACUNA_LAYOUT_(RecordedTable),
+    LACUNA_LAYOUT_(RecordingContents),
+    LACUNA_LAYOUT_(TableQuery),
+    LACUNA_LAYOUT_(RecordedRows),
+    LACUNA_LAYOUT_(ReadRows),
     LACUNA_LAYOUT_(EffectDescription),
     LACUNA_LAYOUT_(EffectStages),
     LACUNA_LAYOUT_(OverriddenHooks),
@@ -137,6 +143,11 @@ template <>
 struct ComponentKind<RobotFormat> {
   static constexpr const char* name = "robot_format";
   static constexpr const char* noun = "robot format";
+};
+template <>
+struct ComponentKind<RecordingFormat> {
+  static constexpr const char* name = "recording_format";
+  static constexpr const char* noun = "recording format";
 };
 template <>
 struct ComponentKind<TargetSystem> {

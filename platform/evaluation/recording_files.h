@@ -1,0 +1,32 @@
+#pragma once
+
+#include "loading/plugin_catalog.h"
+#include "measurement/recording_formats.h"
+
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// The recording formats of a catalog, which outlives it. The ending of a file's name chooses; the longest counts.
+class PluginRecordingFormats : public RecordingFormats {
+ public:
+  explicit PluginRecordingFormats(const PluginCatalog& catalog);
+
+  bool reads(const std::filesystem::path& file) const override;
+  /// Both throw `ComponentError` where the plugin fails.
+  RecordingContents contents(const std::filesystem::path& file) const override;
+  ReadRows read(const std::filesystem::path& file, const std::vector<TableQuery>& queries) const override;
+
+ private:
+  struct Known {
+    ComponentOrigin origin;
+    const RecordingFormat* format = nullptr;
+    std::vector<std::string> endings;
+  };
+  const Known* find(const std::filesystem::path& file) const;
+
+  std::vector<Known> formats_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <lacuna/recording_format.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lacuna {
+
+/// Formats of recordings other than CSV, handed in by those who know plugins (evaluation/recording_files.h). A null
+/// pointer to them: every file is CSV.
+class RecordingFormats {
+ public:
+  virtual ~RecordingFormats() = default;
+
+  /// Whether one of them reads files of that name.
+  virtual bool reads(const std::filesystem::path& file) const = 0;
+  /// As `RecordingFormat` has them, of a file that is there.
+  virtual RecordingContents contents(const std::filesystem::path& file) const = 0;
+  virtual ReadRows read(const std::filesystem::path& file, const std::vector<TableQuery>& queries) const = 0;
+};
+
+/// "/joint_states.position[shoulder]": how an experiment names a column of a table, "" without tables.
+std::string column_path(const std::string& table, const std::string& column);
+
+}  // namespace lacuna

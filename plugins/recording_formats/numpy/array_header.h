@@ -1,0 +1,44 @@
+#pragma once
+
+#include "byte_stream.h"
+#include "scalar_type.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lacuna::numpy {
+
+using namespace recording_bytes;
+
+/// A number in an element of an array: the whole element, or a field of a structured type.
+struct Field {
+  std::string path;  ///< "position[2]"; empty: the element itself
+  std::size_t offset = 0;
+  ScalarType type;
+};
+
+/// What an .npy file says of its array (NEP 1, versions 1 to 3).
+struct ArrayHeader {
+  std::vector<Field> fields;
+  std::vector<std::string> left_out;  ///< paths of fields that are no numbers
+  std::size_t element_size = 0;       ///< bytes
+  bool is_fortran_order = false;
+  std::vector<std::uint64_t> shape;
+
+  std::uint64_t rows() const { return shape.empty() ? 0 : shape.front(); }
+  /// Elements of a row; 0 where there are more than can be columns.
+  std::size_t row_elements() const;
+};
+
+/// The most numbers of a row of one array.
+inline constexpr std::size_t kMostNumbers = 4096;
+
+/// Reads the header and leaves the stream at the first element. Throws `BadFile`.
+ArrayHeader read_header(ByteStream& stream);
+
+/// The same of the header's text, a Python dictionary.
+ArrayHeader parse_header(std::string_view text);
+
+}  // namespace lacuna::numpy

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "array_header.h"
+
+#include <lacuna/row_columns.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lacuna::numpy {
+
+/// The columns of an array: `q[0]`, `q[1]` of a table of numbers called q, `q` of a list of them, and fields by path.
+/// Without a name `[0]`, `[1]` and the fields' paths.
+std::vector<std::string> columns_of(const ArrayHeader& header, const std::string& name);
+
+/// Reads the elements behind a header into those columns that are wanted, by name, at most `most_rows` of them. Throws
+/// `BadFile` where there are fewer than the header says.
+void read_rows(ByteStream& stream, const ArrayHeader& header, const std::string& name, std::size_t most_rows,
+               std::map<std::string, NumberColumn>& wanted);
+
+}  // namespace lacuna::numpy

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace lacuna::rosbag2 {
+
+/// What makes a bag, a message or a definition unusable: where, what, and what to do.
+class BadBag : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace lacuna::rosbag2

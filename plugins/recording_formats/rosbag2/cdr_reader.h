@@ -1,0 +1,41 @@
+#pragma once
+
+#include "message_types.h"
+
+#include <lacuna/value_tree.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace lacuna::rosbag2 {
+
+using Bytes = std::span<const unsigned char>;
+
+/// Reads messages in CDR, of both byte orders, plain (XCDR1) or plain of the second version (XCDR2), as DDS carries
+/// them (OMG DDS-XTypes 1.3, 7.4). Lists of more numbers than can be columns are passed over.
+class CdrReader {
+ public:
+  /// Puts a message into the tree. Throws `BadBag` where its bytes are not what its type has: too few, or too many.
+  void read(Bytes message, const MessageTypes& types, ValueTree& tree);
+
+ private:
+  void read_encapsulation();
+  void read_message(std::size_t type, ValueTree* tree);
+  void read_field(const MessageField& field, ValueTree* tree);
+  void read_list(const MessageField& field, std::size_t count, ValueTree* tree);
+  void read_once(const MessageField& field, std::string_view key, ValueTree* tree);
+  std::string_view read_text();
+  std::uint64_t read_bits(std::size_t size);
+  std::uint32_t read_count();
+  void align(std::size_t size);
+  void need(std::uint64_t size) const;
+
+  const MessageTypes* types_ = nullptr;
+  Bytes bytes_;  ///< behind the encapsulation
+  std::size_t place_ = 0, widest_ = 8;
+  bool is_big_endian_ = false;
+};
+
+}  // namespace lacuna::rosbag2
