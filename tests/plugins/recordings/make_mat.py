@@ -2,6 +2,7 @@
 """Writes the recordings of this folder in MATLAB's format: make_mat.py, with SciPy 1.10."""
 import pathlib
 
+import make_numpy
 import numpy
 import scipy.io
 
@@ -15,3 +16,7 @@ scipy.io.savemat(here / "run_compressed.mat", {"time": t.astype(numpy.float32) *
                                                "cells": numpy.array([1, "a"], dtype=object), "z": q + 1j,
                                                "list": numpy.array([(1,), (2,)], dtype=[("x", "O")])},
                  do_compression=True)
+
+time, angle, rate, torque = make_numpy.pendulum()
+scipy.io.savemat(here / "arm.mat", {"log": {"t": time, "hinge_position": angle, "hinge_velocity": rate,
+                                            "hinge_effort": torque}}, do_compression=True)

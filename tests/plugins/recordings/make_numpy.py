@@ -18,3 +18,20 @@ state["joint"]["on"] = [True, False, True]
 state["counts"] = [1, 65535, 3]
 numpy.save(here / "structured.npy", state)
 numpy.save(here / "fortran.npy", numpy.asfortranarray(numpy.arange(12, dtype=">i4").reshape(3, 2, 2) - 6))
+
+
+def pendulum():
+    """The pendulum of make_bags.mjs: times, s, angles, rad, velocities and torques."""
+    angle, rate, rows = 0.1, 0.0, []
+    for i in range(200):
+        torque = 0.5 * numpy.sin(0.03 * i) + 0.2 * numpy.sin(0.11 * i)
+        rows.append((0.01 * i, angle, rate, torque))
+        for _ in range(10):
+            rate += 0.001 * ((torque - 9.81 * 0.2 * numpy.sin(angle) - 0.05 * rate) / 0.05)
+            angle += 0.001 * rate
+    return numpy.array(rows).T
+
+
+if __name__ == "__main__":
+    time, angle, rate, torque = pendulum()
+    numpy.savez_compressed(here / "arm.npz", t=time, hinge_position=angle, hinge_velocity=rate, hinge_effort=torque)

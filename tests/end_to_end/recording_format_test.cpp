@@ -1,0 +1,82 @@
+#include "end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+namespace lacuna {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* kArm = R"(<robot name="arm">
+  <link name="base"/>
+  <link name="arm">
+    <inertial><origin xyz="0 0 -0.2"/><mass value="1.0"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.003"/></inertial>
+  </link>
+  <joint name="hinge" type="continuous">
+    <parent link="base"/><child link="arm"/><axis xyz="0 1 0"/><limit effort="5" velocity="20"/>
+  </joint>
+</robot>
+)";
+
+/// A file, and the columns that the joint's sensors and its actuator are to get.
+struct Recorded {
+  std::string file, position, effort;
+};
+
+class RecordingFormats : public testing::TestWithParam<Recorded> {
+ protected:
+  RecordingFormats() {
+    program_.write("arm.urdf", kArm);
+    const std::filesystem::path source =
+        std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "tests/plugins/recordings" / GetParam().file;
+    if (std::filesystem::exists(source)) std::filesystem::copy(source, program_.folder() / GetParam().file);
+    if (GetParam().file == "arm.jsonl") program_.write("arm.jsonl", json_lines());
+  }
+
+  static std::string json_lines() {
+    std::string text;
+    for (int i = 0; i < 200; ++i)
+      text += "{\"t\": " + std::to_string(0.01 * i) + ", \"state\": {\"name\": [\"hinge\"], \"position\": [" +
+              std::to_string(0.3 * std::sin(0.03 * i)) + "], \"effort\": [" + std::to_string(0.5 * std::sin(0.03 * i)) +
+              "]}}\n";
+    return text;
+  }
+
+  const Program program_;
+};
+
+TEST_P(RecordingFormats, AreDraftedCheckedAndCompared) {
+  const Outcome drafted = program_.run({"new", "rig.toml", "--robot", "arm.urdf", "--from", GetParam().file});
+  ASSERT_EQ(drafted.exit_code, 0) << drafted.errors;
+  EXPECT_THAT(drafted.output, AllOf(HasSubstr("sensor.hinge_position column " + GetParam().position),
+                                    HasSubstr("actuator.hinge     column " + GetParam().effort)));
+  const Outcome check = program_.run({"check", "rig.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.errors << program_.read("rig.toml");
+  const Outcome comparison = program_.run({"compare", "rig.toml"});
+  EXPECT_EQ(comparison.exit_code, 0) << comparison.errors;
+  EXPECT_THAT(comparison.output, HasSubstr("hinge_position"));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfOtherPrograms, RecordingFormats,
+                         testing::Values(Recorded{"arm.jsonl", "state.position[hinge]", "state.effort[hinge]"},
+                                         Recorded{"arm.npz", "hinge_position", "hinge_effort"},
+                                         Recorded{"arm.mat", "log.hinge_position", "log.hinge_effort"},
+                                         Recorded{"run.db3", "/joint_states.position[hinge] in rad",
+                                                  "/joint_states.effort[hinge] in N*m"},
+                                         Recorded{"run_lz4.mcap", "/joint_states.position[hinge] in rad",
+                                                  "/joint_states.effort[hinge] in N*m"}),
+                         [](const auto& test) {
+                           std::string name = test.param.file;
+                           for (char& c : name)
+                             if (c == '.') c = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace lacuna
