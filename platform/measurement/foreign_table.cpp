@@ -129,14 +129,15 @@ class RowTable {
   /// Adds parts of a second, if all are, to whole seconds.
   void add_fractions() {
     if (query_.fraction_column.empty()) return;
+    const std::vector<double>& parts = numbers_of(query_.fraction_column);
+    const double origin = rows_.origins[place_of(query_.fraction_column)];
     std::vector<double> fractions;
-    for (const std::size_t row : kept_)
-      fractions.push_back(numbers_of(query_.fraction_column)[row] * query_.fraction_unit);
-    table_.has_fractions =
-        !fractions.empty() &&
-        std::all_of(table_.times.begin(), table_.times.end(), [](double time) { return time == std::round(time); }) &&
-        std::all_of(fractions.begin(), fractions.end(), [](double part) { return part >= 0.0 && part < 1.0; }) &&
-        rows_.origins[place_of(query_.fraction_column)] == 0.0;
+    for (const std::size_t row : kept_) fractions.push_back((origin + parts[row]) * query_.fraction_unit);
+    table_.has_fractions = !fractions.empty() &&
+                           std::all_of(table_.times.begin(), table_.times.end(),
+                                       [](double time) { return time == std::round(time); }) &&
+                           std::all_of(fractions.begin(), fractions.end(),
+                                       [](double part) { return part >= 0.0 && part < 1.0; });
     for (std::size_t i = 0; table_.has_fractions && i < fractions.size(); ++i) table_.times[i] += fractions[i];
   }
 

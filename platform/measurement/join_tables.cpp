@@ -25,7 +25,9 @@ struct Part {
   std::string name;
   double seconds_per_unit = 1.0;
   TrialClock clock = {};
-  double origin = 0.0;  ///< s, what its clock shows at `clock.times` = 0
+  double zero = 0.0;    ///< s, a whole number of its clock from which `start` counts: both keep all digits
+  double start = 0.0;   ///< s, what its clock shows beyond that at `clock.times` = 0
+  double origin = 0.0;  ///< s, the sum of the two
   double offset = 0.0, skew = 0.0;
   std::vector<double> times = {};  ///< s on the first file's clock, since that one's first sample
 
@@ -48,7 +50,9 @@ Part part_of(ReadTable read, const std::filesystem::path& path, double seconds_p
   }
   part.clock = read_clock(table, rows_by_trial(table).front(), seconds_per_unit, report);
   if (table.dated) part.seconds_per_unit = 1.0;
-  part.origin = (table.time_origin + table.times[part.clock.rows.front()]) * part.seconds_per_unit;
+  part.zero = table.time_origin * part.seconds_per_unit;
+  part.start = table.times[part.clock.rows.front()] * part.seconds_per_unit;
+  part.origin = part.zero + part.start;
   return part;
 }
 
@@ -153,7 +157,7 @@ void set_clock(const FurtherFile& file, const RecordingPlan& plan, Hold hold, co
 
 void take_times(const Part& first, Part& part) {
   for (const double time : part.clock.times)
-    part.times.push_back(part.origin - first.origin + time + part.offset + part.skew * time);
+    part.times.push_back((part.zero - first.zero) + (part.start - first.start) + time + part.offset + part.skew * time);
 }
 
 /// Where every command is known, within what the first file spans.

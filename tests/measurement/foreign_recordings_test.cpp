@@ -90,10 +90,19 @@ TEST_F(ForeignRecordings, AreReadLikeCsv) {
   const Recording recording = read(pendulum_source(file_));
   const Trial& trial = recording.trials.front();
   ASSERT_EQ(trial.measured.times.size(), 3);
-  EXPECT_NEAR(trial.measured.times[1], 0.1, 1e-12);
+  EXPECT_NEAR(trial.measured.times[1], 0.1, 1e-9);
   EXPECT_TRUE(std::isnan(trial.measured.samples(1, 0)));
   EXPECT_EQ(trial.commands.series.samples(2, 0), 6.0);
   EXPECT_THAT(notes_of(recording), HasSubstr("run.bag: column `q` has no value in 1 of 3 rows, row 2 first"));
+}
+
+/// As ROS writes times, in seconds and nanoseconds.
+TEST_F(ForeignRecordings, HaveTimesInTwoColumns) {
+  formats_.tables = {{{"", {{"sec", ""}, {"nanosec", ""}, {"q", ""}, {"u", ""}}, ""},
+                      {{"sec", {1, 1, 2}}, {"nanosec", {0, 5e8, 0}}, {"q", {1, 2, 3}}, {"u", {4, 5, 6}}}}};
+  RecordingSource source = pendulum_source(file_);
+  source.time_column = "sec";
+  EXPECT_EQ(read(source).trials.front().measured.times[1], 0.5);
 }
 
 TEST_F(ForeignRecordings, JoinTheTablesThatColumnsAreOf) {
