@@ -7,6 +7,7 @@
 namespace lacuna::rosbag2 {
 namespace {
 
+constexpr std::string_view kLayout = "layout.data_offset";  ///< of arrays of std_msgs; says nothing of a robot
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 LongNumber seconds_of(std::int64_t nanoseconds) {
@@ -51,7 +52,8 @@ void TopicColumns::learn(const BagMessage& message) {
   paths_.walk(
       tree_,
       [&](std::string_view path, LongNumber) {
-        if (path != kStamp && !path.empty()) columns_.add(path, is_si_ ? unit_of(path) : std::string_view());
+        if (path != kStamp && path != kLayout && !path.empty())
+          columns_.add(path, is_si_ ? unit_of(path) : std::string_view());
       },
       [](std::string_view, std::size_t) {});
 }
