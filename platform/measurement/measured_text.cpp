@@ -21,7 +21,7 @@ struct FileCloser {
 
 std::string without_access(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the CSV files in it one by one";
+  if (std::filesystem::is_directory(path, ignored)) return "is a folder; name the files in it one by one";
   if (!std::filesystem::exists(path, ignored)) return "there is no such file";
   if (const std::string special = special_file(path); !special.empty() && !is_unnamed_pipe(path))
     return fmt::format("is {}, not a file; name a file", special);

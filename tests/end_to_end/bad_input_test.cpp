@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInputCase{"RecordingIsAFolder", "check first-steps.toml --set target.files=[\"folder\"]", 2, "folder"},
         BadInputCase{"NewFromAnEmptyFile", "new rig.toml --from empty.csv", 2, "empty.csv: is empty"},
         BadInputCase{"NewFromNowhere", "new rig.toml --from nowhere.csv", 2, "nowhere.csv: there is no such file"},
-        BadInputCase{"NewFromAFolder", "new rig.toml --from folder", 2, "folder: is a folder; name the CSV files"},
+        BadInputCase{"NewFromAFolder", "new rig.toml --from folder", 2, "folder: is a folder; name the files in it"},
         BadInputCase{"NewFromABinaryFile", "new rig.toml --from binary.toml", 2, "is a binary file, not CSV"},
         BadInputCase{"NewIntoNowhere", "new nowhere/rig.toml --from one.csv", 2,
                      "nowhere/rig.toml: cannot be written: there is no folder nowhere"},

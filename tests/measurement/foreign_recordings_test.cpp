@@ -121,7 +121,7 @@ TEST_F(ForeignRecordings, HaveColumnsOfTheNamedTableWithoutItsName) {
   source.sensors[0].column = "position[hinge]";
   EXPECT_EQ(read(source).trials.front().measured.samples(1, 0), 2.0);
   source.files[0].table = "/state";
-  EXPECT_THAT(complaint(source), HasSubstr("no table `/state` (did you mean `/states`?)"));
+  EXPECT_THAT(complaint(source), HasSubstr("no table `/state` (did you mean \"/states\"?)"));
 }
 
 /// Another file's clock may be off; the offset holds for that table alone.
@@ -145,7 +145,7 @@ TEST_F(ForeignRecordings, NameTheColumnsThatThereAre) {
   make_topics();
   RecordingSource source = topics_source();
   source.commands[0].column = "/command.efort";
-  EXPECT_THAT(complaint(source), HasSubstr("no column `/command.efort` (did you mean `/command.effort`?)"));
+  EXPECT_THAT(complaint(source), HasSubstr("no column `/command.efort` (did you mean \"/command.effort\"?)"));
   source.commands[0].column = "/command.effort";
   source.time_column = "stamp";
   EXPECT_EQ(complaint(source), "") << "a format that knows its time needs no name for it";
