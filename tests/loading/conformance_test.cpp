@@ -87,5 +87,13 @@ TEST(Conformance, StagesAndOverriddenHooksGoTogether) {
   EXPECT_THAT(effect_problem(description, {.sensor = SensorStage::scale}, sense), IsEmpty());
 }
 
+TEST(Conformance, EndingsOfFilesBeginWithADotAndAreNotTheHosts) {
+  EXPECT_EQ(endings_problem({".mcap", ".db3"}, ".csv"), "");
+  EXPECT_THAT(endings_problem({}, ".csv"), HasSubstr("names no ending"));
+  EXPECT_THAT(endings_problem({".mcap", "db3"}, ".csv"), HasSubstr("files that end with \"db3\""));
+  EXPECT_THAT(endings_problem({".csv"}, ".csv"), HasSubstr(".csv is taken"));
+  EXPECT_EQ(endings_problem({".csv"}, ".toml"), "");
+}
+
 }  // namespace
 }  // namespace lacuna
