@@ -2,6 +2,7 @@
 
 #include <lacuna/effect_list.h>
 #include <lacuna/engine_settings.h>
+#include <lacuna/robot_format.h>
 #include <lacuna/robot_spec.h>
 
 #include "foundation/problem.h"
@@ -40,6 +41,9 @@ struct ModelSection {
   std::string file_digest;                             ///< SHA-256 of its text
   std::optional<RobotSpec> declared;                   ///< its content
   std::optional<std::string> foreign_text;             ///< of a file that is not TOML, until a format has read it
+  std::vector<std::filesystem::path> parts;            ///< files that it includes, once a format has read it
+  RobotBase base = RobotBase::as_written;              ///< of a file of another format
+  std::vector<std::string> held;                       ///< patterns of joints that do not move: "joint.finger_*"
   std::map<std::string, SourceLocation> robot_places;  ///< where its keys stand: "body.arm.mass"
   std::map<std::string, double> set;                   ///< address pattern → value, fixed
   std::vector<FreeRange> free;                         ///< of a target: what is hidden, drawn uniformly

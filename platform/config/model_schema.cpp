@@ -93,7 +93,17 @@ Table<ModelSection> system_keys(const std::string& whose) {
       .key("robot", &ModelSection::robot, element_name(),
            kind + "a robot plugin's name; \"declared\" where file is given")
       .key("parameters", &ModelSection::parameters, map_of("PARAMETER", number("")), kind + "of the robot plugin")
-      .key("file", &ModelSection::file, existing_file(), kind + "of a declared robot")
+      .key("file", &ModelSection::file, existing_file(), kind + "of a declared robot: TOML, URDF or MJCF")
+      .key("base", &ModelSection::base,
+           choice<RobotBase>(
+               {{"as_written", RobotBase::as_written}, {"held", RobotBase::held}, {"free", RobotBase::free}}),
+           kind +
+               "of a file in URDF or MJCF: whether the body that all others hang on is held to the world or floats; "
+               "as_written: what the file says, and held where it says nothing")
+      .key("held", &ModelSection::held, list_of(text()),
+           kind +
+               "joints of the file that stand still at position zero, such as \"joint.finger_*\"; their actuators and "
+               "sensors are left out")
       .key("set", &ModelSection::set, map_of("ADDRESS", number("").or_infinite()),
            kind + "values that differ from the robot's own and stay fixed, as in \"body.arm.mass\" = 0.5")
       .key("effects", &ModelSection::effects, list_of((of_model ? model_effect_keys() : effect_keys()).value()),

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -77,9 +79,65 @@ TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
   program_.write("arm.urdf", "");
   EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is no whole XML document"));
   program_.write("arm.xml", kArm);
-  const Outcome other = program_.run({"check", "arm.toml", "--set", "model.file=\"arm.xml\""});
+  EXPECT_EQ(program_.run({"check", "arm.toml", "--set", "model.file=\"arm.xml\"", "--set", "target.file=\"arm.xml\""})
+                .exit_code,
+            0)
+      << "the root element tells the formats of .xml apart";
+  program_.write("arm.sdf", kArm);
+  const Outcome other = program_.run({"check", "arm.toml", "--set", "model.file=\"arm.sdf\""});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.errors, HasSubstr("its name ends with none of .toml, .urdf"));
+  EXPECT_THAT(other.errors, HasSubstr("its name ends with none of .mjcf, .toml, .urdf, .xml"));
+}
+
+constexpr const char* kScene = R"(<mujoco model="arm">
+  <include file="parts/defaults.xml"/>
+  <worldbody>
+    <body name="arm"><joint name="hinge" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 -0.4" size="0.03"/>
+      <body name="hand" pos="0 0 -0.4"><joint name="finger" axis="0 1 0"/><geom type="sphere" size="0.02"/></body>
+    </body>
+  </worldbody>
+  <actuator><motor name="hinge" joint="hinge"/></actuator>
+</mujoco>
+)";
+
+/// A file that it includes is part of it: what is wrong there is said with its place, and what changes there counts.
+TEST_F(RobotFormatFiles, MayIncludeOthersBelowTheirFolder) {
+  std::filesystem::create_directory(program_.folder() / "parts");
+  program_.write("parts/defaults.xml", "<mujocoinclude><default><joint damping=\"0.1\"/></default></mujocoinclude>\n");
+  program_.write("arm.xml", kScene);
+  const std::vector<std::string> check = {
+      "check", "arm.toml", "--set", "model.file=\"arm.xml\"", "--set", "target.file=\"arm.xml\""};
+  const Outcome good = program_.run(check);
+  EXPECT_EQ(good.exit_code, 0) << good.errors;
+  EXPECT_THAT(good.output, HasSubstr("joints    hinge, finger"));
+  program_.write("parts/defaults.xml", "<mujocoinclude><default>\n<joint damping=\"x\"/></default></mujocoinclude>\n");
+  const Outcome bad = program_.run(check);
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_THAT(bad.errors, HasSubstr("parts/defaults.xml:2: joint's damping \"x\" is no number"));
+  std::string beyond = kScene;
+  beyond.replace(beyond.find("parts/defaults.xml"), 18, "../arm.toml");
+  program_.write("arm.xml", beyond);
+  EXPECT_THAT(program_.run(check).errors, HasSubstr("arm.xml:2: include's file"));
+}
+
+TEST_F(RobotFormatFiles, AreHeldOrFreeAsTheModelSays) {
+  std::filesystem::create_directory(program_.folder() / "parts");
+  program_.write("parts/defaults.xml", "<mujocoinclude/>");
+  program_.write("arm.xml", kScene);
+  std::string experiment = kExperiment;
+  for (std::size_t at; (at = experiment.find("arm.urdf")) != std::string::npos;) experiment.replace(at, 8, "arm.xml");
+  experiment.insert(experiment.find("free = {"), "held = [\"joint.fin*\"]\n");
+  program_.write("arm.toml", experiment);
+  const Outcome held = program_.run({"check", "arm.toml"});
+  EXPECT_EQ(held.exit_code, 0) << held.errors;
+  const Outcome none = program_.run({"check", "arm.toml", "--set", "model.held=[\"joint.toe\"]"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.errors, HasSubstr("\"joint.toe\" names no joint of the robot"));
+  program_.write("arm.toml", kExperiment);
+  const Outcome floats =
+      program_.run({"check", "arm.toml", "--set", "model.base=\"free\"", "--set", "target.base=\"free\""});
+  EXPECT_EQ(floats.exit_code, 0) << floats.errors;
+  EXPECT_THAT(floats.output, HasSubstr("base_free"));
 }
 
 /// Columns find the joints of the robot by name.

@@ -126,6 +126,88 @@ TEST(Urdf, MakesCouplingsOfMimics) {
   EXPECT_EQ(made.robot.sensors.size(), 4U);
 }
 
+std::string controlled(const std::string& interfaces, const std::string& limit = "") {
+  return robot(link("base") + link("arm", kInertial) + link("free", kInertial) +
+               joint("hinge", "continuous", "base", "arm", limit) + joint("loose", "continuous", "arm", "free") +
+               "<ros2_control name=\"c\" type=\"system\"><joint name=\"hinge\">" + interfaces +
+               "<state_interface name=\"position\"/></joint></ros2_control>\n");
+}
+
+TEST(Urdf, DrivesWhatHasACommandInterface) {
+  const ReadRobot force = read(controlled("<command_interface name=\"effort\"/>"));
+  ASSERT_THAT(force.problems, IsEmpty());
+  ASSERT_EQ(force.robot.actuators.size(), 1U);
+  EXPECT_EQ(force.robot.actuators[0].kind, ActuatorKind::force);
+  EXPECT_TRUE(says(force, RobotRemarkKind::guessed, "joint loose has no command interface"));
+  const ReadRobot servo =
+      read(controlled("<command_interface name=\"position\"><param name=\"min\">-1</param></command_interface>",
+                      "<limit effort=\"20\" velocity=\"1\"/>"));
+  ASSERT_THAT(servo.problems, IsEmpty());
+  EXPECT_EQ(servo.robot.actuators.at(0).kind, ActuatorKind::position_servo);
+  EXPECT_DOUBLE_EQ(servo.robot.actuators[0].kp, 200.0);
+  EXPECT_DOUBLE_EQ(servo.robot.actuators[0].force_limit, 20.0);
+  EXPECT_TRUE(says(servo, RobotRemarkKind::guessed, "kp = 200 and kd = 20 are taken"));
+  const ReadRobot both = read(controlled("<command_interface name=\"velocity\"/><command_interface name=\"effort\"/>"));
+  EXPECT_EQ(both.robot.actuators.at(0).kind, ActuatorKind::force);
+  EXPECT_TRUE(says(both, RobotRemarkKind::guessed, "several command interfaces"));
+}
+
+TEST(Urdf, ReadsTransmissionsOfRosOne) {
+  const ReadRobot made =
+      read(robot(link("base") + link("arm", kInertial) + joint("hinge", "continuous", "base", "arm") +
+                 "<transmission name=\"t\"><type>transmission_interface/SimpleTransmission</type><joint name=\"hinge\">"
+                 "<hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>"
+                 "<actuator name=\"m\"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>"));
+  ASSERT_THAT(made.problems, IsEmpty());
+  EXPECT_EQ(made.robot.actuators.at(0).kind, ActuatorKind::velocity_servo);
+  EXPECT_DOUBLE_EQ(made.robot.actuators[0].transmission.ratio, 50.0);
+  EXPECT_FALSE(says(made, RobotRemarkKind::left_out, "transmission"));
+}
+
+TEST(Urdf, FloatsOrIsHeldAsAsked) {
+  const std::string text = one_link(kInertial);
+  const auto with = [&](RobotBase base, const std::string& file) {
+    return built_catalog().get<RobotFormat>("urdf").read({"robot.urdf", file, base, nullptr});
+  };
+  const ReadRobot freed = with(RobotBase::free, text);
+  ASSERT_THAT(freed.problems, IsEmpty());
+  ASSERT_EQ(freed.robot.joints.size(), 2U);
+  EXPECT_EQ(freed.robot.joints[0].kind, JointKind::free);
+  EXPECT_EQ(freed.robot.joints[1].parent, "base");
+  const std::string floating =
+      robot(link("world") + link("trunk", kInertial) + joint("root", "floating", "world", "trunk") +
+            link("leg", kInertial) + joint("hip", "continuous", "trunk", "leg"));
+  EXPECT_EQ(with(RobotBase::as_written, floating).robot.joints.at(0).kind, JointKind::free);
+  const ReadRobot held = with(RobotBase::held, floating);
+  ASSERT_EQ(held.robot.joints.size(), 1U);
+  EXPECT_EQ(held.robot.joints[0].parent, kWorld);
+}
+
+/// What several links have together is changed at the one that the joint moves.
+TEST(Urdf, WritesIntoTheFileThatItRead) {
+  const std::string text = robot("<!-- mine -->" + link("base") + link("arm", std::string(kInertial) + "<visual/>") +
+                                 link("tool", kInertial) +
+                                 joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0 0 0.3\" rpy=\"0 0.2 0\"/>") +
+                                 joint("hinge", "continuous", "base", "arm", "<dynamics damping=\"0.1\"/>"));
+  const RobotFormat& format = built_catalog().get<RobotFormat>("urdf");
+  RobotToWrite wanted{format.read({"robot.urdf", text}).robot, RobotText{"robot.urdf", text}, "found -- today"};
+  BodySpec& arm = wanted.robot.bodies.at(0);
+  arm.mass = 4.5;
+  arm.com = {0.01, 0.02, 0.2};
+  wanted.robot.joints.at(0).dry_friction = 0.25;
+  const WrittenRobot written = format.write(wanted);
+  ASSERT_THAT(written.problems, IsEmpty());
+  EXPECT_THAT(written.text, testing::AllOf(HasSubstr("<!-- mine -->"), HasSubstr("<visual/>"),
+                                           HasSubstr("found - - today"), HasSubstr("friction=\"0.25\"")));
+  const RobotSpec back = format.read({"robot.urdf", written.text}).robot;
+  EXPECT_NEAR(back.bodies.at(0).mass, 4.5, 1e-14);
+  EXPECT_TRUE(back.bodies[0].com.isApprox(arm.com, 1e-13));
+  EXPECT_NEAR(back.bodies[0].inertia.yy, arm.inertia.yy, 1e-14);
+  EXPECT_NEAR(back.bodies[0].inertia.xz, arm.inertia.xz, 1e-14);
+  EXPECT_DOUBLE_EQ(back.joints.at(0).damping, 0.1);
+  EXPECT_DOUBLE_EQ(back.joints[0].dry_friction, 0.25);
+}
+
 TEST(Urdf, NamesElementsAsTheProgramCan) {
   const ReadRobot made =
       read(robot(link("base") + link("arm.1", kInertial) + joint("j/1", "continuous", "base", "arm.1")));

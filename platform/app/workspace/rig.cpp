@@ -121,6 +121,8 @@ std::vector<std::filesystem::path> input_files(const Experiment& experiment) {
     files.push_back(file.path);
     for (const FurtherFile& further : file.with) files.push_back(further.path);
   }
+  for (const ModelSection* section : {&experiment.model, &experiment.target.simulated.system})
+    files.insert(files.end(), section->parts.begin(), section->parts.end());
   std::erase(files, std::filesystem::path());
   return files;
 }

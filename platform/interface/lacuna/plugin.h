@@ -96,6 +96,8 @@ inline constexpr TypeLayout kInterfaceLayouts[] = {
     LACUNA_LAYOUT_(TableQuery),
     LACUNA_LAYOUT_(RecordedRows),
     LACUNA_LAYOUT_(ReadRows),
+    LACUNA_LAYOUT_(RobotToWrite),
+    LACUNA_LAYOUT_(WrittenRobot),
     LACUNA_LAYOUT_(EffectDescription),
     LACUNA_LAYOUT_(EffectStages),
     LACUNA_LAYOUT_(OverriddenHooks),

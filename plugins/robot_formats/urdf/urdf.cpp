@@ -1,4 +1,7 @@
 #include "urdf_robot.h"
+#include "urdf_writer.h"
+
+#include "xml_element.h"
 
 #include <lacuna/plugin.h>
 
@@ -8,8 +11,9 @@ namespace {
 class Urdf : public RobotFormat {
  public:
   std::string summary() const override { return "Robots as ROS describes them (URDF)"; }
-  std::vector<std::string> endings() const override { return {".urdf"}; }
-  ReadRobot read(const RobotText& file) const override { return urdf::robot_of(urdf::read_file(file.text)); }
+  std::vector<std::string> endings() const override { return {".urdf", ".xml"}; }
+  bool is_meant(const std::string& text) const override { return robot_files::root_name(text) == "robot"; }
+  ReadRobot read(const RobotText& file) const override { return urdf::robot_of(urdf::read_file(file.text), file.base); }
 };
 
 }  // namespace

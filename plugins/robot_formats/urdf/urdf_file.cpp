@@ -10,6 +10,8 @@
 namespace lacuna::urdf {
 namespace {
 
+using robot_files::XmlElement;
+
 constexpr const char* kXacro = "xacro:";
 
 bool is_of_names(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; }
@@ -35,6 +37,7 @@ class FileReader {
     file_.name = named(robot.text_of("name").value_or("robot"), robot.line());
     for (const XmlElement& link : robot.children("link")) read_link(link);
     for (const XmlElement& joint : robot.children("joint")) read_joint(joint);
+    take_commands(robot);
     for (const XmlElement& one : robot.children()) note_unread(one);
     for (const auto& [name, line] : unread_)
       remark(RobotRemarkKind::left_out, line, "<" + name + "> has no place in a model");
@@ -66,9 +69,9 @@ class FileReader {
     file_.links.push_back(std::move(link));
   }
 
-  static LinkMass mass_of(const XmlElement& inertial) {
+  static RigidMass mass_of(const XmlElement& inertial) {
     const Pose pose = pose_of(inertial);
-    LinkMass mass{0.0, pose.position, Eigen::Matrix3d::Zero()};
+    RigidMass mass{0.0, pose.position, Eigen::Matrix3d::Zero()};
     if (const std::optional<XmlElement> value = inertial.child("mass"))
       mass.mass = value->required_number("value");
     else
@@ -150,9 +153,25 @@ class FileReader {
     joint.upper = upper;
   }
 
+  void take_commands(const XmlElement& robot) {
+    std::map<std::string, Joint*> joints;
+    for (Joint& joint : file_.joints) joints[joint.name] = &joint;
+    for (auto& [written, commands] : read_commands(robot)) {
+      const auto found = joints.find(named(written, commands.line));
+      if (found == joints.end()) {
+        remark(RobotRemarkKind::left_out, commands.line,
+               "commands of \"" + written + "\", which is no joint of the robot");
+        continue;
+      }
+      file_.says_commands = file_.says_commands || !commands.interfaces.empty();
+      found->second->commands = commands;
+    }
+  }
+
   /// One remark a kind of element.
   void note_unread(const XmlElement& element) {
-    static const std::set<std::string, std::less<>> kRead = {"link", "joint", "material"};
+    static const std::set<std::string, std::less<>> kRead = {"link", "joint", "material", "ros2_control",
+                                                             "transmission"};
     if (!kRead.contains(element.name())) unread_.try_emplace(std::string(element.name()), element.line());
   }
 

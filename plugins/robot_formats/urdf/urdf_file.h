@@ -1,5 +1,8 @@
 #pragma once
 
+#include "rigid_mass.h"
+#include "urdf_commands.h"
+
 #include <lacuna/robot_format.h>
 
 #include <limits>
@@ -9,27 +12,13 @@
 
 namespace lacuna::urdf {
 
-/// A frame in another: turned about the fixed x, then y, then z by roll, pitch, yaw.
-struct Pose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-
-  Pose operator*(const Pose& inner) const {
-    return {position + orientation * inner.position, orientation * inner.orientation};
-  }
-};
-
-/// Mass, and the inertia about its centre along the axes of the link.
-struct LinkMass {
-  double mass = 0.0;
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-};
+using robot_files::Pose;
+using robot_files::RigidMass;
 
 struct Link {
   std::string name;
   int line = 0;
-  std::optional<LinkMass> mass;
+  std::optional<RigidMass> mass;  ///< along the axes of the link
   std::size_t collisions = 0;
 };
 
@@ -52,6 +41,7 @@ struct Joint {
   double velocity = 0.0;  ///< rad/s or m/s; 0: none is written
   double damping = 0.0, friction = 0.0;
   std::optional<Mimic> mimic;
+  std::optional<JointCommands> commands;  ///< nothing: the file does not say
 };
 
 /// What stands in a URDF file.
@@ -59,6 +49,7 @@ struct File {
   std::string name;
   std::vector<Link> links;
   std::vector<Joint> joints;
+  bool says_commands = false;  ///< of any joint
   std::vector<RobotRemark> remarks;
   std::vector<RobotFileProblem> problems;
 };

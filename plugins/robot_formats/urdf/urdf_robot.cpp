@@ -1,12 +1,19 @@
 #include "urdf_robot.h"
 
 #include "inertia_repair.h"
+#include "urdf_motor.h"
 
 #include <algorithm>
 #include <map>
 
 namespace lacuna::urdf {
 namespace {
+
+using robot_files::body_of;
+using robot_files::can_be;
+using robot_files::joined;
+using robot_files::moved;
+using robot_files::repaired;
 
 constexpr double kLeastMass = 1e-3;  ///< kg, of a body that moves and has none
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -18,39 +25,13 @@ struct Placed {
   std::size_t joint = kNone;    ///< by which it is held; the root has none
 };
 
-InertiaSpec spec_of(const Eigen::Matrix3d& inertia) {
-  return {inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2), inertia(1, 2)};
-}
-
-/// What a mass elsewhere adds to the inertia about a point `away` from it.
-Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& away) {
-  return mass * (away.squaredNorm() * Eigen::Matrix3d::Identity() - away * away.transpose());
-}
-
-LinkMass joined(const std::vector<LinkMass>& parts) {
-  LinkMass whole;
-  for (const LinkMass& part : parts) {
-    whole.mass += part.mass;
-    whole.com += part.mass * part.com;
-  }
-  if (whole.mass > 0.0) whole.com /= whole.mass;
-  for (const LinkMass& part : parts) whole.inertia += part.inertia + point_inertia(part.mass, part.com - whole.com);
-  return whole;
-}
-
-/// A mass of a frame that stands at `pose` in another.
-LinkMass moved(const LinkMass& mass, const Pose& pose) {
-  const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
-  return {mass.mass, pose.position + pose.orientation * mass.com, turn * mass.inertia * turn.transpose()};
-}
-
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 class RobotMaker {
  public:
-  explicit RobotMaker(const File& file) : file_(file), made_{{}, file.remarks, file.problems} {
+  RobotMaker(const File& file, RobotBase base) : file_(file), base_(base), made_{{}, file.remarks, file.problems} {
     for (std::size_t i = 0; i < file.links.size(); ++i) link_of_name_.try_emplace(file.links[i].name, i);
     placed_.resize(file.links.size());
   }
@@ -61,6 +42,7 @@ class RobotMaker {
     if (made_.problems.empty()) place_links();
     if (!made_.problems.empty()) return std::move(made_);
     made_.robot.name = file_.name;
+    if (is_free()) float_root();
     for (const std::size_t link : order_)
       if (placed_[link].carrier == link && placed_[link].joint != kNone) add_body(link);
     add_couplings();
@@ -119,29 +101,54 @@ class RobotMaker {
     const Joint& joint = file_.joints[placed_[link].joint];
     placed_[link].pose = placed_[parent].pose * joint.origin;
     placed_[link].pose.orientation.normalize();
-    placed_[link].carrier = joint.type == JointType::fixed ? placed_[parent].carrier : link;
+    placed_[link].carrier = moves(joint) ? link : placed_[parent].carrier;
   }
 
   std::size_t root() const { return order_.front(); }
-  std::string name_of(std::size_t carrier) const { return carrier == root() ? kWorld : file_.links[carrier].name; }
+  bool is_free() const { return base_ == RobotBase::free; }
+  bool moves(const Joint& joint) const {
+    return joint.type != JointType::fixed && (joint.type != JointType::floating || base_ != RobotBase::held);
+  }
+
+  std::string name_of(std::size_t carrier) const {
+    return carrier == root() && !is_free() ? kWorld : file_.links[carrier].name;
+  }
+
+  void float_root() {
+    const std::string& name = file_.links[root()].name;
+    made_.robot.bodies.push_back(body_of(name, mass_of(root()), placed_[root()].pose));
+    JointSpec joint;
+    joint.name = name + "_free";
+    joint.kind = JointKind::free;
+    joint.child = name;
+    joint.anchor = placed_[root()].pose.position;
+    made_.robot.joints.push_back(std::move(joint));
+    add_sensors(name, {{SensorKind::body_position, "_position"},
+                       {SensorKind::body_orientation, "_orientation"},
+                       {SensorKind::body_velocity, "_velocity"},
+                       {SensorKind::body_angular_velocity, "_angular_velocity"}});
+  }
+
+  void add_sensors(const std::string& element, const std::vector<std::pair<SensorKind, const char*>>& kinds) {
+    for (const auto& [kind, what] : kinds) {
+      SensorSpec sensor;
+      sensor.name = element + what;
+      sensor.kind = kind;
+      sensor.element = element;
+      made_.robot.sensors.push_back(std::move(sensor));
+    }
+  }
 
   void add_body(std::size_t link) {
     const Pose& pose = placed_[link].pose;
-    const LinkMass mass = mass_of(link);
-    BodySpec body;
-    body.name = file_.links[link].name;
-    body.mass = mass.mass;
-    body.com = mass.com;
-    body.inertia = spec_of(mass.inertia);
-    body.position = pose.position;
-    body.orientation = pose.orientation;
-    made_.robot.bodies.push_back(std::move(body));
+    const RigidMass mass = mass_of(link);
+    made_.robot.bodies.push_back(body_of(file_.links[link].name, mass, pose));
     add_joint(link);
   }
 
   /// Of all links that a joint moves together, in the frame of the first.
-  LinkMass mass_of(std::size_t carrier) {
-    std::vector<LinkMass> parts;
+  RigidMass mass_of(std::size_t carrier) {
+    std::vector<RigidMass> parts;
     for (const std::size_t link : order_)
       if (placed_[link].carrier == carrier && file_.links[link].mass) {
         const Pose& own = placed_[carrier].pose;
@@ -150,7 +157,7 @@ class RobotMaker {
                               back * placed_[link].pose.orientation};
         parts.push_back(moved(possible(file_.links[link]), in_carrier));
       }
-    LinkMass whole = joined(parts);
+    RigidMass whole = joined(parts);
     if (whole.mass > 0.0) return whole;
     remark(RobotRemarkKind::guessed, file_.links[carrier].line,
            "link " + file_.links[carrier].name + " moves and has no mass; 1 g is taken");
@@ -159,8 +166,8 @@ class RobotMaker {
     return whole;
   }
 
-  LinkMass possible(const Link& link) {
-    LinkMass mass = *link.mass;
+  RigidMass possible(const Link& link) {
+    RigidMass mass = *link.mass;
     if (mass.mass == 0.0 || can_be(mass.inertia)) return mass;
     mass.inertia = repaired(mass.inertia, mass.mass);
     remark(RobotRemarkKind::repaired, link.line,
@@ -175,7 +182,7 @@ class RobotMaker {
     const std::size_t parent = placed_[link_of_name_.at(joint.parent)].carrier;
     if (joint.type == JointType::planar)
       return problem(joint.line, "joint " + joint.name + " is planar; write two prismatic joints and a revolute one");
-    if (joint.type == JointType::floating && parent != root())
+    if (joint.type == JointType::floating && (parent != root() || is_free()))
       return problem(joint.line,
                      "joint " + joint.name + " floats on a link that moves; a body floats in the world alone");
     JointSpec spec;
@@ -198,20 +205,10 @@ class RobotMaker {
   }
 
   void add_channels(const Joint& joint) {
-    for (const auto& [kind, what] :
-         {std::pair{SensorKind::joint_position, "_position"}, std::pair{SensorKind::joint_velocity, "_velocity"}}) {
-      SensorSpec sensor;
-      sensor.name = joint.name + what;
-      sensor.kind = kind;
-      sensor.element = joint.name;
-      made_.robot.sensors.push_back(std::move(sensor));
-    }
+    add_sensors(joint.name, {{SensorKind::joint_position, "_position"}, {SensorKind::joint_velocity, "_velocity"}});
     if (joint.mimic) return;
-    ActuatorSpec motor;
-    motor.name = joint.name;
-    motor.joint = joint.name;
-    if (joint.effort > 0.0) motor.force_limit = joint.effort;
-    made_.robot.actuators.push_back(std::move(motor));
+    if (std::optional<ActuatorSpec> motor = motor_of(joint, file_.says_commands, made_.remarks))
+      made_.robot.actuators.push_back(std::move(*motor));
   }
 
   const Joint* joint_called(const std::string& name) const {
@@ -244,11 +241,13 @@ class RobotMaker {
       remark(RobotRemarkKind::left_out, 0, counted(collisions, "collision shape") + ": the robot touches nothing");
     if (velocities > 0)
       remark(RobotRemarkKind::left_out, 0, counted(velocities, "velocity limit") + ": nothing in a model holds them");
-    remark(RobotRemarkKind::guessed, file_.links[root()].line,
-           "link " + file_.links[root()].name + " is held to the world");
+    if (!is_free())
+      remark(RobotRemarkKind::guessed, file_.links[root()].line,
+             "link " + file_.links[root()].name + " is held to the world");
   }
 
   const File& file_;
+  RobotBase base_;
   ReadRobot made_;
   std::map<std::string, std::size_t> link_of_name_;
   std::vector<Placed> placed_;                     ///< by link
@@ -258,6 +257,6 @@ class RobotMaker {
 
 }  // namespace
 
-ReadRobot robot_of(const File& file) { return RobotMaker(file).make(); }
+ReadRobot robot_of(const File& file, RobotBase base) { return RobotMaker(file, base).make(); }
 
 }  // namespace lacuna::urdf

@@ -9,16 +9,26 @@
 #include <string_view>
 #include <vector>
 
-namespace lacuna::urdf {
+namespace lacuna::robot_files {
+
+/// Words between spaces.
+std::vector<std::string_view> words_of(std::string_view text);
+
+/// Of the outermost element of a text, found without reading the rest; empty: there is none.
+std::string_view root_name(std::string_view text);
 
 /// An element of a document, whose attributes are read strictly: what is no number is a problem, not 0.
 class XmlElement {
  public:
-  XmlElement(const tinyxml2::XMLElement& element, std::vector<RobotFileProblem>& problems)
-      : element_(&element), problems_(&problems) {}
+  /// `file` is the part that it stands in, null: the file itself; it and `problems` outlive the element.
+  XmlElement(const tinyxml2::XMLElement& element, std::vector<RobotFileProblem>& problems,
+             const std::string* file = nullptr)
+      : element_(&element), problems_(&problems), file_(file) {}
 
   int line() const { return element_->GetLineNum(); }
+  std::string file() const { return file_ ? *file_ : std::string(); }
   std::string_view name() const { return element_->Name(); }
+  const tinyxml2::XMLElement& xml() const { return *element_; }
 
   /// The first child of that name; null: there is none.
   std::optional<XmlElement> child(const char* name) const;
@@ -34,8 +44,13 @@ class XmlElement {
   double required_number(const char* attribute) const;
   /// Three numbers between spaces.
   Eigen::Vector3d vector(const char* attribute, const Eigen::Vector3d& otherwise) const;
+  /// `fewest` to `most` numbers between spaces; nothing where it is not written or wrong, which is a problem.
+  std::optional<std::vector<double>> numbers(const char* attribute, std::size_t fewest, std::size_t most) const;
 
-  void problem(std::string text) const { problems_->push_back({line(), std::move(text)}); }
+  /// The number that stands between its tags; nothing where there is no text, or none, which is a problem.
+  std::optional<double> own_number() const;
+
+  void problem(std::string text) const { problems_->push_back({line(), std::move(text), file()}); }
 
  private:
   std::string of(const char* attribute) const;
@@ -43,6 +58,7 @@ class XmlElement {
 
   const tinyxml2::XMLElement* element_;
   std::vector<RobotFileProblem>* problems_;
+  const std::string* file_;
 };
 
-}  // namespace lacuna::urdf
+}  // namespace lacuna::robot_files

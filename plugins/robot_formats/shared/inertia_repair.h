@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace lacuna::urdf {
+namespace lacuna::robot_files {
 
 /// Whether a body can have this inertia: symmetric, principal moments above 0, none above the sum of the others.
 bool can_be(const Eigen::Matrix3d& inertia);
@@ -12,4 +12,4 @@ bool can_be(const Eigen::Matrix3d& inertia);
 /// much each. Of a body of `mass`, kg, of which nothing is known a ball of 5 cm.
 Eigen::Matrix3d repaired(const Eigen::Matrix3d& inertia, double mass);
 
-}  // namespace lacuna::urdf
+}  // namespace lacuna::robot_files

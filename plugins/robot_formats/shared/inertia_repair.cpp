@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace lacuna::urdf {
+namespace lacuna::robot_files {
 namespace {
 
 constexpr double kRounding = 1e-6;     ///< of the largest moment
@@ -31,4 +31,4 @@ Eigen::Matrix3d repaired(const Eigen::Matrix3d& inertia, double mass) {
   return solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-}  // namespace lacuna::urdf
+}  // namespace lacuna::robot_files

@@ -1,12 +1,15 @@
 #include "xml_element.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace lacuna::urdf {
+namespace lacuna::robot_files {
 namespace {
 
 constexpr const char* kSpaces = " \t\r\n";
+
+}  // namespace
 
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
@@ -18,17 +21,27 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-}  // namespace
+std::string_view root_name(std::string_view text) {
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
+    const std::string_view rest = text.substr(at);
+    const std::string_view end = rest.starts_with("<!--") ? "-->" : rest.starts_with("<?") ? "?>" : ">";
+    if (!rest.starts_with("<!") && !rest.starts_with("<?"))
+      return rest.substr(1, std::min(rest.find_first_of(" \t\r\n/>"), rest.size()) - 1);
+    at = text.find(end, at + 2);
+    if (at == std::string_view::npos) break;
+  }
+  return {};
+}
 
 std::optional<XmlElement> XmlElement::child(const char* name) const {
   const tinyxml2::XMLElement* found = element_->FirstChildElement(name);
-  return found ? std::optional(XmlElement(*found, *problems_)) : std::nullopt;
+  return found ? std::optional(XmlElement(*found, *problems_, file_)) : std::nullopt;
 }
 
 std::vector<XmlElement> XmlElement::children(const char* name) const {
   std::vector<XmlElement> all;
   for (const tinyxml2::XMLElement* one = element_->FirstChildElement(name); one; one = one->NextSiblingElement(name))
-    all.emplace_back(*one, *problems_);
+    all.emplace_back(*one, *problems_, file_);
   return all;
 }
 
@@ -66,6 +79,13 @@ double XmlElement::number(const char* attribute, double otherwise) const {
   return otherwise;
 }
 
+std::optional<double> XmlElement::own_number() const {
+  const char* text = element_->GetText();
+  const std::vector<std::string_view> words = words_of(text ? text : "");
+  if (words.empty()) return std::nullopt;
+  return read_number(words.front(), "value");
+}
+
 double XmlElement::required_number(const char* attribute) const {
   if (!text_of(attribute)) problem(of(attribute) + " is missing");
   return number(attribute, 0.0);
@@ -86,4 +106,24 @@ Eigen::Vector3d XmlElement::vector(const char* attribute, const Eigen::Vector3d&
   return vector;
 }
 
-}  // namespace lacuna::urdf
+std::optional<std::vector<double>> XmlElement::numbers(const char* attribute, std::size_t fewest,
+                                                       std::size_t most) const {
+  const std::optional<std::string> text = text_of(attribute);
+  if (!text) return std::nullopt;
+  const std::vector<std::string_view> words = words_of(*text);
+  if (words.size() < fewest || words.size() > most) {
+    const std::string wanted =
+        fewest == most ? std::to_string(most) : std::to_string(fewest) + " to " + std::to_string(most);
+    problem(of(attribute) + " has " + std::to_string(words.size()) + " numbers; it is to have " + wanted);
+    return std::nullopt;
+  }
+  std::vector<double> read;
+  for (const std::string_view word : words) {
+    const std::optional<double> number = read_number(word, attribute);
+    if (!number) return std::nullopt;
+    read.push_back(*number);
+  }
+  return read;
+}
+
+}  // namespace lacuna::robot_files

@@ -1,0 +1,59 @@
+#include "xml_writing.h"
+
+#include <array>
+#include <charconv>
+
+namespace lacuna::robot_files {
+namespace {
+
+/// By which a comment of an earlier export is known, so that it is replaced.
+constexpr const char* kMark = "Identified by Lacuna";
+
+}  // namespace
+
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string numbers_text(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " ") + number_text(value);
+  return text;
+}
+
+std::string vector_text(const Eigen::Vector3d& vector) { return numbers_text({vector.x(), vector.y(), vector.z()}); }
+
+std::string comment_text(const std::string& text) {
+  std::string safe;
+  for (const char c : text)
+    safe += c == '-' && !safe.empty() && safe.back() == '-' ? std::string(" -") : std::string(1, c);
+  return safe;
+}
+
+tinyxml2::XMLElement& child_of(tinyxml2::XMLElement& parent, const char* name) {
+  if (tinyxml2::XMLElement* child = parent.FirstChildElement(name)) return *child;
+  return *parent.InsertNewChildElement(name);
+}
+
+std::string text_of(tinyxml2::XMLDocument& document, const std::string& comment) {
+  tinyxml2::XMLElement* root = document.RootElement();
+  for (tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr;) {
+    tinyxml2::XMLNode* next = node->NextSibling();
+    if (node->ToComment() && std::string(node->Value()).find(kMark) != std::string::npos) document.DeleteNode(node);
+    node = next;
+  }
+  if (!comment.empty()) {
+    tinyxml2::XMLComment* head = document.NewComment(comment_text("\n" + comment).c_str());
+    tinyxml2::XMLNode* before = root->PreviousSibling();
+    if (before)
+      document.InsertAfterChild(before, head);
+    else
+      document.InsertFirstChild(head);
+  }
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
+}
+
+}  // namespace lacuna::robot_files
