@@ -95,9 +95,9 @@ std::string withheld_tables(const std::vector<CaseResult>& results) {
       "| --- | --- | --- | --- | --- | --- |\n";
   for (const bool withheld : {true, false})
     for (const bool disturbed : {false, true})
-      text +=
-          counts_row(fmt::format("{}{}", withheld ? "withheld" : "in the library", disturbed ? ", random forces act" : ""),
-                 counts_of(results, withheld, disturbed), withheld);
+      text += counts_row(
+          fmt::format("{}{}", withheld ? "withheld" : "in the library", disturbed ? ", random forces act" : ""),
+          counts_of(results, withheld, disturbed), withheld);
   text +=
       "\n| case | family | error / noise | library | | law | answer | told to go with | right |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";

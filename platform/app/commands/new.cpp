@@ -136,6 +136,7 @@ RigDraft make_draft(const NewOptions& options, FormatPlugins& plugins) {
     samples.push_back(sample_file(file, plugins.recording_formats(draft.files)));
   draft.guess =
       draft.known_robot ? guess_rig(samples, options.hints, *draft.known_robot) : guess_rig(samples, options.hints);
+  draft.first_file = std::move(samples.front());
   return draft;
 }
 

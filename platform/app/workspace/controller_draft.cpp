@@ -147,8 +147,7 @@ std::string text_of(const ControlledColumns& of, const std::optional<FittedLaw>&
 
 std::string controllers_text(const RigDraft& draft) {
   const std::vector<ControlledColumns> all = controlled_columns(draft.guess);
-  if (all.empty()) return "";
-  const FileSample sample = sample_file(draft.files.front());
+  if (all.empty() || !draft.first_file) return "";
   std::string text =
       "\n# A set point is recorded, so a controller probably made these commands. Disturbances bias what is fitted to "
       "them.\n"
@@ -156,7 +155,7 @@ std::string controllers_text(const RigDraft& draft) {
       "[target]\n"
       "# simulates models with the controller.\n# [target.controllers]\n";
   for (const ControlledColumns& one : all) {
-    const std::optional<FittedLaw> law = law_of(sample, draft.guess.time, one);
+    const std::optional<FittedLaw> law = law_of(*draft.first_file, draft.guess.time, one);
     text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command\n",
                               plain_text(draft.files.front().filename().string()), 100.0 * law->left)
                 : "# no proportional, integral and derivative gains explain these commands: fill in the law of the "

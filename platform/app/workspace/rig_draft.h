@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/blank.h"
+#include "measurement/file_sample.h"
 #include "measurement/recording.h"
 #include "measurement/rig_guess.h"
 
@@ -18,9 +19,10 @@ struct RigDraft {
   std::filesystem::path robot;           ///< to be written, or there already
   std::optional<RobotSpec> known_robot;  ///< of a file that is there; none: it is drafted too
   std::vector<std::filesystem::path> files;
-  std::optional<Recording> recording;  ///< as read with the guess; none where the files have problems
-  double interval = 0.0;               ///< s, median; 0: not known
-  double shortest = 0.0;               ///< s, of the recordings; 0: not known
+  std::optional<FileSample> first_file;  ///< the beginning of the first of them
+  std::optional<Recording> recording;    ///< as read with the guess; none where the files have problems
+  double interval = 0.0;                 ///< s, median; 0: not known
+  double shortest = 0.0;                 ///< s, of the recordings; 0: not known
 };
 
 /// The name that the experiment and its robot get: the file's, with what cannot be in a name left out.
