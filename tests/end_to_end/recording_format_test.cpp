@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kArm = R"(<robot name="arm">
+constexpr const char* kRecordedArm = R"(<robot name="arm">
   <link name="base"/>
   <link name="arm">
     <inertial><origin xyz="0 0 -0.2"/><mass value="1.0"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.003"/></inertial>
@@ -32,7 +32,7 @@ struct Recorded {
 class RecordingFormats : public testing::TestWithParam<Recorded> {
  protected:
   RecordingFormats() {
-    program_.write("arm.urdf", kArm);
+    program_.write("arm.urdf", kRecordedArm);
     const std::filesystem::path source =
         std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "tests/plugins/recordings" / GetParam().file;
     if (std::filesystem::exists(source)) std::filesystem::copy(source, program_.folder() / GetParam().file);

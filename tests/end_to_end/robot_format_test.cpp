@@ -14,7 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kArm = R"(<robot name="arm">
+constexpr const char* kUrdfArm = R"(<robot name="arm">
   <link name="base"/>
   <link name="arm">
     <inertial><origin xyz="0 0 -0.2"/><mass value="1.0"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/></inertial>
@@ -44,7 +44,7 @@ step = "4 ms"
 class RobotFormatFiles : public testing::Test {
  protected:
   RobotFormatFiles() {
-    program_.write("arm.urdf", kArm);
+    program_.write("arm.urdf", kUrdfArm);
     program_.write("arm.toml", kExperiment);
   }
   const Program program_;
@@ -68,7 +68,7 @@ TEST_F(RobotFormatFiles, AreDiagnosedLikeOthers) {
 }
 
 TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
-  std::string bad = kArm;
+  std::string bad = kUrdfArm;
   bad.replace(bad.find("1.0"), 3, "1,0");
   bad.replace(bad.find("continuous"), 10, "elastic");
   program_.write("arm.urdf", bad);
@@ -78,12 +78,12 @@ TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
                                   HasSubstr("arm.urdf:6: joint's type \"elastic\" is none")));
   program_.write("arm.urdf", "");
   EXPECT_THAT(program_.run({"check", "arm.toml"}).errors, HasSubstr("arm.urdf: is no whole XML document"));
-  program_.write("arm.xml", kArm);
+  program_.write("arm.xml", kUrdfArm);
   EXPECT_EQ(program_.run({"check", "arm.toml", "--set", "model.file=\"arm.xml\"", "--set", "target.file=\"arm.xml\""})
                 .exit_code,
             0)
       << "the root element tells the formats of .xml apart";
-  program_.write("arm.sdf", kArm);
+  program_.write("arm.sdf", kUrdfArm);
   const Outcome other = program_.run({"check", "arm.toml", "--set", "model.file=\"arm.sdf\""});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.errors, HasSubstr("its name ends with none of .mjcf, .toml, .urdf, .xml"));
