@@ -29,7 +29,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 
 std::string robot(const std::string& inside) { return "<robot name=\"arm\">\n" + inside + "</robot>\n"; }
 
-constexpr const char* kInertial =
+constexpr const char* kUrdfInertial =
     "<inertial><origin xyz=\"0 0 0.1\"/><mass value=\"2\"/>"
     "<inertia ixx=\"0.02\" ixy=\"0\" ixz=\"0\" iyy=\"0.03\" iyz=\"0\" izz=\"0.04\"/></inertial>";
 
@@ -51,7 +51,7 @@ bool says(const ReadRobot& made, RobotRemarkKind kind, const std::string& text) 
 
 /// The joint's frame is turned by a quarter about x, so that its z lies along −y of the world.
 TEST(Urdf, PlacesJointsAndLinksInTheWorld) {
-  const ReadRobot made = read(one_link(kInertial,
+  const ReadRobot made = read(one_link(kUrdfInertial,
                                        "<origin xyz=\"0.1 0 0.5\" rpy=\"1.5707963267948966 0 0\"/><axis xyz=\"0 0 2\"/>"
                                        "<limit lower=\"-1\" upper=\"2\" effort=\"30\" velocity=\"3\"/>"
                                        "<dynamics damping=\"0.5\" friction=\"0.2\"/>",
@@ -113,9 +113,10 @@ TEST(Urdf, GivesAMassToWhatMovesAndHasNone) {
 }
 
 TEST(Urdf, MakesCouplingsOfMimics) {
-  const ReadRobot made = read(robot(
-      link("base") + link("left", kInertial) + link("right", kInertial) + joint("l", "prismatic", "base", "left") +
-      joint("r", "prismatic", "base", "right", "<mimic joint=\"l\" multiplier=\"-1\" offset=\"0.01\"/>")));
+  const ReadRobot made =
+      read(robot(link("base") + link("left", kUrdfInertial) + link("right", kUrdfInertial) +
+                 joint("l", "prismatic", "base", "left") +
+                 joint("r", "prismatic", "base", "right", "<mimic joint=\"l\" multiplier=\"-1\" offset=\"0.01\"/>")));
   ASSERT_THAT(made.problems, IsEmpty());
   ASSERT_EQ(made.robot.couplings.size(), 1U);
   EXPECT_EQ(made.robot.couplings[0].joint, "r");
@@ -127,7 +128,7 @@ TEST(Urdf, MakesCouplingsOfMimics) {
 }
 
 std::string controlled(const std::string& interfaces, const std::string& limit = "") {
-  return robot(link("base") + link("arm", kInertial) + link("free", kInertial) +
+  return robot(link("base") + link("arm", kUrdfInertial) + link("free", kUrdfInertial) +
                joint("hinge", "continuous", "base", "arm", limit) + joint("loose", "continuous", "arm", "free") +
                "<ros2_control name=\"c\" type=\"system\"><joint name=\"hinge\">" + interfaces +
                "<state_interface name=\"position\"/></joint></ros2_control>\n");
@@ -154,7 +155,7 @@ TEST(Urdf, DrivesWhatHasACommandInterface) {
 
 TEST(Urdf, ReadsTransmissionsOfRosOne) {
   const ReadRobot made =
-      read(robot(link("base") + link("arm", kInertial) + joint("hinge", "continuous", "base", "arm") +
+      read(robot(link("base") + link("arm", kUrdfInertial) + joint("hinge", "continuous", "base", "arm") +
                  "<transmission name=\"t\"><type>transmission_interface/SimpleTransmission</type><joint name=\"hinge\">"
                  "<hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>"
                  "<actuator name=\"m\"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>"));
@@ -165,7 +166,7 @@ TEST(Urdf, ReadsTransmissionsOfRosOne) {
 }
 
 TEST(Urdf, FloatsOrIsHeldAsAsked) {
-  const std::string text = one_link(kInertial);
+  const std::string text = one_link(kUrdfInertial);
   const auto with = [&](RobotBase base, const std::string& file) {
     return built_catalog().get<RobotFormat>("urdf").read({"robot.urdf", file, base, nullptr});
   };
@@ -175,8 +176,8 @@ TEST(Urdf, FloatsOrIsHeldAsAsked) {
   EXPECT_EQ(freed.robot.joints[0].kind, JointKind::free);
   EXPECT_EQ(freed.robot.joints[1].parent, "base");
   const std::string floating =
-      robot(link("world") + link("trunk", kInertial) + joint("root", "floating", "world", "trunk") +
-            link("leg", kInertial) + joint("hip", "continuous", "trunk", "leg"));
+      robot(link("world") + link("trunk", kUrdfInertial) + joint("root", "floating", "world", "trunk") +
+            link("leg", kUrdfInertial) + joint("hip", "continuous", "trunk", "leg"));
   EXPECT_EQ(with(RobotBase::as_written, floating).robot.joints.at(0).kind, JointKind::free);
   const ReadRobot held = with(RobotBase::held, floating);
   ASSERT_EQ(held.robot.joints.size(), 1U);
@@ -185,8 +186,8 @@ TEST(Urdf, FloatsOrIsHeldAsAsked) {
 
 /// What several links have together is changed at the one that the joint moves.
 TEST(Urdf, WritesIntoTheFileThatItRead) {
-  const std::string text = robot("<!-- mine -->" + link("base") + link("arm", std::string(kInertial) + "<visual/>") +
-                                 link("tool", kInertial) +
+  const std::string text = robot("<!-- mine -->" + link("base") +
+                                 link("arm", std::string(kUrdfInertial) + "<visual/>") + link("tool", kUrdfInertial) +
                                  joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0 0 0.3\" rpy=\"0 0.2 0\"/>") +
                                  joint("hinge", "continuous", "base", "arm", "<dynamics damping=\"0.1\"/>"));
   const RobotFormat& format = built_catalog().get<RobotFormat>("urdf");
@@ -210,7 +211,7 @@ TEST(Urdf, WritesIntoTheFileThatItRead) {
 
 TEST(Urdf, NamesElementsAsTheProgramCan) {
   const ReadRobot made =
-      read(robot(link("base") + link("arm.1", kInertial) + joint("j/1", "continuous", "base", "arm.1")));
+      read(robot(link("base") + link("arm.1", kUrdfInertial) + joint("j/1", "continuous", "base", "arm.1")));
   ASSERT_THAT(made.problems, IsEmpty());
   EXPECT_EQ(made.robot.bodies.at(0).name, "arm_1");
   EXPECT_EQ(made.robot.joints.at(0).child, "arm_1");
@@ -221,13 +222,13 @@ TEST(Urdf, TakesNothingForANumberThatIsNone) {
   const std::string comma = "<inertial><mass value=\"1,5\"/></inertial>";
   EXPECT_THAT(only_problem(one_link(comma)), HasSubstr("mass's value \"1,5\" is no number"));
   EXPECT_THAT(only_problem(one_link("<inertial><mass value=\"nan\"/></inertial>")), HasSubstr("is no number"));
-  EXPECT_THAT(only_problem(one_link(kInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("is to be three numbers"));
-  EXPECT_THAT(only_problem(one_link(kInertial, "<axis xyz=\"0 0 0\"/>")), HasSubstr("has no direction"));
+  EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 1\"/>")), HasSubstr("is to be three numbers"));
+  EXPECT_THAT(only_problem(one_link(kUrdfInertial, "<axis xyz=\"0 0 0\"/>")), HasSubstr("has no direction"));
   EXPECT_EQ(read(one_link(comma)).problems.front().line, 3);
 }
 
 TEST(Urdf, SaysWhatIsWrongWithATree) {
-  EXPECT_THAT(only_problem(robot(link("a") + link("b", kInertial) + joint("j", "continuous", "a", "c"))),
+  EXPECT_THAT(only_problem(robot(link("a") + link("b", kUrdfInertial) + joint("j", "continuous", "a", "c"))),
               HasSubstr("names the link \"c\", which there is not"));
   EXPECT_THAT(only_problem(robot(link("a") + link("b"))), HasSubstr("both hang on no joint"));
   EXPECT_THAT(
@@ -256,7 +257,7 @@ TEST(Urdf, ReadsTwentyThousandJoints) {
   std::string text = link("l0");
   for (int i = 1; i <= 20000; ++i) {
     const std::string before = "l" + std::to_string(i - 1), name = "l" + std::to_string(i);
-    text += link(name, kInertial) + joint("j" + std::to_string(i), "continuous", before, name);
+    text += link(name, kUrdfInertial) + joint("j" + std::to_string(i), "continuous", before, name);
   }
   const ReadRobot made = read(robot(text));
   EXPECT_THAT(made.problems, IsEmpty());
