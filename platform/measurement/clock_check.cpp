@@ -77,6 +77,11 @@ std::string advice_on_period(const TrialClock& clock, double after, double secon
                      to_string(Encoding{EncodingKind::wraps, std::round(1e6 * period / seconds_per_unit) / 1e6}));
 }
 
+/// Files that are not text have rows, no lines.
+std::string place_of(const CsvTable& table, std::size_t row) {
+  return table.lines[row] > 0 ? fmt::format("line {}", table.lines[row]) : fmt::format("row {}", row + 1);
+}
+
 }  // namespace
 
 TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& rows, double seconds_per_unit,
@@ -92,14 +97,14 @@ TrialClock read_clock(const CsvTable& table, const std::vector<std::size_t>& row
       const std::size_t before = clock.rows.back();
       if (same_row(table, before, row)) {
         report.note("repeated row", table.lines[row],
-                    [&] { return fmt::format("the same sample as in line {} again; left out", table.lines[before]); });
+                    [&] { return fmt::format("the same sample as in {} again; left out", place_of(table, before)); });
       } else {
         report.problem("repeated time", table.lines[row], [&] {
           return fmt::format(
-              "the time of line {} again, {}, with other values; write time stamps with more digits, or keep one row. "
+              "the time of {} again, {}, with other values; write time stamps with more digits, or keep one row. "
               "Parts of a second in a column of their own are read where its name goes with that of the seconds, as "
               "sec and nanosec",
-              table.lines[before], seconds(clock.origin + time));
+              place_of(table, before), seconds(clock.origin + time));
         });
       }
       continue;

@@ -81,7 +81,9 @@ GuessedColumn guess_column(const FileSample& sample, std::size_t index, const st
     guess.reason = "not numbers";
   } else if (by_unit) {
     guess.role = role_of(words, *by_unit, guess);
-    guess.reason = in_row ? "the row of units" : "the unit in its name";
+    guess.reason = !in_row                         ? "the unit in its name"
+                   : sample.format.header_line > 0 ? "the row of units"
+                                                   : "the unit in the file";
   } else if (by_words) {
     guess.role = *by_words;
     guess.reason = "its name";

@@ -47,7 +47,8 @@ void take_table(const RecordingContents& contents, std::size_t index, OpenedFile
   for (const RecordedColumn& column : table.columns) file.format.names.push_back(column.name);
   file.columns = NameIndex(file.format.names);
   if (contents.tables.size() > 1) file.paths = paths_of(contents);
-  if (!table.time_column.empty() && !file.has(file.time_column)) {
+  file.has_own_clock = !table.time_column.empty();
+  if (file.has_own_clock && !file.has(file.time_column)) {
     file.time_column = table.time_column;
     file.time_unit = "s";
   }

@@ -27,6 +27,7 @@ struct OpenedFile {
   CsvFormat format = {};
   NameIndex columns = {};                 ///< of the format's names
   std::optional<std::string> table = {};  ///< of another format: the table's name, empty where a file is one
+  bool has_own_clock = false;             ///< the format knows its time, in s, since 1970 or since a start
   bool is_found = false;                  ///< a further table of its file, of which only whole paths speak
   std::vector<std::string> paths = {};    ///< of all columns of the file, where it has tables
   std::vector<std::size_t> given = {};    ///< which of the wanted columns it gives

@@ -112,6 +112,14 @@ CsvTable table_of(const CsvQuery& query, std::optional<RecordedRows>& rows, Open
   return read_csv_table(text, file.format, query, file.report);
 }
 
+/// Times since 1970 of a format that knows its clock count from the file's first, as dates do.
+void date_times(const OpenedFile& file, double seconds_per_unit, CsvTable& table) {
+  constexpr double kThisCentury = 1e9;  ///< s since 1970
+  if (!file.has_own_clock || seconds_per_unit != 1.0 || table.times.empty() || table.time_origin < kThisCentury) return;
+  table.dated = true;
+  table.first_date = table.times.front();
+}
+
 /// Of a file that is not read: what is said of it.
 ReadTable unread(std::size_t columns, OpenedFile& file) {
   ReadTable read{std::move(file.report), {}};
@@ -127,6 +135,7 @@ ReadTable read_table(const RecordingSource& source, const std::vector<std::strin
   CsvTable table = table_of(query, rows, file);
   ReadTable read{std::move(file.report), std::move(table)};
   const double seconds_per_unit = seconds_per_unit_of(file);
+  date_times(file, seconds_per_unit, read.table);
   if (read.table.has_fractions) note_fraction(file, query, read.report);
   std::vector<std::vector<double>> columns(wanted.size());
   for (std::size_t i = 0; i < file.given.size(); ++i) columns[file.given[i]] = std::move(read.table.columns[i]);

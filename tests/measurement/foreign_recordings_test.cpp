@@ -114,6 +114,16 @@ TEST_F(ForeignRecordings, JoinTheTablesThatColumnsAreOf) {
   EXPECT_EQ(trial.commands.series.samples(1, 0), 5.0);
 }
 
+/// Stamps since 1970 are no numbers that anybody would write.
+TEST_F(ForeignRecordings, CountTimesOfUseFromTheFilesFirst) {
+  make_topics();
+  RecordingSource source = topics_source();
+  source.use = {{0.09, 0.21}};
+  const Trial trial = read(source).trials.front();
+  EXPECT_EQ(trial.measured.times.size(), 3);
+  EXPECT_EQ(trial.measured.samples(0, 0), 2.0);
+}
+
 TEST_F(ForeignRecordings, HaveColumnsOfTheNamedTableWithoutItsName) {
   make_topics();
   RecordingSource source = topics_source();
