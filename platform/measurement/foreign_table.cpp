@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kNoReading = std::numeric_limits<double>::quiet_NaN();
 
+/// Of a file with problems: all columns, without rows.
+CsvTable empty_table(const CsvQuery& query) {
+  CsvTable table;
+  table.columns.resize(query.columns.size());
+  return table;
+}
+
 /// Makes a table of the rows of one query.
 class RowTable {
  public:
@@ -20,7 +27,7 @@ class RowTable {
       : rows_(rows), query_(query), report_(report), asked_(rows_query(query, "").columns) {}
 
   CsvTable make() {
-    if (!is_whole()) return {};
+    if (!is_whole()) return empty_table(query_);
     find_rows();
     table_.time_origin = rows_.origins[place_of(query_.time_column)];
     take_times();
@@ -133,11 +140,9 @@ class RowTable {
     const double origin = rows_.origins[place_of(query_.fraction_column)];
     std::vector<double> fractions;
     for (const std::size_t row : kept_) fractions.push_back((origin + parts[row]) * query_.fraction_unit);
-    table_.has_fractions = !fractions.empty() &&
-                           std::all_of(table_.times.begin(), table_.times.end(),
-                                       [](double time) { return time == std::round(time); }) &&
-                           std::all_of(fractions.begin(), fractions.end(),
-                                       [](double part) { return part >= 0.0 && part < 1.0; });
+    table_.has_fractions = !fractions.empty() && std::all_of(table_.times.begin(), table_.times.end(), [](double time) {
+      return time == std::round(time);
+    }) && std::all_of(fractions.begin(), fractions.end(), [](double part) { return part >= 0.0 && part < 1.0; });
     for (std::size_t i = 0; table_.has_fractions && i < fractions.size(); ++i) table_.times[i] += fractions[i];
   }
 
@@ -164,7 +169,7 @@ TableQuery rows_query(const CsvQuery& query, const std::string& table) {
 }
 
 CsvTable table_of_rows(RecordedRows rows, const CsvQuery& query, FileReport& report) {
-  if (report.has_problems()) return {};
+  if (report.has_problems()) return empty_table(query);
   return RowTable(rows, query, report).make();
 }
 

@@ -127,10 +127,10 @@ ReadTable unread(std::size_t columns, OpenedFile& file) {
   return read;
 }
 
-/// `rows`: of a file that is not CSV.
+/// `rows`: of a file that is not CSV; none where it, or another of its tables, has problems.
 ReadTable read_table(const RecordingSource& source, const std::vector<std::string>& wanted,
                      std::optional<RecordedRows> rows, OpenedFile& file) {
-  if (file.report.has_problems()) return unread(wanted.size(), file);
+  if (file.report.has_problems() || (file.table && !rows)) return unread(wanted.size(), file);
   const CsvQuery query = query_for(source, wanted, file);
   CsvTable table = table_of(query, rows, file);
   ReadTable read{std::move(file.report), std::move(table)};
@@ -164,6 +164,7 @@ std::vector<std::optional<RecordedRows>> read_formats(const RecordingSource& sou
     if (!is_good) continue;
     ReadRows read = formats->read(tables[t].path, queries);
     report_reading(read, tables[t].report);
+    if (!read.problems.empty()) continue;
     read.tables.resize(of_file.size());
     for (std::size_t i = 0; i < of_file.size(); ++i) rows[of_file[i]] = std::move(read.tables[i]);
   }

@@ -26,6 +26,7 @@ class MadeTables : public RecordingFormats {
     double time_origin = 0.0;
   };
   std::vector<Made> tables;
+  std::vector<RecordingSentence> problems;  ///< of reading rows
 
   bool reads(const std::filesystem::path& file) const override { return file.extension() == ".bag"; }
   RecordingContents contents(const std::filesystem::path&) const override {
@@ -35,6 +36,8 @@ class MadeTables : public RecordingFormats {
   }
   ReadRows read(const std::filesystem::path&, const std::vector<TableQuery>& queries) const override {
     ReadRows read;
+    read.problems = problems;
+    if (!problems.empty()) return read;
     for (const TableQuery& query : queries) {
       RecordedRows& rows = read.tables.emplace_back();
       for (const Made& made : tables)
@@ -177,6 +180,12 @@ TEST_F(ForeignRecordings, WithValuesThatCannotBeAreRefused) {
 TEST_F(ForeignRecordings, OfAPluginThatBreaksItsWordAreRefused) {
   formats_.tables = {{{"", {{"t", ""}, {"q", ""}, {"u", ""}}, ""}, {{"t", {0, 1}}, {"q", {1}}, {"u", {1, 2}}}}};
   EXPECT_THAT(complaint(pendulum_source(file_)), HasSubstr("repair the plugin"));
+}
+
+TEST_F(ForeignRecordings, ThatAreDamagedSayNothingElse) {
+  make_topics();
+  formats_.problems = {{0, "is damaged"}};
+  EXPECT_EQ(complaint(topics_source()), file_.string() + ": is damaged");
 }
 
 TEST_F(ForeignRecordings, AreGuessedWithTheUnitsOfTheirFormat) {
