@@ -241,6 +241,13 @@ TEST(Urdf, SaysWhatIsWrongWithATree) {
               HasSubstr("\"elastic\" is none"));
 }
 
+/// As old xacro writes it, a comment first.
+TEST(Urdf, ReadsADeclarationBehindAComment) {
+  const std::string head = "<!-- made by xacro -->\n<?xml version=\"1.0\" ?>\n";
+  EXPECT_THAT(read(head + one_link(kInertial)).problems, IsEmpty());
+  EXPECT_EQ(read(head + one_link("<inertial><mass value=\"x\"/></inertial>")).problems.at(0).line, 5);
+}
+
 TEST(Urdf, RefusesWhatIsNoUrdf) {
   EXPECT_THAT(only_problem("<robot name=\"x\"><link name=\"a\">"), HasSubstr("is no whole XML document"));
   EXPECT_THAT(only_problem("<mujoco/>"), HasSubstr("its root is not <robot>"));

@@ -107,6 +107,7 @@ int run_program(int argc, char** argv) try {
   add_diagnose_command(program);
   add_add_command(program);
   add_undo_command(program);
+  add_export_command(program);
   add_history_command(program);
   add_plugins_command(program);
   add_plan_command(program);

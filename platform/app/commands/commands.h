@@ -15,6 +15,7 @@ void add_compare_command(CLI::App& program);
 void add_diagnose_command(CLI::App& program);
 void add_add_command(CLI::App& program);
 void add_undo_command(CLI::App& program);
+void add_export_command(CLI::App& program);
 void add_history_command(CLI::App& program);
 void add_plugins_command(CLI::App& program);
 void add_trial_command(CLI::App& program);

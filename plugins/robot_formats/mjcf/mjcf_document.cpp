@@ -26,7 +26,8 @@ Document::Document(const RobotText& file, std::vector<RobotFileProblem>& problem
 const tinyxml2::XMLElement* Document::parse(const std::string& text, const std::string& name) {
   Part& part = parts_.emplace_back();
   part.name = name;
-  part.xml.Parse(text.data(), text.size());
+  const std::string readable = robot_files::without_late_declarations(text);
+  part.xml.Parse(readable.data(), readable.size());
   if (!part.xml.Error() && part.xml.RootElement() != nullptr) return part.xml.RootElement();
   problems_.push_back({part.xml.ErrorLineNum(),
                        std::string("is no whole XML document (") + part.xml.ErrorName() +

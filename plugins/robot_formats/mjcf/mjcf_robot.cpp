@@ -60,6 +60,7 @@ class RobotMaker {
     robot_.sensors = read_sensors(document_, carried(), file_);
     robot_.couplings = read_couplings(document_, classes_, file_);
     add_what_is_usual();
+    note_chains();
     note_sections();
     if (robot_.bodies.empty())
       file_.problems->push_back({0, "nothing in it moves: no body has a joint; a robot needs one at least", {}});
@@ -125,9 +126,7 @@ class RobotMaker {
     }
     robot_.bodies.push_back(body_of(body.name, masses_[index], world_[index]));
     add_joint(index, body.joints.back(), parent, body.name);
-    if (body.joints.size() > 1)
-      guess(index, "body " + body.name + " has " + std::to_string(body.joints.size()) +
-                       " joints; bodies of next to no mass stand between them");
+    if (body.joints.size() > 1) ++bodies_on_chains_;
   }
 
   void add_joint(std::size_t index, const Joint& joint, const std::string& parent, const std::string& child) {
@@ -228,6 +227,15 @@ class RobotMaker {
     return references_;
   }
 
+  void note_chains() {
+    if (bodies_on_chains_ > 0)
+      file_.remarks.push_back({RobotRemarkKind::guessed,
+                               0,
+                               "bodies with several joints: " + std::to_string(bodies_on_chains_) +
+                                   "; bodies of next to no mass stand between their joints",
+                               {}});
+  }
+
   void note_sections() {
     static const std::set<std::string_view> kKnown = {"compiler",  "option",   "size",   "visual",
                                                       "statistic", "default",  "asset",  "custom",
@@ -250,6 +258,7 @@ class RobotMaker {
   std::vector<Pose> world_;           ///< by body, all joints at zero
   std::vector<RigidMass> masses_;     ///< by carrier, in its frame
   std::map<std::string, double> references_;
+  std::size_t bodies_on_chains_ = 0;
 };
 
 /// One remark for all that are guessed of names and of the base.

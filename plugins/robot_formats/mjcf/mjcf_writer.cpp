@@ -207,7 +207,8 @@ WrittenRobot write_mjcf(const RobotToWrite& robot) {
     const ReadRobot read = read_robot(*robot.original, file);
     written.problems = read.problems;
     if (!written.problems.empty()) return written;
-    document.Parse(robot.original->text.data(), robot.original->text.size());
+    const std::string readable = robot_files::without_late_declarations(robot.original->text);
+    document.Parse(readable.data(), readable.size());
     FileEditor(robot.robot, file, read.robot).edit(*document.RootElement());
   } else {
     XMLElement* root = document.NewElement("mujoco");

@@ -33,6 +33,17 @@ std::string_view root_name(std::string_view text) {
   return {};
 }
 
+std::string without_late_declarations(std::string text) {
+  constexpr std::string_view kBegin = "<?xml ", kEnd = "?>";
+  for (std::size_t at = text.find(kBegin, 1); at != std::string::npos; at = text.find(kBegin, at)) {
+    const std::size_t end = text.find(kEnd, at);
+    if (end == std::string::npos) break;
+    for (std::size_t i = at; i < end + kEnd.size(); ++i)
+      if (text[i] != '\n') text[i] = ' ';
+  }
+  return text;
+}
+
 std::optional<XmlElement> XmlElement::child(const char* name) const {
   const tinyxml2::XMLElement* found = element_->FirstChildElement(name);
   return found ? std::optional(XmlElement(*found, *problems_, file_)) : std::nullopt;

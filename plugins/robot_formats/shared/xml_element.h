@@ -17,6 +17,10 @@ std::vector<std::string_view> words_of(std::string_view text);
 /// Of the outermost element of a text, found without reading the rest; empty: there is none.
 std::string_view root_name(std::string_view text);
 
+/// The text without XML declarations that do not stand at its beginning, as behind a comment, where none may stand;
+/// blanks keep the lines.
+std::string without_late_declarations(std::string text);
+
 /// An element of a document, whose attributes are read strictly: what is no number is a problem, not 0.
 class XmlElement {
  public:

@@ -14,6 +14,7 @@ class Urdf : public RobotFormat {
   std::vector<std::string> endings() const override { return {".urdf", ".xml"}; }
   bool is_meant(const std::string& text) const override { return robot_files::root_name(text) == "robot"; }
   ReadRobot read(const RobotText& file) const override { return urdf::robot_of(urdf::read_file(file.text), file.base); }
+  WrittenRobot write(const RobotToWrite& robot) const override { return urdf::write_urdf(robot); }
 };
 
 }  // namespace

@@ -185,7 +185,8 @@ class FileReader {
 File read_file(const std::string& text) {
   File file;
   tinyxml2::XMLDocument document;
-  document.Parse(text.data(), text.size());
+  const std::string readable = robot_files::without_late_declarations(text);
+  document.Parse(readable.data(), readable.size());
   if (document.Error()) {
     file.problems.push_back({document.ErrorLineNum(), std::string("is no whole XML document (") + document.ErrorName() +
                                                           "); is it cut off, or another format?"});

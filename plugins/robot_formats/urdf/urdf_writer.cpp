@@ -3,6 +3,7 @@
 #include "inertia_repair.h"
 #include "urdf_elements.h"
 #include "urdf_robot.h"
+#include "xml_element.h"
 #include "xml_writing.h"
 
 #include <algorithm>
@@ -122,7 +123,8 @@ WrittenRobot write_urdf(const RobotToWrite& robot) {
   const ReadRobot read = robot_of(file, robot.original->base);
   written.problems = read.problems;
   if (!written.problems.empty()) return written;
-  document.Parse(robot.original->text.data(), robot.original->text.size());
+  const std::string readable = robot_files::without_late_declarations(robot.original->text);
+  document.Parse(readable.data(), readable.size());
   FileEditor(robot, file, read.robot).edit(*document.RootElement());
   written.text = text_of(document, robot.comment);
   return written;

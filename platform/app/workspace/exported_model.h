@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/workspace/workbench.h"
+#include "evaluation/identified_robot.h"
+#include "evaluation/robot_export.h"
+
+#include <filesystem>
+#include <string>
+
+namespace lacuna {
+
+/// The head of an exported file: which revision of which experiment, and each fitted value with its interval.
+std::string export_comment(const Rig& rig, int revision, const FitResult& fit);
+
+/// The model table of an experiment in which the exported robot predicts what the model does, with `comment` at its
+/// head: the file, values that it has no place for, and effects that no robot has, all fixed.
+std::string exported_model_toml(const std::string& comment, const std::filesystem::path& robot_file,
+                                const ModelSection& model, const IdentifiedRobot& identified,
+                                const ExportedRobot& exported, bool has_base);
+
+/// The rig as it was at an earlier revision of the experiment: with its effects and free values. Throws `Error` where
+/// the database has no such revision, and where the experiment has changed otherwise since.
+Rig rig_of_revision(const CommonOptions& options, Rig now, int revision);
+
+}  // namespace lacuna
