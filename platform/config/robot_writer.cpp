@@ -14,13 +14,19 @@ std::string vector_toml(const Eigen::Vector3d& v) {
   return fmt::format("[{}, {}, {}]", toml_number(v.x()), toml_number(v.y()), toml_number(v.z()));
 }
 
+/// Without the rounding error of the conversion, so that what is read back is written as the same.
+double whole_angle(double angle) {
+  constexpr double kPerRadian = 1e15;
+  return std::round(angle * kPerRadian) / kPerRadian + 0.0;
+}
+
 /// Roll, pitch, yaw of which `orientation_from_rpy` makes the turn.
 Eigen::Vector3d rpy_of(const Eigen::Quaterniond& turn) {
   const Eigen::Matrix3d r = turn.normalized().toRotationMatrix();
-  const double across = std::hypot(r(0, 0), r(1, 0));
+  const double across = std::hypot(r(0, 0), r(1, 0)), pitch = whole_angle(std::atan2(-r(2, 0), across));
   constexpr double kUpright = 1e-9;  // yaw and roll turn about one axis
-  if (across < kUpright) return {std::atan2(-r(1, 2), r(1, 1)), std::atan2(-r(2, 0), across), 0.0};
-  return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), across), std::atan2(r(1, 0), r(0, 0))};
+  if (across < kUpright) return {whole_angle(std::atan2(-r(1, 2), r(1, 1))), pitch, 0.0};
+  return {whole_angle(std::atan2(r(2, 1), r(2, 2))), pitch, whole_angle(std::atan2(r(1, 0), r(0, 0)))};
 }
 
 /// The lines of a section; what has its default value is not written.

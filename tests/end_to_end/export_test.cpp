@@ -87,7 +87,7 @@ std::string fitted_model(const std::string& robot) {
          "]\n";
 }
 
-constexpr const char* kTest = "multisine hinge 1 N*m 0.5-2 Hz 3 s seed 5";
+constexpr const char* kExportTest = "multisine hinge 1 N*m 0.5-2 Hz 3 s seed 5";
 
 class Exported : public testing::Test {
  protected:
@@ -100,7 +100,7 @@ class Exported : public testing::Test {
   }
 
   std::vector<double> prediction(const std::string& experiment) const {
-    const Outcome outcome = program_.run({"predict", experiment, "--test", kTest, "--json"});
+    const Outcome outcome = program_.run({"predict", experiment, "--test", kExportTest, "--json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     std::vector<double> values;
     const nlohmann::json read = nlohmann::json::parse(outcome.output);

@@ -244,7 +244,7 @@ TEST(Urdf, SaysWhatIsWrongWithATree) {
 /// As old xacro writes it, a comment first.
 TEST(Urdf, ReadsADeclarationBehindAComment) {
   const std::string head = "<!-- made by xacro -->\n<?xml version=\"1.0\" ?>\n";
-  EXPECT_THAT(read(head + one_link(kInertial)).problems, IsEmpty());
+  EXPECT_THAT(read(head + one_link(kUrdfInertial)).problems, IsEmpty());
   EXPECT_EQ(read(head + one_link("<inertial><mass value=\"x\"/></inertial>")).problems.at(0).line, 5);
 }
 
