@@ -27,10 +27,9 @@ std::string in_lower_case(std::string text) {
 }  // namespace
 
 PluginRecordingFormats::PluginRecordingFormats(const PluginCatalog& catalog) {
-  for (const PluginListing& listing : catalog.list()) {
-    if (listing.kind != ComponentKind<RecordingFormat>::noun || !listing.problem.empty()) continue;
-    const RecordingFormat& format = catalog.get<RecordingFormat>(listing.name);
-    Known known{catalog.origin<RecordingFormat>(listing.name), &format, {}};
+  for (const std::string& name : catalog.names<RecordingFormat>()) {
+    const RecordingFormat& format = catalog.get<RecordingFormat>(name);
+    Known known{catalog.origin<RecordingFormat>(name), &format, {}};
     known.endings = guarded_call(known.origin, "endings", [&] { return format.endings(); });
     formats_.push_back(std::move(known));
   }

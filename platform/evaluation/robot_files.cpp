@@ -25,12 +25,10 @@ struct NamedFormat {
 
 std::vector<NamedFormat> formats_of(const PluginCatalog& catalog) {
   std::vector<NamedFormat> formats;
-  for (const PluginListing& listing : catalog.list()) {
-    if (listing.kind != ComponentKind<RobotFormat>::noun) continue;
-    const RobotFormat& format = catalog.get<RobotFormat>(listing.name);
-    formats.push_back({listing.name, &format, guarded_call(catalog.origin<RobotFormat>(listing.name), "endings", [&] {
-                         return format.endings();
-                       })});
+  for (const std::string& name : catalog.names<RobotFormat>()) {
+    const RobotFormat& format = catalog.get<RobotFormat>(name);
+    formats.push_back(
+        {name, &format, guarded_call(catalog.origin<RobotFormat>(name), "endings", [&] { return format.endings(); })});
   }
   return formats;
 }

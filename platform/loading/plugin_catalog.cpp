@@ -288,6 +288,13 @@ void* PluginCatalog::shared_component(const std::shared_ptr<Entry>& entry) {
 
 void* PluginCatalog::new_component(const std::shared_ptr<Entry>& entry) { return entry->make(); }
 
+std::vector<std::string> PluginCatalog::names(std::string_view kind) const {
+  std::vector<std::string> all;
+  for (const auto& entry : entries_)
+    if (entry->kind == kind && entry->refusal.empty() && entry->duplicate_of.empty()) all.push_back(entry->origin.name);
+  return all;
+}
+
 std::vector<PluginListing> PluginCatalog::list() const {
   const NothingDoneYet may_begin_anew;
   std::vector<PluginListing> listings;

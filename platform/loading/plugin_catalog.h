@@ -58,6 +58,12 @@ class PluginCatalog {
     return origin(ComponentKind<Interface>::name, name);
   }
 
+  /// Names of the usable components of a kind; none of them is made.
+  template <class Interface>
+  std::vector<std::string> names() const {
+    return names(ComponentKind<Interface>::name);
+  }
+
   /// What an effect does and should not, a sentence; empty: nothing is known.
   std::string remark_on_effect(const std::string& name) const;
 
@@ -75,6 +81,7 @@ class PluginCatalog {
   static std::string rehearse(const Entry& entry);
   void find_duplicates();
   ComponentOrigin origin(std::string_view kind, const std::string& name) const;
+  std::vector<std::string> names(std::string_view kind) const;
   const std::shared_ptr<Entry>& find(std::string_view kind, const std::string& name) const;
   std::string missing(std::string_view kind, const std::string& name) const;
   static void* shared_component(const std::shared_ptr<Entry>& entry);

@@ -61,6 +61,13 @@ bool unmistakable(std::string_view symbol) {
          std::find(std::begin(kOthers), std::end(kOthers), symbol) == std::end(kOthers);
 }
 
+/// "q[1]" is the second element of a list; "slip [1]" has no dimension.
+bool is_index(std::string_view name, std::size_t bracket, std::string_view inside) {
+  const bool is_number =
+      std::all_of(inside.begin(), inside.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
+  return is_number && name[bracket] == '[' && name[bracket - 1] != ' ';
+}
+
 /// "angle [deg]", "angle [deg] filtered": the unit in brackets, at the end or where it is unmistakable.
 NameAndUnit split_at_bracket(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> kBrackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
@@ -71,6 +78,7 @@ NameAndUnit split_at_bracket(std::string_view name) {
     const std::size_t end = at_end ? name.size() - 1 : name.find(close, start);
     if (end == name.npos) continue;
     const std::string_view inside = name.substr(start + 1, end - start - 1);
+    if (is_index(name, start, inside)) continue;
     std::string unit = at_end || unmistakable(trimmed(inside)) ? known_unit(inside) : "";
     if (unit.empty()) continue;
     std::string rest(trimmed(name.substr(0, start)));

@@ -5,7 +5,10 @@
 #include "measurement/column_words.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace lacuna {
 namespace {
@@ -87,12 +90,28 @@ bool has_same_name(const OpenChannel& slot, const GuessedColumn& column) {
   return may_be && (column.name == slot.channel.name || words_of(column.name) == words_of(slot.channel.name));
 }
 
-/// How many words of the column's name the channel and its element have too.
+bool is_number(const std::string& word) {
+  return std::all_of(word.begin(), word.end(), [](char c) { return std::isdigit(static_cast<unsigned char>(c)); });
+}
+
+/// How many words of the column's name the channel and its element have too; none where these are only numbers: lists
+/// count from 0, joints mostly from 1.
 int shared_words(const OpenChannel& slot, const GuessedColumn& column) {
-  const std::vector<std::string> words = words_of(column.name);
-  return static_cast<int>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
-    return std::find(slot.words.begin(), slot.words.end(), word) != slot.words.end();
-  }));
+  int shared = 0;
+  bool has_word = false;
+  for (const std::string& word : words_of(column.name)) {
+    if (std::find(slot.words.begin(), slot.words.end(), word) == slot.words.end()) continue;
+    ++shared;
+    has_word = has_word || !is_number(word);
+  }
+  return has_word ? shared : 0;
+}
+
+/// The last number among words; nothing: there is none.
+std::optional<int> number_in(const std::vector<std::string>& words) {
+  const auto last = std::find_if(words.rbegin(), words.rend(), is_number);
+  if (last == words.rend() || last->size() > 6) return std::nullopt;
+  return std::stoi(*last);
 }
 
 /// Gives columns to slots; what has been given is no candidate any more.
@@ -113,6 +132,30 @@ class Matching {
     }
   }
 
+  /// Numbers that are all among those of the slots say which of them is meant: q1 and q3 of joint1 to joint3.
+  void match_numbers() {
+    for (const bool of_actuators : {false, true})
+      for (std::size_t first = 0; first < slots_.size(); ++first) {
+        if (slots_[first].column || slots_[first].is_actuator != of_actuators) continue;
+        const std::vector<std::size_t> columns = candidates(slots_[first]);
+        std::map<int, std::size_t> by_number;
+        for (std::size_t i = first; i < slots_.size(); ++i)
+          if (!slots_[i].column && slots_[i].is_actuator == of_actuators && candidates(slots_[i]) == columns)
+            if (const std::optional<int> number = number_in(slots_[i].words)) by_number.emplace(*number, i);
+        std::map<int, std::string> named;
+        for (const std::size_t i : columns)
+          if (const std::optional<int> number = number_in(words_of(free_[i].name));
+              number && by_number.contains(*number))
+            named.emplace(*number, free_[i].name);
+        if (named.size() != columns.size()) continue;
+        for (const auto& [number, name] : named) {
+          const auto at =
+              std::find_if(free_.begin(), free_.end(), [&](const GuessedColumn& one) { return one.name == name; });
+          give(slots_[by_number.at(number)], static_cast<std::size_t>(at - free_.begin()), "its number");
+        }
+      }
+  }
+
   void match_kinds() {
     for (std::size_t first = 0; first < slots_.size(); ++first) {
       if (slots_[first].column) continue;
@@ -122,8 +165,7 @@ class Matching {
         if (!slots_[i].column && slots_[i].is_actuator == slots_[first].is_actuator && candidates(slots_[i]) == columns)
           peers.push_back(i);
       if (columns.empty() || peers.size() != columns.size()) continue;
-      const std::string reason = columns.size() == 1 ? "the only column that fits" : "the columns are in this order";
-      for (std::size_t i = columns.size(); i-- > 0;) give(slots_[peers[i]], columns[i], reason);
+      give_in_order(peers, columns);
     }
   }
 
@@ -145,6 +187,22 @@ class Matching {
     slot.column = free_[index];
     if (!slot.column->named_by_user) slot.column->reason = reason;
     free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(index));
+  }
+
+  /// As many columns as slots; those of which each has a number are in the order of these.
+  void give_in_order(const std::vector<std::size_t>& peers, const std::vector<std::size_t>& columns) {
+    std::vector<std::pair<int, GuessedColumn>> ordered;
+    for (std::size_t i = 0; i < columns.size(); ++i) ordered.emplace_back(static_cast<int>(i), free_[columns[i]]);
+    const auto number = [](const GuessedColumn& column) { return number_in(words_of(column.name)); };
+    if (std::all_of(ordered.begin(), ordered.end(), [&](const auto& one) { return number(one.second).has_value(); }))
+      for (auto& [place, column] : ordered) place = *number(column);
+    std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::string reason = columns.size() == 1 ? "the only column that fits" : "the columns are in this order";
+    for (std::size_t i = 0; i < peers.size(); ++i) {
+      const auto at = std::find_if(free_.begin(), free_.end(),
+                                   [&](const GuessedColumn& one) { return one.name == ordered[i].second.name; });
+      give(slots_[peers[i]], static_cast<std::size_t>(at - free_.begin()), reason);
+    }
   }
 
   /// Matches one slot and one column that share more words with each other than either does with any other.
@@ -179,6 +237,7 @@ RobotMatch match_robot(const RobotSpec& robot, const std::vector<GuessedColumn>&
   Matching matching(slots, columns);
   matching.match_same_names();
   matching.match_shared_words();
+  matching.match_numbers();
   matching.match_kinds();
   RobotMatch match;
   for (OpenChannel& slot : slots) {

@@ -85,7 +85,7 @@ void leave_to_warm_up(const ReadStart& read, const std::vector<double>& lateness
   const StartStates& states = read.starts.states();
   for (const int c : states.outward()) {
     const auto& reading = states.position_reading(read.stretch.trial, c);
-    if (!reading || lateness[static_cast<std::size_t>(reading->channel)] == 0.0) continue;
+    if (!reading || !(lateness[static_cast<std::size_t>(reading->channel)] > 0.0)) continue;
     set_component(start, c, std::nan(""));
     set_component(start, states.coordinates() + c, std::nan(""));
   }

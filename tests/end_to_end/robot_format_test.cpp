@@ -96,7 +96,7 @@ constexpr const char* kScene = R"(<mujoco model="arm">
       <body name="hand" pos="0 0 -0.4"><joint name="finger" axis="0 1 0"/><geom type="sphere" size="0.02"/></body>
     </body>
   </worldbody>
-  <actuator><motor name="hinge" joint="hinge"/></actuator>
+  <actuator><motor name="hinge" joint="hinge" ctrlrange="-1 1"/></actuator>
 </mujoco>
 )";
 

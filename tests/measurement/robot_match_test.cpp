@@ -113,6 +113,30 @@ TEST_F(MatchRobot, TakesAsManyColumnsAsChannelsInTheirOrder) {
   EXPECT_THAT(unmatched(rig), ElementsAre("knee_tacho"));
 }
 
+RobotSpec wrist() {
+  RobotSpec robot = bare_arm({"elbow", "wrist_1", "wrist_2"});
+  for (const char* joint : {"elbow", "wrist_1", "wrist_2"}) {
+    add_sensor(robot, std::string(joint) + "_position", SensorKind::joint_position, joint);
+    add_motor(robot, std::string(joint) + "_motor", joint);
+  }
+  return robot;
+}
+
+/// The index of a list is no unit, and no joint's number.
+TEST_F(MatchRobot, TakesListsInTheirOrder) {
+  EXPECT_THAT(pairs(guess("q[0],q[1],q[2],tau[0],tau[1],tau[2]", wrist())),
+              ElementsAre("elbow_position=q[0]", "wrist_1_position=q[1]", "wrist_2_position=q[2]", "elbow_motor=tau[0]",
+                          "wrist_1_motor=tau[1]", "wrist_2_motor=tau[2]"));
+  EXPECT_THAT(pairs(guess("q_2,q_0,q_1", wrist())),
+              ElementsAre("elbow_position=q_0", "wrist_1_position=q_1", "wrist_2_position=q_2"));
+}
+
+TEST_F(MatchRobot, TakesNumbersThatAllBelongToJoints) {
+  EXPECT_THAT(pairs(guess("q2_rad,tau2_Nm", wrist())), ElementsAre("wrist_2_position=q2_rad", "wrist_2_motor=tau2_Nm"));
+  EXPECT_THAT(pairs(guess("q_0,q_1,tau_0,tau_1", two_joints())),
+              ElementsAre("hip_encoder=q_0", "knee_encoder=q_1", "m1=tau_0", "m2=tau_1"));
+}
+
 TEST_F(MatchRobot, LeavesOpenWhatIsAmbiguous) {
   RobotSpec robot = one_joint();
   add_sensor(robot, "tacho", SensorKind::joint_velocity, "pivot");

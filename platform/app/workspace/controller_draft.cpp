@@ -15,7 +15,7 @@
 namespace lacuna {
 namespace {
 
-constexpr double kMostLeft = 0.2;     ///< of the command's deviation, by a law that is proposed
+constexpr double kMostLeft = 0.1;     ///< of the command's deviation, by a law that is proposed
 constexpr double kAsGood = 1.2;       ///< of what the full law leaves
 constexpr double kExact = 0.005;      ///< of the command's deviation: nothing is gained below it
 constexpr Eigen::Index kFewest = 50;  ///< rows
@@ -156,7 +156,7 @@ std::string controllers_text(const RigDraft& draft) {
       "# simulates models with the controller.\n# [target.controllers]\n";
   for (const ControlledColumns& one : all) {
     const std::optional<FittedLaw> law = law_of(*draft.first_file, draft.guess.time, one);
-    text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command\n",
+    text += law ? fmt::format("# fitted to {}: it explains all but {:.2g} % of the command's deviation\n",
                               plain_text(draft.files.front().filename().string()), 100.0 * law->left)
                 : "# no proportional, integral and derivative gains explain these commands: fill in the law of the "
                   "controller\n";

@@ -8,8 +8,8 @@ namespace lacuna {
 
 /// Lines of an experiment file about columns that seem to be what a controller followed, beside the command that it
 /// sent: `[target.controllers]`, commented out, with gains fitted to the beginning of the first recording (`u = P e +
-/// I ∫e dt − D dy/dt`, least squares) where they make all but a fifth of the command, else blank. Empty where there is
-/// no such column.
+/// I ∫e dt − D dy/dt`, least squares) where they explain all but a tenth of the command, else blank. Empty where there
+/// is no such column.
 std::string controllers_text(const RigDraft& draft);
 
 }  // namespace lacuna
