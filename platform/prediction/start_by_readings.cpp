@@ -7,8 +7,9 @@ namespace lacuna {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kNudge = 1e-4;  ///< rad or m, by which the slope of a reading is found
-constexpr double kSame = 1e-9;   ///< of a reading, rad or m: the model changes nothing of it
+constexpr double kNudge = 1e-4;      ///< rad or m, by which the slope of a reading is found
+constexpr double kSame = 1e-9;       ///< of a reading, rad or m: the model changes nothing of it
+constexpr double kOfLateness = 1.2;  ///< that a warm-up takes
 constexpr double kFlattest = 0.2, kSteepest = 5.0;
 
 /// A model's first reading of one coordinate.
@@ -56,13 +57,14 @@ bool follow_reading(const ReadStart& read, const StartStates::Reading& reading, 
   return true;
 }
 
-/// A warm-up that begins where what is read first of all happened, so that it is predicted from no later reading.
+/// A warm-up no longer than the readings need that are late, that arrives about where the stretch starts: what is read
+/// first of all happened in it.
 void lead_to(const StartState& start, const ReadStart& read, const std::vector<double>& lateness, WarmUp& warm_up) {
   const std::size_t trial = read.stretch.trial;
   const Eigen::VectorXd& times = read.predictor.trials()[trial].measured.times;
   const double longest = *std::max_element(lateness.begin(), lateness.end());
-  const double begin = times(read.stretch.first) - std::max(0.0, longest);
-  while (warm_up.first + 1 < read.stretch.first && times(warm_up.first + 1) <= begin) ++warm_up.first;
+  const double begin = times(read.stretch.first) - kOfLateness * std::max(0.0, longest);
+  while (warm_up.first + 2 < read.stretch.first && times(warm_up.first + 1) < begin) ++warm_up.first;
   const auto late_start_at = [&](Eigen::Index sample) {
     StartState late = read.starts.at(trial, sample).start;
     read.starts.move_later(trial, sample, lateness, late);
@@ -77,17 +79,6 @@ void lead_to(const StartState& start, const ReadStart& read, const std::vector<d
     const double faster = component(start, n + c) - component(there, n + c);
     set_component(warm_up.start, c, component(warm_up.start, c) + further - seconds * faster);
     set_component(warm_up.start, n + c, component(warm_up.start, n + c) + faster);
-  }
-}
-
-/// Late coordinates go on from the warm-up.
-void leave_to_warm_up(const ReadStart& read, const std::vector<double>& lateness, StartState& start) {
-  const StartStates& states = read.starts.states();
-  for (const int c : states.outward()) {
-    const auto& reading = states.position_reading(read.stretch.trial, c);
-    if (!reading || !(lateness[static_cast<std::size_t>(reading->channel)] > 0.0)) continue;
-    set_component(start, c, std::nan(""));
-    set_component(start, states.coordinates() + c, std::nan(""));
   }
 }
 
@@ -109,10 +100,9 @@ ChangedStart start_by_readings(const ReadStart& read, const StartState& start, P
         changed.reads_backwards |= !follow_reading(read, *reading, coordinate, start, changed.start, prediction);
     }
   if (std::all_of(lateness.begin(), lateness.end(), [](double late) { return late == 0.0; })) return changed;
+  // Where a recording begins, too: what is read there first came before it, but the rest follows from where it is.
   read.starts.move_later(read.stretch.trial, read.stretch.first, lateness, changed.start);
-  if (!changed.warm_up) return changed;
-  lead_to(changed.start, read, lateness, *changed.warm_up);
-  leave_to_warm_up(read, lateness, changed.start);
+  if (changed.warm_up) lead_to(changed.start, read, lateness, *changed.warm_up);
   return changed;
 }
 
