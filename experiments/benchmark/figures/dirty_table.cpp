@@ -94,16 +94,6 @@ std::string needed_text(const CaseResult& result) {
   return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, " + "));
 }
 
-std::string answered(const CaseResult& result) {
-  if (result.diagnoses.empty()) return result.failure;
-  const DiagnosisRecord& answer = result.diagnoses.front();
-  if (answer.verdict != "effect_found" || answer.ranking.empty()) return answer.verdict;
-  std::vector<std::string> words;
-  for (const RankedEffectRecord& one : answer.ranking.front().effects)
-    words.push_back(one.what.effect + " @ " + one.what.place);
-  return fmt::format("{}", fmt::join(words, " + "));
-}
-
 std::string case_row(const CaseResult& result) {
   const bool told = !result.diagnoses.empty();
   const double probability = told ? result.diagnoses.front().probability : kUnknown;
@@ -115,6 +105,16 @@ std::string case_row(const CaseResult& result) {
 }
 
 }  // namespace
+
+std::string answered(const CaseResult& result) {
+  if (result.diagnoses.empty()) return result.failure;
+  const DiagnosisRecord& answer = result.diagnoses.front();
+  if (answer.verdict != "effect_found" || answer.ranking.empty()) return answer.verdict;
+  std::vector<std::string> words;
+  for (const RankedEffectRecord& one : answer.ranking.front().effects)
+    words.push_back(one.what.effect + " @ " + one.what.place);
+  return fmt::format("{}", fmt::join(words, " + "));
+}
 
 std::string dirty_tables(const std::vector<CaseResult>& results) {
   std::string text = grades_table(results) + brier_text(results);

@@ -11,4 +11,7 @@ namespace hidden_effects {
 /// answer that always says the commonest effect; Brier's scores; then a case a row.
 std::string dirty_tables(const std::vector<CaseResult>& results);
 
+/// The effects that the first diagnosis names, else its verdict, else why there is none.
+std::string answered(const CaseResult& result);
+
 }  // namespace hidden_effects

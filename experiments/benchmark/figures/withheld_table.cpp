@@ -3,9 +3,9 @@
 #include "dirty/dirty_kind.h"
 #include "dirty/dirty_plan.h"
 #include "figures/dirty_scores.h"
+#include "figures/dirty_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -53,23 +53,13 @@ std::string counts_row(const std::string& name, const Counts& counts, bool withh
                      withheld ? "" : std::to_string(counts.right));
 }
 
-std::string answer_of(const CaseResult& result) {
-  if (result.diagnoses.empty()) return result.failure;
-  const DiagnosisRecord& answer = result.diagnoses.front();
-  if (answer.verdict != "effect_found" || answer.ranking.empty()) return answer.verdict;
-  std::vector<std::string> names;
-  for (const RankedEffectRecord& one : answer.ranking.front().effects)
-    names.push_back(one.what.effect + " @ " + one.what.place);
-  return fmt::format("{}", fmt::join(names, " + "));
-}
-
 std::string withheld_row(const CaseResult& result) {
   const ForceVerdict verdict = force_verdict_of(result);
   const DirtyEffectRecord* hidden = main_effect(result);
   const std::string law = hidden ? fmt::format("{} @ {}", hidden->what, hidden->answer.place) : "–";
   return fmt::format("| {} | {} | {:.1f} | {} | {} | {} | {} | {} | {} |\n", result.about.number, result.about.rig,
                      result.about.strength, verdict.withheld ? "withheld" : "there",
-                     verdict.disturbed ? "random forces" : "", law, answer_of(result), told_words(result),
+                     verdict.disturbed ? "random forces" : "", law, answered(result), told_words(result),
                      verdict.told ? (verdict.named ? "yes" : "no") : "");
 }
 
