@@ -149,8 +149,7 @@ class Matching {
             named.emplace(*number, free_[i].name);
         if (named.size() != columns.size()) continue;
         for (const auto& [number, name] : named) {
-          const auto at =
-              std::find_if(free_.begin(), free_.end(), [&](const GuessedColumn& one) { return one.name == name; });
+          const auto at = std::ranges::find(free_, name, &GuessedColumn::name);
           give(slots_[by_number.at(number)], static_cast<std::size_t>(at - free_.begin()), "its number");
         }
       }
