@@ -127,7 +127,7 @@ class CsvOutput : public QueryOutput {
   }
 
   void row(const std::vector<Cell>& cells) override {
-    for (std::size_t i = 0; i < cells.size(); ++i) stream_ << (i == 0 ? "" : ",") << csv_cell(text_of(cells[i], 0));
+    for (std::size_t i = 0; i < cells.size(); ++i) stream_ << (i == 0 ? "" : ",") << csv_cell(cell_text(cells[i]));
     stream_ << '\n';
   }
 
@@ -140,22 +140,26 @@ class CsvOutput : public QueryOutput {
 
 class JsonOutput : public QueryOutput {
  public:
-  explicit JsonOutput(std::ostream& stream) : stream_(stream) {}
+  JsonOutput(std::ostream& stream, bool is_list) : stream_(stream), is_list_(is_list) {}
 
   void begin(const std::vector<std::string>& columns) override {
     columns_ = columns;
     first_ = true;
-    stream_ << '[';
+    if (is_list_) stream_ << '[';
   }
 
   void row(const std::vector<Cell>& cells) override {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < cells.size(); ++i) object[columns_[i]] = json_of(cells[i]);
-    stream_ << (first_ ? "\n" : ",\n") << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    if (is_list_) stream_ << (first_ ? "\n" : ",\n");
+    stream_ << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    if (!is_list_) stream_ << '\n';
     first_ = false;
   }
 
-  void end() override { stream_ << (first_ ? "]\n" : "\n]\n"); }
+  void end() override {
+    if (is_list_) stream_ << (first_ ? "]\n" : "\n]\n");
+  }
 
  private:
   static nlohmann::ordered_json json_of(const Cell& cell) {
@@ -167,17 +171,21 @@ class JsonOutput : public QueryOutput {
   }
 
   std::ostream& stream_;
+  bool is_list_;
   std::vector<std::string> columns_;
   bool first_ = true;
 };
 
 }  // namespace
 
+std::string cell_text(const Cell& cell) { return text_of(cell, 0); }
+
 std::unique_ptr<QueryOutput> make_query_output(QueryFormat format, std::ostream& stream, std::size_t most_bytes) {
   switch (format) {
     case QueryFormat::table: return std::make_unique<TableOutput>(stream, most_bytes);
     case QueryFormat::csv: return std::make_unique<CsvOutput>(stream);
-    case QueryFormat::json: return std::make_unique<JsonOutput>(stream);
+    case QueryFormat::json: return std::make_unique<JsonOutput>(stream, true);
+    case QueryFormat::json_lines: return std::make_unique<JsonOutput>(stream, false);
   }
   return nullptr;
 }
