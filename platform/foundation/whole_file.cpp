@@ -230,13 +230,14 @@ void WholeFile::publish() {
 
 void WholeFile::publish_as_new() {
   finish();
+  if (direct_) return;
   if (!(draft_.empty() ? give_name(target_) : rename_draft(target_))) fail(file_);
 }
 
-void write_whole(const fs::path& file, std::string_view text, Link link) {
+void write_whole(const fs::path& file, std::string_view text, Link link, Existing existing) {
   WholeFile whole(file, link);
   whole.stream() << text;
-  whole.publish();
+  existing == Existing::refused ? whole.publish_as_new() : whole.publish();
 }
 
 fs::path place_of(const fs::path& file) {

@@ -41,7 +41,7 @@ class WholeFile {
   void finish();
   /// `finish`, and the draft takes the file's place.
   void publish();
-  /// The same, but throws `Error` where there is a file of that name, which is left alone.
+  /// The same, but throws `Error` where there is a regular file of that name, which is left alone.
   void publish_as_new();
 
  private:
@@ -57,8 +57,12 @@ class WholeFile {
   std::ostream stream_;
 };
 
+/// What becomes of a file that has the name already.
+enum class Existing { replaced, refused };
+
 /// Writes a whole text so.
-void write_whole(const std::filesystem::path& file, std::string_view text, Link link);
+void write_whole(const std::filesystem::path& file, std::string_view text, Link link,
+                 Existing existing = Existing::replaced);
 
 /// What is wrong with a name whose symbolic links lead to no file, only to each other.
 inline constexpr const char* kCircleOfLinks =

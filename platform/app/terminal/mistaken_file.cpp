@@ -22,13 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "SQLite format 3";
 
-bool is_database(const fs::path& file) {
-  if (!why_no_regular_file(file).empty()) return false;
-  std::array<char, kMagic.size()> begin{};
-  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
-  return std::string_view(begin.data(), begin.size()) == kMagic;
-}
-
 /// The experiment file that the newest run was made from; empty where that is not known, or not there.
 std::string experiment_of(const fs::path& file) try {
   const Database database = Database::open_read_only(file);
@@ -55,6 +48,13 @@ std::string line_with(const std::string& other, const std::string& file) {
 }
 
 }  // namespace
+
+bool is_database(const fs::path& file) {
+  if (!why_no_regular_file(file).empty()) return false;
+  std::array<char, kMagic.size()> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()) == kMagic;
+}
 
 void refuse_database_as_experiment(const std::string& file) {
   if (!is_database(file)) return;

@@ -90,6 +90,10 @@ void add_experiment_options(CLI::App& command, CommonOptions& options) {
       ->required()
       ->option_text("FILE")
       ->each(refuse_database_as_experiment);
+  add_model_options(command, options);
+}
+
+void add_model_options(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--set", options.overrides, "Override a key of the file: --set engine.step=0.0005; may be repeated")
       ->allow_extra_args(false)

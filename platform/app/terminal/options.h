@@ -36,8 +36,10 @@ std::string command_to_type(const std::string& name, const CommonOptions& option
 void set_command_line(int argc, char** argv);
 const std::string& command_line();
 
-/// Adds the experiment argument, --set, --plugin-path and --evaluation-limit.
+/// Adds the experiment argument and the options of `add_model_options`.
 void add_experiment_options(CLI::App& command, CommonOptions& options);
+/// Adds --set, --plugin-path and --evaluation-limit.
+void add_model_options(CLI::App& command, CommonOptions& options);
 void add_plugin_path_option(CLI::App& command, CommonOptions& options);
 /// Called for each database that a command names, before it is looked for: no output may take its place. Throws
 /// `BadInput` for a name that leads nowhere.

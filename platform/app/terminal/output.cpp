@@ -2,7 +2,6 @@
 
 #include "app/terminal/plain_streams.h"
 #include "foundation/problem.h"
-#include "foundation/whole_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -88,13 +87,13 @@ void check_folder(const fs::path& folder) {
 
 }  // namespace
 
-void write_output(const std::string& to, const std::string& text) {
+void write_output(const std::string& to, const std::string& text, Existing existing) {
   if (to.empty()) {
     exact_output() << text << std::flush;
     return;
   }
   refuse_input(to);
-  write_whole(to, text, Link::followed);
+  write_whole(to, text, Link::followed, existing);
 }
 
 bool takes_standard_output(const std::optional<std::string>& option) { return option && option->empty(); }
@@ -107,6 +106,13 @@ void check_output(const std::optional<std::string>& option, const std::optional<
     check_file(*file);
     note_output(*file);
   }
+}
+
+void check_new_output(const std::optional<std::string>& option, Existing existing) {
+  check_output(option);
+  std::error_code ignored;
+  if (option && existing == Existing::refused && fs::is_regular_file(*option, ignored))
+    refuse(*option, "exists already; name another file, or replace it with --force");
 }
 
 void forget_command_files() { files() = {}; }

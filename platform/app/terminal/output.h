@@ -1,5 +1,7 @@
 #pragma once
 
+#include "foundation/whole_file.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,7 +11,7 @@ namespace lacuna {
 
 /// Where a command's results go besides the terminal. `to`: the option's value, "" for standard
 /// output. A file gets the whole text or stays as it is; `Error` then says why.
-void write_output(const std::string& to, const std::string& text);
+void write_output(const std::string& to, const std::string& text, Existing existing = Existing::replaced);
 
 /// Whether an optional output option takes standard output, so that nothing else is printed there.
 bool takes_standard_output(const std::optional<std::string>& option);
@@ -18,6 +20,9 @@ bool takes_standard_output(const std::optional<std::string>& option);
 /// end, is one that the command reads, or is named by another output option, or where both options name standard
 /// output.
 void check_output(const std::optional<std::string>& option, const std::optional<std::string>& other = std::nullopt);
+
+/// The same for one file; where `existing` is refused, `BadInput` also where there is a regular file of that name.
+void check_new_output(const std::optional<std::string>& option, Existing existing);
 
 /// Called where a command begins: those of an earlier one in this process are forgotten.
 void forget_command_files();

@@ -18,8 +18,9 @@ std::string schema_of(const NamedTrace& trace, const TraceChannel& channel) {
   nlohmann::ordered_json properties = {{"time", {{"type", "number"}, {"description", "time in s"}}}};
   for (const TraceChannel::Place& place : channel.places) {
     const std::string& label = trace.parts[place.part].label;
-    properties[label] = {{"type", "number"},
-                         {"description", fmt::format("{}, {} in {}", channel.channel.name, label, channel.channel.unit)}};
+    properties[label] = {
+        {"type", "number"},
+        {"description", fmt::format("{}, {} in {}", channel.channel.name, label, channel.channel.unit)}};
   }
   return nlohmann::ordered_json{{"type", "object"}, {"properties", properties}}.dump();
 }

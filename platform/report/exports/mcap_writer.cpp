@@ -27,8 +27,7 @@ enum class Opcode : char {
 };
 
 std::uint32_t checksum_of(std::string_view bytes, std::uint32_t before = 0) {
-  return static_cast<std::uint32_t>(
-      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 void append_text(std::string& bytes, std::string_view text) {

@@ -48,12 +48,12 @@ class McapWriter {
   std::ostream& stream_;
   std::vector<McapChannel> channels_;
   std::size_t chunk_size_;
-  std::uint64_t place_ = 0;      ///< bytes written
-  std::uint32_t checksum_ = 0;   ///< of them
-  std::string chunk_;            ///< records that wait
+  std::uint64_t place_ = 0;                       ///< bytes written
+  std::uint32_t checksum_ = 0;                    ///< of them
+  std::string chunk_;                             ///< records that wait
   std::uint64_t first_time_ = 0, last_time_ = 0;  ///< of the messages that wait, ns
-  std::map<std::uint16_t, ChunkIndex> index_;  ///< of the messages that wait, by channel
-  std::vector<std::uint64_t> counts_;          ///< messages, one a channel
+  std::map<std::uint16_t, ChunkIndex> index_;     ///< of the messages that wait, by channel
+  std::vector<std::uint64_t> counts_;             ///< messages, one a channel
   std::vector<ChunkPlace> chunks_;
 };
 

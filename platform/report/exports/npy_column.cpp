@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kMagic{"\x93NUMPY\x01\x00", 8};
 constexpr std::size_t kAlignment = 64;  ///< of the first number, bytes
 constexpr std::int64_t kMostWholeReal = std::int64_t{1} << 53;
-constexpr int kCharacter = 4;              ///< bytes
+constexpr int kCharacter = 4;               ///< bytes
 constexpr std::size_t kLongestNumber = 24;  ///< characters, "-1.7976931348623157e+308"
 
 double real_of(const Cell& cell) {
@@ -56,8 +56,7 @@ std::string NpyColumn::header() const {
   const std::string description = type() == Type::whole  ? "<i8"
                                   : type() == Type::real ? "<f8"
                                                          : fmt::format("<U{}", longest());
-  std::string text =
-      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},), }}", description, count_);
+  std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},), }}", description, count_);
   const std::size_t before = kMagic.size() + 2 + text.size() + 1;
   text.append((kAlignment - before % kAlignment) % kAlignment, ' ');
   text += '\n';

@@ -14,9 +14,9 @@ class NpyColumn {
 
   /// The magic, the version and the description of an array of one dimension (NEP 1), up to the first number.
   std::string header() const;
-  /// A cell as such an array has it, little-endian: whole numbers as int64 where nothing is missing, numbers as float64,
-  /// NaN where one is missing, anything else as text of UCS-4, as long as the longest. Whole numbers beside missing ones
-  /// or fractions are text where a float64 does not hold them.
+  /// A cell as such an array has it, little-endian: whole numbers as int64 where nothing is missing, numbers as
+  /// float64, NaN where one is missing, anything else as text of UCS-4, as long as the longest. Whole numbers beside
+  /// missing ones or fractions are text where a float64 does not hold them.
   std::string bytes_of(const Cell& cell) const;
 
  private:

@@ -42,8 +42,7 @@ void for_each_time(const NamedTrace& trace, const std::function<void(const Trace
     now.time = kNoTime;
     for (std::size_t p = 0; p < parts; ++p) now.time = std::min(now.time, time_of(trace.parts[p], next[p]));
     if (now.time == kNoTime) return;
-    for (std::size_t p = 0; p < parts; ++p)
-      now.rows[p] = time_of(trace.parts[p], next[p]) == now.time ? next[p]++ : -1;
+    for (std::size_t p = 0; p < parts; ++p) now.rows[p] = time_of(trace.parts[p], next[p]) == now.time ? next[p]++ : -1;
     visit(now);
   }
 }

@@ -34,8 +34,8 @@ void for_each_time(const NamedTrace& trace, const std::function<void(const Trace
 /// The value at a time; NaN where there is none.
 double value_at(const NamedTrace& trace, const TraceChannel::Place& place, const TraceTime& time);
 
-/// Hands a trace to `output` as one table: "time [s]", and for each channel a column a part that has it, "angle measured
-/// [rad]" beside "angle predicted [rad]". A value that is not known is NULL.
+/// Hands a trace to `output` as one table: "time [s]", and for each channel a column a part that has it, "angle
+/// measured [rad]" beside "angle predicted [rad]". A value that is not known is NULL.
 void write_trace_rows(const NamedTrace& trace, QueryOutput& output);
 
 }  // namespace lacuna

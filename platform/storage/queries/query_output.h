@@ -11,9 +11,9 @@
 namespace lacuna {
 
 enum class QueryFormat {
-  table,  ///< aligned columns, six significant digits, numbers to the right, NULL as nothing
-  csv,    ///< RFC 4180 with a header line; every digit
-  json,   ///< a list of objects for each statement; every digit; what is not finite is null
+  table,      ///< aligned columns, six significant digits, numbers to the right, NULL as nothing
+  csv,        ///< RFC 4180 with a header line; every digit
+  json,       ///< a list of objects for each statement; every digit; what is not finite is null
   json_lines  ///< an object a line
 };
 

@@ -6,7 +6,9 @@ namespace lacuna {
 namespace {
 
 std::vector<std::string> names_of_type(const Database& database, const char* type) {
-  Statement row(database, "SELECT name FROM sqlite_master WHERE type = ? AND name NOT LIKE 'sqlite\\_%' ESCAPE '\\' ORDER BY name");
+  Statement row(
+      database,
+      "SELECT name FROM sqlite_master WHERE type = ? AND name NOT LIKE 'sqlite\\_%' ESCAPE '\\' ORDER BY name");
   row.with(type);
   std::vector<std::string> names;
   while (row.step()) names.push_back(row.text(0));

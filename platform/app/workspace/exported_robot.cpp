@@ -1,0 +1,118 @@
+#include "app/workspace/exported_robot.h"
+
+#include "app/terminal/output.h"
+#include "app/workspace/exported_model.h"
+#include "foundation/plain_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace lacuna {
+namespace {
+
+/// A robot file that is made, and the one beside it.
+struct MadeRobot {
+  RobotFileToWrite wanted;
+  ExportedRobot exported;
+  std::string model;
+};
+
+/// Not under the name of something that is read or there, and not over each other.
+void check_files(const CommonOptions& options, const RobotExport& wanted) {
+  check_new_output(options.json, wanted.existing);
+  for (const RobotFileToWrite& one : wanted.files) {
+    check_new_output(one.file.string(), wanted.existing);
+    check_new_output(one.model_file().string(), wanted.existing);
+  }
+}
+
+Rig rig_to_export(const CommonOptions& options, std::optional<int> revision) {
+  Rig rig = open_rig(options);
+  return revision ? rig_of_revision(options, std::move(rig), *revision) : std::move(rig);
+}
+
+/// The number of the model in the experiment's history; an earlier one does not become the current one by being
+/// written.
+int revision_number(std::optional<int> asked, Workbench& bench) {
+  if (!asked) return bench.revision().number;
+  const std::optional<StoredRevision> found = bench.ledger().find(bench.rig());
+  if (found && found->number == *asked) return found->number;
+  throw Error(
+      fmt::format("--revision {}: its robot, engine or recordings were others than the experiment has now; take "
+                  "the files back as they were then",
+                  *asked));
+}
+
+void print_exported(const MadeRobot& made, const IdentifiedRobot& identified) {
+  const ExportedRobot& exported = made.exported;
+  fmt::print("{}  {}\n", plain_text(made.wanted.file.string()),
+             exported.keeps_original ? "the model's file with the identified values" : "the identified robot");
+  for (const IdentifiedRobot::Absorbed& one : identified.absorbed)
+    fmt::print("  {} is {} there\n", one.effect, fmt::join(one.addresses, ", "));
+  fmt::print(
+      "{}  what that file has no place for: {}\n", plain_text(made.wanted.model_file().string()),
+      exported.set.empty() && identified.effects.empty() && identified.of_setups.empty() && exported.left_out.empty()
+          ? "nothing"
+          : "");
+  for (const auto& [address, value] : exported.set) fmt::print("  {} = {:.6g}\n", address, value);
+  for (const EffectEntry& effect : identified.effects) fmt::print("  effect {}\n", effect.id);
+  for (const auto& [address, value] : identified.of_setups)
+    fmt::print("  {} = {:.6g}, of some recordings alone\n", address, value);
+  for (const std::string& sentence : exported.left_out) fmt::print("  left out: {}\n", plain_text(sentence));
+}
+
+nlohmann::ordered_json exported_json(const MadeRobot& made, const IdentifiedRobot& identified) {
+  nlohmann::ordered_json absorbed = nlohmann::ordered_json::array(), effects = nlohmann::ordered_json::array();
+  for (const IdentifiedRobot::Absorbed& one : identified.absorbed)
+    absorbed.push_back({{"effect", one.effect}, {"addresses", one.addresses}});
+  for (const EffectEntry& effect : identified.effects) effects.push_back(effect.id);
+  return {{"format", made.wanted.format},
+          {"file", made.wanted.file.string()},
+          {"model_file", made.wanted.model_file().string()},
+          {"keeps_original", made.exported.keeps_original},
+          {"absorbed", absorbed},
+          {"set", made.exported.set},
+          {"effects", effects},
+          {"left_out", made.exported.left_out}};
+}
+
+std::vector<MadeRobot> make_robots(const std::vector<RobotFileToWrite>& files, const Rig& rig,
+                                   const IdentifiedRobot& identified, const std::string& comment) {
+  const ModelSection& model = rig.experiment.model;
+  std::vector<MadeRobot> robots;
+  for (const RobotFileToWrite& wanted : files) {
+    ExportedRobot exported = export_robot(identified.robot, wanted.format, model, comment, wanted.file, *rig.catalog);
+    std::string beside =
+        exported_model_toml(comment, wanted.file, model, identified, exported, wanted.format != "toml");
+    robots.push_back({wanted, std::move(exported), std::move(beside)});
+  }
+  return robots;
+}
+
+}  // namespace
+
+void export_robots(const CommonOptions& options, const RobotExport& wanted) {
+  check_files(options, wanted);
+  Workbench bench(options, rig_to_export(options, wanted.revision),
+                  wanted.revision ? Entry::with_its_file : Entry::at_once);
+  const int revision = revision_number(wanted.revision, bench);
+  const Rig& rig = bench.rig();
+  const FitResult fit = rig.definition.free.empty() ? as_written(rig.definition) : bench.fit_model().result;
+  bench.ledger().done();
+  const IdentifiedRobot identified = identified_robot(rig.definition, fit.parameters());
+  const std::vector<MadeRobot> robots = make_robots(wanted.files, rig, identified, export_comment(rig, revision, fit));
+  nlohmann::ordered_json written = nlohmann::ordered_json::array();
+  for (const MadeRobot& made : robots) {
+    write_output(made.wanted.file.string(), made.exported.text, wanted.existing);
+    write_output(made.wanted.model_file().string(), made.model, wanted.existing);
+    written.push_back(exported_json(made, identified));
+    if (!takes_standard_output(options.json)) print_exported(made, identified);
+  }
+  const nlohmann::ordered_json all = {{"experiment", rig.experiment.name}, {"revision", revision}, {"files", written}};
+  if (options.json) write_output(*options.json, all.dump(2) + "\n", wanted.existing);
+}
+
+}  // namespace lacuna
