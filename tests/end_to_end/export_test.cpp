@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace lacuna {
@@ -113,8 +114,7 @@ class Exported : public testing::Test {
 
   /// The exported model in an experiment of its own foretells what the fitted one does.
   void expect_same_prediction(const std::string& robot) {
-    program_.write("back.toml",
-                   experiment_of("back", robot, program_.read(robot.substr(0, robot.rfind('.')) + ".model.toml")));
+    program_.write("back.toml", experiment_of("back", robot, program_.read(robot + ".model.toml")));
     const std::vector<double> fitted = prediction("rig.toml"), back = prediction("back.toml");
     ASSERT_EQ(fitted.size(), back.size());
     double largest = 0.0;
@@ -182,9 +182,37 @@ TEST_F(Exported, AnEarlierRevisionStaysEarlier) {
   ASSERT_EQ(first.exit_code, 0) << first.errors;
   EXPECT_EQ(program_.read("first.urdf"), program_.read("again.urdf"));
   EXPECT_THAT(program_.run({"history", "rig.toml"}).output, HasSubstr("2*"));
-  const Outcome none = program_.run({"export", "rig.toml", "--urdf", "again.urdf", "--revision", "9"});
+  const Outcome none = program_.run({"export", "rig.toml", "--urdf", "none.urdf", "--revision", "9"});
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.errors, HasSubstr("has no such revision"));
+}
+
+TEST_F(Exported, InThreeFormatsAtOnceHasAFileBesideEach) {
+  program_.write("arm.toml", kToml);
+  program_.write("rig.toml", experiment_of("rig", "arm.toml", fitted_model("arm.toml")));
+  exported_as("--toml", "found.toml");
+  const Outcome again =
+      program_.run({"export", "rig.toml", "--urdf", "all.urdf", "--mjcf", "all.xml", "--toml", "all.toml"});
+  ASSERT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_THAT(program_.read("all.urdf.model.toml"), HasSubstr("file = \"all.urdf\""));
+  EXPECT_THAT(program_.read("all.xml.model.toml"), HasSubstr("file = \"all.xml\""));
+  EXPECT_THAT(program_.read("all.toml.model.toml"), HasSubstr("file = \"all.toml\""));
+  EXPECT_EQ(program_.read("all.toml"), program_.read("found.toml"));
+}
+
+TEST_F(Exported, ReplacesNoFileUnlessForced) {
+  program_.write("arm.urdf", kUrdf);
+  program_.write("rig.toml", experiment_of("rig", "arm.urdf", fitted_model("arm.urdf")));
+  exported_as("--urdf", "found.urdf");
+  const std::string before = program_.read("found.urdf.model.toml");
+  std::filesystem::remove(program_.folder() / "found.urdf");
+  const Outcome refused = program_.run({"export", "rig.toml", "--urdf", "found.urdf"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("found.urdf.model.toml: exists already"), HasSubstr("--force")));
+  EXPECT_FALSE(std::filesystem::exists(program_.folder() / "found.urdf"));
+  program_.write("found.urdf.model.toml", "mine\n");
+  EXPECT_EQ(program_.run({"export", "rig.toml", "--urdf", "found.urdf", "--force"}).exit_code, 0);
+  EXPECT_EQ(program_.read("found.urdf.model.toml"), before);
 }
 
 TEST_F(Exported, NeedsAFileThatIsNotRead) {
