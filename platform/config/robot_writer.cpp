@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace lacuna {
 namespace {
@@ -227,13 +226,6 @@ std::string contact_text(const ContactSpec& contact) {
   return text;
 }
 
-std::string as_comment(const std::string& text) {
-  std::string all, line;
-  std::istringstream lines(text);
-  while (std::getline(lines, line)) all += line.empty() ? "#\n" : "# " + line + "\n";
-  return all;
-}
-
 }  // namespace
 
 std::string inertia_toml(const InertiaSpec& inertia) {
@@ -243,7 +235,7 @@ std::string inertia_toml(const InertiaSpec& inertia) {
 }
 
 std::string robot_toml(const RobotSpec& robot, const std::string& comment) {
-  std::string text = as_comment(comment);
+  std::string text = toml_comment(comment);
   text += fmt::format("{}[robot]\nname = {}\n", text.empty() ? "" : "\n", toml_text(robot.name));
   text += fmt::format("\n[world]\ngravity = {}\n", vector_toml(robot.gravity));
   for (const BodySpec& body : robot.bodies) text += body_text(body);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace lacuna {
 namespace {
@@ -86,6 +87,13 @@ std::string toml_number(double value) {
   const bool whole = text.find_first_of(".en") == std::string::npos;  // also of "inf" and "nan"
   if (whole) text += ".0";
   return text;
+}
+
+std::string toml_comment(const std::string& text) {
+  std::string all, line;
+  std::istringstream lines(text);
+  while (std::getline(lines, line)) all += line.empty() ? "#\n" : "# " + line + "\n";
+  return all;
 }
 
 }  // namespace lacuna

@@ -49,5 +49,7 @@ std::string toml_key(std::string_view key);
 /// `text` as a TOML string; a double as a TOML number that reads back as the same value.
 std::string toml_text(std::string_view text);
 std::string toml_number(double value);
+/// Each line of `text` as a comment.
+std::string toml_comment(const std::string& text);
 
 }  // namespace lacuna

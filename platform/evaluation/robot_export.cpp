@@ -3,6 +3,7 @@
 #include "config/robot_reader.h"
 #include "config/robot_writer.h"
 #include "config/text_file.h"
+#include "config/toml_node.h"
 #include "evaluation/robot_comparison.h"
 #include "evaluation/robot_files.h"
 #include "foundation/address.h"
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace lacuna {
@@ -35,16 +35,6 @@ std::optional<std::string> original_text(const ModelSection& model, const std::s
 
 /// A file that includes others is written as one.
 bool stands_alone(const ModelSection& model) { return model.parts.empty(); }
-
-std::string commented(const std::string& comment) {
-  std::string all;
-  for (std::size_t at = 0; at < comment.size();) {
-    const std::size_t end = std::min(comment.find('\n', at), comment.size());
-    all += "# " + comment.substr(at, end - at) + "\n";
-    at = end + 1;
-  }
-  return all;
-}
 
 /// The robot of a text as an experiment beside it would have it.
 RobotSpec read_back(const std::string& text, const std::string& format, const ModelSection& model,
@@ -84,7 +74,7 @@ void write_toml(const RobotSpec& robot, const std::optional<std::string>& origin
                 ExportedRobot& exported) {
   if (original)
     if (const std::optional<std::string> edited = edited_toml(*original, robot, model, file, catalog)) {
-      exported.text = commented(comment) + *edited;
+      exported.text = toml_comment(comment) + *edited;
       exported.keeps_original = true;
       return;
     }

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace lacuna {
@@ -21,16 +20,6 @@ std::string interval_of(const FittedValue& value) {
   if (!value.identified || !std::isfinite(value.standard_error)) return "the data cannot tell";
   return fmt::format("95 %: {} to {}", format_quantity(value.lower_95, value.unit, kDigits),
                      format_quantity(value.upper_95, value.unit, kDigits));
-}
-
-std::string commented_lines(const std::string& text) {
-  std::string all;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    all += "# " + text.substr(at, end - at) + "\n";
-    at = end + 1;
-  }
-  return all;
 }
 
 std::string base_line(const ModelSection& model, bool has_base) {
@@ -57,7 +46,7 @@ std::string export_comment(const Rig& rig, int revision, const FitResult& fit) {
 std::string exported_model_toml(const std::string& comment, const std::filesystem::path& robot_file,
                                 const ModelSection& model, const IdentifiedRobot& identified,
                                 const ExportedRobot& exported, bool has_base) {
-  std::string text = commented_lines(comment);
+  std::string text = toml_comment(comment);
   for (const auto& [address, value] : identified.of_setups)
     text += fmt::format("# of some recordings alone: {} = {}\n", address, toml_number(value));
   for (const std::string& sentence : exported.left_out) text += "# left out: " + sentence + "\n";
