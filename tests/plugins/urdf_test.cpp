@@ -209,6 +209,31 @@ TEST(Urdf, WritesIntoTheFileThatItRead) {
   EXPECT_DOUBLE_EQ(back.joints[0].dry_friction, 0.25);
 }
 
+/// Only what is another number than before is another text.
+TEST(Urdf, KeepsTheTextOfTheFileThatItRead) {
+  const auto file = [](const std::string& head, const std::string& mass, const std::string& friction) {
+    return "<?xml version='1.0'?>\n<!-- mine -->\n" + head +
+           "<robot\tname='arm' >\n\n<link name=\"base\"/> <!-- > -->\n"
+           "\t<link name=\"arm\"  ><inertial><origin xyz=\"0 0 -0.2\" rpy=\"0 0 0\"/>\n\t\t<mass   value = '" +
+           mass +
+           "' />\n<inertia ixx=\"0.020\" ixy=\"0\" ixz=\"0.\" iyy=\"2e-2\" iyz=\"0\" izz=\"0.01\"/></inertial></link>\n"
+           "  <joint name=\"hinge\" type=\"continuous\">\n      <parent link=\"base\"/><child link=\"arm\"/>" +
+           friction + "\n  </joint>\n</robot>\n<!-- end -->\n";
+  };
+  const std::string text = file("", "1.50", "");
+  const RobotFormat& format = built_catalog().get<RobotFormat>("urdf");
+  RobotToWrite wanted{format.read({"robot.urdf", text}).robot, RobotText{"robot.urdf", text}, ""};
+  EXPECT_EQ(format.write(wanted).text, text);
+  wanted.comment = "Identified by Lacuna: today\n";
+  wanted.robot.bodies.at(0).mass = 2.25;
+  wanted.robot.joints.at(0).dry_friction = 0.25;
+  const std::string edited =
+      file("<!--\nIdentified by Lacuna: today\n-->\n", "2.25", "\n      <dynamics damping=\"0\" friction=\"0.25\"/>");
+  EXPECT_EQ(format.write(wanted).text, edited);
+  wanted.original->text = edited;
+  EXPECT_EQ(format.write(wanted).text, edited) << "the comment of an earlier export is replaced";
+}
+
 TEST(Urdf, NamesElementsAsTheProgramCan) {
   const ReadRobot made =
       read(robot(link("base") + link("arm.1", kUrdfInertial) + joint("j/1", "continuous", "base", "arm.1")));

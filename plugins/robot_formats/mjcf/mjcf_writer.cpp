@@ -2,6 +2,7 @@
 
 #include "inertia_repair.h"
 #include "mjcf_robot.h"
+#include "xml_editing.h"
 #include "xml_writing.h"
 
 #include <Eigen/Eigenvalues>
@@ -201,20 +202,20 @@ bool put_actuator(XMLElement& element, const ActuatorSpec& actuator, double refe
 
 WrittenRobot write_mjcf(const RobotToWrite& robot) {
   WrittenRobot written;
-  tinyxml2::XMLDocument document;
   if (robot.original) {
     File file;
     const ReadRobot read = read_robot(*robot.original, file);
     written.problems = read.problems;
     if (!written.problems.empty()) return written;
-    const std::string readable = robot_files::without_late_declarations(robot.original->text);
-    document.Parse(readable.data(), readable.size());
-    FileEditor(robot.robot, file, read.robot).edit(*document.RootElement());
-  } else {
-    XMLElement* root = document.NewElement("mujoco");
-    document.InsertEndChild(root);
-    make_file(robot.robot, *root, written.remarks);
+    robot_files::XmlEditing editing(robot_files::without_late_declarations(robot.original->text));
+    FileEditor(robot.robot, file, read.robot).edit(*editing.document().RootElement());
+    written.text = editing.text(robot.comment);
+    return written;
   }
+  tinyxml2::XMLDocument document;
+  XMLElement* root = document.NewElement("mujoco");
+  document.InsertEndChild(root);
+  make_file(robot.robot, *root, written.remarks);
   written.text = text_of(document, robot.comment);
   return written;
 }

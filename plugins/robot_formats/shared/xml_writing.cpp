@@ -1,7 +1,9 @@
 #include "xml_writing.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <string_view>
 
 namespace lacuna::robot_files {
 namespace {
@@ -34,6 +36,20 @@ std::string comment_text(const std::string& text) {
 tinyxml2::XMLElement& child_of(tinyxml2::XMLElement& parent, const char* name) {
   if (tinyxml2::XMLElement* child = parent.FirstChildElement(name)) return *child;
   return *parent.InsertNewChildElement(name);
+}
+
+std::string with_head_comment(std::string head, const std::string& comment) {
+  constexpr std::string_view kBegin = "<!--", kEnd = "-->";
+  for (std::size_t at = head.find(kBegin); at != head.npos; at = head.find(kBegin, at)) {
+    std::size_t end = std::min(head.find(kEnd, at), head.size() - kEnd.size()) + kEnd.size();
+    if (head.substr(at, end - at).find(kMark) == head.npos) {
+      at = end;
+      continue;
+    }
+    if (end < head.size() && head[end] == '\n') ++end;
+    head.erase(at, end - at);
+  }
+  return comment.empty() ? head : head + "<!--" + comment_text("\n" + comment) + "-->\n";
 }
 
 std::string text_of(tinyxml2::XMLDocument& document, const std::string& comment) {

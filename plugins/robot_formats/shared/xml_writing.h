@@ -20,6 +20,9 @@ std::string comment_text(const std::string& text);
 /// The child of that name, made where there is none.
 tinyxml2::XMLElement& child_of(tinyxml2::XMLElement& parent, const char* name);
 
+/// What stands before the root of a document, with `comment` at its end, in place of one of an earlier export.
+std::string with_head_comment(std::string head, const std::string& comment);
+
 /// The document as text, with `comment` before its root.
 std::string text_of(tinyxml2::XMLDocument& document, const std::string& comment);
 

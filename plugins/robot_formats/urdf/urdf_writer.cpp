@@ -3,6 +3,7 @@
 #include "inertia_repair.h"
 #include "urdf_elements.h"
 #include "urdf_robot.h"
+#include "xml_editing.h"
 #include "xml_element.h"
 #include "xml_writing.h"
 
@@ -110,8 +111,8 @@ class FileEditor {
 
 WrittenRobot write_urdf(const RobotToWrite& robot) {
   WrittenRobot written;
-  tinyxml2::XMLDocument document;
   if (!robot.original) {
+    tinyxml2::XMLDocument document;
     document.InsertFirstChild(document.NewDeclaration());
     XMLElement* root = document.NewElement("robot");
     document.InsertEndChild(root);
@@ -123,10 +124,9 @@ WrittenRobot write_urdf(const RobotToWrite& robot) {
   const ReadRobot read = robot_of(file, robot.original->base);
   written.problems = read.problems;
   if (!written.problems.empty()) return written;
-  const std::string readable = robot_files::without_late_declarations(robot.original->text);
-  document.Parse(readable.data(), readable.size());
-  FileEditor(robot, file, read.robot).edit(*document.RootElement());
-  written.text = text_of(document, robot.comment);
+  robot_files::XmlEditing editing(robot_files::without_late_declarations(robot.original->text));
+  FileEditor(robot, file, read.robot).edit(*editing.document().RootElement());
+  written.text = editing.text(robot.comment);
   return written;
 }
 
