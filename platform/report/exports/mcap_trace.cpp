@@ -20,7 +20,7 @@ std::string schema_of(const NamedTrace& trace, const TraceChannel& channel) {
     const std::string& label = trace.parts[place.part].label;
     properties[label] = {
         {"type", "number"},
-        {"description", fmt::format("{}, {} in {}", channel.channel.name, label, channel.channel.unit)}};
+        {"description", fmt::format("{} {} in {}", label, channel.channel.name, channel.channel.unit)}};
   }
   return nlohmann::ordered_json{{"type", "object"}, {"properties", properties}}.dump();
 }
