@@ -22,7 +22,8 @@ std::string schema_of(const NamedTrace& trace, const TraceChannel& channel) {
         {"type", "number"},
         {"description", fmt::format("{} {} in {}", label, channel.channel.name, channel.channel.unit)}};
   }
-  return nlohmann::ordered_json{{"type", "object"}, {"properties", properties}}.dump();
+  return nlohmann::ordered_json{{"type", "object"}, {"properties", properties}}.dump(
+      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::vector<McapChannel> topics_of(const NamedTrace& trace, const std::vector<TraceChannel>& channels) {
