@@ -26,7 +26,7 @@ void append_bits(std::string& bytes, Number number) {
 }
 
 void append_cell(std::string& bytes, const Cell& cell) {
-  const auto append_text = [&](const std::string& text) {
+  const auto put_text = [&](const std::string& text) {
     bytes += static_cast<char>(Tag::text);
     append_bits(bytes, text.size());
     bytes += text;
@@ -38,9 +38,9 @@ void append_cell(std::string& bytes, const Cell& cell) {
     bytes += static_cast<char>(Tag::real);
     append_bits(bytes, *real);
   } else if (const auto* text = std::get_if<std::string>(&cell)) {
-    append_text(*text);
+    put_text(*text);
   } else if (const auto* blob = std::get_if<Blob>(&cell)) {
-    append_text(cell_text(*blob));
+    put_text(cell_text(*blob));
   } else {
     bytes += static_cast<char>(Tag::nothing);
   }

@@ -10,7 +10,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
+constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
 /// Records by their opcodes.
 enum class Opcode : char {
@@ -82,7 +82,7 @@ McapWriter::McapWriter(std::ostream& stream, std::vector<McapChannel> channels, 
   std::string content;
   append_text(content, "");  // no profile
   append_text(content, "lacuna");
-  write(kMagic);
+  write(kMcapMagic);
   write(record(Opcode::header, content));
   chunk_ = records_of(channels_);
 }
@@ -191,7 +191,7 @@ void McapWriter::finish() {
   append_number(end, 0, 8);  // no offsets of groups
   append_number(end, checksum_of(end), 4);
   write(end);
-  write(kMagic);
+  write(kMcapMagic);
 }
 
 }  // namespace lacuna

@@ -13,7 +13,7 @@
 namespace lacuna {
 namespace {
 
-constexpr std::string_view kMagic{"\x93NUMPY\x01\x00", 8};
+constexpr std::string_view kNpyMagic{"\x93NUMPY\x01\x00", 8};
 constexpr std::size_t kAlignment = 64;  ///< of the first number, bytes
 constexpr std::int64_t kMostWholeReal = std::int64_t{1} << 53;
 constexpr int kCharacter = 4;               ///< bytes
@@ -57,10 +57,10 @@ std::string NpyColumn::header() const {
                                   : type() == Type::real ? "<f8"
                                                          : fmt::format("<U{}", longest());
   std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},), }}", description, count_);
-  const std::size_t before = kMagic.size() + 2 + text.size() + 1;
+  const std::size_t before = kNpyMagic.size() + 2 + text.size() + 1;
   text.append((kAlignment - before % kAlignment) % kAlignment, ' ');
   text += '\n';
-  std::string header(kMagic);
+  std::string header(kNpyMagic);
   append_number(header, text.size(), 2);
   return header + text;
 }

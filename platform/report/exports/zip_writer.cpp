@@ -22,7 +22,7 @@ struct Checked {
   std::uint32_t checksum = 0;
 };
 
-Checked measured(const ZipWriter::Content& content) {
+Checked checked(const ZipWriter::Content& content) {
   Checked found;
   uLong sum = crc32_z(0, nullptr, 0);
   content([&](std::string_view piece) {
@@ -124,7 +124,7 @@ void ZipWriter::write(std::string_view bytes) {
 }
 
 void ZipWriter::add(const std::string& name, const Content& content) {
-  const auto found = measured(content);
+  const auto found = checked(content);
   const std::uint64_t start = place_;
   const bool is_long = found.size > most_in_32_ || start > most_in_32_;
   write(local_header(name, found, is_long));
