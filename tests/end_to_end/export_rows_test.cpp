@@ -189,6 +189,11 @@ TEST_F(ExportedRows, GoThroughAPipe) {
   EXPECT_EQ(piped.exit_code, 0) << piped.errors;
   done({"export", "first-steps.db", "chirp.csv", "named.npz"});
   EXPECT_EQ(program_.read("piped.npz"), program_.read("named.npz"));
+  if (program_.shell("command -v script").exit_code != 0) GTEST_SKIP() << "there is no script to make a terminal";
+  const Outcome terminal =
+      program_.shell("script -qec 'lacuna export first-steps.db chirp.csv --npz' /dev/null </dev/null");
+  EXPECT_EQ(terminal.exit_code, 2);
+  EXPECT_THAT(terminal.output, HasSubstr("bytes that are no text"));
 }
 
 }  // namespace
