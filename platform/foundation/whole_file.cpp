@@ -252,6 +252,12 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, missing) || place_of(a) == place_of(b);
 }
 
+bool is_replaceable(const fs::path& file) {
+  const fs::path target = end_of_links(file);
+  std::error_code none;
+  return fs::is_regular_file(target, none) && !is_written_directly(target);
+}
+
 std::optional<std::string> why_not_writable(const fs::path& file) {
   const fs::path target = end_of_links(file);
   if (is_circle(target)) return kCircleOfLinks;

@@ -74,6 +74,9 @@ std::filesystem::path place_of(const std::filesystem::path& file);
 /// Whether two names lead to one file, which need not be there yet.
 bool are_one_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
+/// Whether a file is there whose place a `WholeFile` with followed links would take.
+bool is_replaceable(const std::filesystem::path& file);
+
 /// Why a file that the user named could not be written, for a check before long work; nothing if it can.
 std::optional<std::string> why_not_writable(const std::filesystem::path& file);
 /// The same for new files in a folder that is there.

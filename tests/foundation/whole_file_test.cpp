@@ -249,6 +249,18 @@ TEST_F(WholeFileTest, PublishesAsNewOnlyWhereThereIsNothing) {
   EXPECT_EQ(read_bytes(folder_ / "fresh.json"), "new\n");
 }
 
+TEST_F(WholeFileTest, TellsWhetherAFileWouldBeReplaced) {
+  fs::create_symlink(file_, folder_ / "link");
+  EXPECT_TRUE(is_replaceable(file_));
+  EXPECT_TRUE(is_replaceable(folder_ / "link"));
+  EXPECT_FALSE(is_replaceable(folder_ / "fresh.json"));
+  EXPECT_FALSE(is_replaceable(folder_.path()));
+  EXPECT_FALSE(is_replaceable("/dev/null"));
+  EXPECT_THROW(write_whole(file_, "new\n", Link::followed, Existing::refused), Error);
+  EXPECT_EQ(read_bytes(file_), "old\n");
+  write_whole("/dev/null", "new\n", Link::followed, Existing::refused);
+}
+
 TEST_F(WholeFileTest, SaysWhereNothingCanBeWritten) {
   EXPECT_THROW(write_whole(folder_ / "no/such.json", "new\n", Link::followed), Error);
   EXPECT_THROW(write_whole(folder_.path(), "new\n", Link::followed), Error);

@@ -41,7 +41,9 @@ void export_robot_files(const ExportOptions& options) {
   if (options.mjcf) wanted.files.push_back({"mjcf", *options.mjcf});
   if (options.toml) wanted.files.push_back({"toml", *options.toml});
   if (wanted.files.empty())
-    throw_problem({}, "say what to write: --toml robot.toml, --urdf robot.urdf, --mjcf robot.xml");
+    throw_problem({},
+                  "say what to write: --toml robot.toml, --urdf robot.urdf, --mjcf robot.xml; or of a database, a view "
+                  "or a trial: lacuna export DATABASE VIEW --csv");
   export_robots(options, wanted);
 }
 

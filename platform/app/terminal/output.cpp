@@ -110,8 +110,7 @@ void check_output(const std::optional<std::string>& option, const std::optional<
 
 void check_new_output(const std::optional<std::string>& option, Existing existing) {
   check_output(option);
-  std::error_code ignored;
-  if (option && existing == Existing::refused && fs::is_regular_file(*option, ignored))
+  if (option && !option->empty() && existing == Existing::refused && is_replaceable(*option))
     refuse(*option, "exists already; name another file, or replace it with --force");
 }
 
