@@ -42,9 +42,15 @@ double norm(const std::vector<double>& values) {
 class Told {
  public:
   explicit Told(const SearchResult& found) : found_(found), base_(found.sets.front()), answer_(found.answer()) {
-    if (!found.stopped) law_ = residual_law(found, found.spread ? *found.spread : found.sets[found.decision.best]);
-    if (has_answer() && ends_library()) lacking_ = residual_law(found, base_);
-    if (!lacking_.is_present) lacking_ = law_;
+    if (found.stopped) return;
+    const FittedModel& best = found.spread ? *found.spread : found.sets[found.decision.best];
+    law_ = lacking_ = residual_law(found, best);
+    if (!has_answer()) return;
+    const ResidualLaw instead = residual_law(found, base_, &best);
+    if (is_more_than_remainder(instead) && !(is_more_than_remainder(law_) && law_.share > instead.share))
+      law_ = lacking_ = instead;
+    else if (ends_library())
+      lacking_ = of_model();
   }
 
   Diagnosis diagnosis() const {
@@ -73,8 +79,17 @@ class Told {
  private:
   bool has_answer() const { return found_.decision.answer != 0; }
 
+  static bool is_more_than_remainder(const ResidualLaw& law) {
+    return law.is_present && law.share > kMostLeft && !law.is_minor;
+  }
+
   /// Whether what no effect explains is more than a remainder beside an answer.
-  bool ends_library() const { return law_.is_present && (!has_answer() || (law_.share > kMostLeft && !law_.is_minor)); }
+  bool ends_library() const { return has_answer() ? is_more_than_remainder(law_) : law_.is_present; }
+
+  ResidualLaw of_model() const {
+    const ResidualLaw law = residual_law(found_, base_);
+    return law.is_present ? law : law_;
+  }
 
   Verdict verdict(double base_times_floor) const {
     if (ends_library()) return Verdict::not_in_library;
@@ -214,7 +229,7 @@ class Told {
   const SearchResult& found_;
   const FittedModel& base_;
   const FittedModel& answer_;
-  ResidualLaw law_;      ///< beside the answer, or the best set
+  ResidualLaw law_;      ///< beside the answer, or the best set, or instead of it
   ResidualLaw lacking_;  ///< the same, but of the model as it is where the library ends
 };
 

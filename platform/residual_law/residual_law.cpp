@@ -22,17 +22,16 @@ struct BestLaw {
   double p = 1.0;
 
   const CandidateSet& judged() const { return law->judged; }
-  const CandidateSet& without() const { return joint->plain().judged; }
 };
 
-BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints) {
+BestLaw best_law(const std::vector<std::unique_ptr<JointLaws>>& joints, const CandidateSet* rival) {
   BestLaw best;
   double most = 0.0;
   std::vector<Eigen::VectorXd> gains;
   for (const std::unique_ptr<JointLaws>& joint : joints)
     for (const FittedLaw& law : joint->laws()) {
       if (joint->drives(law)) continue;
-      gains.push_back(joint->plain().judged.cost.by_block() - law.judged.cost.by_block());
+      gains.push_back((rival ? *rival : joint->plain().judged).cost.by_block() - law.judged.cost.by_block());
       const double gain = gains.back().sum();
       if (!best.law || gain > most) best = {joint.get(), &law, 1.0}, most = gain;
     }
@@ -56,7 +55,7 @@ double most_left(const PredictionLadder& ladder, const LinearPrediction& linear)
 
 }  // namespace
 
-ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside) {
+ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* rival) {
   ResidualLaw result;
   const SearchData& data = *found.data;
   if (data.plain().definition.structure.robot.contact.ground) return result;
@@ -71,19 +70,19 @@ ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside) {
   std::vector<std::unique_ptr<JointLaws>> joints;
   for (const JointCourse& course : courses)
     joints.push_back(std::make_unique<JointLaws>(data, beside, ladder, *linear, course));
-  const BestLaw best = best_law(joints);
+  const BestLaw best = best_law(joints, rival ? &rival->judged : nullptr);
   if (!best.law) return result;
+  const CandidateSet& over = rival ? rival->judged : best.joint->plain().judged;
   result.p = best.p;
-  result.gain = gain_of(best.judged(), best.without());
+  result.gain = gain_of(best.judged(), over);
   result.joint = best.joint->course().joint;
   result.kind = best.law->kind;
   const double of_law = std::max(0.0, result.gain.nats);
-  const double of_set = std::max(0.0, gain_of(beside.judged, found.sets.front().judged).nats);
+  const double of_set = std::max(0.0, gain_of(rival ? rival->judged : beside.judged, found.sets.front().judged).nats);
   result.share = of_law > 0.0 ? of_law / (of_set + of_law) : 0.0;
-  result.is_minor = is_minor(best.judged(), best.without(), found.sets.front().judged, of_set + of_law);
+  result.is_minor = is_minor(best.judged(), over, found.sets.front().judged, of_set + of_law);
   result.is_present = result.p < kPresent && result.gain.is_told() && result.share > kLeastShare &&
-                      gain_elsewhere(best.judged(), best.without()).is_told() &&
-                      largest_gain(best.judged(), best.without()) > kWorthNaming;
+                      gain_elsewhere(best.judged(), over).is_told() && largest_gain(best.judged(), over) > kWorthNaming;
   if (!result.is_present) return result;
   result.curves = best.joint->curves();
   result.formulas = best.joint->formulas(of_law);

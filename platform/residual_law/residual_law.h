@@ -12,9 +12,9 @@ namespace lacuna {
 struct ResidualLaw {
   bool is_present = false;
   double p = 1.0;                      ///< how often chance alone would gain as much as the best law does
-  CostGain gain;                       ///< over the answer
-  double share = 0.0;                  ///< of all that answer and law gain together
-  bool is_minor = true;                ///< beside what `beside` explains (criterion/decision.h)
+  CostGain gain;                       ///< over `beside`, or over `rival`
+  double share = 0.0;                  ///< of all that this set and the law gain together
+  bool is_minor = true;                ///< beside what this set explains (criterion/decision.h)
   std::string joint;                   ///< on which it acts, without "joint."
   std::string kind;                    ///< what it goes with: "position and velocity"
   std::vector<ForceCurve> curves;      ///< over each quantity that alone gains more than its error
@@ -25,10 +25,11 @@ struct ResidualLaw {
 /// the search and at its answer's own lengths, cross-fitted as it is, beside one of its sets, where the recordings hold
 /// eight times the shortest length. Present: signs with the
 /// maximum over all laws below 5 %, more than its error, at more than one length, a twentieth of all that is gained,
-/// and a twentieth of the error at one length. Laws of the velocity that add energy to the joint are rejected.
+/// and a twentieth of the error at one length. Laws of the velocity that add energy to the joint are rejected. With a
+/// `rival` all this is asked of what the laws gain over that set instead: whether a law explains more than it.
 ///
 /// The formula: sparse regression over candidate terms (S. L. Brunton, J. L. Proctor and J. N. Kutz, PNAS 113 (2016)
 /// 3932-3937), here through the model's own responses, so that nothing is differentiated.
-ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside);
+ResidualLaw residual_law(const SearchResult& found, const FittedModel& beside, const FittedModel* rival = nullptr);
 
 }  // namespace lacuna
