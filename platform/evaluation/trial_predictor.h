@@ -74,7 +74,7 @@ class TrialPredictor {
   /// model's, then by how much later commands act where that is fitted; a controller's own commands keep their time.
   /// `worker` names the workspace, one a thread. A simulation that fails makes the prediction invalid;
   /// arguments that do not fit throw `Error`. With a warm-up, the simulation begins there and goes on from `start`
-  /// where the stretch begins.
+  /// where the stretch begins; coordinates that are NaN there go on as the warm-up leaves them.
   void predict(const Stretch& stretch, std::span<const double> values, const StartState& start, int worker,
                Prediction& prediction, const WarmUp* warm_up = nullptr) const;
 

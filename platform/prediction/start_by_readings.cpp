@@ -7,9 +7,8 @@ namespace lacuna {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr double kNudge = 1e-4;      ///< rad or m, by which the slope of a reading is found
-constexpr double kSame = 1e-9;       ///< of a reading, rad or m: the model changes nothing of it
-constexpr double kOfLateness = 1.2;  ///< that a warm-up takes
+constexpr double kNudge = 1e-4;  ///< rad or m, by which the slope of a reading is found
+constexpr double kSame = 1e-9;   ///< of a reading, rad or m: the model changes nothing of it
 constexpr double kFlattest = 0.2, kSteepest = 5.0;
 
 /// A model's first reading of one coordinate.
@@ -57,14 +56,19 @@ bool follow_reading(const ReadStart& read, const StartStates::Reading& reading, 
   return true;
 }
 
-/// A warm-up no longer than the readings need that are late, that arrives about where the stretch starts: what is read
-/// first of all happened in it.
+/// The last sample before what is read first of all happened, so that it is predicted from no later reading.
+Eigen::Index before_it_happened(const ReadStart& read, const std::vector<double>& lateness, Eigen::Index earliest) {
+  const Eigen::VectorXd& times = read.predictor.trials()[read.stretch.trial].measured.times;
+  const double begin = times(read.stretch.first) - *std::max_element(lateness.begin(), lateness.end());
+  Eigen::Index at = read.stretch.first - 1;
+  while (at > earliest && times(at) > begin) --at;
+  return at;
+}
+
+/// A warm-up that begins at a sample, and arrives about where the stretch starts.
 void lead_to(const StartState& start, const ReadStart& read, const std::vector<double>& lateness, WarmUp& warm_up) {
   const std::size_t trial = read.stretch.trial;
   const Eigen::VectorXd& times = read.predictor.trials()[trial].measured.times;
-  const double longest = *std::max_element(lateness.begin(), lateness.end());
-  const double begin = times(read.stretch.first) - kOfLateness * std::max(0.0, longest);
-  while (warm_up.first + 2 < read.stretch.first && times(warm_up.first + 1) < begin) ++warm_up.first;
   const auto late_start_at = [&](Eigen::Index sample) {
     StartState late = read.starts.at(trial, sample).start;
     read.starts.move_later(trial, sample, lateness, late);
@@ -79,6 +83,19 @@ void lead_to(const StartState& start, const ReadStart& read, const std::vector<d
     const double faster = component(start, n + c) - component(there, n + c);
     set_component(warm_up.start, c, component(warm_up.start, c) + further - seconds * faster);
     set_component(warm_up.start, n + c, component(warm_up.start, n + c) + faster);
+  }
+}
+
+/// Coordinates that are late by half an interval and more go on from the warm-up.
+void leave_to_warm_up(const ReadStart& read, const std::vector<double>& lateness, StartState& start) {
+  const StartStates& states = read.starts.states();
+  const Eigen::VectorXd& times = read.predictor.trials()[read.stretch.trial].measured.times;
+  const double interval = times(read.stretch.first) - times(read.stretch.first - 1);
+  for (const int c : states.outward()) {
+    const auto& reading = states.position_reading(read.stretch.trial, c);
+    if (!reading || !(lateness[static_cast<std::size_t>(reading->channel)] > 0.5 * interval)) continue;
+    set_component(start, c, std::nan(""));
+    set_component(start, states.coordinates() + c, std::nan(""));
   }
 }
 
@@ -100,9 +117,11 @@ ChangedStart start_by_readings(const ReadStart& read, const StartState& start, P
         changed.reads_backwards |= !follow_reading(read, *reading, coordinate, start, changed.start, prediction);
     }
   if (std::all_of(lateness.begin(), lateness.end(), [](double late) { return late == 0.0; })) return changed;
-  // Where a recording begins, too: what is read there first came before it, but the rest follows from where it is.
   read.starts.move_later(read.stretch.trial, read.stretch.first, lateness, changed.start);
-  if (changed.warm_up) lead_to(changed.start, read, lateness, *changed.warm_up);
+  if (!changed.warm_up) return changed;
+  changed.warm_up->first = before_it_happened(read, lateness, changed.warm_up->first);
+  lead_to(changed.start, read, lateness, *changed.warm_up);
+  leave_to_warm_up(read, lateness, changed.start);
   return changed;
 }
 

@@ -51,7 +51,8 @@ struct SimulationOptions {
   /// Where to start: a saved state, or else joint coordinates at `start_time`.
   const State* from = nullptr;
   StartState start;
-  /// Where the coordinates go on from at `restart_time`, all that has a memory as it is by then; null: nowhere.
+  /// Where the coordinates go on from at `restart_time`, all that has a memory as it is by then; null: nowhere. Those
+  /// that are NaN go on as they are.
   const StartState* restart = nullptr;
   double restart_time = 0.0;  ///< s, on a step
   double start_time = 0.0;    ///< s; commands are functions of the same clock; a saved state has its own

@@ -78,6 +78,13 @@ TEST(SensorDelay, IsFoundInPredictionsThatBeginInTheMiddle) {
   }
 }
 
+/// A late model must not predict over a shorter time than others: random forces disturb longer predictions more.
+TEST(SensorDelay, IsNotFoundWhereRandomForcesAct) {
+  const Diagnosis diagnosis =
+      diagnosed({.inertia = 0.03, .damping = 0.02, .disturbance = 0.05}, {"sensor_delay", "sensor_lag"}, {});
+  EXPECT_NE(diagnosis.verdict, Verdict::effect_found);
+}
+
 /// A drive that is late, of recordings that begin with a step from rest.
 const PendulumTruth kLateDrive = {.inertia = 0.03, .damping = 0.02, .delay = 0.024, .before = 0.0};
 

@@ -41,6 +41,7 @@ class EngineWorkspace : public Workspace {
   SensorBank sensors;
   Drive drive;
   std::unique_ptr<RobotMotion> motion;
+  StartState restart;                                          // without what goes on as it is
   std::vector<double> commands, last_commands, command_rates;  // per actuator, as its law gets it
   std::vector<double> readings_before, output_row;             // per channel
 

@@ -177,13 +177,25 @@ void Run::advance() {
   std::copy(ws_.commands.begin(), ws_.commands.end(), ws_.last_commands.begin());
   ++step_;
   ++result_.steps;
-  if (options_.restart && std::abs(time(step_) - options_.restart_time) < 0.5 * h_)
-    ws_.motion->begin(*options_.restart);
+  if (options_.restart && std::abs(time(step_) - options_.restart_time) < 0.5 * h_) restart();
   if (options_.record_centre_of_mass) {
     centre_before_ = centre_;
     centre_ = ws_.motion->centre_of_mass();
   }
   sense(time(step_));
+}
+
+void Run::restart() {
+  const StepView& view = ws_.motion->look(time(step_), false);
+  StartState& start = ws_.restart;
+  start = *options_.restart;
+  const auto keep = [](std::span<const double> now, std::vector<double>& values) {
+    for (std::size_t c = 0; c < values.size(); ++c)
+      if (std::isnan(values[c])) values[c] = now[c];
+  };
+  keep(view.positions, start.positions);
+  keep(view.velocities, start.velocities);
+  ws_.motion->begin(start);
 }
 
 void Run::add_loads(const StepView& view, double length, StepLoads& loads) {

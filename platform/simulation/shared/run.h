@@ -24,6 +24,7 @@ class Run : private LoadSource {
   void record_lateness();
   void begin_at_coordinates();
   void recall_commands();
+  void restart();
   void advance();
   void add_loads(const StepView& view, double length, StepLoads& loads) override;
   void advance(const StepView& view, double length) override;
