@@ -74,7 +74,10 @@ void choose_format(const ExportOptions& options, RowsExport& wanted) {
 
 void export_of_database(const ExportOptions& options) {
   refuse_experiment_as_database(options.experiment.string());
-  RowsExport wanted{.database = options.experiment, .what = options.what, .revision = options.revision};
+  RowsExport wanted;
+  wanted.database = options.experiment;
+  wanted.what = options.what;
+  wanted.revision = options.revision;
   wanted.existing = options.existing();
   wanted.quiet = options.quiet;
   if (!options.what.empty()) choose_format(options, wanted);
@@ -105,8 +108,7 @@ void add_robot_options(CLI::App& command, ExportOptions& options) {
 void add_row_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("what", options.what,
-                  "With a database: the view, the table or the trial to write; of a trial its readings beside their "
-                  "prediction")
+                  "With a database: a view, a table, or a trial, whose readings stand beside their prediction")
       ->option_text("WHAT");
   command.add_option("out", options.out, "With a database: the file to write (default: standard output)")
       ->option_text("OUT");
