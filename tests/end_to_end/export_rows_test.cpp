@@ -50,14 +50,14 @@ TEST_F(ExportedRows, OfAViewAreThoseOfSql) {
   EXPECT_EQ(program_.read("values.csv"), done({sql[0], sql[1], sql[2], "--csv"}).output);
   EXPECT_EQ(done({"export", "first-steps.db", "fitted_parameters", "--json"}).output,
             done({sql[0], sql[1], sql[2], "--json"}).output);
-  EXPECT_EQ(done({"export", "first-steps.db", "fitted_parameters", "values.jsonl"}).output,
+  EXPECT_EQ(done({"export", "first-steps.db", "fitted_parameters", "values.jsonl"}).errors,
             "values.jsonl  3 rows of fitted_parameters\n");
   EXPECT_EQ(nlohmann::json::parse(program_.read("values.jsonl").substr(0, program_.read("values.jsonl").find('\n'))),
             nlohmann::json::parse(done({"export", "first-steps.db", "fitted_parameters", "--json"}).output).at(0));
 }
 
 TEST_F(ExportedRows, OfATrialHaveMeasuredBesidePredicted) {
-  EXPECT_EQ(done({"export", "first-steps.db", "chirp.csv", "--csv=trace.csv"}).output,
+  EXPECT_EQ(done({"export", "first-steps.db", "chirp.csv", "--csv=trace.csv"}).errors,
             "trace.csv  chirp.csv of first-steps: measured and predicted by revision 1\n");
   EXPECT_THAT(program_.read("trace.csv"), StartsWith("time [s],angle measured [rad],angle predicted [rad]\n0,"));
   const std::string samples =
@@ -160,7 +160,7 @@ TEST_F(ExportedRows, AreOfADatabase) {
 TEST_F(ExportedRows, OfAFullDiskLeaveNoFile) {
   const std::size_t before = files();
   for (const std::string name : {"trace.csv", "trace.npz", "trace.mcap"}) {
-    const Outcome outcome = program_.shell("ulimit -f 8; lacuna export first-steps.db chirp.csv " + name);
+    const Outcome outcome = program_.shell("ulimit -f 80; lacuna export first-steps.db chirp.csv " + name);
     EXPECT_EQ(outcome.exit_code, 1) << outcome.errors;
     EXPECT_THAT(outcome.errors, AllOf(HasSubstr(name + ": cannot be written to its end"), HasSubstr("disk not full")));
   }

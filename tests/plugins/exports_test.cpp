@@ -27,7 +27,7 @@ NamedTrace some_trace() {
   measured.channels = {{"angle", "rad"}, {"rate", "rad/s"}};
   measured.times = Eigen::Vector4d(0.0, 0.1, 0.2 + 1e-9, 1.0 / 3.0);
   measured.samples.resize(4, 2);
-  measured.samples << 0.1, kNone, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 2.0, 0.30000000000000004, -0.0;
+  measured.samples << 0.1, kNone, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 2.0, 0.30000000000000004, -1e-320;
   predicted.channels = {{"angle", "rad"}};
   predicted.times = Eigen::Vector3d(0.0, 0.2 + 1e-9, 1.0 / 3.0);
   predicted.samples.resize(3, 1);
@@ -51,7 +51,7 @@ const std::vector<std::string> kColumns = {"time [s]", "angle measured [rad]", "
 const std::vector<std::vector<double>> kValues = {{0.0, 0.1, 0.2 + 1e-9, 1.0 / 3.0},
                                                   {0.1, -1.0 / 3.0, 1.7976931348623157e308, 0.30000000000000004},
                                                   {static_cast<double>(0.1F), kNone, 1e22, kNone},
-                                                  {kNone, 5e-324, 2.0, -0.0}};
+                                                  {kNone, 5e-324, 2.0, -1e-320}};
 
 class Exports : public testing::Test {
  protected:
@@ -101,7 +101,7 @@ TEST_F(Exports, AsMcapComeBackBitByBitAtTimesToTheNanosecond) {
   expect_same_bits(format.column(file, "time", "/angle"), kValues[0]);
   expect_same_bits(format.column(file, "measured", "/angle"), kValues[1]);
   expect_same_bits(format.column(file, "predicted", "/angle"), kValues[2]);
-  expect_same_bits(format.column(file, "measured", "/rate"), {5e-324, 2.0, -0.0});
+  expect_same_bits(format.column(file, "measured", "/rate"), {5e-324, 2.0, -1e-320});
   EXPECT_THAT(format.column(file, "t", "/angle"), ElementsAre(0.0, 0.1, 0.200000001, 0.333333333));
 }
 

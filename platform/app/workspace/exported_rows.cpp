@@ -65,8 +65,9 @@ void write_to(const RowsExport& wanted, const std::function<void(std::ostream&)>
   wanted.existing == Existing::refused ? file.publish_as_new() : file.publish();
 }
 
+/// On standard error, which no rows go to.
 void tell(const RowsExport& wanted, const std::string& what) {
-  if (!wanted.to.empty() && !wanted.quiet) fmt::print("{}  {}\n", plain_text(wanted.to), plain_text(what));
+  if (!wanted.to.empty() && !wanted.quiet) fmt::print(stderr, "{}  {}\n", plain_text(wanted.to), plain_text(what));
 }
 
 void write_table(const Database& database, const RowsExport& wanted) {
@@ -83,7 +84,7 @@ void write_table(const Database& database, const RowsExport& wanted) {
   tell(wanted, fmt::format("{} {} of {}", rows, rows == 1 ? "row" : "rows", wanted.what));
 }
 
-/// "angle measured, predicted by revision 2".
+/// "measured and predicted by revision 2".
 std::string parts_text(const NamedTrace& trace) {
   std::vector<std::string> labels;
   for (const NamedTrace::Part& part : trace.parts) labels.push_back(part.label);
