@@ -131,7 +131,7 @@ void add_export_command(CLI::App& program) {
   add_row_options(*command, *options);
   command
       ->add_option("--revision", options->revision,
-                   "Revision whose robot, or whose prediction, is written (default: the newest)")
+                   "Revision whose robot or prediction is written (default: the current robot, the newest prediction)")
       ->option_text("N");
   command->add_flag("--force", options->force, "Replace files that are there");
   command->callback([command, options] { run_export(*command, *options); });
