@@ -1,12 +1,14 @@
 #include "app/terminal/progress_line.h"
 
 #include "app/runs/run_display.h"
+#include "app/terminal/json_messages.h"
 #include "fitting/progress_meter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace lacuna {
 namespace {
@@ -68,6 +70,57 @@ TEST(ProgressLine, PrintsPlainLinesWhereStandardErrorIsNoTerminal) {
   EXPECT_EQ(printed(false, 0s), "screening · 25 %\nrefits of candidates · 50 % · 1 min 15 s left\n");
   EXPECT_EQ(printed(false, 1h), "");
   EXPECT_EQ(printed(true, 0s), "");
+}
+
+/// Set for one test.
+class MessageForm {
+ public:
+  explicit MessageForm(const char* form) { setenv("LACUNA_MESSAGES", form, 1); }
+  ~MessageForm() { unsetenv("LACUNA_MESSAGES"); }
+  MessageForm(const MessageForm&) = delete;
+  MessageForm& operator=(const MessageForm&) = delete;
+};
+
+TEST(JsonMessages, AreTextUnlessTheVariableSaysJson) {
+  EXPECT_FALSE(messages_are_json());
+  const MessageForm unknown("xml");
+  try {
+    messages_are_json();
+    FAIL() << "an unknown form was taken";
+  } catch (const BadInput& bad) {
+    EXPECT_THAT(bad.what(), testing::HasSubstr("set it to json or text"));
+  }
+}
+
+TEST(JsonMessages, ShowProgressAsJson) {
+  const MessageForm json("json");
+  testing::internal::CaptureStderr();
+  {
+    LinePacer never(1h), always(0s);
+    ProgressLine line(false, never, always);
+    line.show({"screening", 0.25});
+    ProgressLine(true, never, always).show({"not shown", 0.5});
+    line.show({"refits of \"candidates\"", 0.5, 75.5});
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            R"({"progress":{"phase":"screening","fraction":0.25,"seconds_left":null}})"
+            "\n"
+            R"({"progress":{"phase":"refits of \"candidates\"","fraction":0.5,"seconds_left":75.5}})"
+            "\n");
+}
+
+TEST(JsonMessages, GiveEachProblemALineWithItsPlace) {
+  ProblemList problems;
+  problems.add_of_key({"rig.toml", 7, 3}, "engine.step", "must be above 0");
+  problems.add({}, "a sentence\nof two lines");
+  const BadInput bad(problems.all());
+  EXPECT_EQ(
+      problem_messages(bad),
+      R"({"problem":{"file":"rig.toml","line":7,"column":3,"key":"engine.step","message":"engine.step: must be above 0"}})"
+      "\n"
+      R"({"problem":{"file":"","line":0,"column":0,"key":"","message":"a sentence\nof two lines"}})"
+      "\n");
+  EXPECT_EQ(failure_message("the disk is full"), "{\"failure\":\"the disk is full\"}\n");
 }
 
 TEST(RunDisplay, PrintsPlainLinesWhereStandardErrorIsNoTerminal) {

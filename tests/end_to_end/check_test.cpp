@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace lacuna {
 namespace {
@@ -38,6 +39,36 @@ TEST_F(Check, SaysWhatWasRead) {
   EXPECT_THAT(outcome.output, HasSubstr("together 6003 samples, 12.0 s\n"));
   EXPECT_THAT(outcome.output, HasSubstr("angle, measured: column angle_deg in deg, -"));
   EXPECT_THAT(outcome.output, HasSubstr("motor, commanded: column torque_Nm in N*m, -"));
+}
+
+TEST_F(Check, GivesWhatWasReadAsJson) {
+  const Outcome outcome = check({"--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const nlohmann::json json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["database"], "first-steps.db");
+  EXPECT_EQ(json["robot"]["joints"], nlohmann::json({"hinge"}));
+  EXPECT_EQ(json["free"][0]["address"], "body.arm.mass");
+  EXPECT_EQ(json["trials"][2],
+            nlohmann::json({{"trial", "chirp.csv"}, {"held_out", true}, {"samples", 2001}, {"duration_s", 4.0}}));
+  EXPECT_EQ(json["channels"][0]["column_unit"], "deg");
+  EXPECT_EQ(json["channels"][0]["unit"], "rad");
+  EXPECT_GT(json["channels"][0]["largest"].get<double>(), json["channels"][0]["smallest"].get<double>());
+  EXPECT_EQ(check({"--json=read.json"}).exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(program_.read("read.json")), json);
+}
+
+TEST_F(Check, GivesProblemsAsLinesOfJsonToAProgramThatAsks) {
+  replace_line(sine_, 4, "0.004,zero,0.0");
+  const Outcome outcome = program_.shell("LACUNA_MESSAGES=json lacuna check first-steps.toml --quite");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(nlohmann::json::parse(outcome.errors)["problem"]["message"].get<std::string>(), HasSubstr("--quite"));
+  const Outcome read = program_.shell("LACUNA_MESSAGES=json lacuna check first-steps.toml");
+  EXPECT_EQ(read.exit_code, 2);
+  const nlohmann::json problem = nlohmann::json::parse(read.errors)["problem"];
+  EXPECT_THAT(problem["file"].get<std::string>(), testing::EndsWith("sine.csv"));
+  EXPECT_EQ(problem["line"], 4);
+  EXPECT_THAT(program_.shell("LACUNA_MESSAGES=yaml lacuna check first-steps.toml").errors,
+              HasSubstr("LACUNA_MESSAGES: \"yaml\" is no form of messages; set it to json or text"));
 }
 
 TEST_F(Check, NamesEveryBadPlaceOfEveryRecordingAtOnce) {

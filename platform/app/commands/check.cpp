@@ -1,6 +1,8 @@
 #include "app/commands/commands.h"
 #include "app/runs/run_summary.h"
 #include "app/terminal/options.h"
+#include "app/terminal/output.h"
+#include "app/workspace/check_json.h"
 #include "app/workspace/check_summary.h"
 #include "app/workspace/rig.h"
 #include "app/workspace/scale_note.h"
@@ -54,6 +56,7 @@ void check(const CheckOptions& options) {
     std::fputs(file_reference(options.reference).c_str(), stdout);
     return;
   }
+  check_output(options.json);
   Rig rig = open_rig(options);
   const bool recorded = rig.experiment.target.kind == "recorded";
   if (recorded)
@@ -63,8 +66,10 @@ void check(const CheckOptions& options) {
   if (!rig.left_out.empty()) rig.notes.push_back({rig.experiment.where("target.version"), rig.left_out});
   note_remarks(rig);
   const std::string summary = check_summary(rig.experiment, rig.definition, rig.trials, rig.notes);
+  const std::string json = options.json ? check_json(rig, database_of(options, rig.experiment).string()) : "";
   const std::string of_run = recorded ? "" : run_summary(EeaBench(std::move(rig)));
-  fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
+  if (!takes_standard_output(options.json)) fmt::print("{}: ok\n{}{}", options.experiment.string(), summary, of_run);
+  if (options.json) write_output(*options.json, json);
 }
 
 }  // namespace
@@ -78,6 +83,7 @@ void add_check_command(CLI::App& program) {
                                             "Print a reference of file keys instead: " + joined(file_reference_names()))
                                ->option_text("NAME")
                                ->check(CLI::IsMember(file_reference_names()));
+  add_result_option(*command, "json", options->json, "Results as JSON, to standard output or FILE");
   CLI::Option* experiment = command->get_option("experiment");
   experiment->required(false)->excludes(reference);
   command->callback([options, experiment, reference] {

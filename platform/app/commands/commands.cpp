@@ -1,5 +1,6 @@
 #include "app/commands/commands.h"
 
+#include "app/terminal/json_messages.h"
 #include "app/terminal/options.h"
 #include "app/terminal/output.h"
 #include "app/terminal/plain_streams.h"
@@ -26,6 +27,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace lacuna {
 namespace {
@@ -37,6 +39,15 @@ constexpr int kInterrupted = 75;
 int say(const char* sentence, int code) {
   std::fprintf(stderr, "%s\n", sentence);
   return code;
+}
+
+/// Also while it is said that the variable has no known value.
+bool wants_json_messages() {
+  try {
+    return messages_are_json();
+  } catch (const BadInput&) {
+    return false;
+  }
 }
 
 int say_no_memory() {
@@ -70,7 +81,11 @@ int end_of_output() {
 
 /// A long output fails while it is printed, by an exception that does not know which file it was.
 int complain(const std::exception& error, int code) {
-  return output_has_arrived() ? say(error.what(), code) : end_of_output();
+  if (!output_has_arrived()) return end_of_output();
+  if (!wants_json_messages()) return say(error.what(), code);
+  const auto* const bad = dynamic_cast<const BadInput*>(&error);
+  exact_errors() << (bad != nullptr ? problem_messages(*bad) : failure_message(error.what())) << std::flush;
+  return code;
 }
 
 /// CLI11 prints what a flag stands for without its value, as in --json{}.
@@ -130,6 +145,7 @@ int run_program(int argc, char** argv) try {
   watch_for_interrupts();
   begin_evaluation_limit();
   try {
+    messages_are_json();  // complains of LACUNA_MESSAGES before any work is done
     prepare_limits();
     dense_kernels();  // complains of LACUNA_KERNELS before any work is done
     program.parse(argc, argv);
@@ -137,8 +153,7 @@ int run_program(int argc, char** argv) try {
   } catch (const CLI::Success& help_or_version) {
     return program.exit(help_or_version) == 0 ? end_of_output() : kFailed;
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "%s\n", usage_sentence(program, error, argc, argv).c_str());
-    return kBadInput;
+    return complain(BadInput(std::vector<Problem>{{{}, usage_sentence(program, error, argc, argv)}}), kBadInput);
   } catch (const BadInput& error) {
     return complain(error, kBadInput);
   } catch (const Interrupted& error) {

@@ -1,5 +1,6 @@
 #include "app/terminal/progress_line.h"
 
+#include "app/terminal/json_messages.h"
 #include "app/terminal/plain_streams.h"
 #include "foundation/plain_text.h"
 
@@ -36,8 +37,17 @@ LinePacer& progress_pacer() {
   return pacer;
 }
 
-ProgressLine::ProgressLine(bool quiet, LinePacer& pacer)
-    : live_(!quiet && isatty(STDERR_FILENO) == 1), plain_(!quiet && !live_), pacer_(pacer) {}
+LinePacer& json_progress_pacer() {
+  static LinePacer pacer(std::chrono::milliseconds(200));
+  return pacer;
+}
+
+ProgressLine::ProgressLine(bool quiet, LinePacer& pacer, LinePacer& json_pacer)
+    : json_(!quiet && messages_are_json()),
+      live_(!quiet && !json_ && isatty(STDERR_FILENO) == 1),
+      plain_(!quiet && !json_ && !live_),
+      pacer_(pacer),
+      json_pacer_(json_pacer) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) wipe_live_line();
@@ -46,6 +56,7 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(const Progress& progress) {
   using namespace std::chrono_literals;
   const auto now = std::chrono::steady_clock::now();
+  if (json_ && json_pacer_.take(now)) exact_errors() << progress_message(progress) << std::flush;
   if (plain_ && pacer_.take(now)) fmt::print(stderr, "{}\n", progress_text(progress));
   if (!live_ || now - last_ < 100ms) return;
   last_ = now;

@@ -25,12 +25,15 @@ class LinePacer {
 
 /// The process's own, 10 s: what it does one after the other shares the interval.
 LinePacer& progress_pacer();
+/// The same for lines that a program reads, 0.2 s.
+LinePacer& json_progress_pacer();
 
 /// What is done, how far, how long still, on standard error: one live line on a terminal, which is wiped when this goes
-/// out of scope; elsewhere a plain line as often as `pacer` allows. Silent where the user asked for quiet.
+/// out of scope; elsewhere a plain line as often as `pacer` allows, or a line of JSON as often as `json_pacer` does
+/// (`messages_are_json`). Silent where the user asked for quiet.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool quiet, LinePacer& pacer = progress_pacer());
+  explicit ProgressLine(bool quiet, LinePacer& pacer = progress_pacer(), LinePacer& json_pacer = json_progress_pacer());
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -40,8 +43,8 @@ class ProgressLine {
   ProgressCallback callback();
 
  private:
-  bool live_, plain_;
-  LinePacer& pacer_;
+  bool json_, live_, plain_;
+  LinePacer &pacer_, &json_pacer_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_{};
 };

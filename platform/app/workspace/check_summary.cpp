@@ -1,5 +1,6 @@
 #include "app/workspace/check_summary.h"
 
+#include "app/workspace/channel_extent.h"
 #include "foundation/counted.h"
 #include "foundation/plain_text.h"
 #include "foundation/unit.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace lacuna {
@@ -47,11 +47,6 @@ std::string free_lines(const std::vector<FreeValue>& values) {
 
 constexpr double kSameRate = 0.7;  ///< a few readings may be missing
 
-double duration_of(const Trial& trial) {
-  const Eigen::VectorXd& times = trial.measured.times;
-  return times.size() > 1 ? times[times.size() - 1] - times[0] : 0.0;
-}
-
 /// Readings of each sensor per second; `all`: samples of any of them, which is the rate where one device wrote all.
 std::string rates_of(const Trial& trial, double all) {
   std::string own;
@@ -89,27 +84,6 @@ std::string trial_lines(const std::vector<Trial>& trials) {
   return text;
 }
 
-/// Smallest and largest value of a channel in any trial, and how many values are missing.
-struct Extent {
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = -std::numeric_limits<double>::infinity();
-  std::size_t missing = 0;
-  std::string unit;
-};
-
-void widen(Extent& extent, const TimeSeries& series, const std::string& channel) {
-  for (std::size_t c = 0; c < series.channels.size(); ++c) {
-    if (series.channels[c].name != channel) continue;
-    extent.unit = series.channels[c].unit;
-    for (const double value : series.samples.col(static_cast<Eigen::Index>(c))) {
-      if (std::isnan(value))
-        ++extent.missing;
-      else
-        extent.smallest = std::min(extent.smallest, value), extent.largest = std::max(extent.largest, value);
-    }
-  }
-}
-
 /// " × 50 mN*m/A": the gain as it is written.
 std::string gain_text(const ColumnMapping& mapping) {
   if (mapping.gain_unit.empty()) return mapping.gain == 1.0 ? "" : fmt::format(" × {:.7g}", mapping.gain);
@@ -117,7 +91,7 @@ std::string gain_text(const ColumnMapping& mapping) {
   return fmt::format(" × {:.7g} {}", mapping.gain / (unit ? unit->to_si : 1.0), mapping.gain_unit);
 }
 
-std::string mapping_text(const ColumnMapping& mapping, const Extent& extent, const char* what) {
+std::string mapping_text(const ColumnMapping& mapping, const ChannelExtent& extent, const char* what) {
   std::string text = fmt::format("{}, {}: column {}", mapping.channel, what, mapping.column);
   if (mapping.unit != "1") text += " in " + mapping.unit;
   text += gain_text(mapping);
@@ -130,15 +104,13 @@ std::string mapping_text(const ColumnMapping& mapping, const Extent& extent, con
 
 std::string channel_lines(const RecordingSource& source, const std::vector<Trial>& trials) {
   std::string text;
-  const auto add = [&](const std::vector<ColumnMapping>& mappings, const char* what, auto series_of) {
-    for (const ColumnMapping& mapping : mappings) {
-      Extent extent;
-      for (const Trial& trial : trials) widen(extent, series_of(trial), mapping.channel);
-      text += summary_line(text.empty() ? "channels" : "", mapping_text(mapping, extent, what));
-    }
+  const auto add = [&](const std::vector<ColumnMapping>& mappings, const char* what, SeriesKind kind) {
+    for (const ColumnMapping& mapping : mappings)
+      text += summary_line(text.empty() ? "channels" : "",
+                           mapping_text(mapping, extent_of(mapping.channel, kind, trials), what));
   };
-  add(source.sensors, "measured", [](const Trial& trial) -> const TimeSeries& { return trial.measured; });
-  add(source.commands, "commanded", [](const Trial& trial) -> const TimeSeries& { return trial.commands.series; });
+  add(source.sensors, "measured", SeriesKind::measured);
+  add(source.commands, "commanded", SeriesKind::commanded);
   return text;
 }
 
