@@ -13,10 +13,18 @@ from .program import PathLike
 #: One name or several.
 Names = Union[str, Iterable[str]]
 
+#: One path or several.
+Paths = Union[PathLike, Iterable[PathLike]]
+
 
 def listed(names: Names) -> list[str]:
     """Several names, of which a single text is one."""
     return [names] if isinstance(names, str) else [str(name) for name in names]
+
+
+def path_list(paths: Paths) -> list[str]:
+    """Several paths, of which a single one is one."""
+    return [os.fspath(one) for one in ([paths] if isinstance(paths, (str, os.PathLike)) else paths)]
 
 
 def repeated(option: str, names: Names) -> list[str]:

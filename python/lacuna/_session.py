@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Optional, TypeVar, Union
 
 from . import _decode
-from ._arguments import file_argument, option, repeated, toml_value
+from ._arguments import Paths, file_argument, option, path_list, repeated, toml_value
 from .database import Database, Rows
 from .program import Finished, PathLike, Program
 from .progress import ProgressCallback
@@ -40,7 +40,7 @@ class Session:
         *,
         database: Optional[PathLike],
         overrides: Optional[Mapping[str, object]],
-        plugin_path: Union[PathLike, tuple[PathLike, ...], list[PathLike]],
+        plugin_path: Paths,
         n_jobs: int,
         random_state: Optional[int],
         evaluation_limit: Optional[float],
@@ -54,11 +54,10 @@ class Session:
         self._database = None if database is None else os.fspath(database)
         self._progress = progress
         self._known: Optional[tuple[tuple[int, int], Check]] = None
-        folders = plugin_path if isinstance(plugin_path, (tuple, list)) else [plugin_path]
         settings = [f"{key}={toml_value(value)}" for key, value in (overrides or {}).items()]
         self._of_model = [
             *repeated("--set", settings),
-            *repeated("--plugin-path", [os.fspath(one) for one in folders]),
+            *repeated("--plugin-path", path_list(plugin_path)),
             *option("--evaluation-limit", evaluation_limit),
         ]
         self._of_work = [

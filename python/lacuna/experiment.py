@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Optional, Union
 
-from ._arguments import Names, file_argument, listed, option, repeated
+from ._arguments import Names, Paths, file_argument, listed, option, path_list, repeated
 from ._session import Session, decoded
 from .draft import Draft
 from .errors import BadInputError
@@ -55,14 +55,6 @@ class Experiment(Session):
     -----
     All methods that call the program raise `BadInputError`, `CommandFailedError` or `StoppedError` (see
     `lacuna.errors`). An interrupt ends the program as Ctrl-C on a terminal does; what it has stored is kept.
-
-    Examples
-    --------
-    >>> rig = Experiment("first-steps.toml")            # doctest: +SKIP
-    >>> rig.compare().times_floor()                     # doctest: +SKIP
-    {'angle': 14.19}
-    >>> str(rig.diagnose().answer)                      # doctest: +SKIP
-    'coulomb_friction @ joint.hinge'
     """
 
     def __init__(
@@ -71,7 +63,7 @@ class Experiment(Session):
         *,
         database: Optional[PathLike] = None,
         overrides: Optional[Mapping[str, object]] = None,
-        plugin_path: Union[PathLike, tuple[PathLike, ...], list[PathLike]] = (),
+        plugin_path: Paths = (),
         n_jobs: int = -1,
         random_state: Optional[int] = None,
         evaluation_limit: Optional[float] = None,
@@ -99,7 +91,7 @@ class Experiment(Session):
     def new(
         cls,
         path: PathLike,
-        recordings: Union[PathLike, tuple[PathLike, ...], list[PathLike]],
+        recordings: Paths,
         *,
         robot: Optional[PathLike] = None,
         time: Optional[str] = None,
@@ -132,10 +124,9 @@ class Experiment(Session):
             The experiment, and what is left to be filled in.
         """
         experiment = cls(path, program=program, **settings)
-        files = recordings if isinstance(recordings, (tuple, list)) else [recordings]
         finished = experiment._run(
             ["new", file_argument(path)],
-            [word for one in files for word in ("--from", file_argument(one))],
+            [word for one in path_list(recordings) for word in ("--from", file_argument(one))],
             option("--robot", robot),
             option("--time", time),
             repeated("--position", position),
@@ -326,10 +317,9 @@ class Experiment(Session):
         duration: Optional[float] = None,
         setup: Optional[str] = None,
         holdout: bool = False,
-        csv: Optional[PathLike] = None,
         progress: Optional[ProgressCallback] = None,
-    ) -> Union[Trial, CommandTable]:
-        """Carries a test out on a target that takes tests, or writes its commands for a rig.
+    ) -> Trial:
+        """Carries a test out on a target that takes tests; the database then has the trial.
 
         Parameters
         ----------
@@ -341,26 +331,34 @@ class Experiment(Session):
             Setup of the recordings, or ``none``. Default: the first recording's.
         holdout : bool, optional
             Keep the trial from every fit.
-        csv : path, optional
-            Write the commands to this file, and carry nothing out.
         progress : callable, optional
             Called with a `Progress`.
-
-        Returns
-        -------
-        Trial or CommandTable
-            `CommandTable` with `csv`, else `Trial`.
         """
-        finished = self._work(
-            "trial",
-            option("--test", test),
-            option("--duration", duration),
-            option("--setup", setup),
-            option("--holdout", holdout),
-            [] if csv is None else [f"--csv={os.fspath(csv)}"],
-            progress=progress,
-        )
-        return decoded(Trial, finished) if csv is None else decoded(CommandTable, finished)
+        options = _test_options(test, duration, setup, holdout)
+        return decoded(Trial, self._work("trial", options, progress=progress))
+
+    def write_commands(
+        self,
+        test: str,
+        csv: PathLike,
+        *,
+        duration: Optional[float] = None,
+        setup: Optional[str] = None,
+        holdout: bool = False,
+    ) -> CommandTable:
+        """Writes the commands of a test as a table for a rig (``lacuna trial --csv``), and carries nothing out.
+
+        Parameters
+        ----------
+        test : str
+            A line such as ``triangle motor 0.3 N*m 0.1 Hz 20 s``, or a CSV file of commands.
+        csv : path
+            File to write.
+        duration, setup, holdout : optional
+            As of `trial`.
+        """
+        options = _test_options(test, duration, setup, holdout)
+        return decoded(CommandTable, self._work("trial", options, [f"--csv={os.fspath(csv)}"]))
 
     def export(
         self,
@@ -391,3 +389,12 @@ class Experiment(Session):
             progress=progress,
         )
         return decoded(Export, finished)
+
+
+def _test_options(test: str, duration: Optional[float], setup: Optional[str], holdout: bool) -> list[str]:
+    return [
+        *option("--test", test),
+        *option("--duration", duration),
+        *option("--setup", setup),
+        *option("--holdout", holdout),
+    ]

@@ -58,13 +58,22 @@ class DocumentationTest(unittest.TestCase):
 
 
 class TypesTest(unittest.TestCase):
-    def test_mypy_has_nothing_to_say(self) -> None:
+    def setUp(self) -> None:
         if shutil.which("mypy") is None:
             self.skipTest("mypy is not installed (Debian: mypy)")
+
+    def mypy(self, *files: str) -> str:
+        """What mypy says against files, named from the root of the source."""
         with tempfile.TemporaryDirectory() as cache:
-            command = ["mypy", "--strict", "--config-file", "pyproject.toml", "--cache-dir", cache, "lacuna"]
-            done = subprocess.run(command, cwd=SOURCE / "python", capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            command = ["mypy", "--strict", "--config-file", "python/pyproject.toml", "--cache-dir", cache, *files]
+            environment = {**os.environ, "MYPYPATH": "python:tests/python"}
+            done = subprocess.run(command, cwd=SOURCE, env=environment, capture_output=True, text=True)
+        return "" if done.returncode == 0 else done.stdout + done.stderr
+
+    def test_the_package_is_typed_for_the_oldest_python_and_its_tests_use_it_so(self) -> None:
+        self.assertEqual(self.mypy("python/lacuna"), "")
+        tests = [str(file.relative_to(SOURCE)) for file in (SOURCE / "tests" / "python").glob("*.py")]
+        self.assertEqual(self.mypy("--python-version", "3.11", *tests), "")
         self.assertTrue((SOURCE / "python" / "lacuna" / "py.typed").exists())
 
 

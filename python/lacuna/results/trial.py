@@ -1,4 +1,4 @@
-"""What `Experiment.trial` returns."""
+"""What `Experiment.trial` and `Experiment.write_commands` return."""
 
 from __future__ import annotations
 
