@@ -49,6 +49,10 @@ const NamedFormat& format_for(const std::filesystem::path& file, const std::stri
                                             [&] { return format->format->is_meant(text); }))
       return *format;
   if (!possible.empty()) return *possible.front();
+  if (file.extension() == ".xacro")
+    throw_problem({file.string(), 0, 0}, "is a xacro file, which tells how to make a URDF; type xacro " +
+                                             file.filename().string() + " > " + file.stem().stem().string() +
+                                             ".urdf and name that");
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
   throw_problem({file.string(), 0, 0}, fmt::format("is no robot file that can be read: its name ends with none of {}",

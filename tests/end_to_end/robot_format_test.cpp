@@ -87,6 +87,9 @@ TEST_F(RobotFormatFiles, AreRefusedWithEveryProblemAtItsLine) {
   const Outcome other = program_.run({"check", "arm.toml", "--set", "model.file=\"arm.sdf\""});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.errors, HasSubstr("its name ends with none of .mjcf, .toml, .urdf, .xml"));
+  program_.write("arm.urdf.xacro", kUrdfArm);
+  EXPECT_THAT(program_.run({"check", "arm.toml", "--set", "model.file=\"arm.urdf.xacro\""}).errors,
+              HasSubstr("type xacro arm.urdf.xacro > arm.urdf"));
 }
 
 constexpr const char* kScene = R"(<mujoco model="arm">

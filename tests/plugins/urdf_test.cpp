@@ -278,10 +278,27 @@ TEST(Urdf, RefusesWhatIsNoUrdf) {
   EXPECT_THAT(only_problem("<mujoco/>"), HasSubstr("its root is not <robot>"));
   EXPECT_THAT(only_problem("<robot xmlns:xacro=\"http://wiki.ros.org/xacro\"><xacro:include filename=\"a\"/></robot>"),
               HasSubstr("is a xacro file"));
+  EXPECT_THAT(only_problem("<robot><link name=\"a\"/><xacro:arm prefix=\"${p}\"/></robot>"),
+              HasSubstr("make it with xacro FILE > robot.urdf"));
+  EXPECT_THAT(read("<robot name=\"x\"><!-- from <xacro:arm/>, xacro:a --><link name=\"a\"/></robot>").problems,
+              IsEmpty());
   EXPECT_THAT(only_problem("<robot name=\"x\"/>"), HasSubstr("has no <link>"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_THAT(only_problem(deep), HasSubstr("is no whole XML document"));
+}
+
+/// Entities of a document's own are not expanded, however often each names the one before.
+TEST(Urdf, DoesNotExpandEntities) {
+  EXPECT_THAT(only_problem("<!DOCTYPE r [<!ENTITY a \"1\"><!ENTITY b \"&a;&a;\">]>" +
+                           one_link("<inertial><mass value=\"&b;\"/></inertial>")),
+              HasSubstr("\"&b;\" is no number"));
+}
+
+TEST(Urdf, TakesNoInertiaThatIsNoNumber) {
+  EXPECT_THAT(
+      only_problem(one_link("<inertial><mass value=\"1\"/>\n<inertia ixx=\"NaN\" iyy=\"1\" izz=\"1\"/></inertial>")),
+      HasSubstr("inertia's ixx \"NaN\" is no number"));
 }
 
 /// A chain of as many links as nobody builds ends, too.

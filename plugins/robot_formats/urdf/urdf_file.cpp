@@ -12,7 +12,13 @@ namespace {
 
 using robot_files::XmlElement;
 
-constexpr const char* kXacro = "xacro:";
+/// Whether it tells how to make a URDF, with elements of xacro, rather than what a robot is. Comments do not count.
+bool is_xacro(const tinyxml2::XMLElement& element) {
+  if (std::string_view(element.Name()).starts_with("xacro:")) return true;
+  for (const tinyxml2::XMLElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    if (is_xacro(*child)) return true;
+  return false;
+}
 
 bool is_of_names(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; }
 
@@ -193,7 +199,7 @@ File read_file(const std::string& text) {
     return file;
   }
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (text.find(kXacro) != std::string::npos)
+  if (root != nullptr && is_xacro(*root))
     file.problems.push_back(
         {0, "is a xacro file, which describes how to make a URDF; make it with xacro FILE > robot.urdf"});
   else if (root == nullptr || std::string_view(root->Name()) != "robot")
