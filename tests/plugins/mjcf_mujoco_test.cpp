@@ -1,5 +1,6 @@
 #include "plugins/built_catalog.h"
 #include "simulation/articulated/dynamics.h"
+#include "support/test_folder.h"
 
 #include <lacuna/robot_format.h>
 
@@ -34,6 +35,7 @@ std::unique_ptr<mjModel, decltype(&mj_deleteModel)> compiled_by_mujoco(const std
   mjModel* model = mj_loadXML("scene.xml", files.get(), problem.data(), static_cast<int>(problem.size()));
   mj_deleteVFS(files.get());
   EXPECT_NE(model, nullptr) << problem.data();
+  if (model) model->opt.disableflags |= mjDSBL_CONTACT | mjDSBL_LIMIT;  // it touches nothing here, and has no stops
   return {model, &mj_deleteModel};
 }
 
@@ -275,6 +277,14 @@ TEST(MjcfAgainstMuJoCo, WhatTheCompilerBoundsAndBalances) {
     <body name="b" pos="0.3 0 0"><joint name="k" axis="0 1 0"/><geom size="0.01" pos="0.1 0 0"/></body>
   </body></worldbody>
 </mujoco>)");
+}
+
+/// Files as their authors wrote them (tests/robots/README.md).
+TEST(MjcfAgainstMuJoCo, RobotsOfOthers) {
+  for (const char* name : {"mujoco/humanoid.xml", "gym/ant.xml", "gym/half_cheetah.xml"}) {
+    SCOPED_TRACE(name);
+    expect_same_motion(read_bytes(std::filesystem::path(LACUNA_SOURCE_DIRECTORY) / "tests/robots" / name));
+  }
 }
 
 }  // namespace
