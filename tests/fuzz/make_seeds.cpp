@@ -1,6 +1,7 @@
 // Writes the first inputs of targets that read no text: make_seeds FOLDER, FOLDER/TARGET/seeds gets each target's.
 
 #include "isolation/carried.h"
+#include "plugins/mcap_bytes.h"
 #include "storage/made_up_run.h"
 #include "storage/traces/trace_codec.h"
 #include "tasks/made_up_plan.h"
@@ -86,6 +87,20 @@ void write_plans(const fs::path& folder) {
         R"(1{"state": "failed", "machine": "a", "time": "2026-01-01T00:00:00Z", "reason": "no disk"})");
 }
 
+/// Messages that no checksum protects, so that a change of a byte is read on.
+void write_bags(const fs::path& folder) {
+  using namespace std::string_literals;
+  lacuna::McapBytes bag;
+  bag.schema(1, "robots/msg/State", "ros2msg", "float64 angle\nstring[] name\nfloat32[<=3] pair\nint16 count\n");
+  bag.channel(1, 1, "/state", "cdr");
+  bag.message(1, 1'000'000'000,
+              "\0\1\0\0"s + "\0\0\0\0\0\0\xf0\x3f"s + "\1\0\0\0\2\0\0\0a\0"s + "\0\0"s + "\0\0\0\0"s + "\5\0"s);
+  bag.schema(2, "Log", "jsonschema", "{}");
+  bag.channel(2, 2, "/log", "json");
+  bag.message(2, 1'500'000'000, R"({"name": ["a"], "position": [0.5], "t": {"sec": 1, "nanosec": 2}})");
+  write(folder / "plain.mcap", bag.whole());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,4 +110,5 @@ int main(int argc, char** argv) {
   write_traces(folder / "trace" / "seeds");
   write_messages(folder / "message" / "seeds");
   write_plans(folder / "plan" / "seeds");
+  write_bags(folder / "rosbag2" / "seeds");
 }
