@@ -11,14 +11,15 @@
 namespace lacuna {
 namespace {
 
-/// The guides that take the small rig of experiments/first-steps.toml, a fit of which takes a second or two, or an
-/// experiment of experiments/smoke/, shortened.
+/// The guides that take the small rig of experiments/first-steps.toml, a fit of which takes a second or two, an
+/// experiment of experiments/smoke/, shortened, or the robots and bags of experiments/bags/.
 class Guide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Guide, PrintsWhatItSays) {
   const Program program;
   program.copy_first_steps();
   program.copy_smoke();
+  program.copy_bags();
   follow_guide(GetParam(), program);
 }
 
@@ -27,7 +28,8 @@ INSTANTIATE_TEST_SUITE_P(Guides, Guide,
                                          "docs/how-to/use-your-own-csv.md", "docs/how-to/query-the-database.md",
                                          "docs/how-to/run-the-algorithm.md", "docs/how-to/choose-the-next-test.md",
                                          "docs/how-to/use-many-machines.md", "docs/reference/commands.md",
-                                         "docs/reference/formulas.md"),
+                                         "docs/reference/formulas.md", "docs/how-to/identify-an-arm-from-a-bag.md",
+                                         "docs/how-to/identify-a-leg-from-a-bag.md"),
                          [](const auto& guide) {
                            const std::string path = guide.param;
                            const std::size_t begin = path.rfind('/') + 1;

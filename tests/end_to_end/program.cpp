@@ -111,6 +111,11 @@ Outcome Program::install(const std::string& prefix) {
 
 void Program::copy_smoke() const { fs::copy(fs::path(kExperiments) / "smoke", folder_ / "smoke"); }
 
+void Program::copy_bags() const {
+  for (const char* file : {"arm.urdf", "arm.db3", "dog.xml", "leg.mcap", "leg.toml"})
+    fs::copy(fs::path(kExperiments) / "bags" / file, folder_);
+}
+
 void Program::copy_outside_targets() const {
   for (const char* file : {"outside-pendulum.toml", "outside-cart-pole.toml"})
     fs::copy(fs::path(kExperiments) / file, folder_);

@@ -43,6 +43,8 @@ class Program {
   Outcome install(const std::string& prefix);
   /// Copies experiments/smoke/, whose experiments bring no files.
   void copy_smoke() const;
+  /// Copies the robots, recordings and the experiment file of experiments/bags/ that guides begin with.
+  void copy_bags() const;
   void write(const std::string& file, const std::string& text) const;
   std::string read(const std::string& file) const;
 
