@@ -12,7 +12,7 @@ namespace lacuna::numpy {
 namespace {
 
 constexpr const char* kEnding = ".npy";
-constexpr std::size_t kPiece = std::size_t{1} << 16;
+constexpr std::size_t kEndPiece = std::size_t{1} << 16;
 constexpr std::size_t kLargestRow = std::size_t{1} << 24;  ///< bytes
 
 /// An array of a file, with its header.
@@ -123,7 +123,7 @@ OpenedArrays open_arrays(RandomFile& file) {
 
 /// The whole of what is behind a deflated or stored array, so that its checksum shows whether it is as it was written.
 void check_end(ByteStream& stream, const Array& array) {
-  std::vector<unsigned char> piece(kPiece);
+  std::vector<unsigned char> piece(kEndPiece);
   std::size_t behind = 0;
   while (const std::size_t got = stream.read(piece.data(), piece.size())) behind += got;
   if (behind > 0 && !array.name.empty())

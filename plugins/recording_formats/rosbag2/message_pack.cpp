@@ -12,7 +12,7 @@
 namespace lacuna::rosbag2 {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 18;
+constexpr std::size_t kUnpackedPiece = std::size_t{1} << 18;
 constexpr std::array<unsigned char, 4> kZstdSign = {0x28, 0xb5, 0x2f, 0xfd};
 
 [[noreturn]] void throw_damaged(const char* compression) {
@@ -49,7 +49,7 @@ Bytes MessagePack::unpack(Bytes packed, std::string_view compression) {
 /// Memory goes with what was really unpacked.
 void MessagePack::grow() {
   if (unpacked_.size() >= kLargest) throw BadBag("holds more than 256 MiB in one piece; write it in smaller chunks");
-  unpacked_.resize(std::max(kPiece, 2 * unpacked_.size()));
+  unpacked_.resize(std::max(kUnpackedPiece, 2 * unpacked_.size()));
 }
 
 Bytes MessagePack::unpack_zstd(Bytes packed) {
